@@ -1,0 +1,71 @@
+#pragma once
+/// \file
+/// The raw streams of one trial, as logged.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "datasets/bundle.hpp"
+#include "datasets/diagnostic.hpp"
+#include "datasets/ticks.hpp"
+
+namespace tcert {
+
+struct PoseStream {
+  std::vector<std::int64_t> time_ns;
+  std::vector<Pose> poses;
+};
+
+struct ControlStream {
+  std::vector<std::int64_t> time_ns;
+  std::vector<double> speed_cmd_mps;
+  std::vector<double> yaw_rate_cmd_rps;
+  std::vector<double> loop_latency_ms;  ///< NaN where the column is missing.
+};
+
+/// `readings` is row-major, samples x rays of the robot.
+struct TactileStream {
+  std::size_t rays = 0;
+  std::vector<std::int64_t> time_ns;
+  std::vector<RayReading> readings;
+};
+
+/// The log of one trial: three streams, or ticks that were merged by whoever logged them.
+struct TrialLog {
+  PoseStream pose;
+  TactileStream tactile;
+  ControlStream control;  ///< Empty if the trial has none: it is not required.
+  std::optional<TickTable> merged;
+  std::vector<std::int64_t> breaks_ns;  ///< Clock jumps: the path breaks at the first tick at or after.
+  std::size_t bytes = 0;                ///< Read from disk, decompressed.
+};
+
+struct ReadOptions {
+  bool repair = false;  ///< Drop or merge bad rows, counted, instead of rejecting the trial.
+};
+
+struct TrialResult {
+  std::optional<TrialLog> log;  ///< Empty iff the trial is rejected.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Reads the logs of one trial. Never throws on bad content. Thread-safe: several trials of one
+/// bundle may be read at once.
+[[nodiscard]] TrialResult read_trial(const Bundle& bundle,
+                                     const TrialRow& trial,
+                                     const ReadOptions& options = {});
+
+struct ResampleOptions {
+  double tick_s = 0.1;       ///< Period of the tick grid; > 0.
+  double max_hold_s = 0.5;   ///< A tick whose newest sample is older is stale.
+  int median_samples = 3;    ///< Raw samples under the causal median; odd, 1..9.
+};
+
+/// Ticks t_k = t_0 + k tick_s, t_0 = the first instant at which pose and tactile have a sample,
+/// until the first of them ends. Pose and command by zero-order hold; bend, range and force by the
+/// median of the newest samples at or before t_k. A merged log is handed back as it is.
+[[nodiscard]] TickTable resample(const TrialLog& log, const ResampleOptions& options = {});
+
+}  // namespace tcert

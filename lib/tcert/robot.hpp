@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// The agent A of the paper (body and turning limit), the course, and the rays that feel the walls.
+
+#include <optional>
+#include <string>
+#include <tcert/geometry.hpp>
+#include <tcert/region.hpp>
+#include <vector>
+
+namespace tcert {
+
+/// Monotone piecewise-linear map h_clr from a tentacle's bend to clearance (paper 3.1, P1).
+/// Outside the knots it keeps the value of the nearest knot.
+struct Calibration {
+  std::vector<double> bend_rad;     ///< Strictly increasing.
+  std::vector<double> clearance_m;  ///< Monotone, same length as bend_rad.
+};
+
+enum class RayKind {
+  bend,   ///< A tentacle: its reading is a bend angle, read through the calibration.
+  range,  ///< A beam: its reading is the clearance itself.
+};
+
+/// One direction in which clearance is felt, fixed to the body.
+struct Ray {
+  std::string name;
+  Point mount;               ///< In the body frame, x forward and y left.
+  double bearing_rad = 0.0;  ///< From the heading, counter-clockwise.
+  double reach_m = 0.0;      ///< Longest clearance that the ray can state; > 0.
+  RayKind kind = RayKind::range;
+  Calibration calibration;  ///< Used by bend rays only.
+};
+
+struct Robot {
+  double body_width_m = 0.45;           ///< w_B > 0; the body half-width r_B is half of it.
+  double min_turn_radius_m = 0.35;      ///< R_min >= 0.
+  double tracking_buffer_m = 0.0;       ///< epsilon_trk >= 0.
+  double curvature_buffer_per_m = 0.0;  ///< epsilon_kappa >= 0.
+  std::vector<Ray> rays;
+};
+
+/// Access and egress regions. Without a start, S is the disc of half the body width round the
+/// first node; without a goal there is no certificate T_t, only the on-policy corridor value V_t.
+struct Course {
+  std::optional<Region> start;
+  std::optional<Region> goal;
+};
+
+/// h_clr(bend). O(log knots). \pre the calibration has at least one knot.
+[[nodiscard]] double calibrated_clearance(const Calibration& calibration, double bend_rad) noexcept;
+
+/// Inverse of h_clr where it is strictly monotone: the smallest bend that reads as `clearance_m`.
+[[nodiscard]] double calibrated_bend(const Calibration& calibration, double clearance_m) noexcept;
+
+/// \throws std::invalid_argument naming the member that is out of range.
+void validate(const Robot& robot);
+
+}  // namespace tcert

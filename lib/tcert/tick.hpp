@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// What the robot felt at one instant of the 10 Hz grid (paper 3.1).
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <tcert/geometry.hpp>
+
+namespace tcert {
+
+inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// Reading of one ray: filtered (median of three raw samples), not calibrated.
+struct RayReading {
+  double value = kMissing;  ///< Bend in rad or range in m, by the ray's kind; NaN is missing.
+  double fsr_n = kMissing;  ///< Tip force in N; NaN if the ray has no force sensor.
+};
+
+/// One tick. `rays` holds one reading per ray of the robot, in its order, and is only looked at
+/// during the call that takes the tick.
+struct Tick {
+  std::int64_t time_ns = 0;  ///< On the trial's monotonic clock; strictly increasing.
+  Pose pose;
+  std::span<const RayReading> rays;
+  bool stale = false;          ///< A required stream is silent: no evidence.
+  bool segment_start = false;  ///< The log has a gap before this tick: the path is broken here.
+};
+
+}  // namespace tcert
