@@ -29,18 +29,18 @@ enum TickFlag : std::uint32_t {
 /// -infinity in a certificate or corridor value means that there is no path yet.
 struct CertifiedTick {
   std::int64_t time_ns = 0;
-  double travel_m = 0.0;                  ///< Distance travelled, dead band applied.
-  double left_m = kMissing;               ///< Free width on the left, trailing minimum.
+  double travel_m = 0.0;     ///< Distance travelled, dead band applied.
+  double left_m = kMissing;  ///< Free width on the left, trailing minimum.
   double right_m = kMissing;
-  double width_m = kMissing;              ///< Free width across the heading.
-  double turn_radius_m = kMissing;        ///< Before the curvature buffer.
-  double margin_m = kMissing;             ///< m_t.
-  double edge_margin_m = kMissing;        ///< Smallest m on the pending edge.
-  double memory = 0.0;                    ///< M_t at the robot, in [0, 1].
-  double corridor_value_m = kMissing;     ///< V_t.
-  double certificate_m = kMissing;        ///< T_t.
-  std::uint32_t contacts = 0;             ///< Rays in contact.
-  std::uint32_t new_contacts = 0;         ///< Rays whose contact began at this tick.
+  double width_m = kMissing;           ///< Free width across the heading.
+  double turn_radius_m = kMissing;     ///< Before the curvature buffer.
+  double margin_m = kMissing;          ///< m_t.
+  double edge_margin_m = kMissing;     ///< Smallest m on the pending edge.
+  double memory = 0.0;                 ///< M_t at the robot, in [0, 1].
+  double corridor_value_m = kMissing;  ///< V_t.
+  double certificate_m = kMissing;     ///< T_t.
+  std::uint32_t contacts = 0;          ///< Rays in contact.
+  std::uint32_t new_contacts = 0;      ///< Rays whose contact began at this tick.
   std::uint32_t nodes = 0;
   std::uint32_t edges = 0;
   std::uint32_t flags = 0;
@@ -53,7 +53,7 @@ struct CertifiedTick {
 /// Where a certificate is decided.
 struct Bottleneck {
   std::uint32_t edge = 0;
-  Pose pose;                 ///< Of the tick with the smallest margin on that edge.
+  Pose pose;  ///< Of the tick with the smallest margin on that edge.
   double margin_m = 0.0;
   double width_m = 0.0;
   double turn_radius_m = 0.0;

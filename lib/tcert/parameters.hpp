@@ -40,13 +40,13 @@ struct CertificateParameters {
 
   // Turn radius.
   double curvature_window_m = 0.25;
-  double curvature_min_travel_m = 0.10;    ///< Below it the radius is 1/min_curvature_per_m.
-  double min_curvature_per_m = 1e-3;       ///< epsilon of the paper; > 0.
-  double contact_spacing_m = 0.15;         ///< Between the contacts of a triple.
+  double curvature_min_travel_m = 0.10;  ///< Below it the radius is 1/min_curvature_per_m.
+  double min_curvature_per_m = 1e-3;     ///< epsilon of the paper; > 0.
+  double contact_spacing_m = 0.15;       ///< Between the contacts of a triple.
   double contact_literal_spacing_m = 0.02;
-  double contact_window_m = 1.0;           ///< Travel within which a triple lies.
-  double contact_flatness = 0.02;          ///< Least height of the triangle / longest side.
-  double sigma_contact_m = 0.003;          ///< Noise of a contact point; height >= 3 sigma.
+  double contact_window_m = 1.0;   ///< Travel within which a triple lies.
+  double contact_flatness = 0.02;  ///< Least height of the triangle / longest side.
+  double sigma_contact_m = 0.003;  ///< Noise of a contact point; height >= 3 sigma.
 
   // Contact.
   double contact_on_n = 0.5;

@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tcert/certifier.hpp>
+#include <tcert/contact_memory.hpp>
+#include <tcert/corridor_walk.hpp>
+#include <tcert/proxies.hpp>
+#include <vector>
+
+namespace tcert {
+namespace {
+
+constexpr double kNoPath = -std::numeric_limits<double>::infinity();
+
+bool is_finite(const Pose& pose) noexcept {
+  return std::isfinite(pose.position.x_m) && std::isfinite(pose.position.y_m) &&
+         std::isfinite(pose.yaw_rad);
+}
+
+bool lies_in(const std::optional<Region>& region, Point p) noexcept {
+  return region.has_value() && contains(*region, p);
+}
+
+}  // namespace
+
+struct Certifier::State {
+  State(const Robot& r, const Course& c, const CertificateParameters& p)
+      : robot(r),
+        course(c),
+        start(c.start),
+        parameters(p),
+        proxies(r, p),
+        memory(p),
+        walk(p),
+        ray_margins(r.rays.size(), kMissing) {}
+
+  [[nodiscard]] double needed_width_m() const noexcept {
+    return robot.body_width_m + 2.0 * robot.tracking_buffer_m;
+  }
+  [[nodiscard]] bool is_optimistic() const noexcept {
+    return parameters.unknown == UnknownSpace::free;
+  }
+  [[nodiscard]] bool accepts(const Tick& tick) const noexcept;
+  [[nodiscard]] CertifiedTick unchanged(const Tick& tick, std::uint32_t flag) const noexcept;
+  void certify(const Tick& tick) noexcept;
+  void count_travel(Point position, bool broken) noexcept;
+  Evidence weigh(const Tick& tick) noexcept;
+  [[nodiscard]] double certificate_m() const noexcept;
+
+  Robot robot;
+  Course course;
+  std::optional<Region> start;  // the course's, or the first node's disc
+  CertificateParameters parameters;
+  Proxies proxies;
+  ContactMemory memory;
+  CorridorWalk walk;
+  std::vector<double> ray_margins;
+
+  bool began = false;
+  bool has_time = false;
+  bool gap_before_next = false;
+  std::int64_t first_ns = 0;
+  std::int64_t last_ns = 0;
+  Point last_position;
+  Point counted_position;
+  double travel_m = 0.0;
+  std::uint32_t lasting_flags = 0;
+  CertifiedTick out;
+};
+
+bool Certifier::State::accepts(const Tick& tick) const noexcept {
+  return is_finite(tick.pose) && tick.rays.size() == robot.rays.size() &&
+         (!has_time || tick.time_ns > last_ns);
+}
+
+// A tick that is no evidence: what was known stays known.
+CertifiedTick Certifier::State::unchanged(const Tick& tick, std::uint32_t flag) const noexcept {
+  CertifiedTick same = out;
+  same.time_ns = tick.time_ns;
+  same.left_m = same.right_m = same.width_m = same.turn_radius_m = kMissing;
+  same.margin_m = kMissing;
+  same.contacts = same.new_contacts = 0;
+  same.flags = lasting_flags | flag;
+  return same;
+}
+
+// Travel counts only past the dead band, so that pose noise at a standstill is no travel.
+// The jump of a break is none either.
+void Certifier::State::count_travel(Point position, bool broken) noexcept {
+  const double step_m = distance(counted_position, position);
+  if (!broken && step_m < parameters.travel_deadband_m) {
+    return;
+  }
+  travel_m += broken ? 0.0 : step_m;
+  counted_position = position;
+}
+
+Evidence Certifier::State::weigh(const Tick& tick) noexcept {
+  const Point position = tick.pose.position;
+  const double time_s = 1e-9 * static_cast<double>(tick.time_ns - first_ns);
+  const bool in_start = lies_in(start, position);
+  const LocalGeometry local = proxies.update(tick, travel_m, time_s, in_start, memory);
+  const double sure_radius_m = 1.0 / (1.0 / local.turn_radius_m + robot.curvature_buffer_per_m);
+  const double turn_slack_m = sure_radius_m - robot.min_turn_radius_m;
+
+  out.left_m = local.left_m;
+  out.right_m = local.right_m;
+  out.width_m = local.width_m;
+  out.turn_radius_m = local.turn_radius_m;
+  out.margin_m = std::min(local.width_m - needed_width_m(), turn_slack_m);
+  out.contacts = local.contacts;
+  out.new_contacts = local.new_contacts;
+  out.flags |= local.missing_ray ? flag_missing_ray : 0U;
+  out.memory = memory.largest_within(position, 0.5 * robot.body_width_m, time_s);
+  for (std::size_t k = 0; k < ray_margins.size(); ++k) {
+    const double clearance_m = proxies.clearances()[k];
+    ray_margins[k] = std::isnan(clearance_m)
+                         ? kMissing
+                         : std::min(clearance_m - robot.body_width_m, turn_slack_m);
+  }
+  return {tick.pose,
+          travel_m,
+          out.margin_m,
+          local.width_m,
+          local.turn_radius_m,
+          parameters.memory_weight_m * out.memory,
+          in_start,
+          lies_in(course.goal, position)};
+}
+
+// Ablation A2 credits what lies ahead of the last node with the reach of the rays.
+double Certifier::State::certificate_m() const noexcept {
+  if (!is_optimistic()) {
+    return walk.certificate_m();
+  }
+  const double ahead_m = proxies.reach_width_m() - needed_width_m();
+  return std::max(walk.certificate_m(), std::min(walk.reached_m(), ahead_m));
+}
+
+void Certifier::State::certify(const Tick& tick) noexcept {
+  const Point position = tick.pose.position;
+  const bool broken = began && (tick.segment_start || gap_before_next ||
+                                distance(last_position, position) > parameters.max_step_m);
+  out.flags = 0;
+  if (!began) {
+    first_ns = tick.time_ns;
+    counted_position = position;
+    if (!start.has_value()) {
+      start = Disc{position, 0.5 * robot.body_width_m};
+    }
+  } else {
+    count_travel(position, broken);
+  }
+  if (broken) {
+    out.flags |= flag_break;
+    proxies.restart_windows();
+  }
+  const Evidence evidence = weigh(tick);
+  if (!began) {
+    lasting_flags |= evidence.in_start ? 0U : flag_start_outside;
+    walk.begin(evidence, !evidence.in_start);
+    began = true;
+  } else if (broken) {
+    const double bridge_m = is_optimistic() ? proxies.reach_width_m() - needed_width_m() : kNoPath;
+    walk.advance_after_break(evidence, bridge_m);
+  } else {
+    walk.advance(evidence);
+  }
+  gap_before_next = false;
+  last_position = position;
+
+  lasting_flags |= walk.capacity_exceeded() ? flag_capacity_exceeded : 0U;
+  lasting_flags |= evidence.in_goal ? flag_goal_reached : 0U;
+  out.flags |= lasting_flags;
+  out.time_ns = tick.time_ns;
+  out.travel_m = travel_m;
+  out.edge_margin_m = walk.edge_margin_m();
+  out.corridor_value_m = walk.corridor_value_m();
+  out.certificate_m = certificate_m();
+  out.nodes = static_cast<std::uint32_t>(walk.graph().nodes().size());
+  out.edges = static_cast<std::uint32_t>(walk.graph().edges().size());
+  out.issued = out.issued || out.certificate_m > 0.0;
+}
+
+Certifier::Certifier(const Robot& robot,
+                     const Course& course,
+                     const CertificateParameters& parameters) {
+  validate(robot);
+  validate(parameters);
+  state_ = std::make_unique<State>(robot, course, parameters);
+  reset();
+}
+
+Certifier::~Certifier() = default;
+Certifier::Certifier(Certifier&&) noexcept = default;
+Certifier& Certifier::operator=(Certifier&&) noexcept = default;
+
+CertifiedTick Certifier::update(const Tick& tick) noexcept {
+  State& state = *state_;
+  if (!state.accepts(tick)) {
+    return state.unchanged(tick, flag_bad_input);
+  }
+  state.has_time = true;
+  state.last_ns = tick.time_ns;
+  if (tick.stale) {
+    state.gap_before_next = state.gap_before_next || tick.segment_start;
+    return state.unchanged(tick, flag_stale);
+  }
+  state.certify(tick);
+  return state.out;
+}
+
+std::span<const double> Certifier::ray_margins() const noexcept { return state_->ray_margins; }
+
+const CorridorGraph& Certifier::graph() const noexcept { return state_->walk.graph(); }
+
+std::optional<Bottleneck> Certifier::bottleneck() const noexcept {
+  const WidestLabels& labels = state_->walk.through();
+  const CorridorGraph& graph = state_->walk.graph();
+  EdgeEnd entered = labels.sink_end();
+  if (entered.node == kNone) {
+    return std::nullopt;
+  }
+  std::optional<Bottleneck> narrowest;
+  for (;;) {
+    const std::uint32_t index = labels.edge_into(entered.node, opposite(entered.side));
+    if (index == kNone) {
+      return narrowest;
+    }
+    const Edge& edge = graph.edges()[index];
+    const Pass& pass = edge.pass;
+    if (!narrowest || pass.margin_m < narrowest->margin_m) {
+      narrowest = {index, pass.narrowest, pass.margin_m, pass.width_m, pass.turn_radius_m};
+    }
+    // The path came along the edge from its other end, which it had entered by the other side.
+    const EdgeEnd from = edge.ends[0] == entered ? edge.ends[1] : edge.ends[0];
+    entered = {from.node, opposite(from.side)};
+  }
+}
+
+void Certifier::reset() noexcept {
+  State& state = *state_;
+  state.proxies.clear();
+  state.memory.clear();
+  state.walk.clear();
+  std::fill(state.ray_margins.begin(), state.ray_margins.end(), kMissing);
+  state.start = state.course.start;
+  state.began = state.has_time = state.gap_before_next = false;
+  state.travel_m = 0.0;
+  state.lasting_flags = 0;
+  state.out = {};
+  state.out.certificate_m = kNoPath;
+  state.out.corridor_value_m = kNoPath;
+}
+
+double series_value(const CertifiedTick& tick) noexcept {
+  return tick.certificate_m > kNoPath ? tick.certificate_m : tick.corridor_value_m;
+}
+
+}  // namespace tcert

@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tcert/corridor_walk.hpp>
+
+namespace tcert {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+CorridorWalk::CorridorWalk(const CertificateParameters& parameters)
+    : parameters_(parameters),
+      graph_(parameters.max_nodes,
+             parameters.max_edges,
+             2.0 * parameters.merge_radius_m + parameters.max_step_m),
+      through_(WidestLabels::Kind::sided, parameters.max_nodes),
+      reached_(WidestLabels::Kind::sideless, parameters.max_nodes) {}
+
+void CorridorWalk::clear() noexcept {
+  graph_.clear();
+  through_.clear();
+  reached_.clear();
+  at_node_ = kNone;
+  goal_entered_ = false;
+  capacity_exceeded_ = false;
+}
+
+double CorridorWalk::reached_m() const noexcept {
+  return at_node_ == kNone ? carried_m_ : reached_.at(at_node_);
+}
+
+double CorridorWalk::pending_value_m(const Evidence& now) const noexcept {
+  return std::min(reached_m(), pending_.margin_m() - now.memory_deduction_m);
+}
+
+void CorridorWalk::begin(const Evidence& evidence, bool outside_start) noexcept {
+  outside_start_ = outside_start;
+  start_component(evidence, -kInfinity);
+  goal_entered_ = evidence.in_goal;
+  corridor_value_m_ = pending_value_m(evidence);
+  last_ = evidence;
+}
+
+void CorridorWalk::advance_after_break(const Evidence& evidence, double bridge_m) noexcept {
+  const std::uint32_t before = at_node_;
+  const Side left_by = left_by_;
+  start_component(evidence, corridor_value_m_);
+  if (bridge_m > -kInfinity && before != kNone && at_node_ != kNone) {
+    const EdgeEnd to{at_node_, Side::back};
+    at_node_ = before;
+    left_by_ = left_by;
+    record(to, {bridge_m, evidence.pose, evidence.width_m, evidence.turn_radius_m, {}, {}});
+    at_node_ = to.node;
+    left_by_ = Side::front;
+  }
+  goal_entered_ = goal_entered_ || evidence.in_goal;
+  corridor_value_m_ = pending_value_m(evidence);
+  last_ = evidence;
+}
+
+void CorridorWalk::advance(const Evidence& evidence) noexcept {
+  pending_.add(evidence);
+  follow_motion(evidence);
+  if (!cross(evidence)) {
+    const Side entered = forward_ ? Side::back : Side::front;
+    if (furthest_m_ - progress_m_ >= parameters_.reversal_m) {
+      close_at_new_node(evidence, entered, entered);
+    } else if (evidence.travel_m - node_travel_m_ >= parameters_.edge_length_m) {
+      close_at_new_node(evidence, entered, opposite(entered));
+    }
+  }
+  if (evidence.in_goal && !goal_entered_) {
+    goal_entered_ = true;
+    if (at_node_ != kNone && !graph_.nodes()[at_node_].in_goal) {
+      const Side entered = forward_ ? Side::back : Side::front;
+      close_at_new_node(evidence, entered, opposite(entered));
+    }
+  }
+  corridor_value_m_ = pending_value_m(evidence);
+  last_ = evidence;
+}
+
+void CorridorWalk::follow_motion(const Evidence& now) noexcept {
+  const double along_m = dot(now.pose.position - last_.pose.position, direction(now.pose.yaw_rad));
+  progress_m_ += forward_ ? along_m : -along_m;
+  furthest_m_ = std::max(furthest_m_, progress_m_);
+}
+
+// The path crosses the line through the node, perpendicular to its heading, near the node and
+// along its heading.
+CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
+                                                 const Evidence& now) const noexcept {
+  const Pose& at = graph_.nodes()[node].pose;
+  const Point heading = direction(at.yaw_rad);
+  const double before_m = dot(last_.pose.position - at.position, heading);
+  const double after_m = dot(now.pose.position - at.position, heading);
+  if ((before_m < 0.0) == (after_m < 0.0)) {
+    return {};
+  }
+  const double share = before_m / (before_m - after_m);
+  const Point step = now.pose.position - last_.pose.position;
+  const Point off = last_.pose.position + share * step - at.position;
+  const double distance2 = dot(off, off);
+  if (distance2 > parameters_.merge_radius_m * parameters_.merge_radius_m) {
+    return {};
+  }
+  const double turned = std::abs(angle_between(at.yaw_rad, now.pose.yaw_rad));
+  const double off_axis = std::min(turned, std::numbers::pi - turned);
+  if (off_axis > parameters_.merge_angle_rad) {
+    return {};
+  }
+  return {node, before_m < 0.0 ? Side::back : Side::front, distance2};
+}
+
+// Of the known nodes other than u, the nearest to where the path crosses it; ties: lowest index.
+CorridorWalk::Crossing CorridorWalk::nearest_crossing(const Evidence& now) const noexcept {
+  const Point a = last_.pose.position;
+  const Point b = now.pose.position;
+  const Point margin{parameters_.merge_radius_m, parameters_.merge_radius_m};
+  const Point low = Point{std::min(a.x_m, b.x_m), std::min(a.y_m, b.y_m)} - margin;
+  const Point high = Point{std::max(a.x_m, b.x_m), std::max(a.y_m, b.y_m)} + margin;
+  Crossing nearest;
+  graph_.for_each_node_near(low, high, [&](std::uint32_t node) noexcept {
+    if (node == at_node_) {
+      return;
+    }
+    const Crossing found = crossing_of(node, now);
+    if (found.node == kNone) {
+      return;
+    }
+    const bool nearer = nearest.node == kNone || found.distance2 < nearest.distance2 ||
+                        (found.distance2 == nearest.distance2 && found.node < nearest.node);
+    if (nearer) {
+      nearest = found;
+    }
+  });
+  return nearest;
+}
+
+// Closes the pending edge at the known node that the path crosses, or restarts it at u. Both ends
+// of the crossing interval count in both edges.
+bool CorridorWalk::cross(const Evidence& now) noexcept {
+  const Crossing known = nearest_crossing(now);
+  if (known.node != kNone) {
+    if (at_node_ != kNone) {
+      record({known.node, known.entered}, pending_.finish());
+    }
+    leave(known.node, opposite(known.entered), now);
+    pending_.restart(last_);
+    pending_.add(now);
+    return true;
+  }
+  if (at_node_ == kNone) {
+    return false;
+  }
+  const Crossing own = crossing_of(at_node_, now);
+  if (own.node == kNone) {
+    return false;
+  }
+  leave(own.node, opposite(own.entered), now);
+  pending_.restart(last_);
+  pending_.add(now);
+  return true;
+}
+
+void CorridorWalk::leave(std::uint32_t node, Side side, const Evidence& now) noexcept {
+  const double along_m = dot(now.pose.position - last_.pose.position, direction(now.pose.yaw_rad));
+  at_node_ = node;
+  left_by_ = side;
+  node_travel_m_ = now.travel_m;
+  forward_ = along_m >= 0.0;
+  progress_m_ = 0.0;
+  furthest_m_ = 0.0;
+}
+
+// Entered and left by the same side, the path turns back here.
+void CorridorWalk::close_at_new_node(const Evidence& now, Side entered, Side left) noexcept {
+  if (at_node_ == kNone) {
+    return;
+  }
+  const double corridor_value_m = pending_value_m(now);
+  const std::uint32_t node = lay_node(now);
+  if (node == kNone) {
+    carried_m_ = corridor_value_m;
+    at_node_ = kNone;
+    return;
+  }
+  if (graph_.edges_full()) {
+    capacity_exceeded_ = true;
+    reached_.raise_node(graph_, node, corridor_value_m);
+  } else {
+    record({node, entered}, pending_.finish());
+  }
+  at_node_ = node;
+  left_by_ = left;
+  node_travel_m_ = now.travel_m;
+  forward_ = left == Side::front;
+  progress_m_ = 0.0;
+  furthest_m_ = 0.0;
+  pending_.restart(now);
+}
+
+void CorridorWalk::start_component(const Evidence& now, double corridor_value_m) noexcept {
+  at_node_ = lay_node(now);
+  carried_m_ = corridor_value_m;
+  if (at_node_ != kNone) {
+    reached_.raise_node(graph_, at_node_, corridor_value_m);
+  }
+  left_by_ = Side::front;
+  node_travel_m_ = now.travel_m;
+  forward_ = true;
+  progress_m_ = 0.0;
+  furthest_m_ = 0.0;
+  pending_.restart(now);
+}
+
+std::uint32_t CorridorWalk::lay_node(const Evidence& now) noexcept {
+  const std::uint32_t node = graph_.add_node({now.pose, now.in_start, now.in_goal});
+  if (node == kNone) {
+    capacity_exceeded_ = true;
+    return kNone;
+  }
+  through_.add_node(node, now.in_goal);
+  reached_.add_node(node, now.in_goal);
+  if (now.in_start && !outside_start_) {
+    through_.raise_node(graph_, node, kInfinity);
+    reached_.raise_node(graph_, node, kInfinity);
+  }
+  return node;
+}
+
+void CorridorWalk::record(EdgeEnd to, const Pass& pass) noexcept {
+  const CorridorGraph::Recorded recorded = graph_.record_pass({at_node_, left_by_}, to, pass);
+  if (recorded.edge == kNone) {
+    capacity_exceeded_ = true;
+  }
+  if (recorded.changed) {
+    through_.relax_edge(graph_, recorded.edge);
+    reached_.relax_edge(graph_, recorded.edge);
+  }
+}
+
+}  // namespace tcert

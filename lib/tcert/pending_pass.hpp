@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// What has been felt since the last node: the pass along the edge that is being walked.
+
+#include <array>
+#include <cstddef>
+#include <tcert/corridor_graph.hpp>
+
+namespace tcert {
+
+/// What a fresh tick adds to the edge that is being walked.
+struct Evidence {
+  Pose pose;
+  double travel_m = 0.0;
+  double margin_m = 0.0;  ///< m_t.
+  double width_m = 0.0;
+  double turn_radius_m = 0.0;
+  double memory_deduction_m = 0.0;  ///< lambda_M M_t.
+  bool in_start = false;
+  bool in_goal = false;
+};
+
+/// Running minimum of the margin, and samples for the profiles: every tick up to a fixed number,
+/// then every second, every fourth, ..., so that a robot that stands still costs no memory. Least
+/// and largest are exact, the other quantiles are then those of the samples kept.
+class PendingPass {
+ public:
+  void restart(const Evidence& evidence) noexcept;
+  void add(const Evidence& evidence) noexcept;
+
+  [[nodiscard]] double margin_m() const noexcept { return pass_.margin_m; }
+
+  /// The pass with its profiles (Hyndman-Fan type 7). O(samples log samples).
+  [[nodiscard]] Pass finish() noexcept;
+
+ private:
+  static constexpr std::size_t kSamples = 128;
+  void keep(double width_m, double turn_radius_m) noexcept;
+
+  Pass pass_;
+  std::array<double, kSamples> widths_m_{};
+  std::array<double, kSamples> radii_m_{};
+  std::size_t kept_ = 0;
+  std::size_t stride_ = 1;
+  std::size_t seen_ = 0;
+};
+
+}  // namespace tcert

@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tcert/proxies.hpp>
+
+namespace tcert {
+namespace {
+
+constexpr double kSquare = 0.5 * std::numbers::pi;
+
+double side_window(const Robot& robot, const CertificateParameters& parameters) {
+  return parameters.side_window_m > 0.0 ? parameters.side_window_m : robot.body_width_m;
+}
+
+}  // namespace
+
+Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
+    : parameters_(parameters),
+      half_width_m_(0.5 * robot.body_width_m),
+      clearance_m_(robot.rays.size(), kMissing),
+      left_(side_window(robot, parameters), parameters.travel_deadband_m),
+      right_(side_window(robot, parameters), parameters.travel_deadband_m),
+      turn_(parameters.curvature_window_m, parameters.travel_deadband_m),
+      contact_curvature_(robot.rays.size(), parameters) {
+  double left_m = std::numeric_limits<double>::infinity();
+  double right_m = left_m;
+  for (const Ray& ray : robot.rays) {
+    RayState state;
+    state.ray = ray;
+    const double from_left = std::abs(angle_between(kSquare, ray.bearing_rad));
+    const double from_right = std::abs(angle_between(-kSquare, ray.bearing_rad));
+    state.side = from_left <= parameters.side_angle_rad    ? 1
+                 : from_right <= parameters.side_angle_rad ? -1
+                                                           : 0;
+    state.offset_m = state.side < 0 ? -ray.mount.y_m : ray.mount.y_m;
+    state.across = std::abs(std::sin(ray.bearing_rad));
+    state.ahead = direction(ray.bearing_rad);
+    double& reach_m = state.side > 0 ? left_m : right_m;
+    if (state.side != 0) {
+      reach_m = std::min(reach_m, state.offset_m + ray.reach_m * state.across);
+    }
+    rays_.push_back(state);
+  }
+  reach_width_m_ = across_both(std::isinf(left_m) ? half_width_m_ : left_m,
+                               std::isinf(right_m) ? half_width_m_ : right_m);
+}
+
+void Proxies::clear() noexcept {
+  restart_windows();
+  for (RayState& state : rays_) {
+    state.in_contact = false;
+  }
+  std::fill(clearance_m_.begin(), clearance_m_.end(), kMissing);
+}
+
+void Proxies::restart_windows() noexcept {
+  left_.clear();
+  right_.clear();
+  turn_.clear();
+  contact_curvature_.clear();
+  has_yaw_ = false;
+}
+
+double Proxies::clearance(const RayState& state, double reading) const noexcept {
+  if (!std::isfinite(reading)) {
+    return kMissing;
+  }
+  const double stated_m = state.ray.kind == RayKind::bend
+                              ? calibrated_clearance(state.ray.calibration, reading)
+                              : reading;
+  return std::clamp(stated_m, 0.0, state.ray.reach_m);
+}
+
+bool Proxies::feels_contact(const RayState& state,
+                            double clearance_m,
+                            double force_n) const noexcept {
+  if (!std::isnan(force_n)) {
+    return force_n >= (state.in_contact ? parameters_.contact_off_n : parameters_.contact_on_n);
+  }
+  return clearance_m < state.ray.reach_m - parameters_.contact_slack_m;
+}
+
+double Proxies::across_both(double left_m, double right_m) const noexcept {
+  return parameters_.clearance == ClearanceReading::radial ? 2.0 * std::min(left_m, right_m)
+                                                           : left_m + right_m;
+}
+
+// 1 / max(|dpsi| / ds, epsilon) over the executed path. Turning inside S is no evidence about the
+// corridor: the window begins no earlier than the last tick there.
+double Proxies::path_radius(double travel_m, double yaw_rad, bool inside_start) noexcept {
+  unwrapped_yaw_rad_ = has_yaw_ ? unwrapped_yaw_rad_ + angle_between(last_yaw_rad_, yaw_rad) : 0.0;
+  last_yaw_rad_ = yaw_rad;
+  has_yaw_ = true;
+  if (inside_start) {
+    turn_.clear();
+  }
+  const auto [run_m, turn_rad] = turn_.add(travel_m, unwrapped_yaw_rad_);
+  const double straightest = parameters_.min_curvature_per_m;
+  if (inside_start || run_m < parameters_.curvature_min_travel_m) {
+    return 1.0 / straightest;
+  }
+  return 1.0 / std::max(std::abs(turn_rad) / run_m, straightest);
+}
+
+void Proxies::feel_contact(std::size_t ray,
+                           const Tick& tick,
+                           double travel_m,
+                           double time_s,
+                           ContactMemory& memory) noexcept {
+  const double clearance_m = clearance_m_[ray];
+  if (std::isnan(clearance_m)) {
+    return;  // felt, but nobody knows where
+  }
+  const Point local = rays_[ray].ray.mount + clearance_m * rays_[ray].ahead;
+  const Point point = transform(tick.pose, local);
+  memory.add(point, tick.rays[ray].fsr_n, time_s);
+  const Point ahead = direction(tick.pose.yaw_rad);
+  contact_curvature_.add(ray, {point, local.y_m, {-ahead.y_m, ahead.x_m}, travel_m});
+}
+
+LocalGeometry Proxies::update(const Tick& tick,
+                              double travel_m,
+                              double time_s,
+                              bool inside_start,
+                              ContactMemory& memory) noexcept {
+  LocalGeometry local;
+  double left_m = std::numeric_limits<double>::infinity();
+  double right_m = left_m;
+  for (std::size_t k = 0; k < rays_.size(); ++k) {
+    RayState& state = rays_[k];
+    clearance_m_[k] = clearance(state, tick.rays[k].value);
+    const bool missing = std::isnan(clearance_m_[k]);
+    local.missing_ray = local.missing_ray || missing;
+    if (state.side != 0) {
+      double& side_m = state.side > 0 ? left_m : right_m;
+      const double felt_m =
+          missing ? half_width_m_ : state.offset_m + clearance_m_[k] * state.across;
+      side_m = std::min(side_m, felt_m);
+    }
+    const bool contact = feels_contact(state, clearance_m_[k], tick.rays[k].fsr_n);
+    local.contacts += contact ? 1U : 0U;
+    local.new_contacts += contact && !state.in_contact ? 1U : 0U;
+    state.in_contact = contact;
+    if (contact) {
+      feel_contact(k, tick, travel_m, time_s, memory);
+    }
+  }
+  local.left_m = left_.add(travel_m, std::isinf(left_m) ? half_width_m_ : left_m);
+  local.right_m = right_.add(travel_m, std::isinf(right_m) ? half_width_m_ : right_m);
+  local.width_m = across_both(local.left_m, local.right_m);
+
+  const double path_radius_m = path_radius(travel_m, tick.pose.yaw_rad, inside_start);
+  switch (parameters_.curvature) {
+    case CurvatureReading::none:
+      local.turn_radius_m = 1.0 / parameters_.min_curvature_per_m;
+      break;
+    case CurvatureReading::path:
+      local.turn_radius_m = path_radius_m;
+      break;
+    case CurvatureReading::contact:
+    case CurvatureReading::contact_literal:
+      local.turn_radius_m =
+          inside_start ? path_radius_m : contact_curvature_.radius(travel_m, path_radius_m);
+      break;
+  }
+  return local;
+}
+
+}  // namespace tcert

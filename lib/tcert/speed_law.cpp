@@ -1,0 +1,28 @@
+#include <cmath>
+#include <stdexcept>
+#include <tcert/speed_law.hpp>
+
+namespace tcert {
+
+double gated_speed(const SpeedLaw& law, double margin_m) noexcept {
+  if (!(margin_m > 0.0)) {
+    return 0.0;
+  }
+  const double z = law.beta_per_m * margin_m;
+  const double squashed = std::isinf(z) ? 1.0 : z / (1.0 + z);
+  return std::lerp(law.min_speed_mps, law.max_speed_mps, squashed);
+}
+
+void validate(const SpeedLaw& law) {
+  if (!(law.min_speed_mps > 0.0 && std::isfinite(law.min_speed_mps))) {
+    throw std::invalid_argument("min_speed_mps must be above 0");
+  }
+  if (!(law.max_speed_mps >= law.min_speed_mps && std::isfinite(law.max_speed_mps))) {
+    throw std::invalid_argument("max_speed_mps must not be below min_speed_mps");
+  }
+  if (!(law.beta_per_m > 0.0 && std::isfinite(law.beta_per_m))) {
+    throw std::invalid_argument("beta_per_m must be above 0");
+  }
+}
+
+}  // namespace tcert

@@ -1,0 +1,105 @@
+#pragma once
+/// \file
+/// Quantities over the last so many metres of travel. Travel advances in steps of at least the
+/// dead band, so a window holds a bounded number of distinct travels and needs a bounded memory.
+
+#include <cstddef>
+#include <vector>
+
+namespace tcert {
+
+/// A queue in a ring of fixed size; the oldest entry is dropped if it is full.
+template <typename Entry>
+class TravelQueue {
+ public:
+  /// Room for `window_m` of travel counted in steps of at least `step_m` > 0.
+  TravelQueue(double window_m, double step_m)
+      : entries_(static_cast<std::size_t>(window_m / step_m) + 3) {}
+
+  [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+  [[nodiscard]] const Entry& front() const noexcept { return entries_[first_]; }
+  [[nodiscard]] const Entry& back() const noexcept { return entries_[at(size_ - 1)]; }
+  void clear() noexcept { size_ = 0; }
+  void pop_back() noexcept { --size_; }
+  void pop_front() noexcept {
+    first_ = at(1);
+    --size_;
+  }
+  void push_back(const Entry& entry) noexcept {
+    if (size_ == entries_.size()) {
+      pop_front();
+    }
+    entries_[at(size_)] = entry;
+    ++size_;
+  }
+
+ private:
+  [[nodiscard]] std::size_t at(std::size_t i) const noexcept {
+    const std::size_t slot = first_ + i;
+    return slot < entries_.size() ? slot : slot - entries_.size();
+  }
+
+  std::vector<Entry> entries_;
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+};
+
+/// Smallest value added over the last `window_m` of travel. Amortised O(1) an addition.
+class TrailingMinimum {
+ public:
+  TrailingMinimum(double window_m, double step_m) : window_m_(window_m), queue_(window_m, step_m) {}
+
+  void clear() noexcept { queue_.clear(); }
+
+  /// Returns the minimum with `value` in it. \pre `travel_m` never falls between two clears.
+  double add(double travel_m, double value) noexcept {
+    while (!queue_.empty() && queue_.back().value >= value) {
+      queue_.pop_back();
+    }
+    if (queue_.empty() || queue_.back().travel_m < travel_m) {
+      queue_.push_back({travel_m, value});
+    }
+    while (travel_m - queue_.front().travel_m > window_m_) {
+      queue_.pop_front();
+    }
+    return queue_.front().value;
+  }
+
+ private:
+  struct Entry {
+    double travel_m = 0.0;
+    double value = 0.0;
+  };
+  double window_m_;
+  TravelQueue<Entry> queue_;
+};
+
+/// Net change of an unwrapped angle over the last `window_m` of travel.
+class TrailingTurn {
+ public:
+  TrailingTurn(double window_m, double step_m) : window_m_(window_m), queue_(window_m, step_m) {}
+
+  struct Turn {
+    double travel_m = 0.0;
+    double angle_rad = 0.0;
+  };
+
+  void clear() noexcept { queue_.clear(); }
+
+  /// \pre `travel_m` never falls between two clears.
+  Turn add(double travel_m, double angle_rad) noexcept {
+    if (queue_.empty() || queue_.back().travel_m < travel_m) {
+      queue_.push_back({travel_m, angle_rad});
+    }
+    while (travel_m - queue_.front().travel_m > window_m_) {
+      queue_.pop_front();
+    }
+    return {travel_m - queue_.front().travel_m, angle_rad - queue_.front().angle_rad};
+  }
+
+ private:
+  double window_m_;
+  TravelQueue<Turn> queue_;
+};
+
+}  // namespace tcert
