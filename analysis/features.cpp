@@ -6,75 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/motion.hpp"
+#include "analysis/early_window.hpp"
 #include "analysis/quantile.hpp"
 
 namespace tcert {
 namespace {
-
-/// The fresh ticks of a trial, with what the windows are cut by. Windows are prefixes of it.
-struct FreshTicks {
-  std::vector<std::size_t> index;  // in the tick table
-  std::vector<std::int64_t> since_start_ns;
-  std::vector<double> travel_m;
-  std::vector<Motion> motion;
-
-  [[nodiscard]] std::size_t size() const noexcept { return index.size(); }
-};
-
-std::int64_t nanoseconds(double seconds) {
-  // Beyond 290 years every log has ended.
-  return static_cast<std::int64_t>(std::llround(std::min(seconds, 9e9) * 1e9));
-}
-
-double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
-
-FreshTicks fresh_ticks(const TickTable& ticks,
-                       std::span<const CertifiedTick> series,
-                       std::int64_t dwell_window_ns) {
-  FreshTicks fresh;
-  std::vector<TimedPosition> path;
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    if ((series[i].flags & (flag_stale | flag_bad_input)) != 0) {
-      continue;
-    }
-    fresh.index.push_back(i);
-    fresh.since_start_ns.push_back(ticks.time_ns[i] - ticks.time_ns[0]);
-    fresh.travel_m.push_back(series[i].travel_m);
-    path.push_back(
-        {ticks.time_ns[i], ticks.poses[i].position, (series[i].flags & flag_break) != 0});
-  }
-  fresh.motion = trailing_motion(path, dwell_window_ns);
-  return fresh;
-}
-
-/// A window: the first `size` fresh ticks, and when it closed, if it did before the log ended.
-struct Window {
-  std::size_t size = 0;
-  std::optional<double> end_s;
-};
-
-Window time_window(const FreshTicks& fresh, std::int64_t end_ns, double limit_s) {
-  const std::int64_t limit_ns = nanoseconds(limit_s);
-  const auto after =
-      std::upper_bound(fresh.since_start_ns.begin(), fresh.since_start_ns.end(), limit_ns);
-  Window window;
-  window.size = static_cast<std::size_t>(after - fresh.since_start_ns.begin());
-  if (end_ns > limit_ns) {
-    window.end_s = limit_s;
-  }
-  return window;
-}
-
-Window distance_window(const FreshTicks& fresh, std::int64_t end_ns, double limit_m, double cap_s) {
-  Window window = time_window(fresh, end_ns, cap_s);
-  const auto after = std::upper_bound(fresh.travel_m.begin(), fresh.travel_m.end(), limit_m);
-  const auto size = static_cast<std::size_t>(after - fresh.travel_m.begin());
-  if (size < window.size) {
-    window = {size, seconds(fresh.since_start_ns[size])};
-  }
-  return window;
-}
 
 std::optional<double> contacts_per_m(std::span<const CertifiedTick> series,
                                      const FreshTicks& fresh,
@@ -201,7 +137,7 @@ WindowValues worse(const WindowValues& a, const WindowValues& b) {
 
 void add_trial_facts(const Trial& trial, std::int64_t end_ns, Features& features) {
   features.ticks = trial.ticks.size();
-  features.end_s = seconds(end_ns);
+  features.end_s = seconds_of(end_ns);
   features.travel_m = trial.series.back().travel_m;
   features.issued = trial.series.back().issued;
   if (*features.issued) {
@@ -209,7 +145,7 @@ void add_trial_facts(const Trial& trial, std::int64_t end_ns, Features& features
                                     trial.series.end(),
                                     [](const CertifiedTick& tick) { return tick.issued; });
     const auto row = static_cast<std::size_t>(first - trial.series.begin());
-    features.issued_s = seconds(trial.ticks.time_ns[row] - trial.ticks.time_ns[0]);
+    features.issued_s = seconds_of(trial.ticks.time_ns[row] - trial.ticks.time_ns[0]);
   }
   if (std::isfinite(trial.series.back().certificate_m)) {
     features.certificate_m = trial.series.back().certificate_m;
@@ -249,7 +185,7 @@ Features early_features(const Robot& robot,
     features.ticks = 0;
     return features;
   }
-  const FreshTicks fresh = fresh_ticks(ticks, series, nanoseconds(options.dwell_window_s));
+  const FreshTicks fresh = fresh_ticks(ticks, series, nanoseconds_of(options.dwell_window_s));
   const std::int64_t end_ns = ticks.time_ns.back() - ticks.time_ns.front();
   const Trial trial{robot, ticks, series, fresh, options};
   add_trial_facts(trial, end_ns, features);
@@ -260,7 +196,7 @@ Features early_features(const Robot& robot,
   if (options.kind == EarlyWindowKind::both) {
     second = distance_window(fresh, end_ns, options.distance_m, options.distance_cap_s);
   } else if (options.kind == EarlyWindowKind::fraction) {
-    const double end_s = seconds(end_ns);
+    const double end_s = seconds_of(end_ns);
     first = time_window(fresh, end_ns, options.fraction * end_s);
     second = distance_window(fresh, end_ns, options.fraction * *features.travel_m, end_s);
   }

@@ -31,7 +31,7 @@ struct EarlyWindowOptions {
   double dwell_window_s = 0.5;    ///< Trailing time over which speed is measured; > 0.
 };
 
-/// \throws std::invalid_argument naming the option, its value and the range it must lie in.
+/// \throws std::invalid_argument naming the option and the range it must lie in.
 void validate(const EarlyWindowOptions& options);
 
 /// One trial. Empty is missing (NA). The plain features follow `kind`, the `_landmark` ones always

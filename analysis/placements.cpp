@@ -34,14 +34,18 @@ Placements placements(std::span<const double> score,
     std::size_t last = first;
     std::size_t tied_successes = 0;
     while (last < n && score[order[last]] == score[order[first]]) {
-      if (is_success(order[last++])) ++tied_successes;
+      if (is_success(order[last++])) {
+        ++tied_successes;
+      }
     }
     const std::size_t tied_failures = last - first - tied_successes;
     for (std::size_t k = first; k < last; ++k) {
       twice_outranked[order[k]] = static_cast<double>(
           is_success(order[k]) ? 2 * failures_below + tied_failures
                                : 2 * (successes - successes_below) - tied_successes);
-      if (is_success(order[k])) twice_wins += twice_outranked[order[k]];
+      if (is_success(order[k])) {
+        twice_wins += twice_outranked[order[k]];
+      }
     }
     failures_below += tied_failures;
     successes_below += tied_successes;

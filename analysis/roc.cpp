@@ -3,66 +3,37 @@
 #include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <cstdint>
-#include <limits>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
-#include <string>
+
+#include "analysis/complete_rows.hpp"
 
 namespace tcert {
 namespace {
-
-/// Rows where every score and the outcome are known.
-struct CompleteRows {
-  std::vector<std::vector<double>> scores;
-  std::vector<std::uint8_t> success;
-  std::size_t successes = 0;
-  std::size_t failures = 0;
-  std::size_t missing = 0;
-};
-
-CompleteRows complete_rows(std::initializer_list<std::span<const double>> scores,
-                           std::span<const double> success) {
-  CompleteRows rows;
-  rows.scores.resize(scores.size());
-  for (const auto& score : scores) {
-    if (score.size() != success.size()) {
-      throw std::invalid_argument("AUC: a predictor has " + std::to_string(score.size()) +
-                                  " values, the outcome " + std::to_string(success.size()));
-    }
-  }
-  for (std::size_t row = 0; row < success.size(); ++row) {
-    const double y = success[row];
-    if (!std::isnan(y) && y != 0.0 && y != 1.0) {
-      throw std::invalid_argument("AUC: the outcome of row " + std::to_string(row + 1) +
-                                  " is neither 0 nor 1");
-    }
-    if (std::isnan(y) || std::any_of(scores.begin(), scores.end(), [&](const auto& score) {
-          return std::isnan(score[row]);
-        })) {
-      ++rows.missing;
-      continue;
-    }
-    auto column = rows.scores.begin();
-    for (const auto& score : scores) (column++)->push_back(score[row]);
-    rows.success.push_back(y == 1.0 ? 1 : 0);
-    ++(y == 1.0 ? rows.successes : rows.failures);
-  }
-  return rows;
-}
 
 /// Conditions of the classes alone; true if there is an AUC.
 bool class_conditions(const CompleteRows& rows, std::vector<AucCondition>& conditions) {
   if (rows.success.empty()) {
     conditions.push_back(AucCondition::no_rows);
   } else {
-    if (rows.successes == 0) conditions.push_back(AucCondition::no_successes);
-    if (rows.failures == 0) conditions.push_back(AucCondition::no_failures);
+    if (rows.successes == 0) {
+      conditions.push_back(AucCondition::no_successes);
+    }
+    if (rows.failures == 0) {
+      conditions.push_back(AucCondition::no_failures);
+    }
   }
-  if (!conditions.empty()) return false;
-  if (rows.successes == 1) conditions.push_back(AucCondition::one_success);
-  if (rows.failures == 1) conditions.push_back(AucCondition::one_failure);
+  if (!conditions.empty()) {
+    return false;
+  }
+  if (rows.successes == 1) {
+    conditions.push_back(AucCondition::one_success);
+  }
+  if (rows.failures == 1) {
+    conditions.push_back(AucCondition::one_failure);
+  }
   return true;
 }
 
@@ -71,7 +42,9 @@ double variance_of_mean(std::span<const double> values) {
   const auto n = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
   double squares = 0.0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
+  for (const double value : values) {
+    squares += (value - mean) * (value - mean);
+  }
   return squares / (n - 1.0) / n;
 }
 
@@ -79,7 +52,9 @@ double variance_of_mean(std::span<const double> values) {
 double normal_factor(double level) { return std::numbers::sqrt2 * boost::math::erf_inv(level); }
 
 void check_level(double level) {
-  if (!(level > 0.0 && level < 1.0)) throw std::invalid_argument("AUC: level must be in (0, 1)");
+  if (!(level > 0.0 && level < 1.0)) {
+    throw std::invalid_argument("AUC: level must be in (0, 1)");
+  }
 }
 
 std::vector<double> difference_of(std::span<const double> a, std::span<const double> b) {
@@ -124,15 +99,21 @@ AucEstimate auc(std::span<const double> score,
   estimate.successes = rows.successes;
   estimate.failures = rows.failures;
   estimate.missing = rows.missing;
-  if (!class_conditions(rows, estimate.conditions)) return estimate;
+  if (!class_conditions(rows, estimate.conditions)) {
+    return estimate;
+  }
 
   const Placements place = placements(rows.scores[0], rows.success, higher);
   estimate.auc = place.auc;
-  if (place.distinct == 1) estimate.conditions.push_back(AucCondition::all_tied);
+  if (place.distinct == 1) {
+    estimate.conditions.push_back(AucCondition::all_tied);
+  }
   if (place.auc == 0.0 || place.auc == 1.0) {
     estimate.conditions.push_back(AucCondition::separated);
   }
-  if (rows.successes < 2 || rows.failures < 2) return estimate;
+  if (rows.successes < 2 || rows.failures < 2) {
+    return estimate;
+  }
 
   const double variance = variance_of_mean(place.successes) + variance_of_mean(place.failures);
   const double half = normal_factor(level) * std::sqrt(variance);
@@ -152,7 +133,9 @@ AucDifference paired_auc_test(const Score& first,
   result.successes = rows.successes;
   result.failures = rows.failures;
   result.missing = rows.missing;
-  if (!class_conditions(rows, result.conditions)) return result;
+  if (!class_conditions(rows, result.conditions)) {
+    return result;
+  }
 
   const Placements a = placements(rows.scores[0], rows.success, first.higher);
   const Placements b = placements(rows.scores[1], rows.success, second.higher);
@@ -160,7 +143,9 @@ AucDifference paired_auc_test(const Score& first,
   result.first_auc = a.auc;
   result.second_auc = b.auc;
   result.difference = difference;
-  if (rows.successes < 2 || rows.failures < 2) return result;
+  if (rows.successes < 2 || rows.failures < 2) {
+    return result;
+  }
 
   // The variance of the row-wise differences is var(A) + var(B) - 2 cov(A, B) of the paper, without
   // the cancellation that leaves a spurious remainder when the two predictors rank alike.
@@ -181,38 +166,6 @@ AucDifference paired_auc_test(const Score& first,
     result.conditions.push_back(AucCondition::zero_variance);
   }
   return result;
-}
-
-std::vector<RocPoint> roc_points(std::span<const double> score,
-                                 std::span<const double> success,
-                                 HigherMeans higher) {
-  const CompleteRows rows = complete_rows({score}, success);
-  if (rows.successes == 0 || rows.failures == 0) return {};
-  const std::vector<double>& x = rows.scores[0];
-  std::vector<std::size_t> order(x.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const bool rising = higher == HigherMeans::success;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return rising ? x[a] < x[b] : x[b] < x[a];
-  });
-
-  const double infinity = std::numeric_limits<double>::infinity();
-  const auto successes = static_cast<double>(rows.successes);
-  const auto failures = static_cast<double>(rows.failures);
-  std::vector<RocPoint> points{{rising ? -infinity : infinity, 1.0, 0.0}};
-  std::size_t successes_below = 0;
-  std::size_t failures_below = 0;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    ++(rows.success[order[k]] != 0 ? successes_below : failures_below);
-    const bool last = k + 1 == order.size();
-    if (!last && x[order[k]] == x[order[k + 1]]) continue;
-    const double threshold =
-        last ? (rising ? infinity : -infinity) : std::midpoint(x[order[k]], x[order[k + 1]]);
-    points.push_back({threshold,
-                      static_cast<double>(rows.successes - successes_below) / successes,
-                      static_cast<double>(failures_below) / failures});
-  }
-  return points;
 }
 
 }  // namespace tcert

@@ -62,7 +62,9 @@ TEST(Quantile, EqualsTheSortedDefinitionOnRandomTiedSamples) {
   for (int round = 0; round < 500; ++round) {
     SCOPED_TRACE(round);
     std::vector<double> sample(1 + random.below(30));
-    for (double& x : sample) x = static_cast<double>(random.below(8)) / 7.0;
+    for (double& x : sample) {
+      x = static_cast<double>(random.below(8)) / 7.0;
+    }
     const double p = random.uniform();
     std::vector<double> sorted = sample;
     std::sort(sorted.begin(), sorted.end());

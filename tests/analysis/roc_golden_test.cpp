@@ -3,16 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "analysis/roc.hpp"
+#include "datasets/csv.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {
@@ -23,29 +22,31 @@ using nlohmann::json;
 
 constexpr double kRelative = 1e-10;
 
-/// One numeric column of a plain CSV file; NA and empty cells are NaN.
+/// One numeric column of a CSV file; NA is NaN. Empty if the file has no such column.
 std::vector<double> read_column(const fs::path& path, const std::string& name) {
-  std::ifstream file(path);
-  std::string line;
+  const TextTableResult file = read_text_table(path, {name});
   std::vector<double> values;
-  std::size_t wanted = std::string::npos;
-  for (bool header = true; std::getline(file, line); header = false) {
-    std::istringstream cells(line);
-    std::string cell;
-    for (std::size_t column = 0; std::getline(cells, cell, ','); ++column) {
-      if (header && (cell == name || cell == '"' + name + '"')) wanted = column;
-      if (header || column != wanted) continue;
-      values.push_back(cell == "NA" || cell.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                                    : std::strtod(cell.c_str(), nullptr));
-    }
+  if (!file.table) {
+    return values;
+  }
+  const std::size_t column = file.table->find(name).value();
+  for (std::size_t row = 0; row < file.table->rows(); ++row) {
+    const std::string& cell = file.table->at(row, column);
+    values.push_back(cell == "NA" ? std::numeric_limits<double>::quiet_NaN() : std::stod(cell));
   }
   return values;
 }
 
 double number(const json& value) {
-  if (value.is_number()) return value.get<double>();
-  if (value == "Inf") return std::numeric_limits<double>::infinity();
-  if (value == "-Inf") return -std::numeric_limits<double>::infinity();
+  if (value.is_number()) {
+    return value.get<double>();
+  }
+  if (value == "Inf") {
+    return std::numeric_limits<double>::infinity();
+  }
+  if (value == "-Inf") {
+    return -std::numeric_limits<double>::infinity();
+  }
   return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -63,7 +64,9 @@ class RocGolden : public ::testing::Test {
   void SetUp() override {
     folder_ = test_support::shared_data() / "stats";
     std::ifstream file(folder_ / "golden" / "roc.json");
-    if (!file) GTEST_SKIP() << "no golden values: " << (folder_ / "golden" / "roc.json");
+    if (!file) {
+      GTEST_SKIP() << "no golden values: " << (folder_ / "golden" / "roc.json");
+    }
     golden_ = json::parse(file);
   }
 

@@ -117,7 +117,9 @@ struct PairMeans {
 PairMeans pair_means(const std::vector<double>& score, const std::vector<double>& success) {
   std::vector<double> x;
   std::vector<double> y;
-  for (std::size_t i = 0; i < score.size(); ++i) (success[i] == 1.0 ? x : y).push_back(score[i]);
+  for (std::size_t i = 0; i < score.size(); ++i) {
+    (success[i] == 1.0 ? x : y).push_back(score[i]);
+  }
   PairMeans means;
   means.successes.assign(x.size(), 0.0);
   means.failures.assign(y.size(), 0.0);
@@ -128,7 +130,9 @@ PairMeans pair_means(const std::vector<double>& score, const std::vector<double>
       means.failures[j] += win / static_cast<double>(x.size());
     }
   }
-  for (const double v : means.successes) means.auc += v / static_cast<double>(x.size());
+  for (const double v : means.successes) {
+    means.auc += v / static_cast<double>(x.size());
+  }
   return means;
 }
 
@@ -141,7 +145,9 @@ double covariance(const std::vector<double>& a, const std::vector<double>& b) {
     mean_b += b[i] / n;
   }
   double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - mean_a) * (b[i] - mean_b);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += (a[i] - mean_a) * (b[i] - mean_b);
+  }
   return sum / (n - 1.0) / n;
 }
 
@@ -154,7 +160,9 @@ TEST(PairedAucTest, EqualsTheMatrixOfPairsOnRandomTiedScores) {
     std::vector<double> success{0, 0, 1, 1};
     const std::uint32_t n = 4 + random.below(40);
     const std::uint32_t levels = 2 + random.below(12);
-    while (success.size() < n) success.push_back(random.below(3) == 0 ? 0 : 1);
+    while (success.size() < n) {
+      success.push_back(random.below(3) == 0 ? 0 : 1);
+    }
     for (std::uint32_t i = 0; i < n; ++i) {
       a.push_back(random.below(levels) + success[i]);
       b.push_back(-static_cast<double>(random.below(levels)));
@@ -177,7 +185,9 @@ TEST(PairedAucTest, EqualsTheMatrixOfPairsOnRandomTiedScores) {
 
     // A reversed predictor read in the reversed direction is the same predictor.
     std::vector<double> reversed = b;
-    for (double& x : reversed) x = -x;
+    for (double& x : reversed) {
+      x = -x;
+    }
     const AucDifference mirrored =
         paired_auc_test({a, HigherMeans::success}, {reversed, HigherMeans::failure}, success);
     EXPECT_EQ(mirrored.difference, difference.difference);
@@ -201,7 +211,9 @@ TEST(PairedAucTest, UsesTheRowsCompleteInBoth) {
 TEST(PairedAucTest, NamesPredictorsThatRankAlike) {
   const std::vector<double> a{4, 3, 2, 1, 5};
   std::vector<double> b;
-  for (const double x : a) b.push_back(x * x);
+  for (const double x : a) {
+    b.push_back(x * x);
+  }
   const std::vector<double> success{1, 0, 1, 0, 1};
   const AucDifference difference =
       paired_auc_test({a, HigherMeans::success}, {b, HigherMeans::success}, success);
@@ -262,7 +274,7 @@ TEST(RocPoints, EncloseTheAucByTrapezoids) {
 
 /// Share of 95 % intervals that cover the true AUC of two unit normals `shift` apart.
 std::pair<double, double> coverage(double shift, double truth) {
-  constexpr int kDataSets = 4000;
+  constexpr int kDataSets = 2000;
   int covered = 0;
   double sum = 0.0;
   for (int k = 0; k < kDataSets; ++k) {
@@ -275,18 +287,20 @@ std::pair<double, double> coverage(double shift, double truth) {
     }
     const AucEstimate estimate = auc(score, success, HigherMeans::success);
     sum += estimate.auc.value();
-    if (estimate.interval->low <= truth && truth <= estimate.interval->high) ++covered;
+    if (estimate.interval->low <= truth && truth <= estimate.interval->high) {
+      ++covered;
+    }
   }
   return {static_cast<double>(covered) / kDataSets, sum / kDataSets};
 }
 
 TEST(Auc, IntervalCoversTheTruthAtItsNominalRate) {
-  // 4,000 data sets of the study's size: the Monte-Carlo SD of a coverage is 0.0034.
+  // 2,000 data sets of the study's size: the Monte-Carlo SD of a coverage is 0.0049.
   const auto [null_coverage, null_mean] = coverage(0.0, 0.5);
   std::printf("DeLong 95 %% interval, n = 660: covers AUC 0.5 in %.4f of the data sets\n",
               null_coverage);
   EXPECT_NEAR(null_mean, 0.5, 0.002);
-  EXPECT_NEAR(null_coverage, 0.95, 3.0 * 0.0034);
+  EXPECT_NEAR(null_coverage, 0.95, 3.0 * 0.0049);
 
   const double shift = 1.0;
   const double truth = 0.5 * std::erfc(-shift / 2.0);  // Phi(shift / sqrt 2)
@@ -296,7 +310,7 @@ TEST(Auc, IntervalCoversTheTruthAtItsNominalRate) {
               coverage_at_shift);
   EXPECT_NEAR(mean_at_shift, truth, 0.002);
   // Off the centre the interval is a little short: the AUC is skewed, a Wald interval is not.
-  EXPECT_NEAR(coverage_at_shift, 0.94, 3.0 * 0.0038);
+  EXPECT_NEAR(coverage_at_shift, 0.94, 3.0 * 0.0053);
 }
 
 }  // namespace
