@@ -32,8 +32,14 @@ fs::path without_trailing_slash(fs::path path) {
 /// Hidden, beside `path`, and not used by another thread or process.
 fs::path temporary_name(const fs::path& path) {
   static std::atomic<unsigned> next{0};
-  const std::string suffix = std::to_string(::getpid()) + "-" + std::to_string(next++);
-  return folder_of(path) / ("." + path.filename().string() + "." + suffix + ".tmp");
+  std::string name(1, '.');
+  name += path.filename().string();
+  name += '.';
+  name += std::to_string(::getpid());
+  name += '-';
+  name += std::to_string(next++);
+  name += ".tmp";
+  return folder_of(path) / name;
 }
 
 void create_folders(const fs::path& folder) {
