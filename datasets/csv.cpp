@@ -199,6 +199,7 @@ std::optional<TextTable> read_text_table(const Bytes& bytes,
     return std::nullopt;
   }
   TextTable table;
+  table.dialect = header->dialect;
   table.columns = header->names;
   RowReporter reporter(csv, *header, false, text, problems);
   const RowPlan plan{header->dialect, {}};
@@ -220,9 +221,6 @@ std::optional<TextTable> read_text_table(const Bytes& bytes,
     table.cells.insert(table.cells.end(), record.begin(), record.end());
     table.lines.push_back(line);
   }
-  if (problems.has_error()) {
-    return std::nullopt;
-  }
   return table;
 }
 
@@ -238,6 +236,9 @@ TextTableResult read_text_table(const std::filesystem::path& path,
   }
   DiagnosticGroups problems;
   std::optional<TextTable> table = read_text_table(*file.bytes, csv, required, problems);
+  if (problems.has_error()) {
+    table.reset();
+  }
   return {std::move(table), problems.take()};
 }
 

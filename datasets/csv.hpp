@@ -55,6 +55,7 @@ struct NumberTable {
 
 /// Cells of a CSV file as text, row-major, rows x columns of the header.
 struct TextTable {
+  CsvDialect dialect;
   std::vector<std::string> columns;
   std::vector<std::string> cells;
   std::vector<std::size_t> lines;  ///< 1-based line of each row.
@@ -66,8 +67,8 @@ struct TextTable {
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const noexcept;
 };
 
-/// Reads all columns of a file that must have the `required` ones. Empty iff it is rejected. A row
-/// with another number of cells than the header is an error.
+/// Reads all columns of a file that must have the `required` ones. Empty iff the header cannot be
+/// used. A row with another number of cells than the header is an error and is left out.
 [[nodiscard]] std::optional<TextTable> read_text_table(const Bytes& bytes,
                                                        const CsvOptions& csv,
                                                        const std::vector<std::string>& required,
@@ -78,7 +79,8 @@ struct TextTableResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-/// The same from a file, expanded if it ends in .gz or .zst. `csv.file` defaults to the path.
+/// The same from a file, expanded if it ends in .gz or .zst. `csv.file` defaults to the path. There
+/// is no table if there is any error.
 [[nodiscard]] TextTableResult read_text_table(const std::filesystem::path& path,
                                               const std::vector<std::string>& required = {},
                                               CsvOptions csv = {});
