@@ -10,7 +10,7 @@ double gated_speed(const SpeedLaw& law, double margin_m) noexcept {
   }
   const double z = law.beta_per_m * margin_m;
   const double squashed = std::isinf(z) ? 1.0 : z / (1.0 + z);
-  return law.min_speed_mps + (law.max_speed_mps - law.min_speed_mps) * squashed;
+  return std::lerp(law.min_speed_mps, law.max_speed_mps, squashed);
 }
 
 void validate(const SpeedLaw& law) {

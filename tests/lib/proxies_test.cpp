@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <tcert/proxies.hpp>
+
+namespace tcert {
+namespace {
+
+constexpr double kSquare = 0.5 * std::numbers::pi;
+
+// Feeds ticks by hand to a robot with a tentacle on each side and one ahead.
+class Felt {
+ public:
+  explicit Felt(Robot robot, CertificateParameters parameters = {})
+      : parameters_(parameters), proxies_(robot, parameters), memory_(parameters) {}
+
+  LocalGeometry at(double travel_m,
+                   double yaw_rad,
+                   std::vector<RayReading> readings,
+                   bool inside_start = false) {
+    Tick tick;
+    tick.pose = {{travel_m, 0.0}, yaw_rad};
+    tick.rays = readings;
+    return proxies_.update(tick, travel_m, travel_m, inside_start, memory_);
+  }
+  Proxies& proxies() { return proxies_; }
+
+ private:
+  CertificateParameters parameters_;
+  Proxies proxies_;
+  ContactMemory memory_;
+};
+
+Robot three_rays() {
+  Robot robot;
+  robot.rays = {{"left", {0.1, 0.05}, kSquare, 0.6, RayKind::range, {}},
+                {"right", {0.1, -0.05}, -kSquare, 0.6, RayKind::range, {}},
+                {"ahead", {0.3, 0.0}, 0.0, 0.6, RayKind::range, {}}};
+  return robot;
+}
+
+std::vector<RayReading> readings(double left_m, double right_m, double ahead_m = 0.6) {
+  return {{left_m, 0.0}, {right_m, 0.0}, {ahead_m, 0.0}};
+}
+
+TEST(Proxies, WidthIsLeftPlusRightWithTheMounts) {
+  Felt felt(three_rays());
+  const LocalGeometry local = felt.at(0.0, 0.0, readings(0.30, 0.20));
+  EXPECT_NEAR(local.left_m, 0.35, 1e-15);
+  EXPECT_NEAR(local.right_m, 0.25, 1e-15);
+  EXPECT_NEAR(local.width_m, 0.60, 1e-15);
+}
+
+TEST(Proxies, RadialReadingIsTheDiscOnTheRobot) {
+  CertificateParameters parameters;
+  parameters.clearance = ClearanceReading::radial;
+  Felt felt(three_rays(), parameters);
+  EXPECT_NEAR(felt.at(0.0, 0.0, readings(0.30, 0.20)).width_m, 0.50, 1e-15);
+}
+
+TEST(Proxies, ASlantedRayCountsByWhatItReachesAcross) {
+  Robot robot = three_rays();
+  robot.rays[0].bearing_rad = kSquare - std::numbers::pi / 6.0 + 1e-9;  // 60 degrees
+  Felt felt(robot);
+  EXPECT_NEAR(felt.at(0.0, 0.0, readings(0.40, 0.2)).left_m, 0.05 + 0.40 * std::sqrt(0.75), 1e-8);
+  robot.rays[0].bearing_rad = kSquare - std::numbers::pi / 6.0 - 1e-3;  // beyond 30 of square
+  Felt blind(robot);
+  EXPECT_EQ(blind.at(0.0, 0.0, readings(0.40, 0.2)).left_m, 0.225);
+}
+
+TEST(Proxies, ASideWithoutARayIsHalfTheBody) {
+  Robot robot = three_rays();
+  robot.rays.erase(robot.rays.begin());
+  Felt felt(robot);
+  const LocalGeometry local = felt.at(0.0, 0.0, {{0.30, 0.0}, {0.6, 0.0}});
+  EXPECT_EQ(local.left_m, 0.225);
+  EXPECT_NEAR(local.right_m, 0.35, 1e-15);
+}
+
+TEST(Proxies, AMissingRayIsFlaggedAndNeverCredited) {
+  Felt felt(three_rays());
+  const LocalGeometry local = felt.at(0.0, 0.0, readings(kMissing, 0.30));
+  EXPECT_TRUE(local.missing_ray);
+  EXPECT_EQ(local.left_m, 0.225);
+}
+
+TEST(Proxies, SidesRememberTheLastBodyWidthOfTravelSeparately) {
+  Felt felt(three_rays());
+  felt.at(0.00, 0.0, readings(0.10, 0.40));
+  felt.at(0.20, 0.0, readings(0.40, 0.15));
+  LocalGeometry local = felt.at(0.40, 0.0, readings(0.50, 0.50));
+  EXPECT_NEAR(local.width_m, (0.10 + 0.05) + (0.15 + 0.05), 1e-15);
+  local = felt.at(0.60, 0.0, readings(0.50, 0.50));  // the left throat is 0.60 back
+  EXPECT_NEAR(local.width_m, (0.40 + 0.05) + (0.15 + 0.05), 1e-15);
+  felt.proxies().restart_windows();
+  local = felt.at(0.61, 0.0, readings(0.50, 0.50));
+  EXPECT_NEAR(local.width_m, 1.10, 1e-15);
+}
+
+TEST(Proxies, BendIsReadThroughTheCalibrationAndClamped) {
+  Robot robot = three_rays();
+  robot.rays[0].kind = RayKind::bend;
+  robot.rays[0].calibration = {{0.0, 1.0}, {0.7, -0.1}};
+  Felt felt(robot);
+  EXPECT_NEAR(felt.at(0.0, 0.0, readings(0.5, 0.3)).left_m, 0.35, 1e-15);
+  EXPECT_NEAR(felt.proxies().clearances()[0], 0.30, 1e-15);
+  felt.at(1.0, 0.0, readings(0.0, 0.3));
+  EXPECT_EQ(felt.proxies().clearances()[0], 0.6);  // the reach
+  felt.at(2.0, 0.0, readings(1.0, 0.3));
+  EXPECT_EQ(felt.proxies().clearances()[0], 0.0);
+}
+
+TEST(Proxies, PathRadiusIsTravelOverTurn) {
+  Felt felt(three_rays());
+  for (int k = 0; k <= 10; ++k) {
+    felt.at(0.025 * k, 0.05 * k, readings(0.3, 0.3));
+  }
+  // 0.25 m back: 0.5 rad on 0.25 m.
+  EXPECT_NEAR(felt.at(0.25, 0.5, readings(0.3, 0.3)).turn_radius_m, 0.5, 1e-12);
+}
+
+TEST(Proxies, PathRadiusNeedsTravel) {
+  Felt felt(three_rays());
+  felt.at(0.0, 0.0, readings(0.3, 0.3));
+  EXPECT_EQ(felt.at(0.09, 1.0, readings(0.3, 0.3)).turn_radius_m, 1000.0);
+  EXPECT_NEAR(felt.at(0.10, 1.0, readings(0.3, 0.3)).turn_radius_m, 0.10, 1e-12);
+}
+
+TEST(Proxies, TurningInsideTheStartIsNoEvidence) {
+  Felt felt(three_rays());
+  felt.at(0.0, 0.0, readings(0.3, 0.3), true);
+  EXPECT_EQ(felt.at(0.12, 2.0, readings(0.3, 0.3), true).turn_radius_m, 1000.0);
+  // The window begins at the last tick in S: 0.1 rad on 0.12 m, not 2.1 on 0.24.
+  EXPECT_NEAR(felt.at(0.24, 2.1, readings(0.3, 0.3)).turn_radius_m, 1.2, 1e-12);
+}
+
+TEST(Proxies, AnAlternatingPathIsNotReadAsStraight) {
+  // Arcs of 0.25 m that bend left and right by 0.6 rad each.
+  Felt felt(three_rays());
+  double yaw = 0.0;
+  double smallest_m = 1000.0;
+  for (int k = 0; k <= 80; ++k) {
+    yaw += (k / 10) % 2 == 0 ? 0.06 : -0.06;
+    smallest_m = std::min(smallest_m, felt.at(0.025 * k, yaw, readings(0.3, 0.3)).turn_radius_m);
+  }
+  EXPECT_NEAR(smallest_m, 0.25 / 0.6, 1e-9);
+}
+
+TEST(Proxies, ForceContactHasHysteresis) {
+  Felt felt(three_rays());
+  const auto force = [](double newton) {
+    return std::vector<RayReading>{{0.3, newton}, {0.3, 0.0}, {0.6, 0.0}};
+  };
+  EXPECT_EQ(felt.at(0.0, 0.0, force(0.4)).contacts, 0U);
+  EXPECT_EQ(felt.at(0.1, 0.0, force(0.5)).new_contacts, 1U);
+  const LocalGeometry held = felt.at(0.2, 0.0, force(0.3));
+  EXPECT_EQ(held.contacts, 1U);
+  EXPECT_EQ(held.new_contacts, 0U);
+  EXPECT_EQ(felt.at(0.3, 0.0, force(0.29)).contacts, 0U);
+  EXPECT_EQ(felt.at(0.4, 0.0, force(0.4)).contacts, 0U);
+}
+
+TEST(Proxies, WithoutForceAShortRayIsAContact) {
+  Felt felt(three_rays());
+  const auto clear = [](double left_m) {
+    return std::vector<RayReading>{{left_m, kMissing}, {0.6, kMissing}, {0.6, kMissing}};
+  };
+  EXPECT_EQ(felt.at(0.0, 0.0, clear(0.595)).contacts, 0U);
+  EXPECT_EQ(felt.at(0.1, 0.0, clear(0.585)).contacts, 1U);
+}
+
+TEST(Proxies, NoCurvatureReadingIsStraight) {
+  CertificateParameters parameters;
+  parameters.curvature = CurvatureReading::none;
+  Felt felt(three_rays(), parameters);
+  felt.at(0.0, 0.0, readings(0.3, 0.3));
+  EXPECT_EQ(felt.at(0.2, 2.0, readings(0.3, 0.3)).turn_radius_m, 1000.0);
+}
+
+}  // namespace
+}  // namespace tcert

@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <tcert/robot.hpp>
+
+namespace tcert {
+namespace {
+
+TEST(Calibration, IsLinearBetweenKnotsAndFlatBeyond) {
+  const Calibration table{{0.0, 0.5, 1.0}, {0.6, 0.3, 0.0}};
+  EXPECT_EQ(calibrated_clearance(table, -1.0), 0.6);
+  EXPECT_EQ(calibrated_clearance(table, 0.0), 0.6);
+  EXPECT_NEAR(calibrated_clearance(table, 0.25), 0.45, 1e-15);
+  EXPECT_NEAR(calibrated_clearance(table, 0.75), 0.15, 1e-15);
+  EXPECT_EQ(calibrated_clearance(table, 2.0), 0.0);
+}
+
+TEST(Calibration, InvertsWhereItIsStrict) {
+  const Calibration falling{{0.0, 0.5, 1.0}, {0.6, 0.3, 0.0}};
+  const Calibration rising{{0.0, 0.5, 1.0}, {0.0, 0.1, 0.6}};
+  for (const double clearance_m : {0.0, 0.05, 0.1, 0.3, 0.45, 0.6}) {
+    EXPECT_NEAR(
+        calibrated_clearance(falling, calibrated_bend(falling, clearance_m)), clearance_m, 1e-15);
+    EXPECT_NEAR(
+        calibrated_clearance(rising, calibrated_bend(rising, clearance_m)), clearance_m, 1e-15);
+  }
+}
+
+TEST(Robot, RefusesWhatNoRobotCanBe) {
+  Robot robot;
+  EXPECT_NO_THROW(validate(robot));
+  robot.body_width_m = 0.0;
+  EXPECT_THROW(validate(robot), std::invalid_argument);
+  robot.body_width_m = 0.45;
+  robot.rays = {{"left", {}, 1.57, 0.6, RayKind::bend, {{0.0, 0.5}, {0.6, 0.3, 0.0}}}};
+  EXPECT_THROW(validate(robot), std::invalid_argument);
+  robot.rays[0].calibration = {{0.0, 0.0}, {0.6, 0.3}};
+  EXPECT_THROW(validate(robot), std::invalid_argument);
+  robot.rays[0].calibration = {{0.0, 0.5, 1.0}, {0.6, 0.3, 0.4}};
+  EXPECT_THROW(validate(robot), std::invalid_argument);
+  robot.rays[0].calibration = {{0.0, 0.5, 1.0}, {0.6, 0.3, 0.3}};
+  EXPECT_NO_THROW(validate(robot));
+}
+
+}  // namespace
+}  // namespace tcert
