@@ -27,10 +27,10 @@ struct ManifestFile {
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 struct Manifest {
-  std::string command;   ///< "certify".
-  Settings options;      ///< Options of the command with their effective values.
-  Settings parameters;   ///< Every parameter with its effective value.
-  std::optional<std::uint64_t> seed;  ///< Of the draws the command made.
+  std::string command;                      ///< "certify".
+  Settings options;                         ///< Options of the command with their effective values.
+  Settings parameters;                      ///< Every parameter with its effective value.
+  std::optional<std::uint64_t> seed;        ///< Of the draws the command made.
   std::optional<SyntheticLabel> synthetic;  ///< Of the data.
   std::vector<ManifestFile> inputs;
   std::vector<ManifestFile> outputs;

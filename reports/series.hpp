@@ -16,7 +16,7 @@ namespace tcert {
 
 struct SeriesFormat {
   SpeedLaw speed_law;
-  bool ray_margins = false;  ///< One more column a ray: m_t(theta_k).
+  bool ray_margins = false;                 ///< One more column a ray: m_t(theta_k).
   std::optional<SyntheticLabel> synthetic;  ///< A last column `synthetic_seed`.
 };
 

@@ -42,8 +42,8 @@ struct FileDigest {
 /// Digest of the file's bytes. \throws std::system_error if it cannot be read.
 [[nodiscard]] FileDigest digest_file(const std::filesystem::path& path);
 
-/// Digest over the lines "<sha256>  <path relative to the folder>\n" of its regular files, sorted by
-/// path in byte order: what `sha256sum` of the sorted files, piped into `sha256sum`, says.
+/// Digest over the lines "<sha256>  <path relative to the folder>\n" of its regular files, sorted
+/// by path in byte order: what `sha256sum` of the sorted files, piped into `sha256sum`, says.
 /// \throws std::system_error if a file cannot be read.
 [[nodiscard]] FileDigest digest_folder(const std::filesystem::path& folder);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kFormatWords = {"text", "md", "csv", "json", "jsonl"};
 
-bool fits(const Cell& cell, ColumnKind kind) {
+bool fits(const TableCell& cell, ColumnKind kind) {
   switch (kind) {
     case ColumnKind::text:
       return std::holds_alternative<std::string>(cell);
@@ -65,7 +65,7 @@ std::string to_string(const SyntheticLabel& label) {
          ": made by a program, not measured on a robot.";
 }
 
-void Table::add_row(std::vector<Cell> cells) {
+void Table::add_row(std::vector<TableCell> cells) {
   if (cells.size() != columns.size()) {
     throw std::invalid_argument("table '" + name + "': a row of " + std::to_string(cells.size()) +
                                 " cells for " + std::to_string(columns.size()) + " columns");
@@ -108,7 +108,7 @@ std::string render(const Table& table, TableFormat format) {
   throw std::invalid_argument("unknown table format");
 }
 
-std::string printed(const Cell& cell, const Column& column) {
+std::string printed(const TableCell& cell, const Column& column) {
   return std::visit(Printer{column}, cell);
 }
 

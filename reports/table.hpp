@@ -50,7 +50,7 @@ struct PValue {
 
 /// Missing is std::monostate; so is every number that is not finite: NA in print, an empty cell in
 /// CSV, null in JSON. Never 0.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, Number, Estimate, PValue>;
+using TableCell = std::variant<std::monostate, std::string, std::int64_t, Number, Estimate, PValue>;
 
 /// Says that data were made, not measured: the first line of everything printed from them.
 struct SyntheticLabel {
@@ -64,13 +64,13 @@ struct Table {
   std::string name;  ///< snake_case: the file name without its ending.
   std::string title;
   std::vector<Column> columns;
-  std::vector<std::vector<Cell>> rows;
+  std::vector<std::vector<TableCell>> rows;
   std::vector<std::string> footnotes;
   std::optional<SyntheticLabel> synthetic;
   std::optional<std::int64_t> n;  ///< Trials behind the table.
 
   /// \throws std::invalid_argument if the cells do not match the columns in number or kind.
-  void add_row(std::vector<Cell> cells);
+  void add_row(std::vector<TableCell> cells);
 };
 
 enum class TableFormat { text, markdown, csv, json, jsonl };
@@ -85,10 +85,10 @@ enum class TableFormat { text, markdown, csv, json, jsonl };
 
 /// The parts of the CSV form, for tables that are too long to hold: header and one row.
 void append_csv_header(std::string& out, const Table& table);
-void append_csv_row(std::string& out, const Table& table, const std::vector<Cell>& cells);
+void append_csv_row(std::string& out, const Table& table, const std::vector<TableCell>& cells);
 
 /// One cell as people read it: rounded, "0.781 [0.742, 0.820]", "<0.001", NA.
-[[nodiscard]] std::string printed(const Cell& cell, const Column& column);
+[[nodiscard]] std::string printed(const TableCell& cell, const Column& column);
 
 /// `value` with a fixed number of decimals, without a sign on zero; NA if it is not finite.
 [[nodiscard]] std::string fixed(double value, int decimals);

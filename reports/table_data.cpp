@@ -63,7 +63,7 @@ struct JsonCell {
   void operator()(const PValue& p) const { row[column.name] = json_number(p.value); }
 };
 
-Json json_row(const Table& table, const std::vector<Cell>& cells) {
+Json json_row(const Table& table, const std::vector<TableCell>& cells) {
   Json row = Json::object();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     std::visit(JsonCell{row, table.columns[c]}, cells[c]);
@@ -114,7 +114,7 @@ void append_csv_header(std::string& out, const Table& table) {
   out += '\n';
 }
 
-void append_csv_row(std::string& out, const Table& table, const std::vector<Cell>& cells) {
+void append_csv_row(std::string& out, const Table& table, const std::vector<TableCell>& cells) {
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (c > 0) {
       out += ',';

@@ -54,7 +54,9 @@ std::string title_of(const Table& table) {
   return table.n ? table.title + " (n = " + std::to_string(*table.n) + ")" : table.title;
 }
 
-void append_line(std::string& out, const Table& table, const std::vector<std::string>& cells,
+void append_line(std::string& out,
+                 const Table& table,
+                 const std::vector<std::string>& cells,
                  const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t c = 0; c < cells.size(); ++c) {
