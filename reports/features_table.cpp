@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
-#include <type_traits>
 
 #include "reports/series.hpp"
 
@@ -12,65 +12,12 @@ namespace tcert {
 namespace {
 
 TableCell cell_of(const std::optional<double>& value) {
-  return value ? TableCell{Number{*value}} : TableCell{};
-}
-TableCell cell_of(const std::optional<std::size_t>& value) {
-  return value ? TableCell{static_cast<std::int64_t>(*value)} : TableCell{};
+  return value ? TableCell{Number{*value, std::trunc(*value) == *value ? 0 : kColumnDecimals}}
+               : TableCell{};
 }
 TableCell cell_of(const std::optional<bool>& value) {
   return value ? TableCell{std::int64_t{*value ? 1 : 0}} : TableCell{};
 }
-
-template <auto Member>
-TableCell feature_cell(const Features& features) {
-  return cell_of(features.*Member);
-}
-
-struct FeatureColumn {
-  std::string_view name;
-  std::string_view heading;
-  std::string_view unit;
-  ColumnKind kind;
-  TableCell (*cell)(const Features&);
-  int decimals;
-};
-
-template <auto Member>
-constexpr FeatureColumn feature(std::string_view name,
-                                std::string_view heading,
-                                std::string_view unit,
-                                int decimals = 3) {
-  constexpr bool kIsNumber = std::is_same_v<decltype(Member), std::optional<double> Features::*>;
-  return {name,
-          heading,
-          unit,
-          kIsNumber ? ColumnKind::number : ColumnKind::integer,
-          feature_cell<Member>,
-          decimals};
-}
-
-/// Column names are those of the members, with the unit.
-constexpr std::array kFeatureColumns = {
-    feature<&Features::tc_early>("tc_early_m", "TC_early", "m"),
-    feature<&Features::tc_landmark>("tc_landmark_m", "TC_early, landmark", "m"),
-    feature<&Features::contacts_per_m>("contacts_per_m", "contacts", "1/m"),
-    feature<&Features::contacts_per_m_landmark>(
-        "contacts_per_m_landmark", "contacts, landmark", "1/m"),
-    feature<&Features::dwell>("dwell", "dwell", ""),
-    feature<&Features::dwell_landmark>("dwell_landmark", "dwell, landmark", ""),
-    feature<&Features::bend_variance>("bend_variance", "bend variance", "", 5),
-    feature<&Features::bend_variance_landmark>(
-        "bend_variance_landmark", "bend variance, landmark", "", 5),
-    feature<&Features::ticks>("ticks", "ticks", ""),
-    feature<&Features::ticks_early>("ticks_early", "ticks, early", ""),
-    feature<&Features::ticks_landmark>("ticks_landmark", "ticks, landmark", ""),
-    feature<&Features::end_s>("end_s", "end", "s", 1),
-    feature<&Features::travel_m>("travel_m", "travel", "m", 2),
-    feature<&Features::window_end_s>("window_end_s", "window end", "s", 1),
-    feature<&Features::still_at_landmark>("still_at_landmark", "still at landmark", ""),
-    feature<&Features::issued>("issued", "issued", ""),
-    feature<&Features::issued_s>("issued_s", "issued at", "s", 1),
-    feature<&Features::certificate_m>("certificate_m", "T_t", "m")};
 
 constexpr std::array<std::string_view, 6> kEndReasons = {
     "", "goal", "collision", "wedged", "timeout", "aborted"};
@@ -103,13 +50,12 @@ Table features_table(const Bundle& bundle) {
                    {"time_s", "time", "s", ColumnKind::number, 1},
                    {"distance_m", "distance", "m", ColumnKind::number, 2},
                    text_column("end_reason", "end")};
-  for (const FeatureColumn& column : kFeatureColumns) {
-    table.columns.push_back({std::string(column.name),
-                             std::string(column.heading),
-                             std::string(column.unit),
-                             column.kind,
-                             column.decimals});
+  for (const FeatureColumn& column : feature_columns()) {
+    const std::string name(column.name);
+    table.columns.push_back({name, name, std::string(column.unit), ColumnKind::number});
   }
+  table.columns.push_back({"median_speed_cmd_mps", "commanded speed", "m/s", ColumnKind::number});
+  table.columns.push_back({"median_loop_latency_ms", "latency", "ms", ColumnKind::number});
   for (const std::string& name : bundle.extra_columns) {
     // A column of the log that is called like a feature must not shadow it.
     const bool taken = std::any_of(
@@ -119,8 +65,8 @@ Table features_table(const Bundle& bundle) {
   return table;
 }
 
-std::vector<TableCell> features_row(const StudiedTrial& trial) {
-  const TrialRow& row = *trial.row;
+std::vector<TableCell> features_row(const TrialSummary& trial) {
+  const TrialRow& row = trial.row.trial;
   std::vector<TableCell> cells = {
       text_or_missing(row.trial_id),
       text_or_missing(row.algorithm),
@@ -131,9 +77,11 @@ std::vector<TableCell> features_row(const StudiedTrial& trial) {
       cell_of(row.time_s),
       cell_of(row.distance_m),
       text_or_missing(kEndReasons[static_cast<std::size_t>(row.end_reason)])};
-  for (const FeatureColumn& column : kFeatureColumns) {
-    cells.push_back(column.cell(trial.features));
+  for (const FeatureColumn& column : feature_columns()) {
+    cells.push_back(cell_of(column.get(trial.row.features)));
   }
+  cells.push_back(cell_of(trial.median_speed_cmd_mps));
+  cells.push_back(cell_of(trial.median_loop_latency_ms));
   for (const std::string& extra : row.extra) {
     cells.push_back(text_or_missing(extra));
   }
