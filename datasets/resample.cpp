@@ -18,22 +18,26 @@ constexpr std::int64_t kLongestSilenceNs = 60'000'000'000;
 class MedianWindow {
  public:
   void add(double value) noexcept {
-    if (!std::isnan(value)) {
-      values_[size_++] = value;
+    if (std::isnan(value)) {
+      return;
     }
+    std::size_t place = size_++;
+    for (; place > 0 && values_[place - 1] > value; --place) {
+      values_[place] = values_[place - 1];
+    }
+    values_[place] = value;
   }
 
-  [[nodiscard]] double median() noexcept {
+  [[nodiscard]] double median() const noexcept {
     if (size_ == 0) {
       return kMissing;
     }
-    std::sort(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(size_));
     const double upper = values_[size_ / 2];
     return size_ % 2 == 1 ? upper : 0.5 * (values_[size_ / 2 - 1] + upper);
   }
 
  private:
-  std::array<double, kMostMedianSamples> values_{};
+  std::array<double, kMostMedianSamples> values_{};  // ascending
   std::size_t size_ = 0;
 };
 
