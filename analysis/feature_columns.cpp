@@ -1,4 +1,5 @@
 #include <array>
+#include <type_traits>
 
 #include "analysis/feature_table.hpp"
 

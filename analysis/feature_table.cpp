@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 #include "analysis/trial_columns.hpp"
 #include "datasets/csv_write.hpp"
+#include "datasets/nearest_name.hpp"
 
 namespace tcert {
 namespace {
-
-std::string folded(std::string_view name) {
-  std::string result(name);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return result;
-}
 
 void require_distinct_columns(const FeatureTable& table) {
   std::set<std::string> names;
@@ -29,7 +21,7 @@ void require_distinct_columns(const FeatureTable& table) {
     names.emplace(column.name);
   }
   for (const std::string& name : table.extra_columns) {
-    if (!names.insert(folded(name)).second) {
+    if (!names.insert(case_folded(name)).second) {
       throw std::invalid_argument("feature table: the trials have a column '" + name +
                                   "', which is the name of another column; rename it");
     }

@@ -6,6 +6,8 @@
 #include <system_error>
 
 #include "datasets/csv_write.hpp"
+#include "datasets/nearest_name.hpp"
+#include "datasets/trial_table.hpp"
 
 namespace tcert {
 namespace {
@@ -33,34 +35,26 @@ constexpr TrialColumn number_column(std::string_view name) {
           [](TrialRow& trial, std::string_view cell) { return read_number(cell, trial.*kMember); }};
 }
 
-struct EndReasonName {
-  EndReason reason;
-  std::string_view name;
-};
-
-constexpr auto kEndReasons = std::to_array<EndReasonName>({{EndReason::unknown, ""},
-                                                           {EndReason::goal, "goal"},
-                                                           {EndReason::collision, "collision"},
-                                                           {EndReason::wedged, "wedged"},
-                                                           {EndReason::timeout, "timeout"},
-                                                           {EndReason::aborted, "aborted"}});
+constexpr std::array kEndReasons{EndReason::unknown,
+                                 EndReason::goal,
+                                 EndReason::collision,
+                                 EndReason::wedged,
+                                 EndReason::timeout,
+                                 EndReason::aborted};
 
 void append_end_reason(std::string& out, const TrialRow& trial) {
-  const auto* found = std::find_if(kEndReasons.begin(), kEndReasons.end(), [&](const auto& entry) {
-    return entry.reason == trial.end_reason;
-  });
-  out += found->name;
+  out += to_string(trial.end_reason);
 }
 
 bool read_end_reason(TrialRow& trial, std::string_view cell) {
   const std::string_view name = is_missing(cell) ? std::string_view() : cell;
-  const auto* found = std::find_if(kEndReasons.begin(), kEndReasons.end(), [&](const auto& entry) {
-    return entry.name == name;
+  const auto* found = std::find_if(kEndReasons.begin(), kEndReasons.end(), [&](EndReason reason) {
+    return to_string(reason) == name;
   });
   if (found == kEndReasons.end()) {
     return false;
   }
-  trial.end_reason = found->reason;
+  trial.end_reason = *found;
   return true;
 }
 
@@ -72,9 +66,10 @@ void append_success(std::string& out, const TrialRow& trial) {
 
 bool read_success(TrialRow& trial, std::string_view cell) {
   trial.success.reset();
-  if (cell == "1" || cell == "true" || cell == "TRUE") {
+  const std::string word = case_folded(cell);
+  if (word == "1" || word == "true") {
     trial.success = true;
-  } else if (cell == "0" || cell == "false" || cell == "FALSE") {
+  } else if (word == "0" || word == "false") {
     trial.success = false;
   }
   return trial.success || is_missing(cell);
