@@ -110,17 +110,10 @@ Bounds read_bounds(const Json& json) {
 }
 
 void check_format(const Json& json) {
-  check_keys(json,
-             "world",
-             {"synthetic",
-              "seed",
-              "format",
-              "version",
-              "name",
-              "bounds",
-              "start",
-              "goal",
-              "obstacles"});
+  check_keys(
+      json,
+      "world",
+      {"synthetic", "seed", "format", "version", "name", "bounds", "start", "goal", "obstacles"});
   if (member(json, "world", "format") != "tcert-world") {
     fail("format", "\"tcert-world\"");
   }

@@ -45,7 +45,8 @@ std::vector<Day> days_of_block(std::uint64_t seed, std::uint64_t block) {
   RandomStream random(seed, draws::kDayEffects, block);
   std::vector<double> levels(kDaysPerBlock);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    levels[i] = normal_quantile((static_cast<double>(i) + 0.5) / static_cast<double>(kDaysPerBlock));
+    levels[i] =
+        normal_quantile((static_cast<double>(i) + 0.5) / static_cast<double>(kDaysPerBlock));
   }
   shuffle(levels, random);
   std::vector<Day> days(kDaysPerBlock);
@@ -112,12 +113,24 @@ const std::array<Cell, kAlgorithms * kLightings>& table_of_cells() noexcept {
   using enum Algorithm;
   using enum Lighting;
   static constexpr std::array<Cell, kAlgorithms * kLightings> kTable{{
-      {cb_v, dark, 60, 52},    {cb_v, indoor, 30, 26},    {cb_v, outdoor, 30, 23},
-      {m1, dark, 30, 24},      {m1, indoor, 30, 30},      {m1, outdoor, 30, 26},
-      {m2, dark, 30, 27},      {m2, indoor, 30, 26},      {m2, outdoor, 30, 25},
-      {m3, dark, 60, 53},      {m3, indoor, 60, 53},      {m3, outdoor, 60, 52},
-      {td_lite, dark, 30, 27}, {td_lite, indoor, 30, 28}, {td_lite, outdoor, 30, 28},
-      {tvfh, dark, 30, 28},    {tvfh, indoor, 30, 27},    {tvfh, outdoor, 30, 28},
+      {cb_v, dark, 60, 52},
+      {cb_v, indoor, 30, 26},
+      {cb_v, outdoor, 30, 23},
+      {m1, dark, 30, 24},
+      {m1, indoor, 30, 30},
+      {m1, outdoor, 30, 26},
+      {m2, dark, 30, 27},
+      {m2, indoor, 30, 26},
+      {m2, outdoor, 30, 25},
+      {m3, dark, 60, 53},
+      {m3, indoor, 60, 53},
+      {m3, outdoor, 60, 52},
+      {td_lite, dark, 30, 27},
+      {td_lite, indoor, 30, 28},
+      {td_lite, outdoor, 30, 28},
+      {tvfh, dark, 30, 28},
+      {tvfh, indoor, 30, 27},
+      {tvfh, outdoor, 30, 28},
   }};
   return kTable;
 }
@@ -132,8 +145,10 @@ void validate(const CorpusOptions& options) {
   }
   for (const std::uint64_t index : options.subset) {
     if (index >= options.trials) {
-      throw std::invalid_argument(fmt::format(
-          "subset: expected indices below {}, the number of trials, found {}", options.trials, index));
+      throw std::invalid_argument(
+          fmt::format("subset: expected indices below {}, the number of trials, found {}",
+                      options.trials,
+                      index));
     }
   }
 }

@@ -42,8 +42,8 @@ struct TrialDesign {
   std::uint64_t index = 0;  ///< k, counted over all blocks from 0.
   Algorithm algorithm{};
   Lighting lighting{};
-  std::uint64_t day = 0;          ///< Counted over all blocks from 0; a day is one batch.
-  double day_level = 0.0;         ///< Of the lanes' width on that day, in standard deviations.
+  std::uint64_t day = 0;           ///< Counted over all blocks from 0; a day is one batch.
+  double day_level = 0.0;          ///< Of the lanes' width on that day, in standard deviations.
   double day_calibration_m = 0.0;  ///< Added to what every tentacle reads on that day.
   bool success = false;
   double effect = 1.0;        ///< Scales how far the outcomes' tightness lies apart; 0: no effect.

@@ -13,19 +13,19 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kLookahead = 0.30;
 constexpr double kMostCurvature = 1.0 / 0.42;
-constexpr double kSpeedLag = 0.25;         // s
-constexpr double kSpeedWanderSd = 0.05;    // of the logarithm
-constexpr double kSpeedWanderTime = 2.0;   // s
-constexpr double kHeadingTime = 0.4;       // s
-constexpr double kTrialSpeedSd = 0.03;     // of the logarithm
-constexpr double kCreep = 0.08;            // m/s, backing off and pushing
-constexpr double kCloseContact = 0.30;     // m of clearance: felt in gates, not off a lane's walls
-constexpr double kDepthCaution = 0.40;     // share of speed given up per share of that taken away
-constexpr double kTypicalDepth = 0.50;     // in a gate: both kinds of caution cost the same there
-constexpr double kStuckTime = 1.5;         // s
-constexpr double kStuckTravel = 0.012;     // m
-constexpr double kStopInside = 0.12;       // m driven inside G
-constexpr double kStand = 1.0;             // s stood inside G
+constexpr double kSpeedLag = 0.25;        // s
+constexpr double kSpeedWanderSd = 0.05;   // of the logarithm
+constexpr double kSpeedWanderTime = 2.0;  // s
+constexpr double kHeadingTime = 0.4;      // s
+constexpr double kTrialSpeedSd = 0.03;    // of the logarithm
+constexpr double kCreep = 0.08;           // m/s, backing off and pushing
+constexpr double kCloseContact = 0.30;    // m of clearance: felt in gates, not off a lane's walls
+constexpr double kDepthCaution = 0.40;    // share of speed given up per share of that taken away
+constexpr double kTypicalDepth = 0.50;    // in a gate: both kinds of caution cost the same there
+constexpr double kStuckTime = 1.5;        // s
+constexpr double kStuckTravel = 0.012;    // m
+constexpr double kStopInside = 0.12;      // m driven inside G
+constexpr double kStand = 1.0;            // s stood inside G
 constexpr std::size_t kLateral = 2;
 
 /// Exponentially correlated noise of unit variance.

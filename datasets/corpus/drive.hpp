@@ -21,7 +21,8 @@ struct DrivePlan {
   std::vector<Leg> legs;
   Region goal;
   Policy policy;
-  /// 0: caution is the same at every contact; 1: it deepens with a tentacle's bend. In between: mixed.
+  /// 0: caution is the same at every contact; 1: it deepens with a tentacle's bend. In between:
+  /// mixed.
   double graded_caution = 1.0;
   double body_radius_m = 0.225;
   EndReason when_stuck = EndReason::wedged;  ///< wedged, collision, or timeout: try again.

@@ -8,9 +8,9 @@ namespace tcert {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kSwerve = 0.7;         // way before and after a gate on which its offset is taken up
+constexpr double kSwerve = 0.7;  // way before and after a gate on which its offset is taken up
 constexpr double kCrossingRadius = 1.0;  // of the turn from one tangent to the other
-constexpr double kBackOff = 0.15;       // before that turn begins
+constexpr double kBackOff = 0.15;        // before that turn begins
 
 bool same(Lane a, Lane b) { return a.at_goal == b.at_goal && a.upper == b.upper; }
 

@@ -18,7 +18,8 @@ struct Leg {
 };
 
 /// From S along the route's centre lines to the middle of G, swerving through the middle of each
-/// gate within 0.7 m of it. A route that changes sides at the crossing turns there on an arc of 1 m.
+/// gate within 0.7 m of it. A route that changes sides at the crossing turns there on an arc of 1
+/// m.
 ///
 /// With `look_in`, the robot first drives `look_in_m` past the crossing into the lane that it does
 /// not take, backs out to where the arc begins, and then takes the other.

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kPoseNoise = 0.0008;
 constexpr double kYawNoise = 0.002;
-constexpr double kJitter = 0.1;            // of a period, uniform to either side
-constexpr double kLostShare = 0.001;       // single samples that never arrive
-constexpr double kDropoutRate = 0.004;     // longer silences per second of a native stream
-constexpr double kLatency = 19.6;          // ms, median
-constexpr double kLatencySpread = 0.25;    // ms, scale of its jitter
+constexpr double kJitter = 0.1;                  // of a period, uniform to either side
+constexpr double kLostShare = 0.001;             // single samples that never arrive
+constexpr double kDropoutRate = 0.004;           // longer silences per second of a native stream
+constexpr double kLatency = 19.6;                // ms, median
+constexpr double kLatencySpread = 0.25;          // ms, scale of its jitter
 constexpr std::int64_t kClockQuantum = 100'000;  // ns
 
 double rounded(double value, double scale) { return std::round(value * scale) / scale; }
@@ -57,9 +57,9 @@ Pose pose_at(const Drive& drive, std::int64_t time_ns) {
 }
 
 double speed_at(const Drive& drive, std::int64_t time_ns) {
-  const auto i = std::min(
-      static_cast<std::size_t>(static_cast<double>(time_ns) * 1e-9 / kDriveStep) + 1,
-      drive.poses.size() - 1);
+  const auto i =
+      std::min(static_cast<std::size_t>(static_cast<double>(time_ns) * 1e-9 / kDriveStep) + 1,
+               drive.poses.size() - 1);
   return distance(drive.poses[i - 1].position, drive.poses[i].position) / kDriveStep;
 }
 

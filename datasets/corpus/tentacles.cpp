@@ -104,23 +104,21 @@ std::array<RayReading, kTentacles> TentacleSensors::read(const WallIndex& walls,
     const Ray& ray = robot.rays[k];
     const double clearance = clearances[k];
     touching_[k] = clearance < ray.reach_m - (touching_[k] ? -kHysteresis : kHysteresis);
-    const double felt =
-        clearance < ray.reach_m
-            ? std::clamp(clearance + calibration_bias_m_, 0.0, ray.reach_m)
-            : ray.reach_m;
-    const double noise = std::sqrt(noise_m_[k] * noise_m_[k] - kWhiteNoise * kWhiteNoise) * texture(k) +
-                         kWhiteNoise * random_.normal();
-    double bend = calibrated_bend(ray.calibration, felt) +
-                  noise * bend_per_metre(ray.calibration, felt);
+    const double felt = clearance < ray.reach_m
+                            ? std::clamp(clearance + calibration_bias_m_, 0.0, ray.reach_m)
+                            : ray.reach_m;
+    const double noise =
+        std::sqrt(noise_m_[k] * noise_m_[k] - kWhiteNoise * kWhiteNoise) * texture(k) +
+        kWhiteNoise * random_.normal();
+    double bend =
+        calibrated_bend(ray.calibration, felt) + noise * bend_per_metre(ray.calibration, felt);
     const double glitch = random_.uniform();
     if (glitch < kGlitchShare) {
       bend = ray.calibration.bend_rad.back() * glitch / kGlitchShare;
     }
     const double force = kForceNoise * random_.normal();
     readings[k].value = rounded(bend, 1e4);
-    readings[k].fsr_n = rounded(
-        touching_[k] ? rub + force : std::abs(force),
-        1e2);
+    readings[k].fsr_n = rounded(touching_[k] ? rub + force : std::abs(force), 1e2);
   }
   return readings;
 }

@@ -20,7 +20,7 @@ constexpr double kOutcomeStep = 0.046;  // how much less a failure's are, at eff
 constexpr double kDaySd = 0.024;        // of the lanes' width, from day to day
 constexpr double kTrialSd = 0.027;      // of the level, from trial to trial
 constexpr double kGateSd = 0.008;       // from gate to gate
-constexpr double kSecondGate = 0.020;  // how much wider a lane's second gate is, at least
+constexpr double kSecondGate = 0.020;   // how much wider a lane's second gate is, at least
 constexpr double kLeastMargin = 0.020;
 constexpr double kSoftness = 0.010;
 
@@ -55,7 +55,8 @@ void add_gates(TrialCourse& trial,
     gate.along_m = first + i * spacing;
     gate.offset_m = course_random.uniform(-kMostOffset, kMostOffset);
     gate.length_m = course_random.uniform(0.10, 0.20);
-    gate.width_m = tightest_width + i * (kSecondGate + kGateSd * std::abs(tightness_random.normal()));
+    gate.width_m =
+        tightest_width + i * (kSecondGate + kGateSd * std::abs(tightness_random.normal()));
     trial.gates.push_back(gate);
   }
 }

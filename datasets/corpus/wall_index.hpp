@@ -17,8 +17,8 @@ struct Segment {
   Point b;
 };
 
-/// Edges of a world's polygons on a grid; each cell lists what lies within `range_m` of any point of
-/// it. Immutable; safe for concurrent use.
+/// Edges of a world's polygons on a grid; each cell lists what lies within `range_m` of any point
+/// of it. Immutable; safe for concurrent use.
 class WallIndex {
  public:
   /// \throws std::invalid_argument if an obstacle is a disc: the courses have polygons only.
