@@ -20,7 +20,7 @@ constexpr std::string_view kPositional = "positional";
 
 po::options_description common_description(unsigned use, CommonOptions& o) {
   po::options_description text("Common options");
-  const auto add = text.add_options();
+  auto add = text.add_options();
   if ((use & uses_output) != 0) {
     add("output",
         po::value(&o.output)->value_name("PATH"),
@@ -46,19 +46,25 @@ po::options_description common_description(unsigned use, CommonOptions& o) {
         po::value(&o.trials)->value_name("IDS"),
         "only these: trial ids or patterns with * and ?, comma between");
   }
-  if ((use & uses_repair) != 0) {
+  if ((use & uses_logs) != 0) {
     add("strict", po::bool_switch(&o.strict), "stop at the first rejected trial");
     add("repair",
         po::bool_switch(&o.repair),
         "drop or merge bad rows, counted, instead of rejecting their trial");
+    add("decimal-comma",
+        po::bool_switch(&o.decimal_comma),
+        "numbers like 1,5 in files whose separator is the semicolon");
   }
-  if ((use & uses_parameters) != 0) {
+  if ((use & (uses_config | uses_parameters)) != 0) {
     add("config",
         po::value<std::string>()->value_name("FILE"),
-        "INI file with the same names as the flags and the parameters; flags go first");
+        "INI file with the same names as the flags; flags go first");
+  }
+  if ((use & uses_parameters) != 0) {
     add("set",
         po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
-        "one parameter, repeatable; 'tcert help parameters' lists them");
+        "one parameter, repeatable; also --KEY VALUE and KEY=VALUE in the config file; 'tcert help "
+        "parameters' lists them");
   }
   add("quiet", po::bool_switch(&o.quiet), "no progress and no summary on stderr");
   add("help", "print this text");
@@ -236,8 +242,9 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
     po::notify(values);
   } catch (const po::unknown_option& error) {
     const std::string name = without_dashes(error.get_option_name());
+    const auto nearest = nearest_name(name, names_of(all));
     throw UsageError("unknown option '" + error.get_option_name() + "'" +
-                     did_you_mean(name, names_of(all)));
+                     (nearest ? "; did you mean '--" + *nearest + "'?" : ""));
   } catch (const po::error& error) {
     throw UsageError(error.what());
   }

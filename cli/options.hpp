@@ -19,13 +19,14 @@ namespace po = boost::program_options;
 
 /// Which of the common options a command takes; or'ed.
 enum CommonUse : unsigned {
-  uses_parameters = 1U << 0U,  ///< --config, --set and every key of the parameter table.
+  uses_config = 1U << 0U,
+  uses_parameters = 1U << 7U,  ///< --config, --set and every key of the parameter table.
   uses_output = 1U << 1U,
   uses_format = 1U << 2U,
   uses_seed = 1U << 3U,
   uses_threads = 1U << 4U,
   uses_trials = 1U << 5U,
-  uses_repair = 1U << 6U,  ///< --repair and --strict.
+  uses_logs = 1U << 6U,  ///< --repair, --strict, --decimal-comma.
 };
 
 struct CommonOptions {
@@ -36,6 +37,7 @@ struct CommonOptions {
   std::string trials;        ///< Ids or patterns, comma between; empty: all.
   bool strict = false;
   bool repair = false;
+  bool decimal_comma = false;
   bool quiet = false;
 
   Settings file_parameters;  ///< Parameters of the config file, in its order.

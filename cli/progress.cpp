@@ -27,8 +27,8 @@ Progress::~Progress() {
   }
 }
 
-void Progress::advance() {
-  ++done_;
+void Progress::reach(std::size_t done) {
+  done_ = done;
   const auto now = Clock::now();
   if (visible_ && (now - last_ >= kRedraw || done_ == total_)) {
     last_ = now;

@@ -17,7 +17,10 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   /// One more is done; redraws at most ten times a second.
-  void advance();
+  void advance() { reach(done_ + 1); }
+
+  /// So many are done.
+  void reach(std::size_t done);
 
  private:
   using Clock = std::chrono::steady_clock;

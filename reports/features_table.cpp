@@ -1,11 +1,11 @@
 #include "reports/features_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 
+#include "datasets/trial_table.hpp"
 #include "reports/series.hpp"
 
 namespace tcert {
@@ -18,9 +18,6 @@ TableCell cell_of(const std::optional<double>& value) {
 TableCell cell_of(const std::optional<bool>& value) {
   return value ? TableCell{std::int64_t{*value ? 1 : 0}} : TableCell{};
 }
-
-constexpr std::array<std::string_view, 6> kEndReasons = {
-    "", "goal", "collision", "wedged", "timeout", "aborted"};
 
 TableCell text_or_missing(std::string_view text) {
   return text.empty() ? TableCell{} : TableCell{std::string(text)};
@@ -67,16 +64,15 @@ Table features_table(const Bundle& bundle) {
 
 std::vector<TableCell> features_row(const TrialSummary& trial) {
   const TrialRow& row = trial.row.trial;
-  std::vector<TableCell> cells = {
-      text_or_missing(row.trial_id),
-      text_or_missing(row.algorithm),
-      text_or_missing(row.lighting),
-      text_or_missing(row.day),
-      text_or_missing(row.batch),
-      cell_of(row.success),
-      cell_of(row.time_s),
-      cell_of(row.distance_m),
-      text_or_missing(kEndReasons[static_cast<std::size_t>(row.end_reason)])};
+  std::vector<TableCell> cells = {text_or_missing(row.trial_id),
+                                  text_or_missing(row.algorithm),
+                                  text_or_missing(row.lighting),
+                                  text_or_missing(row.day),
+                                  text_or_missing(row.batch),
+                                  cell_of(row.success),
+                                  cell_of(row.time_s),
+                                  cell_of(row.distance_m),
+                                  text_or_missing(to_string(row.end_reason))};
   for (const FeatureColumn& column : feature_columns()) {
     cells.push_back(cell_of(column.get(trial.row.features)));
   }

@@ -73,23 +73,9 @@ std::string to_json(const Manifest& manifest) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::vector<ManifestFile> bundle_inputs(const std::filesystem::path& bundle) {
-  const std::filesystem::path normal = (bundle / "").lexically_normal().parent_path();
-  std::string name = normal.filename().generic_string();
-  if (name.empty() || name == "." || name == "..") {
-    name = "bundle";
-  }
-  if (!std::filesystem::is_directory(bundle)) {
-    return {{name, digest_file(bundle)}};
-  }
-  std::vector<ManifestFile> files;
-  files.push_back({name + "/", digest_folder(bundle)});
-  for (const char* part : {"bundle.json", "trials.csv"}) {
-    if (std::filesystem::exists(bundle / part)) {
-      files.push_back({name + "/" + part, digest_file(bundle / part)});
-    }
-  }
-  return files;
+std::string name_of(const std::filesystem::path& path) {
+  const std::string name = (path / "").lexically_normal().parent_path().filename().generic_string();
+  return name == "." || name == ".." ? "" : name;
 }
 
 std::vector<ManifestFile> folder_outputs(const std::filesystem::path& folder) {

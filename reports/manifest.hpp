@@ -39,9 +39,8 @@ struct Manifest {
 /// The JSON document, ended by a newline. Values that are numbers are written as numbers.
 [[nodiscard]] std::string to_json(const Manifest& manifest);
 
-/// Digest of a bundle as inputs: bundle.json, trials.csv and the whole folder (or the .zip file).
-/// Paths start with the bundle's own name. \throws std::system_error if a file cannot be read.
-[[nodiscard]] std::vector<ManifestFile> bundle_inputs(const std::filesystem::path& bundle);
+/// Name of a file or folder without the machine's part of its path: its last component.
+[[nodiscard]] std::string name_of(const std::filesystem::path& path);
 
 /// The files of `folder` as outputs: each file on its own; a folder in it as one entry with its
 /// count, bytes and digest (digest_folder), ended by '/'. Sorted by path.

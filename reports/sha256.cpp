@@ -62,6 +62,22 @@ std::string sha256(std::string_view bytes) {
   return digest.finish();
 }
 
+void ListDigest::add(std::string_view path, const FileDigest& digest) {
+  lines_.update(digest.sha256);
+  lines_.update("  ");
+  lines_.update(path);
+  lines_.update("\n");
+  sum_.files += digest.files;
+  sum_.bytes += digest.bytes;
+}
+
+FileDigest ListDigest::finish() {
+  FileDigest result = sum_;
+  result.sha256 = lines_.finish();
+  sum_ = {};
+  return result;
+}
+
 FileDigest digest_file(const std::filesystem::path& path) {
   const FileHandle file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) {
@@ -91,16 +107,11 @@ FileDigest digest_folder(const std::filesystem::path& folder) {
   std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
     return a.generic_string() < b.generic_string();
   });
-  FileDigest result;
-  Sha256 digest;
+  ListDigest list;
   for (const auto& file : files) {
-    const FileDigest one = digest_file(folder / file);
-    digest.update(one.sha256 + "  " + file.generic_string() + '\n');
-    result.files += 1;
-    result.bytes += one.bytes;
+    list.add(file.generic_string(), digest_file(folder / file));
   }
-  result.sha256 = digest.finish();
-  return result;
+  return list.finish();
 }
 
 FileDigest digest_path(const std::filesystem::path& path) {

@@ -39,6 +39,18 @@ struct FileDigest {
   std::string sha256;
 };
 
+/// Digest of a list of files, file by file: over the lines "<sha256>  <path>\n".
+class ListDigest {
+ public:
+  void add(std::string_view path, const FileDigest& digest);
+
+  [[nodiscard]] FileDigest finish();
+
+ private:
+  Sha256 lines_;
+  FileDigest sum_;
+};
+
 /// Digest of the file's bytes. \throws std::system_error if it cannot be read.
 [[nodiscard]] FileDigest digest_file(const std::filesystem::path& path);
 
