@@ -14,8 +14,8 @@ constexpr double kShortestWave = 0.06;
 constexpr double kLongestWave = 0.20;
 constexpr double kWhiteNoise = 0.0015;
 constexpr double kLeastForce = 0.58;
-constexpr double kForcePerSpeed = 8.0;
-constexpr double kSlowest = 0.03;  // m/s, below which a rubbing tip's force would not fall further
+constexpr double kForcePerSpeed = 9.0;
+constexpr double kSlowest = 0.04;  // m/s, below which a rubbing tip's force would not fall further
 constexpr double kForceNoise = 0.03;
 
 Ray tentacle(const char* name, Point mount, double bearing) {
