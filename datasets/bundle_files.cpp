@@ -2,7 +2,9 @@
 
 #include <zip.h>
 
+#include <cerrno>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace tcert {
@@ -47,7 +49,7 @@ BundleFiles::BundleFiles(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path_, error);
   if (!std::filesystem::exists(status)) {
-    problem_ = error ? error.message() : "no such folder or file";
+    problem_ = error ? error.message() : std::generic_category().message(ENOENT);
     return;
   }
   if (std::filesystem::is_directory(status)) {

@@ -8,17 +8,24 @@ namespace tcert {
 
 namespace {
 
+/// What becomes of a bad row.
+enum class BadRow {
+  rejects,      ///< The file is rejected, and would not be with repair.
+  is_dropped,   ///< By repair.
+  is_left_out,  ///< And is an error all the same.
+};
+
 /// Turns what is wrong with rows into diagnostics.
 class RowReporter {
  public:
   RowReporter(const CsvOptions& csv,
               const CsvHeader& header,
-              bool repair,
+              BadRow bad_row,
               std::string_view text,
               DiagnosticGroups& problems)
       : csv_(csv),
         header_(header),
-        repair_(repair),
+        bad_row_(bad_row),
         ends_with_line_end_(text.ends_with('\n')),
         problems_(problems) {}
 
@@ -36,8 +43,11 @@ class RowReporter {
           "a whole last line with its line end; the row is not used");
       return;
     }
-    const Severity severity = repair_ ? Severity::warning : Severity::error;
-    const std::string way_out = repair_ ? "; the row is dropped" : "; --repair drops such rows";
+    const bool dropped = bad_row_ == BadRow::is_dropped;
+    const Severity severity = dropped ? Severity::warning : Severity::error;
+    const std::string way_out = dropped                       ? "; the row is dropped"
+                                : bad_row_ == BadRow::rejects ? "; --repair drops such rows"
+                                                              : "";
     if (row.open_quote) {
       add(Severity::error, line, "", "a quote that is never closed", "a closing quote");
     } else if (row.fields != 0) {
@@ -84,7 +94,7 @@ class RowReporter {
 
   const CsvOptions& csv_;
   const CsvHeader& header_;
-  bool repair_;
+  BadRow bad_row_;
   bool ends_with_line_end_;
   bool cut_short_ = false;
   DiagnosticGroups& problems_;
@@ -153,7 +163,8 @@ std::optional<NumberTable> read_numbers(const Bytes& bytes,
   }
   const RowPlan plan = plan_row(*header, options);
   NumberTable table = table_for(*header, options);
-  RowReporter reporter(csv, *header, options.repair, text, problems);
+  RowReporter reporter(
+      csv, *header, options.repair ? BadRow::is_dropped : BadRow::rejects, text, problems);
   const bool has_time = !options.time_column.empty();
   std::vector<double> row(table.columns, std::numeric_limits<double>::quiet_NaN());
   std::int64_t time_ns = 0;
@@ -201,7 +212,7 @@ std::optional<TextTable> read_text_table(const Bytes& bytes,
   TextTable table;
   table.dialect = header->dialect;
   table.columns = header->names;
-  RowReporter reporter(csv, *header, false, text, problems);
+  RowReporter reporter(csv, *header, BadRow::is_left_out, text, problems);
   const RowPlan plan{header->dialect, {}};
   CsvCursor cursor = header->data;
   std::vector<std::string> record;

@@ -96,8 +96,13 @@ inline const char* scan_plain(const CellPlan& cell,
                               std::int64_t& time_ns,
                               double* values) noexcept {
   switch (cell.kind) {
-    case CellKind::number:
     case CellKind::optional_number:
+      if (*p == dialect.separator || *p == '\n' || *p == '\r') {
+        values[cell.slot] = std::numeric_limits<double>::quiet_NaN();
+        return p;
+      }
+      [[fallthrough]];
+    case CellKind::number:
       return scan_number(p, dialect.decimal_point, values[cell.slot]);
     case CellKind::seconds:
       return scan_seconds(p, dialect.decimal_point, time_ns);
@@ -125,7 +130,7 @@ bool scan_row(const RowPlan& plan,
       p = skip_run_of_spaces(p);
     }
     const char* next = scan_plain(plan.cells[position], plan.dialect, p, time_ns, values);
-    if (next == nullptr || next >= cursor.end) {
+    if (next == nullptr) {
       break;
     }
     if (position + 1 < cells) {
@@ -136,11 +141,13 @@ bool scan_row(const RowPlan& plan,
       continue;
     }
     next += *next == '\r' ? 1 : 0;
-    if (*next != '\n' || next >= cursor.end) {
+    if (*next != '\n' || next > cursor.end) {
       break;
     }
-    cursor.at = next + 1;
-    ++cursor.line;
+    // The line feed that pads the text ends a last line without one.
+    const bool ends_text = next == cursor.end;
+    cursor.at = ends_text ? next : next + 1;
+    cursor.line += ends_text ? 0 : 1;
     return true;
   }
   cursor.at = p;

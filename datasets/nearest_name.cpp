@@ -56,7 +56,7 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
     }
     const std::string folded = case_folded(candidate);
     const std::size_t distance = edits(wanted, folded);
-    const bool is_near = distance * 3 <= std::max(wanted.size(), folded.size()) ||
+    const bool is_near = distance * 2 <= std::max(wanted.size(), folded.size()) ||
                          holds(folded, wanted) || holds(wanted, folded);
     if (is_near && distance < fewest) {
       fewest = distance;

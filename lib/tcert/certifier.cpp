@@ -146,8 +146,8 @@ double Certifier::State::certificate_m() const noexcept {
 
 void Certifier::State::certify(const Tick& tick) noexcept {
   const Point position = tick.pose.position;
-  const bool broken = began && (tick.segment_start || gap_before_next ||
-                                distance(last_position, position) > parameters.max_step_m);
+  const bool broken =
+      began && (gap_before_next || distance(last_position, position) > parameters.max_step_m);
   out.flags = 0;
   if (!began) {
     first_ns = tick.time_ns;
@@ -202,13 +202,13 @@ Certifier& Certifier::operator=(Certifier&&) noexcept = default;
 
 CertifiedTick Certifier::update(const Tick& tick) noexcept {
   State& state = *state_;
+  state.gap_before_next = state.gap_before_next || tick.segment_start;
   if (!state.accepts(tick)) {
     return state.unchanged(tick, flag_bad_input);
   }
   state.has_time = true;
   state.last_ns = tick.time_ns;
   if (tick.stale) {
-    state.gap_before_next = state.gap_before_next || tick.segment_start;
     return state.unchanged(tick, flag_stale);
   }
   state.certify(tick);

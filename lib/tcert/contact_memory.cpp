@@ -29,18 +29,30 @@ class NearCells {
     }
   }
 
-  // Calls visit(cell within the block, squared distance of its centre).
+  // Columns of cells of all blocks together, and the offset of one from the centre; rows alike.
+  [[nodiscard]] std::int32_t columns() const noexcept { return (high_x_ - low_x_ + 1) * side_; }
+  [[nodiscard]] std::int32_t rows() const noexcept { return (high_y_ - low_y_ + 1) * side_; }
+  [[nodiscard]] double column_offset_m(std::int32_t column) const noexcept {
+    return centre_of(low_x_, column) - centre_.x_m;
+  }
+  [[nodiscard]] double row_offset_m(std::int32_t row) const noexcept {
+    return centre_of(low_y_, row) - centre_.y_m;
+  }
+
+  // Calls visit(cell within the block, its column, its row).
   template <typename Visit>
   void for_each_cell(std::int32_t bx, std::int32_t by, Visit visit) const noexcept {
     for (std::int32_t j = 0; j < side_; ++j) {
-      const double dy = centre_of(by, j) - centre_.y_m;
+      const std::int32_t row = (by - low_y_) * side_ + j;
+      const double dy = row_offset_m(row);
       for (std::int32_t i = 0; i < side_; ++i) {
-        const double dx = centre_of(bx, i) - centre_.x_m;
-        const double distance2 = dx * dx + dy * dy;
-        if (distance2 <= square_m2_) {
+        const std::int32_t column = (bx - low_x_) * side_ + i;
+        const double dx = column_offset_m(column);
+        if (dx * dx + dy * dy <= square_m2_) {
           visit(static_cast<std::size_t>(j) * static_cast<std::size_t>(side_) +
                     static_cast<std::size_t>(i),
-                distance2);
+                static_cast<std::size_t>(column),
+                static_cast<std::size_t>(row));
         }
       }
     }
@@ -67,7 +79,12 @@ class NearCells {
 ContactMemory::ContactMemory(const CertificateParameters& parameters)
     : parameters_(parameters),
       blocks_(std::bit_ceil(
-          std::max<std::size_t>(parameters.max_memory_cells / (kSide * kSide), kProbes))) {}
+          std::max<std::size_t>(parameters.max_memory_cells / (kSide * kSide), kProbes))) {
+  const double blocks = 6.0 * parameters.memory_sigma_m / (kSide * parameters.memory_cell_m);
+  const std::size_t most = (static_cast<std::size_t>(blocks) + 3) * kSide;
+  column_weights_.resize(most);
+  row_weights_.resize(most);
+}
 
 void ContactMemory::clear() noexcept {
   if (!empty_) {
@@ -141,11 +158,19 @@ void ContactMemory::add(Point point, double force_n, double time_s) noexcept {
   const double sigma_m = parameters_.memory_sigma_m;
   const double per_square = -0.5 / (sigma_m * sigma_m);
   const NearCells near(point, 3.0 * sigma_m, parameters_.memory_cell_m, kSide);
+  for (std::int32_t column = 0; column < near.columns(); ++column) {
+    const double dx = near.column_offset_m(column);
+    column_weights_[static_cast<std::size_t>(column)] = std::exp(per_square * dx * dx);
+  }
+  for (std::int32_t row = 0; row < near.rows(); ++row) {
+    const double dy = near.row_offset_m(row);
+    row_weights_[static_cast<std::size_t>(row)] = gain * std::exp(per_square * dy * dy);
+  }
   near.for_each_block([&](std::int32_t bx, std::int32_t by) noexcept {
     Block& block = claim(bx, by, halvings);
-    near.for_each_cell(bx, by, [&](std::size_t cell, double distance2) noexcept {
+    near.for_each_cell(bx, by, [&](std::size_t cell, std::size_t column, std::size_t row) noexcept {
       double& value = block.values[cell];
-      value += (1.0 - value) * gain * std::exp(per_square * distance2);
+      value += (1.0 - value) * (row_weights_[row] * column_weights_[column]);
     });
   });
   empty_ = false;
@@ -164,7 +189,7 @@ double ContactMemory::largest_within(Point centre, double radius_m, double time_
       return;
     }
     double largest_here = 0.0;
-    near.for_each_cell(bx, by, [&](std::size_t cell, double) noexcept {
+    near.for_each_cell(bx, by, [&](std::size_t cell, std::size_t, std::size_t) noexcept {
       largest_here = std::max(largest_here, block->values[cell]);
     });
     if (largest_here > largest) {

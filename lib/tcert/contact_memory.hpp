@@ -43,6 +43,9 @@ class ContactMemory {
 
   CertificateParameters parameters_;
   std::vector<Block> blocks_;  // a power of two
+  // Scratch of add(): exp(-d^2 / 2 sigma^2) by column and by row of the cells near a contact.
+  std::vector<double> column_weights_;
+  std::vector<double> row_weights_;
   bool empty_ = true;
 };
 

@@ -1,0 +1,90 @@
+#include <optional>
+
+#include "cli/certify_run.hpp"
+#include "cli/errors.hpp"
+#include "cli/inputs.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/result_folder.hpp"
+#include "reports/features_table.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kText =
+    R"(Certify the trials of a bundle: the certificate at every tick, and each trial's features.
+
+With --output DIR: DIR/series/<trial_id>.csv (one row a tick), DIR/features.csv and
+DIR/certificates.csv (one row a trial), DIR/diagnostics.csv, DIR/manifest.json.
+Without it: the features on stdout.
+
+Usage: tcert certify BUNDLE [options]
+
+Example:
+  tcert certify corpus --output results
+  tcert certify corpus --trials 't00000*' --set memory_weight_m=0 --format csv
+
+Cost: one pass over the logs, a few trials in memory at a time; the series take about a quarter of
+the size of the logs (--no-series leaves them out).
+)";
+
+struct CertifyOptions {
+  bool ticks = false;
+  bool no_series = false;
+  bool ray_margins = false;
+  std::string bundle;
+};
+
+CommandLine command_line(CertifyOptions& o) {
+  CommandLine line{
+      "certify",
+      kText,
+      uses_parameters | uses_output | uses_format | uses_threads | uses_trials | uses_logs,
+      po::options_description("Options"),
+      {{"BUNDLE", &o.bundle}}};
+  line.own.add_options()("ticks",
+                         po::bool_switch(&o.ticks),
+                         "also write DIR/ticks/<trial_id>.csv, which 'live' and logs/ accept")(
+      "no-series", po::bool_switch(&o.no_series), "leave DIR/series out, to save space")(
+      "ray-margins",
+      po::bool_switch(&o.ray_margins),
+      "one more column a ray in the series: its own margin");
+  return line;
+}
+
+int certify_to_stdout(const OpenedBundle& opened, const CommonOptions& common) {
+  Table table = features_table(opened.bundle);
+  const CertifySummary summary =
+      certify_trials(opened, common, nullptr, {}, [&](TrialSummary&& trial) {
+        table.add_row(features_row(trial));
+      });
+  table.n = static_cast<std::int64_t>(summary.trials);
+  print(render(table, common.table_format()));
+  return report(summary, opened, common);
+}
+
+int run(Arguments arguments) {
+  CertifyOptions options;
+  CommonOptions common;
+  if (!parse(command_line(options), common, arguments)) {
+    return exit_done;
+  }
+  if (common.output.empty() && (options.ticks || options.no_series || options.ray_margins)) {
+    throw UsageError("--ticks, --no-series and --ray-margins need --output");
+  }
+  const OpenedBundle opened = open_for(options.bundle, common);
+  if (common.output.empty()) {
+    return certify_to_stdout(opened, common);
+  }
+  ResultFolder folder(common.output);
+  const CertifySummary summary = certify_trials(
+      opened, common, &folder, {!options.no_series, options.ticks, options.ray_margins}, {});
+  folder.commit(manifest_of("certify", opened, common, summary));
+  return report(summary, opened, common);
+}
+
+}  // namespace
+
+const Command kCertify = {"certify", "certify the trials of a bundle, tick by tick", run};
+
+}  // namespace tcert::cli

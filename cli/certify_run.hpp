@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// Certifying the chosen trials of a bundle, with or without a folder of results.
+
+#include <string>
+#include <vector>
+
+#include "analysis/study_tables.hpp"
+#include "cli/inputs.hpp"
+#include "cli/options.hpp"
+#include "cli/result_folder.hpp"
+#include "reports/manifest.hpp"
+
+namespace tcert::cli {
+
+struct CertifyFiles {
+  bool series = true;        ///< series/<trial_id>.csv
+  bool ticks = false;        ///< ticks/<trial_id>.csv
+  bool ray_margins = false;  ///< Columns in the series.
+};
+
+struct CertifySummary {
+  std::size_t trials = 0;  ///< Certified.
+  std::vector<std::string> rejected;
+  std::size_t log_bytes = 0;
+  std::vector<ManifestFile> inputs;
+};
+
+/// What a caller wants to see of each trial that was certified, in order.
+using TrialSink = std::function<void(TrialSummary&&)>;
+
+/// Writes features.csv, certificates.csv, diagnostics.csv and what `files` asks for into `folder`,
+/// if there is one. Under --strict it ends at the first rejected trial.
+/// \throws BadData under --strict; WriteError.
+[[nodiscard]] CertifySummary certify_trials(const OpenedBundle& opened,
+                                            const CommonOptions& common,
+                                            const ResultFolder* folder,
+                                            const CertifyFiles& files,
+                                            const TrialSink& sink);
+
+/// "Certified 658 trials; rejected: t3, t9." on stderr; the exit code that goes with it.
+[[nodiscard]] int report(const CertifySummary& summary,
+                         const OpenedBundle& opened,
+                         const CommonOptions& common);
+
+/// The manifest of a command that certified a bundle.
+[[nodiscard]] Manifest manifest_of(std::string command,
+                                   const OpenedBundle& opened,
+                                   const CommonOptions& common,
+                                   const CertifySummary& summary);
+
+}  // namespace tcert::cli

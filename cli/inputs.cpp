@@ -1,0 +1,153 @@
+#include "cli/inputs.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include "cli/errors.hpp"
+#include "cli/output.hpp"
+
+namespace tcert::cli {
+namespace {
+
+std::vector<std::string> split(std::string_view list) {
+  std::vector<std::string> parts;
+  while (!list.empty()) {
+    const auto comma = std::min(list.find(','), list.size());
+    if (comma > 0) {
+      parts.emplace_back(list.substr(0, comma));
+    }
+    list.remove_prefix(std::min(comma + 1, list.size()));
+  }
+  return parts;
+}
+
+/// \throws UsageError for a pattern that chooses nothing.
+std::vector<std::size_t> choose(const Bundle& bundle, const std::string& list) {
+  std::vector<std::size_t> chosen;
+  const std::vector<std::string> patterns = split(list);
+  std::vector<bool> used(patterns.size(), false);
+  for (std::size_t t = 0; t < bundle.trials.size(); ++t) {
+    bool wanted = patterns.empty();
+    for (std::size_t p = 0; p < patterns.size(); ++p) {
+      if (matches(patterns[p], bundle.trials[t].trial_id)) {
+        used[p] = true;
+        wanted = true;
+      }
+    }
+    if (wanted) {
+      chosen.push_back(t);
+    }
+  }
+  const auto unused = std::find(used.begin(), used.end(), false);
+  if (unused != used.end()) {
+    std::vector<std::string> ids;
+    for (const TrialRow& trial : bundle.trials) {
+      ids.push_back(trial.trial_id);
+    }
+    const std::string& pattern = patterns[static_cast<std::size_t>(unused - used.begin())];
+    throw UsageError("--trials: no trial '" + pattern + "'" + did_you_mean(pattern, ids));
+  }
+  return chosen;
+}
+
+template <class Error>
+void apply(const Settings& settings, ParameterSet& parameters, const std::string& source) {
+  for (const auto& [key, value] : settings) {
+    try {
+      set_parameter(parameters, key, value);
+    } catch (const std::invalid_argument& error) {
+      throw Error(source + error.what());
+    }
+  }
+}
+
+}  // namespace
+
+OpenedBundle open_for(const std::string& path,
+                      const CommonOptions& common,
+                      SayDiagnostics say_diagnostics) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw NoInput("no bundle at '" + path + "'");
+  }
+  BundleResult result = open_bundle(path, {common.decimal_comma});
+  if (say_diagnostics == SayDiagnostics::yes || !result.bundle) {
+    say(result.diagnostics);
+  }
+  if (!result.bundle) {
+    throw BadData("'" + path + "' is not a bundle that can be used");
+  }
+  if (common.strict && has_error(result.diagnostics)) {
+    throw BadData("'" + path + "' has trials that are rejected, and --strict was asked for");
+  }
+  OpenedBundle opened;
+  opened.bundle = std::move(*result.bundle);
+  opened.diagnostics = std::move(result.diagnostics);
+  opened.parameters = effective_parameters(opened.bundle.info.parameters, common);
+  (void)effective_robot(opened.bundle.info, opened.parameters);
+  opened.trials = choose(opened.bundle, common.trials);
+  return opened;
+}
+
+ParameterSet effective_parameters(const std::map<std::string, std::string>& of_bundle,
+                                  const CommonOptions& common) {
+  ParameterSet parameters;
+  apply<BadData>(Settings(of_bundle.begin(), of_bundle.end()), parameters, "bundle.json: ");
+  apply<UsageError>(common.file_parameters, parameters, "");
+  apply<UsageError>(common.flag_parameters, parameters, "");
+  try {
+    validate(parameters);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  return parameters;
+}
+
+Robot effective_robot(const BundleInfo& info, const ParameterSet& parameters) {
+  Robot robot = with_overrides(info.robot, parameters.robot);
+  try {
+    validate(robot);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  return robot;
+}
+
+Settings as_settings(const ParameterSet& parameters, const Robot& robot) {
+  const Robot effective = with_overrides(robot, parameters.robot);
+  ParameterSet shown = parameters;
+  shown.robot = {effective.body_width_m,
+                 effective.min_turn_radius_m,
+                 effective.tracking_buffer_m,
+                 effective.curvature_buffer_per_m};
+  Settings settings;
+  for (const ParameterInfo& parameter : parameter_table()) {
+    settings.emplace_back(parameter.key, parameter.get(shown));
+  }
+  return settings;
+}
+
+bool matches(std::string_view pattern, std::string_view name) noexcept {
+  std::size_t p = 0;
+  std::size_t n = 0;
+  std::size_t star = std::string_view::npos;
+  std::size_t resume = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++resume;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+}  // namespace tcert::cli

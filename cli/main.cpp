@@ -1,0 +1,87 @@
+#include <csignal>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "datasets/atomic_file.hpp"
+
+namespace tcert::cli {
+namespace {
+
+const Command& command_of(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Command* command : commands()) {
+    if (command->name == name) {
+      return *command;
+    }
+    names.emplace_back(command->name);
+  }
+  throw UsageError("unknown command '" + name + "'" + did_you_mean(name, names));
+}
+
+int run(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) {
+    throw UsageError("needs a command");
+  }
+  const std::string& first = arguments.front();
+  if (first == "--help" || first == "-h") {
+    return kHelp.run({});
+  }
+  if (first == "--version") {
+    return kVersion.run({});
+  }
+  return command_of(first).run(Arguments(arguments).subspan(1));
+}
+
+int exit_code_of_current_exception(const std::string& who) {
+  try {
+    throw;
+  } catch (const BrokenPipe&) {
+    return exit_done;
+  } catch (const UsageError& error) {
+    say(who + ": " + error.what() + "\nSee '" + who + " --help'.");
+    return exit_usage;
+  } catch (const NoInput& error) {
+    say(who + ": " + error.what());
+    return exit_no_input;
+  } catch (const BadData& error) {
+    say(who + ": " + error.what());
+    return exit_bad_data;
+  } catch (const WriteError& error) {
+    say(who + ": " + error.what());
+    return exit_cannot_write;
+  } catch (const std::exception& error) {
+    say(who + ": internal error: " + error.what());
+    return exit_internal;
+  }
+}
+
+std::string name_of(const std::vector<std::string>& arguments) {
+  for (const Command* command : commands()) {
+    if (!arguments.empty() && command->name == arguments.front()) {
+      return "tcert " + arguments.front();
+    }
+  }
+  return "tcert";
+}
+
+}  // namespace
+}  // namespace tcert::cli
+
+int main(int argc, char** argv) {
+  using namespace tcert::cli;
+  // A reader that has gone shows as a failed write, not as a signal.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::string who = "tcert";
+  try {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    who = name_of(arguments);
+    return run(arguments);
+  } catch (...) {
+    return exit_code_of_current_exception(who);
+  }
+}

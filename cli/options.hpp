@@ -1,0 +1,78 @@
+#pragma once
+/// \file
+/// Options that commands share, and the one way in which flags and config files are read.
+
+#include <boost/program_options.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "reports/manifest.hpp"
+#include "reports/table.hpp"
+
+namespace tcert::cli {
+
+namespace po = boost::program_options;
+
+/// Which of the common options a command takes; or'ed.
+enum CommonUse : unsigned {
+  uses_config = 1U << 0U,
+  uses_parameters = 1U << 7U,  ///< --config, --set and every key of the parameter table.
+  uses_output = 1U << 1U,
+  uses_format = 1U << 2U,
+  uses_seed = 1U << 3U,
+  uses_threads = 1U << 4U,
+  uses_trials = 1U << 5U,
+  uses_logs = 1U << 6U,  ///< --repair, --strict, --decimal-comma.
+};
+
+struct CommonOptions {
+  std::string output;
+  std::string format = "text";
+  std::int64_t seed = 1;
+  std::int64_t threads = 0;  ///< 0: as many as there are cores.
+  std::string trials;        ///< Ids or patterns, comma between; empty: all.
+  bool strict = false;
+  bool repair = false;
+  bool decimal_comma = false;
+  bool quiet = false;
+
+  Settings file_parameters;  ///< Parameters of the config file, in its order.
+  Settings flag_parameters;  ///< Of --set and of flags, in their order.
+  Settings effective;        ///< Options that shape the result, with their values.
+
+  /// \pre the format was checked by parse().
+  [[nodiscard]] TableFormat table_format() const;
+};
+
+struct Positional {
+  std::string name;  ///< As the usage line has it: "BUNDLE".
+  std::string* value = nullptr;
+  bool required = true;
+};
+
+/// How a command is called.
+struct CommandLine {
+  std::string_view name;
+  std::string_view help;  ///< Purpose, usage, example, cost; the options are listed below it.
+  unsigned common = 0;    ///< CommonUse.
+  po::options_description own{"Options"};
+  std::vector<Positional> positional;
+};
+
+/// Reads flags, then the config file for what the flags leave open. False if help was asked for and
+/// has been printed. \throws UsageError with the nearest known name for an unknown one; NoInput if
+/// the config file cannot be read.
+[[nodiscard]] bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments);
+
+/// \throws UsageError unless low <= value <= high.
+void require_range(std::string_view option, double value, double low, double high);
+
+/// "; did you mean 'x'?" or nothing.
+[[nodiscard]] std::string did_you_mean(std::string_view name,
+                                       const std::vector<std::string>& known);
+
+}  // namespace tcert::cli

@@ -1,0 +1,45 @@
+#include "cli/output.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+
+#include "cli/errors.hpp"
+#include "datasets/atomic_file.hpp"
+
+namespace tcert::cli {
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
+    return;
+  }
+  if (errno == EPIPE) {
+    throw BrokenPipe("stdout");
+  }
+  throw WriteError("cannot write to stdout: " + std::generic_category().message(errno));
+}
+
+void say(std::string_view line) {
+  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::fputc('\n', stderr);
+}
+
+void say(std::span<const Diagnostic> diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) {
+    say(to_string(diagnostic));
+  }
+}
+
+bool may_replace(const std::filesystem::path& folder) {
+  std::ifstream file(folder / "manifest.json");
+  std::string line;
+  while (std::getline(file, line)) {
+    if (line.find("\"tcert-manifest\"") != std::string::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Data on stdout, words on stderr, result folders.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "datasets/diagnostic.hpp"
+
+namespace tcert::cli {
+
+/// Writes to stdout and flushes. \throws BrokenPipe if nobody reads it any more, WriteError.
+void print(std::string_view text);
+
+/// One line on stderr.
+void say(std::string_view line);
+
+/// One line each on stderr.
+void say(std::span<const Diagnostic> diagnostics);
+
+/// True if the folder was written by this tool and may be replaced: it holds a manifest.json of
+/// ours. An empty or missing folder needs no permission.
+[[nodiscard]] bool may_replace(const std::filesystem::path& folder);
+
+}  // namespace tcert::cli

@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// A folder of results that appears whole, with its manifest, or not at all.
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "datasets/atomic_file.hpp"
+#include "reports/manifest.hpp"
+
+namespace tcert::cli {
+
+/// A file that is written piece by piece, within a folder that is not there yet.
+class ResultFile {
+ public:
+  /// \throws WriteError.
+  explicit ResultFile(std::filesystem::path path);
+
+  void write(std::string_view bytes);  ///< \throws WriteError.
+  void close();                        ///< \throws WriteError.
+
+ private:
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+class ResultFolder {
+ public:
+  /// Replaces a folder only if it is empty or was written by this tool.
+  /// \throws WriteError if the name is taken or cannot be written: before any work is done.
+  explicit ResultFolder(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::filesystem::path& staging() const noexcept { return folder_.staging(); }
+
+  /// A whole file; its folders are made. Thread-safe for different names. \throws WriteError.
+  void write(const std::filesystem::path& name, std::string_view bytes) const;
+
+  /// Lists the files in the manifest, writes it, and gives the folder its name. \throws WriteError.
+  void commit(Manifest manifest);
+
+ private:
+  AtomicFolder folder_;
+};
+
+/// True if `folder` holds what this manifest, made again, would list, every file with its bytes.
+[[nodiscard]] bool is_current(const std::filesystem::path& folder, Manifest expected);
+
+/// One file of results and, beside it, <file>.manifest.json. \throws WriteError.
+void write_with_manifest(const std::filesystem::path& path,
+                         std::string_view text,
+                         Manifest manifest);
+
+}  // namespace tcert::cli

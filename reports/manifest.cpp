@@ -1,0 +1,93 @@
+#include "reports/manifest.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/version.hpp"
+
+namespace tcert {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_value(const std::string& text) {
+  if (text.empty()) {
+    return nullptr;
+  }
+  if (text == "true" || text == "false") {
+    return text == "true";
+  }
+  const char* end = text.data() + text.size();
+  std::uint64_t whole = 0;
+  if (const auto read = std::from_chars(text.data(), end, whole);
+      read.ec == std::errc{} && read.ptr == end) {
+    return whole;
+  }
+  double number = 0.0;
+  if (const auto read = std::from_chars(text.data(), end, number);
+      read.ec == std::errc{} && read.ptr == end && std::isfinite(number)) {
+    return number;
+  }
+  return text;
+}
+
+Json json_settings(const Settings& settings) {
+  Json json = Json::object();
+  for (const auto& [key, value] : settings) {
+    json[key] = json_value(value);
+  }
+  return json;
+}
+
+Json json_files(const std::vector<ManifestFile>& files) {
+  Json json = Json::array();
+  for (const ManifestFile& file : files) {
+    json.push_back({{"path", file.path},
+                    {"files", file.digest.files},
+                    {"bytes", file.digest.bytes},
+                    {"sha256", file.digest.sha256}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const Manifest& manifest) {
+  Json json;
+  json["format"] = "tcert-manifest";
+  json["version"] = 1;
+  json["synthetic"] = manifest.synthetic.has_value();
+  if (manifest.synthetic) {
+    json["synthetic_seed"] =
+        manifest.synthetic->seed ? Json(*manifest.synthetic->seed) : Json(nullptr);
+  }
+  json["tool"] = {{"name", "tcert"}, {"version", tool_version()}, {"commit", tool_commit()}};
+  json["command"] = manifest.command;
+  json["seed"] = manifest.seed ? Json(*manifest.seed) : Json(nullptr);
+  json["options"] = json_settings(manifest.options);
+  json["parameters"] = json_settings(manifest.parameters);
+  json["inputs"] = json_files(manifest.inputs);
+  json["outputs"] = json_files(manifest.outputs);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string name_of(const std::filesystem::path& path) {
+  const std::string name = (path / "").lexically_normal().parent_path().filename().generic_string();
+  return name == "." || name == ".." ? "" : name;
+}
+
+std::vector<ManifestFile> folder_outputs(const std::filesystem::path& folder) {
+  std::vector<ManifestFile> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().generic_string();
+    files.push_back({entry.is_directory() ? name + "/" : name, digest_path(entry.path())});
+  }
+  std::sort(files.begin(), files.end(), [](const ManifestFile& a, const ManifestFile& b) {
+    return a.path < b.path;
+  });
+  return files;
+}
+
+}  // namespace tcert

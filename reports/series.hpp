@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// The series of a trial as CSV, one row a tick: what `certify` writes and what `live` prints.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <tcert/certifier.hpp>
+#include <tcert/robot.hpp>
+#include <tcert/speed_law.hpp>
+#include <tcert/tick.hpp>
+
+#include "reports/table.hpp"
+
+namespace tcert {
+
+struct SeriesFormat {
+  SpeedLaw speed_law;
+  bool ray_margins = false;                 ///< One more column a ray: m_t(theta_k).
+  std::optional<SyntheticLabel> synthetic;  ///< A last column `synthetic_seed`.
+};
+
+/// Header, ended by a newline.
+[[nodiscard]] std::string series_header(const SeriesFormat& format, const Robot& robot);
+
+/// Appends one row, ended by a newline. What is not known at the tick, and a value that is minus
+/// infinity because there is no path yet, is an empty cell. Numbers read back to the same bits.
+/// `ray_margins` are those of the certifier after the tick; looked at only if the format has them.
+void append_series_row(std::string& out,
+                       const Tick& tick,
+                       const CertifiedTick& certified,
+                       std::span<const double> ray_margins,
+                       const SeriesFormat& format);
+
+/// Words of CertifiedTick::flags, joined by '+': "stale+break"; empty if there are none.
+[[nodiscard]] std::string flag_words(std::uint32_t flags);
+
+}  // namespace tcert

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// The tables of a study beside the paper's: Table 1, commanded speed, latency.
+
+#include <optional>
+#include <span>
+
+#include "analysis/study_tables.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+/// Table 1: successes / trials (share) per algorithm and lighting, with sums.
+[[nodiscard]] Table success_table(std::span<const CellCount> cells);
+
+/// Median commanded speed by algorithm and by lighting beside the published one, and latency.
+[[nodiscard]] Table speed_table(std::span<const GroupMedian> algorithms,
+                                std::span<const GroupMedian> lightings);
+
+/// Median latency in every cell.
+[[nodiscard]] Table latency_table(std::span<const GroupMedian> cells);
+
+}  // namespace tcert

@@ -1,0 +1,177 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "datasets/csv_write.hpp"
+#include "reports/table_formats.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr std::string_view kSeedColumn = "synthetic_seed";
+
+void append_finite(std::string& out, double value) {
+  if (std::isfinite(value)) {
+    append_number(out, value);
+  }
+}
+
+struct CsvCell {
+  std::string& out;
+  ColumnKind kind;
+
+  void operator()(std::monostate /*missing*/) const {
+    if (kind == ColumnKind::estimate) {
+      out += ",,";
+    }
+  }
+  void operator()(const std::string& text) const { append_text(out, text); }
+  void operator()(std::int64_t value) const { out += std::to_string(value); }
+  void operator()(const Number& number) const { append_finite(out, number.value); }
+  void operator()(const Estimate& estimate) const {
+    append_finite(out, estimate.value);
+    out += ',';
+    append_finite(out, estimate.low);
+    out += ',';
+    append_finite(out, estimate.high);
+  }
+  void operator()(const PValue& p) const { append_finite(out, p.value); }
+};
+
+using Json = nlohmann::ordered_json;
+
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+struct JsonCell {
+  Json& row;
+  const Column& column;
+
+  void operator()(std::monostate /*missing*/) const {
+    if (column.kind == ColumnKind::estimate) {
+      (*this)(Estimate{});
+    } else {
+      row[column.name] = nullptr;
+    }
+  }
+  void operator()(const std::string& text) const { row[column.name] = text; }
+  void operator()(std::int64_t value) const { row[column.name] = value; }
+  void operator()(const Number& number) const { row[column.name] = json_number(number.value); }
+  void operator()(const Estimate& estimate) const {
+    row[column.name] = json_number(estimate.value);
+    row[column.name + "_low"] = json_number(estimate.low);
+    row[column.name + "_high"] = json_number(estimate.high);
+  }
+  void operator()(const PValue& p) const { row[column.name] = json_number(p.value); }
+};
+
+Json json_row(const Table& table, const std::vector<TableCell>& cells) {
+  Json row = Json::object();
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    std::visit(JsonCell{row, table.columns[c]}, cells[c]);
+  }
+  return row;
+}
+
+/// Text from a log need not be UTF-8: what is not becomes U+FFFD instead of an exception.
+std::string dumped(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string_view word_of(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::text:
+      return "text";
+    case ColumnKind::integer:
+      return "integer";
+    case ColumnKind::number:
+      return "number";
+    case ColumnKind::estimate:
+      return "estimate";
+    case ColumnKind::p_value:
+      return "p_value";
+  }
+  return "text";
+}
+
+}  // namespace
+
+void append_csv_header(std::string& out, const Table& table) {
+  std::string_view separator;
+  for (const Column& column : table.columns) {
+    out += separator;
+    separator = ",";
+    append_text(out, column.name);
+    if (column.kind == ColumnKind::estimate) {
+      out += ',';
+      append_text(out, column.name + "_low");
+      out += ',';
+      append_text(out, column.name + "_high");
+    }
+  }
+  if (table.synthetic) {
+    out += separator;
+    out += kSeedColumn;
+  }
+  out += '\n';
+}
+
+void append_csv_row(std::string& out, const Table& table, const std::vector<TableCell>& cells) {
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (c > 0) {
+      out += ',';
+    }
+    std::visit(CsvCell{out, table.columns[c].kind}, cells[c]);
+  }
+  if (table.synthetic) {
+    out += ',';
+    out += table.synthetic->seed ? std::to_string(*table.synthetic->seed) : "";
+  }
+  out += '\n';
+}
+
+std::string render_csv(const Table& table) {
+  std::string out;
+  append_csv_header(out, table);
+  for (const auto& row : table.rows) {
+    append_csv_row(out, table, row);
+  }
+  return out;
+}
+
+std::string render_json(const Table& table) {
+  Json json;
+  json["synthetic"] = table.synthetic.has_value();
+  if (table.synthetic) {
+    json["seed"] = table.synthetic->seed ? Json(*table.synthetic->seed) : Json(nullptr);
+  }
+  json["table"] = table.name;
+  json["title"] = table.title;
+  json["n"] = table.n ? Json(*table.n) : Json(nullptr);
+  json["columns"] = Json::array();
+  for (const Column& column : table.columns) {
+    json["columns"].push_back({{"name", column.name},
+                               {"heading", column.heading},
+                               {"unit", column.unit},
+                               {"kind", word_of(column.kind)}});
+  }
+  json["rows"] = Json::array();
+  for (const auto& row : table.rows) {
+    json["rows"].push_back(json_row(table, row));
+  }
+  json["footnotes"] = table.footnotes;
+  return dumped(json, 2);
+}
+
+std::string render_jsonl(const Table& table) {
+  std::string out;
+  for (const auto& cells : table.rows) {
+    Json row = json_row(table, cells);
+    if (table.synthetic) {
+      row[std::string(kSeedColumn)] =
+          table.synthetic->seed ? Json(*table.synthetic->seed) : Json(nullptr);
+    }
+    out += dumped(row, -1);
+  }
+  return out;
+}
+
+}  // namespace tcert
