@@ -47,7 +47,8 @@ double bend_per_metre(const Calibration& calibration, double clearance) {
          (calibration.clearance_m[knot - 1] - calibration.clearance_m[knot]);
 }
 
-double rounded(double value, double scale) { return std::round(value * scale) / scale; }
+// Adding 0 turns -0 into 0.
+double rounded(double value, double scale) { return std::round(value * scale) / scale + 0.0; }
 
 }  // namespace
 
