@@ -263,8 +263,8 @@ class Driver {
 
   void finish(EndReason reason, double time, double travelled) noexcept {
     drive_.end_reason = reason;
-    drive_.time_s = time;
-    drive_.distance_m = travelled;
+    drive_.time_s = std::round(time * 1e3) / 1e3;
+    drive_.distance_m = std::round(travelled * 1e4) / 1e4;
   }
 
   const DrivePlan& plan_;

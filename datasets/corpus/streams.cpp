@@ -19,7 +19,8 @@ constexpr double kLatency = 19.6;                // ms, median
 constexpr double kLatencySpread = 0.25;          // ms, scale of its jitter
 constexpr std::int64_t kClockQuantum = 100'000;  // ns
 
-double rounded(double value, double scale) { return std::round(value * scale) / scale; }
+// Adding 0 turns -0 into 0.
+double rounded(double value, double scale) { return std::round(value * scale) / scale + 0.0; }
 
 /// Sample times of one stream from 0 to `end_s`, in ns.
 std::vector<std::int64_t> sample_times(double rate_hz,

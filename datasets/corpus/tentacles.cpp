@@ -14,8 +14,8 @@ constexpr double kShortestWave = 0.06;
 constexpr double kLongestWave = 0.20;
 constexpr double kWhiteNoise = 0.0015;
 constexpr double kLeastForce = 0.58;
-constexpr double kForcePerSpeed = 8.0;
-constexpr double kSlowest = 0.03;  // m/s, below which a rubbing tip's force would not fall further
+constexpr double kForcePerSpeed = 9.0;
+constexpr double kSlowest = 0.04;  // m/s, below which a rubbing tip's force would not fall further
 constexpr double kForceNoise = 0.03;
 
 Ray tentacle(const char* name, Point mount, double bearing) {
@@ -47,7 +47,8 @@ double bend_per_metre(const Calibration& calibration, double clearance) {
          (calibration.clearance_m[knot - 1] - calibration.clearance_m[knot]);
 }
 
-double rounded(double value, double scale) { return std::round(value * scale) / scale; }
+// Adding 0 turns -0 into 0.
+double rounded(double value, double scale) { return std::round(value * scale) / scale + 0.0; }
 
 }  // namespace
 

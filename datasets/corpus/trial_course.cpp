@@ -16,9 +16,9 @@ constexpr double kLeastRadius = 0.6;
 constexpr double kMostRadius = 1.0;
 
 constexpr double kMeanLevel = 0.090;    // margin of a success's gates
-constexpr double kOutcomeStep = 0.046;  // how much less a failure's are, at effect 1
-constexpr double kDaySd = 0.024;        // of the lanes' width, from day to day
-constexpr double kTrialSd = 0.027;      // of the level, from trial to trial
+constexpr double kOutcomeStep = 0.047;  // how much less a failure's are, at effect 1
+constexpr double kDaySd = 0.029;        // of the lanes' width, from day to day
+constexpr double kTrialSd = 0.026;      // of the level, from trial to trial
 constexpr double kGateSd = 0.008;       // from gate to gate
 constexpr double kSecondGate = 0.020;   // how much wider a lane's second gate is, at least
 constexpr double kLeastMargin = 0.020;

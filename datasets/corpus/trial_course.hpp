@@ -28,10 +28,11 @@ struct TrialCourse {
 /// Draws the course of a trial from (seed, k) and its design.
 ///
 /// A trial's *tightness* is one level of margin, shared by its gates, plus noise per gate. The
-/// level is 0.095 m on average for a success and 0.05 m * effect less for a failure; the day shifts
-/// the lanes' width and with it every gate's. Each gate but one has a positive margin; a failure's
-/// wedging gate, in the second lobe at more than 5.6 m of the way, has a negative one that its
-/// level says nothing about, so nothing before it depends on the outcome but through `effect`.
+/// level is 0.090 m on average for a success and 0.047 m * effect less for a failure; the day
+/// shifts the lanes' width and with it every gate's. Each gate but one has a positive margin; a
+/// failure's wedging gate, in the second lobe at more than 5.6 m of the way, has a negative one
+/// that its level says nothing about, so nothing before it depends on the outcome but through
+/// `effect`.
 [[nodiscard]] TrialCourse draw_course(const TrialDesign& design);
 
 }  // namespace tcert
