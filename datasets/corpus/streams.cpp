@@ -22,7 +22,8 @@ constexpr std::int64_t kClockQuantum = 100'000;  // ns
 // Adding 0 turns -0 into 0.
 double rounded(double value, double scale) { return std::round(value * scale) / scale + 0.0; }
 
-/// Sample times of one stream from 0 to `end_s`, in ns.
+/// Sample times of one stream from 0 to `end_s`, in ns. The clock has draws of its own, so that
+/// what is logged at an instant does not depend on how long the log is.
 std::vector<std::int64_t> sample_times(double rate_hz,
                                        double end_s,
                                        bool native_rates,
@@ -65,9 +66,10 @@ double speed_at(const Drive& drive, std::int64_t time_ns) {
 }
 
 PoseStream log_pose(const Drive& drive, double end_s, const StreamOptions& options) {
-  RandomStream random(options.seed, draws::kPose, options.index);
+  RandomStream clock(options.seed, draws::kPose, 2 * options.index);
+  RandomStream random(options.seed, draws::kPose, 2 * options.index + 1);
   PoseStream stream;
-  stream.time_ns = sample_times(20.0, end_s, options.native_rates, random);
+  stream.time_ns = sample_times(20.0, end_s, options.native_rates, clock);
   stream.poses.reserve(stream.time_ns.size());
   for (const std::int64_t time : stream.time_ns) {
     const Pose pose = pose_at(drive, time);
@@ -99,10 +101,11 @@ TactileStream log_tactile(const Drive& drive,
 }
 
 ControlStream log_control(const Drive& drive, double end_s, const StreamOptions& options) {
-  RandomStream random(options.seed, draws::kControl, options.index);
+  RandomStream clock(options.seed, draws::kControl, 2 * options.index);
+  RandomStream random(options.seed, draws::kControl, 2 * options.index + 1);
   ControlStream stream;
   stream.time_ns =
-      sample_times(options.native_rates ? 50.0 : 20.0, end_s, options.native_rates, random);
+      sample_times(options.native_rates ? 50.0 : 20.0, end_s, options.native_rates, clock);
   for (const std::int64_t time : stream.time_ns) {
     const auto at = static_cast<std::size_t>(static_cast<double>(time) * 1e-9 / kDriveStep);
     const std::size_t i = std::min(at, drive.poses.size() - 1);
