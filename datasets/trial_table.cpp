@@ -124,7 +124,7 @@ class TrialRowReader {
   }
 
   EndReason read_end_reason() {
-    const auto found = std::ranges::find(kEndReasons, case_folded(cell("end_reason")));
+    const auto* const found = std::ranges::find(kEndReasons, case_folded(cell("end_reason")));
     if (found == kEndReasons.end()) {
       reject("end_reason", "goal, collision, wedged, timeout, aborted or nothing");
       return EndReason::unknown;
