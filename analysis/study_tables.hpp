@@ -3,12 +3,14 @@
 /// What a study comes to before any hypothesis: successes per cell, commanded speed and latency,
 /// beside what the paper prints for its own 660 trials.
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/feature_table.hpp"
@@ -17,52 +19,73 @@
 namespace tcert {
 
 /// One trial of a study, without its ticks.
-struct TrialSummary {
+struct TrialRecord {
   FeatureRow row;
   std::optional<double> median_speed_cmd_mps;  ///< Of its control samples.
   std::optional<double> median_loop_latency_ms;
+  std::vector<double> speed_cmd_mps;  ///< The samples; NaN where missing.
+  std::vector<double> loop_latency_ms;
 };
 
-[[nodiscard]] TrialSummary summarise(const StudiedTrial& trial);
+[[nodiscard]] TrialRecord summarise(StudiedTrial&& trial);
 
-/// Successes of one algorithm under one lighting.
-struct CellCount {
+/// How often each value occurs: exact medians of any number of samples in the memory of their
+/// distinct values.
+class Tally {
+ public:
+  /// NaN is left out.
+  void add(std::span<const double> samples);
+  void add(const Tally& other);
+
+  /// Type-7 median; empty without a sample.
+  [[nodiscard]] std::optional<double> median() const;
+
+ private:
+  std::map<double, std::uint64_t> counts_;
+  std::uint64_t total_ = 0;
+};
+
+/// Trials of one algorithm under one lighting; of all where a name is empty.
+struct StudyGroup {
   std::string algorithm;
   std::string lighting;
-  std::size_t trials = 0;  ///< With a known outcome.
-  std::size_t successes = 0;
-};
-
-/// One entry per pair that occurs, sorted by algorithm, then lighting, in the order of the paper's
-/// tables; names that the paper does not have come last, in byte order.
-[[nodiscard]] std::vector<CellCount> count_successes(std::span<const TrialSummary> trials);
-
-enum class MedianGroup { algorithm, lighting, cell };
-
-struct GroupMedian {
-  std::string algorithm;  ///< Empty if the group is a lighting.
-  std::string lighting;   ///< Empty if the group is an algorithm.
   std::size_t trials = 0;
-  std::optional<double> speed_cmd_mps;
-  std::optional<double> loop_latency_ms;
+  std::size_t known = 0;  ///< With a known outcome.
+  std::size_t successes = 0;
+  Tally speed_cmd_mps;  ///< All control samples pooled: a slow trial has more of them.
+  Tally loop_latency_ms;
 };
 
-/// Medians over trials of the trials' own medians, so that a slow trial weighs as much as a fast
-/// one. Same order as count_successes. O(trials log trials).
-[[nodiscard]] std::vector<GroupMedian> group_medians(std::span<const TrialSummary> trials,
-                                                     MedianGroup group);
+/// Everything that the tables of a study need; trials are added one at a time.
+class StudyRecord {
+ public:
+  void add(TrialRecord&& trial);
 
-/// A median that the paper prints (section 4.1), for an algorithm or for a lighting.
-struct PublishedSpeed {
-  std::string_view name;
-  double speed_cmd_mps = 0.0;
+  [[nodiscard]] const std::vector<FeatureRow>& rows() const noexcept { return rows_; }
+
+  /// Groups that occur, in the order of the paper's tables; names that it does not have come last,
+  /// in byte order.
+  [[nodiscard]] std::vector<StudyGroup> by_cell() const;
+  [[nodiscard]] std::vector<StudyGroup> by_algorithm() const;
+  [[nodiscard]] std::vector<StudyGroup> by_lighting() const;
+
+ private:
+  using Key = std::pair<std::string, std::string>;  // algorithm, lighting
+  struct PaperOrder {
+    bool operator()(const Key& a, const Key& b) const noexcept;
+  };
+  using Groups = std::map<Key, StudyGroup, PaperOrder>;
+
+  [[nodiscard]] std::vector<StudyGroup> merged(bool by_algorithm) const;
+
+  std::vector<FeatureRow> rows_;
+  Groups cells_;
 };
 
-[[nodiscard]] std::span<const PublishedSpeed> published_speeds() noexcept;
+/// A median that the paper prints (section 4.1), for an algorithm or for a lighting; "0.17-0.18"
+/// and "0.13-0.14" by their middles. Empty for any other name.
+[[nodiscard]] std::optional<double> published_speed_mps(std::string_view name) noexcept;
 
 inline constexpr double kPublishedLatencyMs = 19.6;  ///< p50 in every cell, within 0.1.
-
-/// Order in which the paper lists algorithms and lightings; names that it does not have come last.
-[[nodiscard]] bool paper_order(std::string_view a, std::string_view b) noexcept;
 
 }  // namespace tcert

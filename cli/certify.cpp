@@ -24,8 +24,8 @@ Example:
   tcert certify corpus --output results
   tcert certify corpus --trials 't00000*' --set memory_weight_m=0 --format csv
 
-Cost: one pass over the logs, a few trials in memory at a time; the series take about a quarter of
-the size of the logs (--no-series leaves them out).
+Cost: one pass over the logs, a few trials in memory at a time; the series take about as much space
+as logs at 20 Hz (--no-series leaves them out).
 )";
 
 struct CertifyOptions {
@@ -55,7 +55,7 @@ CommandLine command_line(CertifyOptions& o) {
 int certify_to_stdout(const OpenedBundle& opened, const CommonOptions& common) {
   Table table = features_table(opened.bundle);
   const CertifySummary summary =
-      certify_trials(opened, common, nullptr, {}, [&](TrialSummary&& trial) {
+      certify_trials(opened, common, nullptr, {}, [&](TrialRecord&& trial) {
         table.add_row(features_row(trial));
       });
   table.n = static_cast<std::int64_t>(summary.trials);

@@ -37,7 +37,7 @@ class TrialTables {
     }
   }
 
-  void add_trial(const TrialSummary& trial, const std::vector<TableCell>& certificate) {
+  void add_trial(const TrialRecord& trial, const std::vector<TableCell>& certificate) {
     write_row(features_file_, features_, features_row(trial));
     write_row(certificates_file_, certificates_, certificate);
   }
@@ -147,16 +147,13 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     if (folder != nullptr && !trial.rejected) {
       write_trial_files(trial, *folder, files, format, robot);
     }
-    // What is left is small: a trial's ticks are gone before its turn comes.
-    auto row = std::make_shared<TrialSummary>(summarise(trial));
     auto certificate = certificates_row(trial, digest.sha256);
-    return [&,
-            row,
-            digest,
-            certificate = std::move(certificate),
-            diagnostics = std::move(trial.diagnostics),
-            rejected = trial.rejected,
-            bytes = trial.log_bytes]() {
+    auto diagnostics = std::move(trial.diagnostics);
+    const bool rejected = trial.rejected;
+    const std::size_t bytes = trial.log_bytes;
+    // The ticks end here: what waits for its turn is small.
+    auto row = std::make_shared<TrialRecord>(summarise(std::move(trial)));
+    return [&, row, digest, certificate, diagnostics, rejected, bytes]() {
       const std::string& id = row->row.trial.trial_id;
       progress.advance();
       logs.add(id, digest);

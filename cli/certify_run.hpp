@@ -27,7 +27,7 @@ struct CertifySummary {
 };
 
 /// What a caller wants to see of each trial that was certified, in order.
-using TrialSink = std::function<void(TrialSummary&&)>;
+using TrialSink = std::function<void(TrialRecord&&)>;
 
 /// Writes features.csv, certificates.csv, diagnostics.csv and what `files` asks for into `folder`,
 /// if there is one. Under --strict it ends at the first rejected trial.

@@ -104,7 +104,7 @@ Study study_of_bundle(const HypothesesOptions& options, const CommonOptions& com
   const OpenedBundle opened = open_for(options.bundle, common);
   Study study;
   const CertifySummary summary =
-      certify_trials(opened, common, nullptr, {}, [&](TrialSummary&& trial) {
+      certify_trials(opened, common, nullptr, {}, [&](TrialRecord&& trial) {
         study.trials.push_back(std::move(trial.row));
       });
   study.synthetic = synthetic_label(opened.bundle.info);

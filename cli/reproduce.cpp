@@ -63,17 +63,12 @@ std::string corpus_for(const ReproduceOptions& options, const CommonOptions& com
   return folder.string();
 }
 
-std::vector<Table> tables_of(const std::vector<TrialSummary>& trials, double landmark_s) {
-  std::vector<FeatureRow> rows;
-  rows.reserve(trials.size());
-  for (const TrialSummary& trial : trials) {
-    rows.push_back(trial.row);
-  }
-  const H1Table h1 = hypothesis_h1(rows, {landmark_s});
-  return {success_table(count_successes(trials)),
-          speed_table(group_medians(trials, MedianGroup::algorithm),
-                      group_medians(trials, MedianGroup::lighting)),
-          latency_table(group_medians(trials, MedianGroup::cell)),
+std::vector<Table> tables_of(const StudyRecord& study, double landmark_s) {
+  const H1Table h1 = hypothesis_h1(study.rows(), {landmark_s});
+  const std::vector<StudyGroup> cells = study.by_cell();
+  return {success_table(cells),
+          speed_table(study.by_algorithm(), study.by_lighting()),
+          latency_table(cells),
           issuance_table(h1),
           tc_early_table(h1),
           h1_table(h1)};
@@ -105,10 +100,10 @@ int run(Arguments arguments) {
 
   ResultFolder certificates(output / "certificates");
   ResultFolder table_folder(output / "tables");
-  std::vector<TrialSummary> trials;
-  const CertifySummary summary = certify_trials(
-      opened, common, &certificates, {!options.no_series}, [&](TrialSummary&& trial) {
-        trials.push_back(std::move(trial));
+  StudyRecord study;
+  const CertifySummary summary =
+      certify_trials(opened, common, &certificates, {!options.no_series}, [&](TrialRecord&& trial) {
+        study.add(std::move(trial));
       });
   Manifest manifest = manifest_of("reproduce", opened, common, summary);
   if (own_corpus) {
@@ -116,7 +111,7 @@ int run(Arguments arguments) {
   }
   certificates.commit(manifest);
 
-  std::vector<Table> tables = tables_of(trials, opened.parameters.early_window.time_s);
+  std::vector<Table> tables = tables_of(study, opened.parameters.early_window.time_s);
   for (Table& table : tables) {
     table.synthetic = synthetic_label(opened.bundle.info);
     print(render(table, common.table_format()) + '\n');

@@ -25,7 +25,7 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-fs::path without_trailing_slash(fs::path path) {
+fs::path without_trailing_slash(const fs::path& path) {
   return path.has_filename() ? path : path.parent_path();
 }
 
@@ -153,8 +153,8 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
   file.commit();
 }
 
-AtomicFolder::AtomicFolder(fs::path path, bool replace)
-    : path_(without_trailing_slash(std::move(path))), replace_(replace) {
+AtomicFolder::AtomicFolder(const fs::path& path, bool replace)
+    : path_(without_trailing_slash(path)), replace_(replace) {
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
   if (fs::exists(status) && !fs::is_directory(status)) {

@@ -200,25 +200,20 @@ std::optional<std::size_t> TextTable::find(std::string_view name) const noexcept
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-std::optional<TextTable> read_text_table(const Bytes& bytes,
-                                         const CsvOptions& csv,
-                                         const std::vector<std::string>& required,
-                                         DiagnosticGroups& problems) {
-  const std::string_view text = bytes.view();
-  const auto header = find_header(text, csv, required, problems);
-  if (!header) {
-    return std::nullopt;
-  }
+TextTable read_text_rows(const Bytes& bytes,
+                         const CsvHeader& header,
+                         const CsvOptions& csv,
+                         DiagnosticGroups& problems) {
   TextTable table;
-  table.dialect = header->dialect;
-  table.columns = header->names;
-  RowReporter reporter(csv, *header, BadRow::is_left_out, text, problems);
-  const RowPlan plan{header->dialect, {}};
-  CsvCursor cursor = header->data;
+  table.dialect = header.dialect;
+  table.columns = header.names;
+  RowReporter reporter(csv, header, BadRow::is_left_out, bytes.view(), problems);
+  const RowPlan plan{header.dialect, {}};
+  CsvCursor cursor = header.data;
   std::vector<std::string> record;
   while (skip_to_record(cursor)) {
     const std::size_t line = cursor.line;
-    const bool closed = scan_record(cursor, header->dialect.separator, record);
+    const bool closed = scan_record(cursor, header.dialect.separator, record);
     while (record.size() > table.columns.size() && record.back().empty()) {
       record.pop_back();
     }
@@ -232,7 +227,19 @@ std::optional<TextTable> read_text_table(const Bytes& bytes,
     table.cells.insert(table.cells.end(), record.begin(), record.end());
     table.lines.push_back(line);
   }
+  reporter.report_missing_line_end();
   return table;
+}
+
+std::optional<TextTable> read_text_table(const Bytes& bytes,
+                                         const CsvOptions& csv,
+                                         const std::vector<std::string>& required,
+                                         DiagnosticGroups& problems) {
+  const auto header = find_header(bytes.view(), csv, required, problems);
+  if (!header) {
+    return std::nullopt;
+  }
+  return read_text_rows(bytes, *header, csv, problems);
 }
 
 TextTableResult read_text_table(const std::filesystem::path& path,

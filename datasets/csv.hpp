@@ -74,6 +74,12 @@ struct TextTable {
                                                        const std::vector<std::string>& required,
                                                        DiagnosticGroups& problems);
 
+/// The rows below a header that was found before.
+[[nodiscard]] TextTable read_text_rows(const Bytes& bytes,
+                                       const CsvHeader& header,
+                                       const CsvOptions& csv,
+                                       DiagnosticGroups& problems);
+
 struct TextTableResult {
   std::optional<TextTable> table;
   std::vector<Diagnostic> diagnostics;

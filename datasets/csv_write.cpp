@@ -39,8 +39,8 @@ void append_seconds(std::string& out, std::int64_t time_ns) {
     return;
   }
   std::array<char, 9> digits{};
-  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
-    *digit = static_cast<char>('0' + rest % 10);
+  for (std::size_t i = digits.size(); i-- > 0;) {
+    digits[i] = static_cast<char>('0' + rest % 10);
     rest /= 10;
   }
   std::string_view fraction(digits.data(), digits.size());

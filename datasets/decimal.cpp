@@ -97,7 +97,7 @@ std::uint64_t scaled(const LeadingDigits& digits, int power) noexcept {
   for (; power > 0 && sum != 0 && sum <= kLongestTimeNs; --power) {
     sum = sum > kLongestTimeNs / 10U ? kLongestTimeNs + 1U : sum * 10U;
   }
-  std::uint64_t below = static_cast<std::uint64_t>(digits.next);
+  auto below = static_cast<std::uint64_t>(digits.next);
   for (; power < 0 && (sum != 0 || below != 0); ++power) {
     below = sum % 10U;
     sum /= 10U;

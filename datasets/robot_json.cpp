@@ -48,7 +48,7 @@ Calibration read_calibration(const JsonObject& ray) {
 RayKind read_kind(const JsonObject& ray) {
   const json* kind = ray.require("kind");
   if (kind != nullptr && *kind != "bend" && *kind != "range") {
-    ray.reject("kind", *kind, "\"bend\" or \"range\"");
+    ray.reject("kind", *kind, R"("bend" or "range")");
   }
   return kind != nullptr && *kind == "bend" ? RayKind::bend : RayKind::range;
 }

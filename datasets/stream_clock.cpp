@@ -12,7 +12,7 @@ namespace tcert {
 
 namespace {
 
-std::string seconds(std::int64_t time_ns) {
+std::string seconds_text(std::int64_t time_ns) {
   std::string text;
   append_seconds(text, time_ns);
   return text;
@@ -85,7 +85,7 @@ class ClockReporter {
       if (table_.time_ns[row] <= table_.time_ns[row - 1]) {
         add(severity,
             row,
-            seconds(table_.time_ns[row]) + " after " + seconds(table_.time_ns[row - 1]),
+            seconds_text(table_.time_ns[row]) + " after " + seconds_text(table_.time_ns[row - 1]),
             expectation);
       }
     }
@@ -100,7 +100,7 @@ class ClockReporter {
 
 }  // namespace
 
-std::int64_t to_nanoseconds(double time_s) noexcept { return std::llround(time_s * 1e9); }
+std::int64_t to_nanoseconds(double seconds) noexcept { return std::llround(seconds * 1e9); }
 
 void put_in_order(NumberTable& table,
                   const std::string& file,
@@ -164,7 +164,7 @@ std::vector<std::int64_t> find_breaks(const NumberTable& table,
     if (static_cast<double>(step) > longest_gap_ns) {
       reporter.add(Severity::warning,
                    row,
-                   "a step of " + seconds(step) + " s",
+                   "a step of " + seconds_text(step) + " s",
                    "steps of at most " + gap_text + " s; the path is broken here");
       breaks.push_back(table.time_ns[row]);
     }
@@ -172,7 +172,7 @@ std::vector<std::int64_t> find_breaks(const NumberTable& table,
       too_long = true;
       reporter.add(Severity::warning,
                    row,
-                   seconds(elapsed) + " s after the first row",
+                   seconds_text(elapsed) + " s after the first row",
                    "at most ten times the trial limit; the path is broken here");
       breaks.push_back(table.time_ns[row]);
     }

@@ -41,7 +41,7 @@ class TrialRowReader {
     good_ = true;
     TrialRow trial;
     trial.trial_id = cell("trial_id");
-    if (!is_folder_name(trial.trial_id)) {
+    if (!is_trial_folder_name(trial.trial_id)) {
       reject("trial_id", "the name of its folder in logs: not empty, without / and \\");
     }
     trial.algorithm = cell("algorithm");
@@ -71,11 +71,6 @@ class TrialRowReader {
                                                             "time_s",
                                                             "distance_m",
                                                             "end_reason"};
-
-  static bool is_folder_name(std::string_view id) {
-    return !id.empty() && id != "." && id != ".." &&
-           id.find_first_of(std::string_view("/\\\0", 3)) == std::string_view::npos;
-  }
 
   [[nodiscard]] std::string cell(std::string_view name) const {
     const auto column = table_.find(name);
@@ -129,7 +124,7 @@ class TrialRowReader {
   }
 
   EndReason read_end_reason() {
-    const auto found = std::ranges::find(kEndReasons, case_folded(cell("end_reason")));
+    const auto* const found = std::ranges::find(kEndReasons, case_folded(cell("end_reason")));
     if (found == kEndReasons.end()) {
       reject("end_reason", "goal, collision, wedged, timeout, aborted or nothing");
       return EndReason::unknown;
@@ -171,6 +166,11 @@ std::map<std::string, std::vector<std::size_t>> repeated_ids(const TextTable& ta
 
 std::string_view to_string(EndReason reason) noexcept {
   return kEndReasons[static_cast<std::size_t>(reason)];
+}
+
+bool is_trial_folder_name(std::string_view id) noexcept {
+  return !id.empty() && id != "." && id != ".." &&
+         id.find_first_of(std::string_view("/\\\0", 3)) == std::string_view::npos;
 }
 
 void read_trial_table(const Bytes& bytes, Bundle& bundle, DiagnosticGroups& problems) {

@@ -62,7 +62,7 @@ Table features_table(const Bundle& bundle) {
   return table;
 }
 
-std::vector<TableCell> features_row(const TrialSummary& trial) {
+std::vector<TableCell> features_row(const TrialRecord& trial) {
   const TrialRow& row = trial.row.trial;
   std::vector<TableCell> cells = {text_or_missing(row.trial_id),
                                   text_or_missing(row.algorithm),

@@ -18,7 +18,7 @@ namespace tcert {
 /// Columns of the feature table, no rows: the trial's row of trials.csv, its features, the medians
 /// of its control samples, then the extra columns of the bundle as text.
 [[nodiscard]] Table features_table(const Bundle& bundle);
-[[nodiscard]] std::vector<TableCell> features_row(const TrialSummary& trial);
+[[nodiscard]] std::vector<TableCell> features_row(const TrialRecord& trial);
 
 /// Columns of the certificate table, no rows: where and when each certificate was issued, what
 /// decides it, and the digest of the log that it was made from.

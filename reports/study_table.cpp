@@ -19,33 +19,26 @@ TableCell share(std::size_t part, std::size_t whole) {
   return whole == 0 ? TableCell{} : Number{static_cast<double>(part) / static_cast<double>(whole)};
 }
 
-std::int64_t sum_of_trials(std::span<const GroupMedian> groups) {
+std::int64_t sum_of_trials(std::span<const StudyGroup> groups) {
   std::int64_t sum = 0;
-  for (const GroupMedian& group : groups) {
+  for (const StudyGroup& group : groups) {
     sum += static_cast<std::int64_t>(group.trials);
   }
   return sum;
 }
 
-TableCell published_speed(const std::string& name) {
-  const auto speeds = published_speeds();
-  const auto found = std::find_if(
-      speeds.begin(), speeds.end(), [&](const PublishedSpeed& one) { return one.name == name; });
-  return found == speeds.end() ? TableCell{} : Number{found->speed_cmd_mps};
-}
-
-void add_group(Table& table, const char* kind, const std::string& name, const GroupMedian& group) {
+void add_group(Table& table, const char* kind, const std::string& name, const StudyGroup& group) {
   table.add_row({std::string(kind),
                  named(name),
                  integer(group.trials),
-                 number_or_missing(group.speed_cmd_mps),
-                 published_speed(name),
-                 number_or_missing(group.loop_latency_ms)});
+                 number_or_missing(group.speed_cmd_mps.median()),
+                 number_or_missing(published_speed_mps(name)),
+                 number_or_missing(group.loop_latency_ms.median())});
 }
 
 }  // namespace
 
-Table success_table(std::span<const CellCount> cells) {
+Table success_table(std::span<const StudyGroup> cells) {
   Table table;
   table.name = "table1";
   table.title = "Successes by algorithm and lighting";
@@ -56,14 +49,14 @@ Table success_table(std::span<const CellCount> cells) {
                    {"share", "share", "", ColumnKind::number, 3}};
   std::size_t trials = 0;
   std::size_t successes = 0;
-  for (const CellCount& cell : cells) {
-    trials += cell.trials;
+  for (const StudyGroup& cell : cells) {
+    trials += cell.known;
     successes += cell.successes;
     table.add_row({named(cell.algorithm),
                    named(cell.lighting),
                    integer(cell.successes),
-                   integer(cell.trials),
-                   share(cell.successes, cell.trials)});
+                   integer(cell.known),
+                   share(cell.successes, cell.known)});
   }
   table.add_row({std::string("all"),
                  std::string("all"),
@@ -74,7 +67,7 @@ Table success_table(std::span<const CellCount> cells) {
   return table;
 }
 
-Table speed_table(std::span<const GroupMedian> algorithms, std::span<const GroupMedian> lightings) {
+Table speed_table(std::span<const StudyGroup> algorithms, std::span<const StudyGroup> lightings) {
   Table table;
   table.name = "speed";
   table.title = "Median commanded speed and policy-loop latency";
@@ -84,22 +77,22 @@ Table speed_table(std::span<const GroupMedian> algorithms, std::span<const Group
                    {"speed_mps", "speed", "m/s", ColumnKind::number, 3},
                    {"published_speed_mps", "published", "m/s", ColumnKind::number, 3},
                    {"latency_ms", "latency", "ms", ColumnKind::number, 2}};
-  for (const GroupMedian& group : algorithms) {
+  for (const StudyGroup& group : algorithms) {
     add_group(table, "algorithm", group.algorithm, group);
   }
-  for (const GroupMedian& group : lightings) {
+  for (const StudyGroup& group : lightings) {
     add_group(table, "lighting", group.lighting, group);
   }
   table.n = sum_of_trials(algorithms);
   table.footnotes = {
-      "Medians over trials of each trial's own median. Published: section 4.1 of the paper, where "
+      "Medians of all control samples, pooled. Published: section 4.1 of the paper, where "
       "a "
       "range is printed its middle; latency there is " +
       fixed(kPublishedLatencyMs, 1) + " ms in every cell."};
   return table;
 }
 
-Table latency_table(std::span<const GroupMedian> cells) {
+Table latency_table(std::span<const StudyGroup> cells) {
   Table table;
   table.name = "latency";
   table.title = "Median policy-loop latency by algorithm and lighting";
@@ -108,11 +101,11 @@ Table latency_table(std::span<const GroupMedian> cells) {
                    {"trials", "trials", "", ColumnKind::integer},
                    {"latency_ms", "latency", "ms", ColumnKind::number, 2},
                    {"published_latency_ms", "published", "ms", ColumnKind::number, 1}};
-  for (const GroupMedian& cell : cells) {
+  for (const StudyGroup& cell : cells) {
     table.add_row({named(cell.algorithm),
                    named(cell.lighting),
                    integer(cell.trials),
-                   number_or_missing(cell.loop_latency_ms),
+                   number_or_missing(cell.loop_latency_ms.median()),
                    Number{kPublishedLatencyMs}});
   }
   table.n = sum_of_trials(cells);

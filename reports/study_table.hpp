@@ -11,13 +11,13 @@
 namespace tcert {
 
 /// Table 1: successes / trials (share) per algorithm and lighting, with sums.
-[[nodiscard]] Table success_table(std::span<const CellCount> cells);
+[[nodiscard]] Table success_table(std::span<const StudyGroup> cells);
 
 /// Median commanded speed by algorithm and by lighting beside the published one, and latency.
-[[nodiscard]] Table speed_table(std::span<const GroupMedian> algorithms,
-                                std::span<const GroupMedian> lightings);
+[[nodiscard]] Table speed_table(std::span<const StudyGroup> algorithms,
+                                std::span<const StudyGroup> lightings);
 
 /// Median latency in every cell.
-[[nodiscard]] Table latency_table(std::span<const GroupMedian> cells);
+[[nodiscard]] Table latency_table(std::span<const StudyGroup> cells);
 
 }  // namespace tcert

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "datasets/tick_line.hpp"
+#include "support/allocations.hpp"
 
 namespace tcert {
 namespace {
@@ -155,6 +156,17 @@ TEST(TickLineParser, NamesAllThatIsWrongWithALineAndGoesOn) {
       parse(parser, "0,1,0,0,1,1,1", 5).messages,
       (std::vector<std::string>{"stdin:5: error: column 'time_s': found '0 after 0', expected "
                                 "a time after that of the row before"}));
+}
+
+TEST(TickLineParser, AllocatesNothingForAGoodCsvLine) {
+  DiagnosticGroups problems;
+  TickLineParser parser(robot_of_two(), kHeader, {}, problems);
+  ASSERT_TRUE(parser.parse("0.123456789,1.25,0.12345678901234567,0,1,1,1\n", 2));
+  const std::size_t before = test_support::allocation_count();
+  const bool good = parser.parse("0.2,1,0,0,1,1,1\n", 3).has_value() &&
+                    parser.parse("0.3,1e-5,0.1234567890123456,0,,,\r\n", 4).has_value();
+  EXPECT_EQ(test_support::allocation_count(), before);
+  EXPECT_TRUE(good);
 }
 
 TEST(TickLineParser, SkipsBlankAndCommentLinesWithoutAProblem) {
