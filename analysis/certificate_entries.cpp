@@ -263,8 +263,8 @@ void add_memory(ParameterEntries& table) {
   table.push_back(number({"max_memory_cells",
                           "",
                           kStage,
-                          "Cells that the memory has room for; raise it when the capacity flag "
-                          "appears."},
+                          "Cells that the memory has room for; raise it for runs over hundreds of "
+                          "metres: when they are used up the faintest give way."},
                          group,
                          &P::max_memory_cells,
                          {2, double{1U << 28U}, true}));

@@ -170,7 +170,7 @@ void validate(const EarlyWindowOptions& options) {
   require(options.fraction > 0.0 && options.fraction <= 1.0,
           "early window: fraction must be above 0 and at most 1");
   require(options.dwell_speed_mps > 0.0, "early window: dwell_speed_mps must be above 0");
-  require(options.dwell_window_s > 0.0, "early window: dwell_window_s must be above 0");
+  require(options.dwell_window_s >= 1e-3, "early window: dwell_window_s must be 0.001 or more");
 }
 
 Features early_features(const Robot& robot,

@@ -28,7 +28,7 @@ struct EarlyWindowOptions {
   EarlyWindowKind kind = EarlyWindowKind::both;
   double fraction = 0.1;          ///< Of final time and travel, for `fraction`; in (0, 1].
   double dwell_speed_mps = 0.02;  ///< Slower than this is dwelling; > 0.
-  double dwell_window_s = 0.5;    ///< Trailing time over which speed is measured; > 0.
+  double dwell_window_s = 0.5;    ///< Trailing time over which speed is measured; >= 0.001.
 };
 
 /// \throws std::invalid_argument naming the option and the range it must lie in.

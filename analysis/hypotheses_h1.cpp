@@ -52,7 +52,9 @@ bool ends_in_window(const FeatureRow& trial) {
 Trials running_at_landmark(const Trials& trials, double landmark_s, H1Panel& panel) {
   Trials running;
   for (const FeatureRow* trial : trials) {
-    if (const auto end_s = end_of(*trial); end_s && *end_s <= landmark_s) {
+    const auto end_s = end_of(*trial);
+    const auto log_end_s = trial->features.end_s;
+    if ((end_s && *end_s <= landmark_s) || (log_end_s && *log_end_s <= landmark_s)) {
       ++panel.ended_by_landmark;
     } else if (trial->features.still_at_landmark.value_or(false)) {
       ++panel.still_at_landmark;

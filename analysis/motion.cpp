@@ -14,7 +14,7 @@ std::vector<Motion> trailing_motion(std::span<const TimedPosition> path, std::in
       continue;
     }
     motion[k].step_ns = now.time_ns - path[k - 1].time_ns;
-    while (now.time_ns - path[from + 1].time_ns >= window_ns) {
+    while (from + 1 < k && now.time_ns - path[from + 1].time_ns >= window_ns) {
       ++from;
     }
     const std::int64_t elapsed_ns = now.time_ns - path[from].time_ns;

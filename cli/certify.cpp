@@ -44,7 +44,8 @@ CommandLine command_line(CertifyOptions& o) {
       {{"BUNDLE", &o.bundle}}};
   line.own.add_options()("ticks",
                          po::bool_switch(&o.ticks),
-                         "also write DIR/ticks/<trial_id>.csv, which 'live' and logs/ accept")(
+                         "also write DIR/ticks/<trial_id>.csv, which 'live' reads and a bundle "
+                         "takes as logs/<trial_id>/ticks.csv")(
       "no-series", po::bool_switch(&o.no_series), "leave DIR/series out, to save space")(
       "ray-margins",
       po::bool_switch(&o.ray_margins),
@@ -76,6 +77,7 @@ int run(Arguments arguments) {
   if (common.output.empty()) {
     return certify_to_stdout(opened, common);
   }
+  require_apart(options.bundle, common.output);
   ResultFolder folder(common.output);
   const CertifySummary summary = certify_trials(
       opened, common, &folder, {!options.no_series, options.ticks, options.ray_margins}, {});

@@ -2,12 +2,14 @@
 
 #include <functional>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "analysis/study.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "datasets/bundle_files.hpp"
 #include "datasets/tick_table.hpp"
 #include "reports/diagnostics_table.hpp"
 #include "reports/features_table.hpp"
@@ -100,11 +102,19 @@ void write_trial_files(const StudiedTrial& trial,
   }
 }
 
-/// A trial of a .zip has no digest of its own: the archive has one.
+/// A trial of a .zip has no digest of its own: the archive has one. Nor has one whose log cannot be
+/// read, which is rejected for that.
 FileDigest log_digest(const Bundle& bundle, const TrialRow& row) {
   const auto folder = bundle.path / "logs" / row.trial_id;
   std::error_code error;
-  return std::filesystem::is_directory(folder, error) ? digest_folder(folder) : FileDigest{};
+  if (!std::filesystem::is_directory(folder, error)) {
+    return {};
+  }
+  try {
+    return digest_folder(folder);
+  } catch (const std::system_error&) {
+    return {};
+  }
 }
 
 void add_bundle_files(const Bundle& bundle, const FileDigest& logs, CertifySummary& summary) {
@@ -114,8 +124,8 @@ void add_bundle_files(const Bundle& bundle, const FileDigest& logs, CertifySumma
     return;
   }
   for (const char* part : {"bundle.json", "trials.csv"}) {
-    if (std::filesystem::exists(bundle.path / part)) {
-      summary.inputs.push_back({std::string(part), digest_file(bundle.path / part)});
+    if (const auto found = BundleFiles(bundle.path).find(part)) {
+      summary.inputs.push_back({*found, digest_file(bundle.path / *found)});
     }
   }
   summary.inputs.push_back({"logs/", logs});

@@ -60,8 +60,14 @@ void require_known(const std::string& word) {
 /// Ticks of stdin, one after the other; what is not a tick is said, counted and skipped.
 class TickSource {
  public:
-  TickSource(const Robot& robot, double max_gap_s, std::string format)
-      : robot_(robot), options_{"stdin", max_gap_s}, format_(std::move(format)) {}
+  TickSource(const Robot& robot, const BundleInfo& info, std::string format)
+      : robot_(robot),
+        options_{"stdin", info.max_gap_s, info.trial_limit_s, {}},
+        format_(std::move(format)) {
+    if (const auto renames = info.columns.find("ticks.csv"); renames != info.columns.end()) {
+      options_.rename = renames->second;
+    }
+  }
 
   /// \throws BadData if the first line is neither a header with the columns of the robot nor JSON.
   [[nodiscard]] std::optional<Tick> next() {
@@ -144,7 +150,7 @@ int run(Arguments arguments) {
   const Robot robot = effective_robot(info, parameters);
   Certifier certifier(robot, info.course, parameters.certificate);
   const SeriesFormat format{parameters.speed_law, options.ray_margins, synthetic_label(info)};
-  TickSource ticks(robot, info.max_gap_s, options.input_format);
+  TickSource ticks(robot, info, options.input_format);
   print(series_header(format, robot));
   std::string row;
   while (const auto tick = ticks.next()) {

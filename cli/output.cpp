@@ -1,5 +1,6 @@
 #include "cli/output.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
@@ -40,6 +41,16 @@ bool may_replace(const std::filesystem::path& folder) {
     }
   }
   return false;
+}
+
+void require_apart(const std::filesystem::path& input, const std::filesystem::path& output) {
+  const auto from = std::filesystem::weakly_canonical(input);
+  const auto to = std::filesystem::weakly_canonical(output);
+  const auto [end, _] = std::mismatch(to.begin(), to.end(), from.begin(), from.end());
+  if (end == to.end()) {
+    throw UsageError("the output " + output.string() + " would replace the input " +
+                     input.string() + "; name another folder");
+  }
 }
 
 }  // namespace tcert::cli

@@ -24,4 +24,7 @@ void say(std::span<const Diagnostic> diagnostics);
 /// ours. An empty or missing folder needs no permission.
 [[nodiscard]] bool may_replace(const std::filesystem::path& folder);
 
+/// \throws UsageError if writing `output` would replace `input`: it is that folder or holds it.
+void require_apart(const std::filesystem::path& input, const std::filesystem::path& output);
+
 }  // namespace tcert::cli

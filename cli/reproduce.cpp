@@ -98,6 +98,9 @@ int run(Arguments arguments) {
   const OpenedBundle opened =
       open_for(own_corpus ? corpus_for(options, common) : options.bundle, common);
 
+  for (const char* part : {"certificates", "tables"}) {
+    require_apart(opened.bundle.path, output / part);
+  }
   ResultFolder certificates(output / "certificates");
   ResultFolder table_folder(output / "tables");
   StudyRecord study;

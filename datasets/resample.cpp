@@ -28,6 +28,8 @@ class MedianWindow {
     values_[place] = value;
   }
 
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+
   [[nodiscard]] double median() const noexcept {
     if (size_ == 0) {
       return kMissing;
@@ -112,7 +114,7 @@ class Resampler {
                                              : kMissing);
     ticks_.yaw_rate_cmd_rps.push_back(commanded ? log_.control.yaw_rate_cmd_rps[control_.newest()]
                                                 : kMissing);
-    add_readings();
+    add_readings(now_ns);
   }
 
   /// Where the next tick may be: after a silence of both streams longer than a minute the grid is
@@ -144,19 +146,30 @@ class Resampler {
     return any;
   }
 
-  void add_readings() {
+  // The newest samples of each ray that hold a value: rays of a tactile.csv may have rates of their
+  // own, with empty cells between. The last rows count whatever their age, older ones only while
+  // they would not make a tick stale.
+  void add_readings(std::int64_t now_ns) {
     const std::size_t end = tactile_.passed();
     // The newest sample counts even if it is older than the break: its tick is then stale.
     const std::size_t segment = std::min(segment_begin_, end - 1);
-    const std::size_t begin = std::max(segment, end - std::min(end, median_samples_));
+    const std::size_t recent = end - std::min(end, median_samples_);
     const std::size_t rays = log_.tactile.rays;
     for (std::size_t k = 0; k < rays; ++k) {
       MedianWindow value;
       MedianWindow force;
-      for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t i = end; i-- > segment;) {
+        const bool counts = i >= recent || now_ns - log_.tactile.time_ns[i] <= hold_ns_;
+        if (!counts || (value.size() == median_samples_ && force.size() == median_samples_)) {
+          break;
+        }
         const RayReading& reading = log_.tactile.readings[i * rays + k];
-        value.add(reading.value);
-        force.add(reading.fsr_n);
+        if (value.size() < median_samples_) {
+          value.add(reading.value);
+        }
+        if (force.size() < median_samples_) {
+          force.add(reading.fsr_n);
+        }
       }
       ticks_.readings.push_back({value.median(), force.median()});
     }

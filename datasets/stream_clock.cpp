@@ -154,7 +154,7 @@ std::vector<std::int64_t> find_breaks(const NumberTable& table,
   ClockReporter reporter(table, file, time_column, problems);
   const double longest_gap_ns = limits.max_gap_s * 1e9;
   const double longest_trial_ns =
-      limits.trial_limit_s ? 10.0 * *limits.trial_limit_s * 1e9 : static_cast<double>(INT64_MAX);
+      limits.trial_limit_s ? 1e10 * *limits.trial_limit_s : static_cast<double>(INT64_MAX);
   std::string gap_text;
   append_number(gap_text, limits.max_gap_s);
   bool too_long = false;

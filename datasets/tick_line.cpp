@@ -48,6 +48,7 @@ TickLineParser::TickLineParser(const Robot& robot,
   }
   CsvOptions csv;
   csv.file = options_.file;
+  csv.rename = options_.rename;
   csv.preamble_records = 0;
   const Bytes header_bytes = Bytes::copy_of(first_line);
   const auto header = find_header(header_bytes.view(), csv, required_names(columns_), problems);
@@ -150,8 +151,12 @@ std::optional<TickLine> TickLineParser::to_tick() {
     return std::nullopt;
   }
   const bool gap = last_ns_ && static_cast<double>(time_ns_ - *last_ns_) > options_.max_gap_s * 1e9;
+  first_ns_ = first_ns_.value_or(time_ns_);
+  const bool too_long = !ran_too_long_ && options_.trial_limit_s &&
+                        static_cast<double>(time_ns_ - *first_ns_) > 1e10 * *options_.trial_limit_s;
+  ran_too_long_ = ran_too_long_ || too_long;
   last_ns_ = time_ns_;
-  return TickLine{{time_ns_, row.pose, readings_, row.stale, row.segment_start || gap},
+  return TickLine{{time_ns_, row.pose, readings_, row.stale, row.segment_start || gap || too_long},
                   row.speed_cmd_mps,
                   row.yaw_rate_cmd_rps};
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,8 +30,10 @@ struct TickLine {
 enum class TickLineFormat { csv, json_lines };
 
 struct TickLineOptions {
-  std::string file = "stdin";  ///< Its name in diagnostics.
-  double max_gap_s = 1.0;      ///< A longer step starts a segment, as it does in a file.
+  std::string file = "stdin";             ///< Its name in diagnostics.
+  double max_gap_s = 1.0;                 ///< A longer step starts a segment, as it does in a file.
+  std::optional<double> trial_limit_s{};  ///< Ten times later a segment starts, as in a file.
+  std::map<std::string, std::string> rename{};  ///< Foreign column name -> ours, of CSV.
 };
 
 /// Reads lines of ticks.csv, or objects with the same keys of which null or none is missing. The
@@ -75,7 +78,9 @@ class TickLineParser {
   std::vector<double> row_;
   std::vector<RayReading> readings_;
   std::int64_t time_ns_ = 0;
+  std::optional<std::int64_t> first_ns_;
   std::optional<std::int64_t> last_ns_;
+  bool ran_too_long_ = false;
   std::size_t line_ = 0;
   std::vector<Diagnostic> problems_;
 };

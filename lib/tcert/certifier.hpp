@@ -81,7 +81,8 @@ class Certifier {
   /// m_t(theta_k) of the last fresh tick, one per ray (paper 3.1): the margin of heading along it.
   [[nodiscard]] std::span<const double> ray_margins() const noexcept;
 
-  /// The edge that decides T_t, if there is a certificate. O(length of the path).
+  /// The edge that decides the pessimistic T_t, if S and G are connected; under unknown space taken
+  /// for free (A2) what lies ahead may decide instead. O(length of the path).
   [[nodiscard]] std::optional<Bottleneck> bottleneck() const noexcept;
 
   /// The corridor graph explored so far.

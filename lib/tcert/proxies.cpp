@@ -7,6 +7,8 @@ namespace tcert {
 namespace {
 
 constexpr double kSquare = 0.5 * std::numbers::pi;
+// A ray at exactly 60 degrees is within 30 degrees of square, whatever the last bit says.
+constexpr double kAngleRounding = 1e-9;
 
 double side_window(const Robot& robot, const CertificateParameters& parameters) {
   return parameters.side_window_m > 0.0 ? parameters.side_window_m : robot.body_width_m;
@@ -29,9 +31,8 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
     state.ray = ray;
     const double from_left = std::abs(angle_between(kSquare, ray.bearing_rad));
     const double from_right = std::abs(angle_between(-kSquare, ray.bearing_rad));
-    state.side = from_left <= parameters.side_angle_rad    ? 1
-                 : from_right <= parameters.side_angle_rad ? -1
-                                                           : 0;
+    const double within = parameters.side_angle_rad + kAngleRounding;
+    state.side = from_left <= within ? 1 : from_right <= within ? -1 : 0;
     state.offset_m = state.side < 0 ? -ray.mount.y_m : ray.mount.y_m;
     state.across = std::abs(std::sin(ray.bearing_rad));
     state.ahead = direction(ray.bearing_rad);

@@ -63,5 +63,14 @@ TEST(Usage, NamesWhatIsNotThereOrCannotBeWritten) {
   EXPECT_EQ(work.run({"simulate", "--trials", "1", "--output", "taken/note.txt/x"}).exit_code, 73);
 }
 
+TEST(Usage, NeverReplacesItsOwnInput) {
+  Workdir work(TCERT_BINARY);
+  ASSERT_EQ(work.run({"simulate", "--output", "all/corpus", "--trials", "1"}).exit_code, 0);
+  for (const char* output : {"all/corpus", "all/../all/corpus/", "all"}) {
+    expect_refused(work.run({"certify", "all/corpus", "--output", output}), "replace the input");
+  }
+  EXPECT_EQ(work.run({"certify", "all/corpus", "--output", "all/results"}).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace tcert

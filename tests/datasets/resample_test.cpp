@@ -62,7 +62,7 @@ TEST(Resample, TakesTheMedianOfTheThreeNewestSamplesAtOrBeforeTheTick) {
   EXPECT_EQ(ticks.readings[1].value, 5.0);  // {5, 1, 9}
   EXPECT_EQ(ticks.readings[2].value, 7.0);  // {9, 2, 7}
   EXPECT_EQ(ticks.readings[1].fsr_n, 2.0);  // {1, missing, 3}: the mean of two
-  EXPECT_EQ(ticks.readings[2].fsr_n, 3.0);  // {3, missing, missing}
+  EXPECT_EQ(ticks.readings[2].fsr_n, 2.0);  // the same: further samples are missing
 }
 
 TEST(Resample, CallsATickStaleWhenTheNewestSampleIsOlderThanTheHold) {
@@ -153,9 +153,10 @@ TickTable resample_by_definition(const TrialLog& log) {
     ticks.segment_start.push_back(broke ? 1 : 0);
     for (std::size_t k = 0; k < ticks.rays; ++k) {
       std::vector<double> values;
-      for (std::size_t i = s + 1; i-- > 0 && i + 3 > s;) {
+      for (std::size_t i = s + 1; i-- > 0 && values.size() < 3;) {
         const double value = log.tactile.readings[i * ticks.rays + k].value;
-        if ((i == s || touch[i] >= last_break) && !std::isnan(value)) {
+        const bool recent = i + 3 > s || t - touch[i] <= 500 * kMs;
+        if (recent && (i == s || touch[i] >= last_break) && !std::isnan(value)) {
           values.push_back(value);
         }
       }

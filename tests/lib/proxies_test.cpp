@@ -69,6 +69,18 @@ TEST(Proxies, ASlantedRayCountsByWhatItReachesAcross) {
   EXPECT_EQ(blind.at(0.0, 0.0, readings(0.40, 0.2)).left_m, 0.225);
 }
 
+TEST(Proxies, RaysAtTheVeryEdgeOfASideCountOnBothEdges) {
+  for (const double degrees : {60.0, 120.0}) {
+    Robot robot = three_rays();
+    robot.rays[0].bearing_rad = degrees * std::numbers::pi / 180.0;
+    robot.rays[1].bearing_rad = -degrees * std::numbers::pi / 180.0;
+    Felt felt(robot);
+    EXPECT_NEAR(felt.at(0.0, 0.0, readings(0.40, 0.40)).width_m,
+                2.0 * (0.05 + 0.40 * std::sqrt(0.75)),
+                1e-12);
+  }
+}
+
 TEST(Proxies, ASideWithoutARayIsHalfTheBody) {
   Robot robot = three_rays();
   robot.rays.erase(robot.rays.begin());
