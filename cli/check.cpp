@@ -1,13 +1,16 @@
-#include "datasets/check.hpp"
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "datasets/check_csv.hpp"
-#include "reports/check_tables.hpp"
+#include "datasets/check_trial.hpp"
+#include "reports/check_table.hpp"
 #include "reports/diagnostics_table.hpp"
 #include "reports/features_table.hpp"
 
@@ -15,138 +18,111 @@ namespace tcert::cli {
 namespace {
 
 constexpr std::string_view kText =
-    R"(Check a bundle, or one CSV file of any origin, and list every problem on stdout with file, line,
-column, value and what was expected.
+    R"(Look at logs before anything is computed from them: a bundle, or any single CSV file.
 
-Usage: tcert check BUNDLE|FILE.csv [options]
+Of a bundle: each trial's streams, rates, gaps, and whether it starts in S and ends in G. Of a CSV
+file: its dialect, header, columns and clock. Then every problem, with file, line, column, what was
+found and what was expected. Ends with 1 if there is a warning or an error, with 0 otherwise.
+
+Usage: tcert check BUNDLE|FILE [options]
 
 Example:
   tcert check corpus
-  tcert check run7/pose.csv --format json
-  tcert check my-logs --summary
+  tcert check run.csv.gz --format json
 
-Exit code: 0 if nothing was found, 1 if there are warnings or errors.
-Cost: one pass over the logs, one trial in memory at a time.
+Cost: one pass over the logs.
 )";
 
-struct CheckFlags {
-  std::string path;
-  bool summary = false;
-};
+/// Trials that are read before their rows are added, in order.
+constexpr std::size_t kBatch = 64;
 
-struct Findings {
-  std::vector<Diagnostic> diagnostics;
-  Table summary;
-  std::optional<SyntheticLabel> synthetic;
-};
-
-CommandLine command_line(CheckFlags& o) {
-  CommandLine line{"check",
-                   kText,
-                   uses_parameters | uses_format | uses_trials | uses_logs,
-                   po::options_description("Options"),
-                   {{"BUNDLE or FILE.csv", &o.path}}};
-  line.own.add_options()(
-      "summary",
-      po::bool_switch(&o.summary),
-      "print what the trials or columns hold instead; the problems go to stderr");
-  return line;
+CommandLine command_line(std::string& path) {
+  return {"check",
+          kText,
+          uses_parameters | uses_format | uses_threads | uses_trials | uses_logs,
+          po::options_description("Options"),
+          {{"BUNDLE|FILE", &path}}};
 }
 
-/// A course without S or G is not wrong, but there is less to say about it.
-void add_course_notes(const Course& course, std::vector<Diagnostic>& diagnostics) {
-  const auto note = [&](const char* member, const char* expectation) {
-    diagnostics.push_back({Severity::note, "bundle.json", 0, member, "", expectation, 1});
-  };
-  if (!course.start) {
-    note("course.start", "a region S; without it S is a disc round the first node");
-  }
-  if (!course.goal) {
-    note("course.goal", "a region G; without it there is V_t but no certificate T_t");
-  }
-}
-
-Findings check_bundle_at(const std::string& path, const CommonOptions& common) {
-  OpenedBundle opened = open_for(path, common, SayDiagnostics::no);
-  Findings findings;
-  findings.synthetic = synthetic_label(opened.bundle.info);
-  findings.diagnostics = std::move(opened.diagnostics);
-  add_course_notes(opened.bundle.info.course, findings.diagnostics);
-  std::vector<TrialRow> chosen;
-  for (const std::size_t trial : opened.trials) {
-    chosen.push_back(std::move(opened.bundle.trials[trial]));
-  }
-  opened.bundle.trials = std::move(chosen);
-  BundleCheck check = check_bundle(opened.bundle,
-                                   {{common.repair},
-                                    opened.parameters.resample,
-                                    opened.parameters.certificate.travel_deadband_m});
-  findings.diagnostics.insert(
-      findings.diagnostics.end(), check.diagnostics.begin(), check.diagnostics.end());
-  findings.summary = trials_table(check.trials);
-  return findings;
-}
-
-Findings check_file_at(const std::string& path, const CommonOptions& common) {
-  CsvCheckOptions options;
-  options.decimal_comma = common.decimal_comma;
-  CsvFileCheck check = check_csv_file(path, options);
-  Findings findings;
-  findings.diagnostics = std::move(check.diagnostics);
-  if (check.summary) {
-    findings.summary = columns_table(*check.summary);
-  }
-  return findings;
-}
-
-void print_problems(const Findings& findings, TableFormat format) {
-  if (format == TableFormat::text) {
-    for (const Diagnostic& diagnostic : findings.diagnostics) {
-      print(to_string(diagnostic) + '\n');
+/// The tables one after another; a blank line between them where people read them.
+int print_tables(const Table& found, const Table& problems, const CommonOptions& common) {
+  const TableFormat format = common.table_format();
+  if (format == TableFormat::json) {
+    std::string first = render(found, format);
+    std::string second = render(problems, format);
+    for (std::string* text : {&first, &second}) {
+      text->erase(text->find_last_not_of('\n') + 1);
     }
-    return;
+    print("[" + first + ",\n" + second + "]\n");
+  } else {
+    print(render(found, format) + "\n" + render(problems, format));
   }
-  Table table = diagnostics_table(findings.synthetic);
-  for (const Diagnostic& diagnostic : findings.diagnostics) {
-    table.add_row(diagnostics_row("", diagnostic));
+  const auto is_problem = [](const std::vector<TableCell>& row) {
+    return std::get<std::string>(row[1]) != "note";
+  };
+  return std::ranges::any_of(problems.rows, is_problem) ? exit_differences : exit_done;
+}
+
+int check_file(const std::string& path, const CommonOptions& common) {
+  CsvOptions csv;
+  csv.decimal_comma = common.decimal_comma;
+  const CsvCheckResult result = check_csv_file(path, 1.0, csv);
+  if (!result.check) {
+    say(result.diagnostics);
+    throw BadData(path + " cannot be read as CSV");
   }
-  print(render(table, format));
+  Table problems = diagnostics_table(std::nullopt);
+  for (const Diagnostic& diagnostic : result.diagnostics) {
+    problems.add_row(diagnostics_row("", diagnostic));
+  }
+  return print_tables(csv_check_table(*result.check, path), problems, common);
+}
+
+int check_bundle(const std::string& path, const CommonOptions& common) {
+  const OpenedBundle opened = open_for(path, common, SayDiagnostics::no);
+  const auto label = synthetic_label(opened.bundle.info);
+  Table trials = trial_check_table(label);
+  Table problems = diagnostics_table(label);
+  for (const Diagnostic& diagnostic : opened.diagnostics) {
+    problems.add_row(diagnostics_row("", diagnostic));
+  }
+  Progress progress("trials checked", opened.trials.size(), common.quiet);
+  for (std::size_t begin = 0; begin < opened.trials.size(); begin += kBatch) {
+    std::vector<TrialCheckResult> batch(std::min(kBatch, opened.trials.size() - begin));
+    tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
+      batch[i] = check_trial(opened.bundle,
+                             opened.bundle.trials[opened.trials[begin + i]],
+                             {common.repair},
+                             opened.parameters.resample);
+    });
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const std::string& trial_id = opened.bundle.trials[opened.trials[begin + i]].trial_id;
+      trials.add_row(trial_check_row(trial_id, batch[i].check));
+      for (const Diagnostic& diagnostic : batch[i].diagnostics) {
+        problems.add_row(diagnostics_row(trial_id, diagnostic));
+      }
+      progress.advance();
+    }
+  }
+  trials.n = static_cast<std::int64_t>(opened.trials.size());
+  return print_tables(trials, problems, common);
 }
 
 int run(Arguments arguments) {
-  CheckFlags options;
+  std::string path;
   CommonOptions common;
-  if (!parse(command_line(options), common, arguments)) {
+  if (!parse(command_line(path), common, arguments)) {
     return exit_done;
   }
-  std::error_code error;
-  if (!std::filesystem::exists(options.path, error)) {
-    throw NoInput("nothing at '" + options.path + "'");
+  if (!std::filesystem::exists(path)) {
+    throw NoInput("there is nothing at " + path);
   }
-  const bool is_bundle = std::filesystem::is_directory(options.path, error) ||
-                         std::filesystem::path(options.path).extension() == ".zip";
-  Findings findings =
-      is_bundle ? check_bundle_at(options.path, common) : check_file_at(options.path, common);
-  if (options.summary) {
-    findings.summary.synthetic = findings.synthetic;
-    say(findings.diagnostics);
-    print(render(findings.summary, common.table_format()));
-  } else {
-    print_problems(findings, common.table_format());
-  }
-  const auto problems = std::count_if(
-      findings.diagnostics.begin(), findings.diagnostics.end(), [](const Diagnostic& diagnostic) {
-        return diagnostic.severity != Severity::note;
-      });
-  if (!common.quiet) {
-    say(options.path + ": " + std::to_string(problems) +
-        (problems == 1 ? " problem." : " problems."));
-  }
-  return problems == 0 ? exit_done : exit_differences;
+  const bool is_bundle = std::filesystem::is_directory(path) || path.ends_with(".zip");
+  return is_bundle ? check_bundle(path, common) : check_file(path, common);
 }
 
 }  // namespace
 
-const Command kCheck = {"check", "list the problems of a bundle or a CSV file", run};
+const Command kCheck = {"check", "look at logs before anything is computed from them", run};
 
 }  // namespace tcert::cli

@@ -1,36 +1,44 @@
-#include <charconv>
-#include <optional>
+#include "datasets/import_carmen.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
 
 #include "cli/errors.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/result_folder.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/import_carmen.hpp"
 
 namespace tcert::cli {
 namespace {
 
 constexpr std::string_view kText =
-    R"(Make a bundle of a foreign log.
+    R"(Make a bundle from a log in a foreign format.
 
-carmen: a Carnegie Mellon log, plain, .gz or .zst; its FLASER scans become one range ray a beam at
-the corrected pose of the scan. S is a disc at the first pose, G the disc given with --goal; without
---goal there is the on-policy corridor value but no certificate.
+carmen: a Carnegie Mellon log (plain, .gz or .zst). Each FLASER record, with its corrected pose,
+becomes a tick with one range ray a beam; ODOM records are raw odometry in another frame and are only
+counted. The bundle's parameters suit scans that lie about 0.65 m apart; change them with --set when
+certifying. S is a disc round the first pose; G is where you say, and without it there is the on-policy
+corridor value but no certificate.
 
 Usage: tcert import carmen LOG --output DIR [options]
 
 Example:
-  tcert import carmen intel.gfs.log.gz --output intel --goal 8.5,-20.3,1.0
-  tcert certify intel --output intel-certified
+  tcert import carmen intel.gfs.log.gz --output intel --goal-x -2 --goal-y -14.5 --goal-radius 1
+  tcert certify intel --output results
 
-Cost: one pass over the log, which is held in memory.
+Cost: one pass over the log.
 )";
 
+constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+
 struct ImportOptions {
-  std::string kind;
+  std::string format;
   std::string log;
-  std::string goal;
+  double goal_x_m = kUnset;
+  double goal_y_m = kUnset;
+  double goal_radius_m = 1.0;
   CarmenImportOptions carmen;
 };
 
@@ -39,50 +47,40 @@ CommandLine command_line(ImportOptions& o) {
                    kText,
                    uses_output | uses_config,
                    po::options_description("Options"),
-                   {{"a kind of log: carmen", &o.kind}, {"LOG", &o.log}}};
-  CarmenImportOptions& c = o.carmen;
-  line.own.add_options()("goal",
-                         po::value(&o.goal)->value_name("X,Y,RADIUS"),
-                         "G in metres, at a place that the robot visits late; needed for T_t")(
-      "start-radius",
-      po::value(&c.start_radius_m)->value_name("M")->default_value(c.start_radius_m),
-      "of S; raise it if the log begins with the robot moving")(
+                   {{"FORMAT", &o.format}, {"LOG", &o.log}}};
+  line.own.add_options()(
+      "goal-x", po::value(&o.goal_x_m)->value_name("M"), "centre of G in the frame of the log")(
+      "goal-y", po::value(&o.goal_y_m)->value_name("M"), "the same")(
+      "goal-radius",
+      po::value(&o.goal_radius_m)->value_name("M")->default_value(o.goal_radius_m),
+      "of G")("start-radius",
+              po::value(&o.carmen.start_radius_m)->value_name("M")->default_value(0.5, "0.5"),
+              "of S, round the first pose")(
       "body-width",
-      po::value(&c.body_width_m)->value_name("M")->default_value(c.body_width_m),
-      "of the robot; the log does not say")(
-      "reach",
-      po::value(&c.reach_m)->value_name("M")->default_value(c.reach_m),
-      "readings of this and more count as this; the range up to which beams can be trusted")(
+      po::value(&o.carmen.body_width_m)->value_name("M")->default_value(0.45, "0.45"),
+      "w_B of the robot")("reach",
+                          po::value(&o.carmen.reach_m)->value_name("M")->default_value(8.0, "8"),
+                          "longest clearance that a beam is trusted with; longer ones are clamped")(
       "trial-id",
-      po::value(&c.trial_id)->value_name("NAME")->default_value(c.trial_id),
-      "of the one trial of the bundle");
+      po::value(&o.carmen.trial_id)->value_name("ID")->default_value(o.carmen.trial_id),
+      "name of the one trial");
   return line;
 }
 
-/// "x,y,radius". \throws UsageError.
-Disc disc_of(const std::string& text) {
-  std::array<double, 3> values{};
-  const char* at = text.data();
-  const char* end = at + text.size();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto read = std::from_chars(at, end, values.at(i));
-    const bool last = i + 1 == values.size();
-    const bool good =
-        read.ec == std::errc{} && (last ? read.ptr == end : read.ptr < end && *read.ptr == ',');
-    if (!good) {
-      throw UsageError("--goal: found '" + text + "', expected x,y,radius in metres");
-    }
-    at = last ? end : read.ptr + 1;
+CarmenImportOptions carmen_options(const ImportOptions& options, const CommonOptions& common) {
+  CarmenImportOptions carmen = options.carmen;
+  require_range("start-radius", carmen.start_radius_m, 1e-3, 1e3);
+  require_range("body-width", carmen.body_width_m, 1e-3, 1e3);
+  require_range("reach", carmen.reach_m, 1e-3, 1e4);
+  require_range("goal-radius", options.goal_radius_m, 1e-3, 1e3);
+  if (std::isnan(options.goal_x_m) != std::isnan(options.goal_y_m)) {
+    throw UsageError("--goal-x and --goal-y go together");
   }
-  require_range("goal", values[2], 1e-3, 1e6);
-  return {{values[0], values[1]}, values[2]};
-}
-
-std::string described(const CarmenSummary& summary) {
-  return std::to_string(summary.scans) + " scans of " + std::to_string(summary.beams) +
-         " beams over " + fixed(summary.duration_s, 0) + " s and " + fixed(summary.distance_m, 1) +
-         " m, " + fixed(summary.median_step_m, 2) + " m apart (median; longest " +
-         fixed(summary.longest_step_m, 2) + " m).";
+  if (!std::isnan(options.goal_x_m)) {
+    carmen.goal = Disc{{options.goal_x_m, options.goal_y_m}, options.goal_radius_m};
+  }
+  carmen.replace = std::filesystem::exists(std::filesystem::path(common.output) / "bundle.json");
+  return carmen;
 }
 
 int run(Arguments arguments) {
@@ -91,48 +89,42 @@ int run(Arguments arguments) {
   if (!parse(command_line(options), common, arguments)) {
     return exit_done;
   }
-  if (options.kind != "carmen") {
-    throw UsageError("unknown kind of log '" + options.kind + "'" +
-                     did_you_mean(options.kind, {"carmen"}) + " (known: carmen)");
+  if (options.format != "carmen") {
+    throw UsageError("unknown format '" + options.format + "'" +
+                     did_you_mean(options.format, {"carmen"}) + " known: carmen");
   }
   if (common.output.empty()) {
     throw UsageError("needs --output DIR");
   }
-  if (!options.goal.empty()) {
-    options.carmen.goal = disc_of(options.goal);
+  if (!std::filesystem::exists(options.log)) {
+    throw NoInput("there is nothing at " + options.log);
   }
-  require_range("start-radius", options.carmen.start_radius_m, 1e-3, 1e6);
-  require_range("body-width", options.carmen.body_width_m, 1e-3, 1e6);
-  require_range("reach", options.carmen.reach_m, 1e-3, 1e6);
-  std::error_code error;
-  if (!std::filesystem::exists(options.log, error)) {
-    throw NoInput("no log at '" + options.log + "'");
-  }
-  ResultFolder folder(common.output);
-  options.carmen.replace = true;  // the folder's own staging, empty
-  CarmenImportResult result;
-  try {
-    result = import_carmen(options.log, folder.staging(), options.carmen);
-  } catch (const std::invalid_argument& problem) {
-    throw UsageError(problem.what());
-  }
+  const CarmenImportResult result =
+      import_carmen(options.log, common.output, carmen_options(options, common));
   say(result.diagnostics);
   if (!result.summary) {
-    throw BadData("'" + options.log + "' cannot be imported");
+    throw BadData(options.log + " holds no scan that can be used");
   }
-  Manifest manifest;
-  manifest.command = "import carmen";
-  manifest.options = common.effective;
-  manifest.inputs = {{name_of(options.log), digest_file(options.log)}};
-  folder.commit(std::move(manifest));
+  const CarmenSummary& made = *result.summary;
   if (!common.quiet) {
-    say(described(*result.summary));
+    say(fmt::format(
+        "{} scans of {} beams, {:.1f} m in {:.0f} s, {:.2f} m between scans (median), {:.2f} "
+        "m at most; {} readings clamped to {} m. Bundle: {}",
+        made.scans,
+        made.beams,
+        made.distance_m,
+        made.duration_s,
+        made.median_step_m,
+        made.longest_step_m,
+        made.clamped_readings,
+        options.carmen.reach_m,
+        common.output));
   }
   return exit_done;
 }
 
 }  // namespace
 
-const Command kImport = {"import", "make a bundle of a foreign log: carmen", run};
+const Command kImport = {"import", "make a bundle from a log in a foreign format", run};
 
 }  // namespace tcert::cli

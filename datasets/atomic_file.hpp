@@ -47,7 +47,7 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 class AtomicFolder {
  public:
   /// \throws WriteError if the name is taken or the parent cannot be written.
-  explicit AtomicFolder(std::filesystem::path path, bool replace = false);
+  explicit AtomicFolder(const std::filesystem::path& path, bool replace = false);
   ~AtomicFolder();
   AtomicFolder(const AtomicFolder&) = delete;
   AtomicFolder& operator=(const AtomicFolder&) = delete;

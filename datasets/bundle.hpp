@@ -49,6 +49,7 @@ struct BundleInfo {
 /// A bundle opened for reading: its description and its trials, not yet their logs.
 struct Bundle {
   std::filesystem::path path;  ///< Folder or .zip.
+  bool decimal_comma = false;  ///< As asked for when it was opened.
   BundleInfo info;
   std::vector<std::string> extra_columns;
   std::vector<TrialRow> trials;  ///< In file order.
@@ -59,8 +60,13 @@ struct BundleResult {
   std::vector<Diagnostic> diagnostics;
 };
 
+struct BundleOptions {
+  bool decimal_comma = false;  ///< Numbers like 1,5 in files whose separator is the semicolon.
+};
+
 /// Reads bundle.json and trials.csv. Never throws on bad content; every problem of both files is
 /// in the diagnostics. A trial row with an error is left out of `trials` and named there.
-[[nodiscard]] BundleResult open_bundle(const std::filesystem::path& path);
+[[nodiscard]] BundleResult open_bundle(const std::filesystem::path& path,
+                                       const BundleOptions& options = {});
 
 }  // namespace tcert

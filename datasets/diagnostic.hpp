@@ -3,8 +3,11 @@
 /// What is wrong with an input file, where, and what was expected instead.
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace tcert {
@@ -22,13 +25,35 @@ struct Diagnostic {
   std::size_t line = 0;     ///< 1-based, of the first occurrence; 0 if it concerns the whole file.
   std::string column;       ///< Name, or empty.
   std::string value;        ///< As found, shortened; or empty.
-  std::string expectation;  ///< What was expected, and the way out where there is one.
+  std::string expectation;  ///< Completes "expected ...", and the way out where there is one.
   std::size_t count = 1;
 };
 
-/// "file:line: error: column 'x_m': found 'abc', expected a number (and 3 more)". No newline.
+/// "file:line: error: column 'x_m': found 'abc', expected a number (and 3 more)". No newline; a
+/// part that the diagnostic leaves empty is left out.
 [[nodiscard]] std::string to_string(const Diagnostic& diagnostic);
 
 [[nodiscard]] bool has_error(std::span<const Diagnostic> diagnostics) noexcept;
+
+/// `text` fit to print on one line: control characters escaped, at most 40 bytes, cut between
+/// UTF-8 characters and then ended by "...".
+[[nodiscard]] std::string shortened(std::string_view text);
+
+/// Collects problems; those of the same severity, file, column and expectation become one, with a
+/// count. O(log kinds) each.
+class DiagnosticGroups {
+ public:
+  void add(Diagnostic diagnostic);
+
+  /// In the order of first occurrence; leaves the collection empty.
+  [[nodiscard]] std::vector<Diagnostic> take();
+
+  [[nodiscard]] bool has_error() const noexcept { return tcert::has_error(groups_); }
+
+ private:
+  using Kind = std::tuple<Severity, std::string, std::string, std::string>;
+  std::vector<Diagnostic> groups_;
+  std::map<Kind, std::size_t> index_;
+};
 
 }  // namespace tcert

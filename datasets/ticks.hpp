@@ -17,7 +17,7 @@ struct TickTable {
   std::vector<RayReading> readings;
   std::vector<std::uint8_t> stale;
   std::vector<std::uint8_t> segment_start;
-  std::vector<double> speed_cmd_mps;        ///< Zero-order hold; NaN where there is none.
+  std::vector<double> speed_cmd_mps;  ///< Zero-order hold; NaN where there is none.
   std::vector<double> yaw_rate_cmd_rps;
 
   [[nodiscard]] std::size_t size() const noexcept { return time_ns.size(); }

@@ -38,8 +38,9 @@ struct TrialLog {
   TactileStream tactile;
   ControlStream control;  ///< Empty if the trial has none: it is not required.
   std::optional<TickTable> merged;
-  std::vector<std::int64_t> breaks_ns;  ///< Clock jumps: the path breaks at the first tick at or after.
-  std::size_t bytes = 0;                ///< Read from disk, decompressed.
+  std::vector<std::int64_t>
+      breaks_ns;          ///< Clock jumps: the path breaks at the first tick at or after.
+  std::size_t bytes = 0;  ///< Read from disk, decompressed.
 };
 
 struct ReadOptions {
@@ -58,9 +59,9 @@ struct TrialResult {
                                      const ReadOptions& options = {});
 
 struct ResampleOptions {
-  double tick_s = 0.1;       ///< Period of the tick grid; > 0.
-  double max_hold_s = 0.5;   ///< A tick whose newest sample is older is stale.
-  int median_samples = 3;    ///< Raw samples under the causal median; odd, 1..9.
+  double tick_s = 0.1;      ///< Period of the tick grid; > 0.
+  double max_hold_s = 0.5;  ///< A tick whose newest sample is older is stale.
+  int median_samples = 3;   ///< Raw samples under the causal median; odd, 1..9.
 };
 
 /// Ticks t_k = t_0 + k tick_s, t_0 = the first instant at which pose and tactile have a sample,

@@ -5,6 +5,7 @@
 #include <tcert/contact_memory.hpp>
 #include <tcert/corridor_walk.hpp>
 #include <tcert/proxies.hpp>
+#include <utility>
 #include <vector>
 
 namespace tcert {
@@ -21,13 +22,17 @@ bool lies_in(const std::optional<Region>& region, Point p) noexcept {
   return region.has_value() && contains(*region, p);
 }
 
+bool lies_in(const Disc& disc, Point p) noexcept {
+  const Point off = p - disc.centre;
+  return dot(off, off) <= disc.radius_m * disc.radius_m;
+}
+
 }  // namespace
 
 struct Certifier::State {
-  State(const Robot& r, const Course& c, const CertificateParameters& p)
+  State(const Robot& r, Course c, const CertificateParameters& p)
       : robot(r),
-        course(c),
-        start(c.start),
+        course(std::move(c)),
         parameters(p),
         proxies(r, p),
         memory(p),
@@ -49,7 +54,7 @@ struct Certifier::State {
 
   Robot robot;
   Course course;
-  std::optional<Region> start;  // the course's, or the first node's disc
+  Disc first_node;  // stands for S if the course has none
   CertificateParameters parameters;
   Proxies proxies;
   ContactMemory memory;
@@ -98,7 +103,8 @@ void Certifier::State::count_travel(Point position, bool broken) noexcept {
 Evidence Certifier::State::weigh(const Tick& tick) noexcept {
   const Point position = tick.pose.position;
   const double time_s = 1e-9 * static_cast<double>(tick.time_ns - first_ns);
-  const bool in_start = lies_in(start, position);
+  const bool in_start =
+      course.start.has_value() ? lies_in(course.start, position) : lies_in(first_node, position);
   const LocalGeometry local = proxies.update(tick, travel_m, time_s, in_start, memory);
   const double sure_radius_m = 1.0 / (1.0 / local.turn_radius_m + robot.curvature_buffer_per_m);
   const double turn_slack_m = sure_radius_m - robot.min_turn_radius_m;
@@ -119,6 +125,7 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
                          : std::min(clearance_m - robot.body_width_m, turn_slack_m);
   }
   return {tick.pose,
+          direction(tick.pose.yaw_rad),
           travel_m,
           out.margin_m,
           local.width_m,
@@ -139,15 +146,13 @@ double Certifier::State::certificate_m() const noexcept {
 
 void Certifier::State::certify(const Tick& tick) noexcept {
   const Point position = tick.pose.position;
-  const bool broken = began && (tick.segment_start || gap_before_next ||
-                                distance(last_position, position) > parameters.max_step_m);
+  const bool broken =
+      began && (gap_before_next || distance(last_position, position) > parameters.max_step_m);
   out.flags = 0;
   if (!began) {
     first_ns = tick.time_ns;
     counted_position = position;
-    if (!start.has_value()) {
-      start = Disc{position, 0.5 * robot.body_width_m};
-    }
+    first_node = {position, 0.5 * robot.body_width_m};
   } else {
     count_travel(position, broken);
   }
@@ -197,13 +202,13 @@ Certifier& Certifier::operator=(Certifier&&) noexcept = default;
 
 CertifiedTick Certifier::update(const Tick& tick) noexcept {
   State& state = *state_;
+  state.gap_before_next = state.gap_before_next || tick.segment_start;
   if (!state.accepts(tick)) {
     return state.unchanged(tick, flag_bad_input);
   }
   state.has_time = true;
   state.last_ns = tick.time_ns;
   if (tick.stale) {
-    state.gap_before_next = state.gap_before_next || tick.segment_start;
     return state.unchanged(tick, flag_stale);
   }
   state.certify(tick);
@@ -244,7 +249,6 @@ void Certifier::reset() noexcept {
   state.memory.clear();
   state.walk.clear();
   std::fill(state.ray_margins.begin(), state.ray_margins.end(), kMissing);
-  state.start = state.course.start;
   state.began = state.has_time = state.gap_before_next = false;
   state.travel_m = 0.0;
   state.lasting_flags = 0;

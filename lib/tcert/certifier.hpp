@@ -69,10 +69,10 @@ class Certifier {
   /// \throws std::invalid_argument if the robot or the parameters are out of range.
   Certifier(const Robot& robot, const Course& course, const CertificateParameters& parameters);
   ~Certifier();
-  Certifier(Certifier&&) noexcept;
-  Certifier& operator=(Certifier&&) noexcept;
-  Certifier(const Certifier&) = delete;
-  Certifier& operator=(const Certifier&) = delete;
+  Certifier(Certifier&& other) noexcept;
+  Certifier& operator=(Certifier&& other) noexcept;
+  Certifier(const Certifier& other) = delete;
+  Certifier& operator=(const Certifier& other) = delete;
 
   /// Takes the next tick. A tick with a pose that is not finite, a time that does not increase or
   /// the wrong number of rays is skipped and flagged; a ray without a reading is flagged.

@@ -3,6 +3,7 @@
 /// The decaying contact memory M_t of the traversal policy: a risk prior in [0, 1]
 /// (paper 3.1, 3.3).
 
+#include <array>
 #include <cstdint>
 #include <tcert/geometry.hpp>
 #include <tcert/parameters.hpp>
@@ -12,8 +13,8 @@ namespace tcert {
 
 /// Values on a hash grid; each contact raises the cells near it, all halve every half-life.
 ///
-/// The constructor takes all memory. If a neighbourhood of the hash table is full, the cell with
-/// the least remaining memory gives way.
+/// Cells are kept in blocks of 4 x 4, so that a neighbourhood is few look-ups. The constructor
+/// takes all memory. Where the table is full, the faintest block nearby gives way.
 class ContactMemory {
  public:
   explicit ContactMemory(const CertificateParameters& parameters);
@@ -29,20 +30,22 @@ class ContactMemory {
   [[nodiscard]] double largest_within(Point centre, double radius_m, double time_s) const noexcept;
 
  private:
-  struct Cell {
-    std::int32_t ix = 0;
-    std::int32_t iy = 0;
-    double value = 0.0;     // at age_halvings
-    double halvings = 0.0;  // time of `value` in half-lives
-    bool used = false;
+  static constexpr std::int32_t kSide = 4;  // cells along a block
+  struct Block {
+    std::int32_t bx = 0;
+    std::int32_t by = 0;
+    double halvings = -1.0;  // time of the values in half-lives; negative: not used
+    std::array<double, std::size_t{kSide} * kSide> values{};
   };
-  [[nodiscard]] std::size_t slot_of(std::int32_t ix, std::int32_t iy) const noexcept;
-  [[nodiscard]] const Cell* find(std::int32_t ix, std::int32_t iy) const noexcept;
-  [[nodiscard]] Cell& claim(std::int32_t ix, std::int32_t iy, double halvings) noexcept;
+  [[nodiscard]] std::size_t slot_of(std::int32_t bx, std::int32_t by) const noexcept;
+  [[nodiscard]] const Block* find(std::int32_t bx, std::int32_t by) const noexcept;
+  [[nodiscard]] Block& claim(std::int32_t bx, std::int32_t by, double halvings) noexcept;
 
   CertificateParameters parameters_;
-  std::vector<Cell> cells_;      // a power of two
-  std::vector<double> weights_;  // scratch: exp(-dx^2 / 2 sigma^2) of one row
+  std::vector<Block> blocks_;  // a power of two
+  // Scratch of add(): exp(-d^2 / 2 sigma^2) by column and by row of the cells near a contact.
+  std::vector<double> column_weights_;
+  std::vector<double> row_weights_;
   bool empty_ = true;
 };
 

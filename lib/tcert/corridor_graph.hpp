@@ -45,6 +45,7 @@ struct Pass {
 
 struct Node {
   Pose pose;
+  Point heading;          ///< Unit vector of the pose's yaw.
   bool in_start = false;  ///< Tied to the source.
   bool in_goal = false;   ///< Tied to the sink.
 };

@@ -83,7 +83,7 @@ void CorridorWalk::advance(const Evidence& evidence) noexcept {
 }
 
 void CorridorWalk::follow_motion(const Evidence& now) noexcept {
-  const double along_m = dot(now.pose.position - last_.pose.position, direction(now.pose.yaw_rad));
+  const double along_m = dot(now.pose.position - last_.pose.position, now.heading);
   progress_m_ += forward_ ? along_m : -along_m;
   furthest_m_ = std::max(furthest_m_, progress_m_);
 }
@@ -92,8 +92,7 @@ void CorridorWalk::follow_motion(const Evidence& now) noexcept {
 // along its heading.
 CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
                                                  const Evidence& now) const noexcept {
-  const Pose& at = graph_.nodes()[node].pose;
-  const Point heading = direction(at.yaw_rad);
+  const auto& [at, heading, in_start, in_goal] = graph_.nodes()[node];
   const double before_m = dot(last_.pose.position - at.position, heading);
   const double after_m = dot(now.pose.position - at.position, heading);
   if ((before_m < 0.0) == (after_m < 0.0)) {
@@ -166,7 +165,7 @@ bool CorridorWalk::cross(const Evidence& now) noexcept {
 }
 
 void CorridorWalk::leave(std::uint32_t node, Side side, const Evidence& now) noexcept {
-  const double along_m = dot(now.pose.position - last_.pose.position, direction(now.pose.yaw_rad));
+  const double along_m = dot(now.pose.position - last_.pose.position, now.heading);
   at_node_ = node;
   left_by_ = side;
   node_travel_m_ = now.travel_m;
@@ -217,7 +216,7 @@ void CorridorWalk::start_component(const Evidence& now, double corridor_value_m)
 }
 
 std::uint32_t CorridorWalk::lay_node(const Evidence& now) noexcept {
-  const std::uint32_t node = graph_.add_node({now.pose, now.in_start, now.in_goal});
+  const std::uint32_t node = graph_.add_node({now.pose, now.heading, now.in_start, now.in_goal});
   if (node == kNone) {
     capacity_exceeded_ = true;
     return kNone;

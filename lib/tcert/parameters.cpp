@@ -17,9 +17,10 @@ void require(std::string_view name, double value, Bound bound) {
     return;
   }
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  const char* end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  const auto length = static_cast<std::size_t>(end - text.data());
   throw std::invalid_argument(
-      std::string(name) + " is " + std::string(text.data(), end) +
+      std::string(name) + " is " + std::string(text.data(), length) +
       (bound == Bound::above_zero ? "; it must be above 0" : "; it must not be negative"));
 }
 

@@ -11,6 +11,7 @@ namespace tcert {
 /// What a fresh tick adds to the edge that is being walked.
 struct Evidence {
   Pose pose;
+  Point heading;  ///< Unit vector of the pose's yaw.
   double travel_m = 0.0;
   double margin_m = 0.0;  ///< m_t.
   double width_m = 0.0;

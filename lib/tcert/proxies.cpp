@@ -61,7 +61,7 @@ void Proxies::restart_windows() noexcept {
   has_yaw_ = false;
 }
 
-double Proxies::clearance(const RayState& state, double reading) const noexcept {
+double Proxies::clearance(const RayState& state, double reading) noexcept {
   if (!std::isfinite(reading)) {
     return kMissing;
   }

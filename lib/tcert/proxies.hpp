@@ -59,7 +59,7 @@ class Proxies {
     Point ahead;            // unit vector of the bearing
     bool in_contact = false;
   };
-  [[nodiscard]] double clearance(const RayState& state, double reading) const noexcept;
+  [[nodiscard]] static double clearance(const RayState& state, double reading) noexcept;
   [[nodiscard]] bool feels_contact(const RayState& state,
                                    double clearance_m,
                                    double force_n) const noexcept;

@@ -284,6 +284,24 @@ TEST(Certifier, SkipsAndFlagsWhatIsNoTick) {
   EXPECT_EQ(skipped.nodes, good.nodes);
 }
 
+TEST(Certifier, AGapBeforeASkippedTickIsStillABreak) {
+  RandomRun run = random_run(4, 3);
+  for (Tick& tick : run.ticks) {
+    tick.pose = run.ticks[0].pose;
+    tick.stale = tick.segment_start = false;
+  }
+  for (const bool stale : {true, false}) {
+    Certifier certifier(run.robot, run.course, {});
+    certifier.update(run.ticks[0]);
+    Tick skipped = run.ticks[1];
+    skipped.segment_start = true;
+    skipped.stale = stale;
+    skipped.pose.yaw_rad = stale ? 0.0 : std::nan("");
+    EXPECT_EQ(certifier.update(skipped).flags & flag_break, 0U);
+    EXPECT_EQ(certifier.update(run.ticks[2]).flags & flag_break, flag_break);
+  }
+}
+
 TEST(Certifier, AnOptimisticCertificateIsThereFromTheStartAndMayFall) {
   CertificateParameters optimistic;
   optimistic.unknown = UnknownSpace::free;

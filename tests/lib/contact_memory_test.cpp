@@ -43,7 +43,7 @@ TEST(ContactMemory, TakesAMissingForceForTheCap) {
 
 TEST(ContactMemory, LosesTheFaintestCellsWhenItIsFull) {
   CertificateParameters parameters;
-  parameters.max_memory_cells = 64;
+  parameters.max_memory_cells = 256;
   ContactMemory memory(parameters);
   for (int k = 0; k < 100; ++k) {
     memory.add({0.05 + k, 0.05}, 5.0, static_cast<double>(k));

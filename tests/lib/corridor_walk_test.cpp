@@ -51,7 +51,7 @@ class Walker {
 
  private:
   Evidence evidence(double x, double y, double yaw, double margin_m) const {
-    return {{{x, y}, yaw}, travel_m_, margin_m, 1.0, 1.0, 0.0, x<0.1, x> 2.9};
+    return {{{x, y}, yaw}, direction(yaw), travel_m_, margin_m, 1.0, 1.0, 0.0, x<0.1, x> 2.9};
   }
   CorridorWalk walk_;
   double x_ = 0.0;

@@ -21,7 +21,7 @@ struct Labelled {
   std::vector<double> sideless_source;
 
   void add_node(bool is_source, bool is_sink, double seed_value) {
-    const std::uint32_t node = graph.add_node({{}, is_source, is_sink});
+    const std::uint32_t node = graph.add_node({{}, {}, is_source, is_sink});
     const double value = is_source ? kInfinity : seed_value;
     sided.add_node(node, is_sink);
     sideless.add_node(node, is_sink);

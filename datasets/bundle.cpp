@@ -1,0 +1,73 @@
+#include "datasets/bundle.hpp"
+
+#include <iterator>
+#include <utility>
+
+#include "datasets/bundle_files.hpp"
+#include "datasets/bundle_json.hpp"
+#include "datasets/trial_table.hpp"
+
+namespace tcert {
+
+namespace {
+
+void append(std::vector<Diagnostic>& all, DiagnosticGroups& of_one_file) {
+  std::vector<Diagnostic> more = of_one_file.take();
+  all.insert(all.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
+}
+
+/// Bytes of a file that every bundle has; its absence is reported.
+std::optional<Bytes> read_required(const BundleFiles& files,
+                                   const std::string& name,
+                                   DiagnosticGroups& problems) {
+  const auto found = files.find(name);
+  if (!found) {
+    problems.add({Severity::error, name, 0, "", "", "this file in the bundle", 1});
+    return std::nullopt;
+  }
+  BytesResult result = files.read(*found);
+  if (!result.bytes) {
+    problems.add({Severity::error, *found, 0, "", result.problem, "a readable file", 1});
+  }
+  return std::move(result.bytes);
+}
+
+}  // namespace
+
+BundleResult open_bundle(const std::filesystem::path& path, const BundleOptions& options) {
+  BundleResult result;
+  const BundleFiles files(path);
+  if (!files.problem().empty()) {
+    result.diagnostics.push_back({Severity::error,
+                                  path.string(),
+                                  0,
+                                  "",
+                                  files.problem(),
+                                  "a folder or a .zip with a bundle.json",
+                                  1});
+    return result;
+  }
+  Bundle bundle;
+  bundle.path = path;
+  bundle.decimal_comma = options.decimal_comma;
+  bool usable = true;
+  DiagnosticGroups problems;
+  if (const auto bytes = read_required(files, "bundle.json", problems)) {
+    std::optional<BundleInfo> info = parse_bundle_json(bytes->view(), problems);
+    usable = info.has_value();
+    bundle.info = std::move(info).value_or(BundleInfo{});
+  } else {
+    usable = false;
+  }
+  append(result.diagnostics, problems);
+  if (const auto bytes = read_required(files, "trials.csv", problems)) {
+    read_trial_table(*bytes, bundle, problems);
+  }
+  append(result.diagnostics, problems);
+  if (usable && !bundle.trials.empty()) {
+    result.bundle = std::move(bundle);
+  }
+  return result;
+}
+
+}  // namespace tcert

@@ -1,0 +1,121 @@
+#include "datasets/bundle_files.hpp"
+
+#include <zip.h>
+
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace tcert {
+
+namespace {
+
+constexpr std::string_view kDescription = "bundle.json";
+
+std::string zip_message(int code) {
+  zip_error_t error;
+  zip_error_init_with_code(&error, code);
+  std::string message = zip_error_strerror(&error);
+  zip_error_fini(&error);
+  return message;
+}
+
+/// The folder of the bundle.json that lies least deep; empty if there is none or it is at the top.
+std::string common_prefix(zip_t* archive) {
+  std::optional<std::string> prefix;
+  const zip_int64_t entries = zip_get_num_entries(archive, 0);
+  for (zip_int64_t i = 0; i < entries; ++i) {
+    const char* raw = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
+    const std::string_view name = raw == nullptr ? std::string_view{} : raw;
+    if (!name.ends_with(kDescription)) {
+      continue;
+    }
+    const std::string_view folder = name.substr(0, name.size() - kDescription.size());
+    if ((folder.empty() || folder.back() == '/') && (!prefix || folder.size() < prefix->size())) {
+      prefix = folder;
+    }
+  }
+  return prefix.value_or("");
+}
+
+}  // namespace
+
+void BundleFiles::CloseArchive::operator()(struct ::zip* archive) const noexcept {
+  zip_discard(archive);
+}
+
+BundleFiles::BundleFiles(std::filesystem::path path) : path_(std::move(path)) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path_, error);
+  if (!std::filesystem::exists(status)) {
+    problem_ = error ? error.message() : std::generic_category().message(ENOENT);
+    return;
+  }
+  if (std::filesystem::is_directory(status)) {
+    return;
+  }
+  int code = 0;
+  archive_.reset(zip_open(path_.c_str(), ZIP_RDONLY, &code));
+  if (archive_) {
+    prefix_ = common_prefix(archive_.get());
+  } else {
+    problem_ = zip_message(code);
+  }
+}
+
+BundleFiles::~BundleFiles() = default;
+
+bool BundleFiles::contains(const std::string& name) const {
+  if (archive_) {
+    return zip_name_locate(archive_.get(), (prefix_ + name).c_str(), 0) >= 0;
+  }
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path_ / name, ignored);
+}
+
+std::optional<std::string> BundleFiles::find(const std::string& name) const {
+  for (const char* ending : {"", ".gz", ".zst"}) {
+    if (std::string candidate = name + ending; contains(candidate)) {
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+BytesResult BundleFiles::read_from_archive(const std::string& name) const {
+  const std::string full_name = prefix_ + name;
+  zip_stat_t status;
+  zip_stat_init(&status);
+  if (zip_stat(archive_.get(), full_name.c_str(), 0, &status) != 0) {
+    return {std::nullopt, zip_strerror(archive_.get())};
+  }
+  constexpr zip_uint64_t kLongestFile = zip_uint64_t{4} << 30U;
+  if (status.size > kLongestFile) {
+    return {std::nullopt, "its contents are longer than 4 GiB"};
+  }
+  zip_file_t* file = zip_fopen_index(archive_.get(), status.index, 0);
+  if (file == nullptr) {
+    return {std::nullopt, zip_strerror(archive_.get())};
+  }
+  Bytes bytes(status.size);
+  const zip_int64_t taken = zip_fread(file, bytes.data(), status.size);
+  const int code = zip_fclose(file);
+  if (taken < 0 || static_cast<zip_uint64_t>(taken) != status.size || code != 0) {
+    return {std::nullopt, "the zip data are damaged"};
+  }
+  return {std::move(bytes), {}};
+}
+
+BytesResult BundleFiles::read(const std::string& name) const {
+  if (!archive_) {
+    return read_file(path_ / name);
+  }
+  BytesResult result = read_from_archive(name);
+  if (!result.bytes) {
+    return result;
+  }
+  return decompress(std::move(*result.bytes), compression_of(name));
+}
+
+}  // namespace tcert

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// The files of a bundle, whether they lie in a folder or in a .zip.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "datasets/bytes.hpp"
+
+struct zip;
+
+namespace tcert {
+
+/// Reads files by their name in the bundle, such as "logs/t1/pose.csv". In a .zip they may all lie
+/// in one folder, as zip programs make it. One thread at a time; open it once per thread.
+class BundleFiles {
+ public:
+  /// Never throws on what it finds: see problem().
+  explicit BundleFiles(std::filesystem::path path);
+  ~BundleFiles();
+  BundleFiles(const BundleFiles&) = delete;
+  BundleFiles& operator=(const BundleFiles&) = delete;
+
+  /// Why the bundle cannot be opened; empty if it can.
+  [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
+
+  [[nodiscard]] bool contains(const std::string& name) const;
+
+  /// `name`, `name`.gz or `name`.zst, whichever is there first.
+  [[nodiscard]] std::optional<std::string> find(const std::string& name) const;
+
+  /// The bytes of a file, expanded by the end of its name. \pre problem() is empty.
+  [[nodiscard]] BytesResult read(const std::string& name) const;
+
+ private:
+  struct CloseArchive {
+    void operator()(struct ::zip* archive) const noexcept;
+  };
+
+  [[nodiscard]] BytesResult read_from_archive(const std::string& name) const;
+
+  std::filesystem::path path_;
+  std::unique_ptr<struct ::zip, CloseArchive> archive_;  // none for a folder
+  std::string prefix_;                                   // of every name in the archive
+  std::string problem_;
+};
+
+}  // namespace tcert

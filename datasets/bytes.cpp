@@ -1,0 +1,207 @@
+#include "datasets/bytes.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+namespace tcert {
+
+namespace {
+
+constexpr std::size_t kLongestFile = std::size_t{4} << 30U;
+constexpr std::size_t kLargestStep = std::size_t{1} << 30U;  // fits zlib's 32-bit counts
+
+BytesResult failure(std::string problem) { return {std::nullopt, std::move(problem)}; }
+
+/// Makes room for more output; false once the contents are too long.
+bool grow(Bytes& out) {
+  if (out.size() >= kLongestFile) {
+    return false;
+  }
+  out.resize(std::min(kLongestFile, std::max<std::size_t>(out.size() * 2, 1U << 16U)));
+  return true;
+}
+
+/// z_stream that is always ended.
+class Inflater {
+ public:
+  Inflater() { ready_ = inflateInit2(&stream, MAX_WBITS + 16) == Z_OK; }
+  ~Inflater() { inflateEnd(&stream); }
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+  [[nodiscard]] bool ready() const noexcept { return ready_; }
+
+  z_stream stream{};
+
+ private:
+  bool ready_ = false;
+};
+
+BytesResult expand_gzip(Bytes packed) {
+  Inflater inflater;
+  z_stream& z = inflater.stream;
+  if (!inflater.ready()) {
+    return failure("zlib cannot start");
+  }
+  Bytes out(std::min(kLongestFile, packed.size() * 4));
+  std::size_t taken = 0;
+  std::size_t written = 0;
+  int state = Z_OK;
+  while (taken < packed.size() || state == Z_OK) {
+    if (written == out.size() && !grow(out)) {
+      return failure("its contents are longer than 4 GiB");
+    }
+    if (state == Z_STREAM_END) {
+      inflateReset(&z);
+    }
+    const std::size_t input = std::min(kLargestStep, packed.size() - taken);
+    const std::size_t room = std::min(kLargestStep, out.size() - written);
+    z.next_in = reinterpret_cast<Bytef*>(packed.data() + taken);
+    z.avail_in = static_cast<uInt>(input);
+    z.next_out = reinterpret_cast<Bytef*>(out.data() + written);
+    z.avail_out = static_cast<uInt>(room);
+    state = inflate(&z, Z_NO_FLUSH);
+    taken += input - z.avail_in;
+    written += room - z.avail_out;
+    if (state != Z_OK && state != Z_STREAM_END) {
+      return failure(state == Z_BUF_ERROR ? "the gzip data are cut short"
+                                          : "the gzip data are damaged");
+    }
+  }
+  out.resize(written);
+  return {std::move(out), {}};
+}
+
+BytesResult expand_zstd(Bytes packed) {
+  const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(),
+                                                                          &ZSTD_freeDStream);
+  Bytes out(std::min(kLongestFile, packed.size() * 4));
+  ZSTD_inBuffer input{packed.data(), packed.size(), 0};
+  ZSTD_outBuffer output{out.data(), out.size(), 0};
+  std::size_t state = 1;
+  while (input.pos < input.size || state != 0) {
+    if (output.pos == output.size) {
+      if (!grow(out)) {
+        return failure("its contents are longer than 4 GiB");
+      }
+      output.dst = out.data();
+      output.size = out.size();
+    }
+    const std::size_t before = input.pos + output.pos;
+    state = ZSTD_decompressStream(stream.get(), &output, &input);
+    if (ZSTD_isError(state) != 0U) {
+      return failure("the zstd data are damaged");
+    }
+    if (state != 0 && input.pos + output.pos == before && output.pos < output.size) {
+      return failure("the zstd data are cut short");
+    }
+  }
+  out.resize(output.pos);
+  return {std::move(out), {}};
+}
+
+}  // namespace
+
+Bytes::Bytes(std::size_t size)
+    : size_(size),
+      capacity_(size),
+      data_(std::make_unique_for_overwrite<char[]>(  // NOLINT(modernize-avoid-c-arrays)
+          size + kPadding)) {
+  pad();
+}
+
+void Bytes::pad() noexcept {
+  std::memset(data_.get() + size_, 0, kPadding);
+  data_[size_] = '\n';
+}
+
+Bytes Bytes::copy_of(std::string_view text) {
+  Bytes bytes;
+  bytes.assign(text);
+  return bytes;
+}
+
+void Bytes::resize(std::size_t size) {
+  if (size > capacity_) {
+    Bytes larger(size);
+    std::copy_n(data_.get(), size_, larger.data_.get());
+    *this = std::move(larger);
+    return;
+  }
+  size_ = size;
+  pad();
+}
+
+void Bytes::assign(std::string_view text) {
+  if (text.size() > capacity_) {
+    *this = Bytes(text.size());
+  }
+  size_ = text.size();
+  std::copy_n(text.data(), text.size(), data_.get());
+  pad();
+}
+
+Compression compression_of(std::string_view name) noexcept {
+  if (name.ends_with(".gz")) {
+    return Compression::gzip;
+  }
+  return name.ends_with(".zst") ? Compression::zstd : Compression::none;
+}
+
+BytesResult decompress(Bytes packed, Compression compression) {
+  switch (compression) {
+    case Compression::gzip:
+      return expand_gzip(std::move(packed));
+    case Compression::zstd:
+      return expand_zstd(std::move(packed));
+    case Compression::none:
+      break;
+  }
+  return {std::move(packed), {}};
+}
+
+BytesResult read_raw_file(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return failure(std::generic_category().message(errno));
+  }
+  struct stat status {};
+  const bool regular = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  Bytes bytes(regular ? static_cast<std::size_t>(status.st_size) : std::size_t{1} << 16U);
+  std::size_t size = 0;
+  ssize_t taken = 1;
+  while (taken != 0) {
+    if (size == bytes.size() && !regular && !grow(bytes)) {
+      break;
+    }
+    taken = ::read(descriptor, bytes.data() + size, bytes.size() - size);
+    if (taken < 0 && errno != EINTR) {
+      const int error = errno;
+      ::close(descriptor);
+      return failure(std::generic_category().message(error));
+    }
+    size += taken > 0 ? static_cast<std::size_t>(taken) : 0;
+  }
+  ::close(descriptor);
+  bytes.resize(size);
+  return {std::move(bytes), {}};
+}
+
+BytesResult read_file(const std::filesystem::path& path) {
+  BytesResult result = read_raw_file(path);
+  if (!result.bytes) {
+    return result;
+  }
+  return decompress(std::move(*result.bytes), compression_of(path.filename().string()));
+}
+
+}  // namespace tcert

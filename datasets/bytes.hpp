@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// Whole files in memory, decompressed on the way in.
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tcert {
+
+/// Bytes of a file. A line feed and zeros follow the last byte, so that a scanner may look ahead
+/// kPadding bytes and always meets a line end. Movable, not copyable.
+class Bytes {
+ public:
+  static constexpr std::size_t kPadding = 16;
+
+  Bytes() : Bytes(0) {}
+
+  /// Room for `size` bytes, not initialised. \throws std::bad_alloc.
+  explicit Bytes(std::size_t size);
+
+  [[nodiscard]] static Bytes copy_of(std::string_view text);
+
+  [[nodiscard]] std::string_view view() const noexcept { return {data_.get(), size_}; }
+  [[nodiscard]] char* data() noexcept { return data_.get(); }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+
+  /// Keeps the first min(size, old size) bytes.
+  void resize(std::size_t size);
+
+  /// Replaces the contents; allocates only when `text` is longer than any before it.
+  void assign(std::string_view text);
+
+ private:
+  void pad() noexcept;
+
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+  std::unique_ptr<char[]> data_;  // NOLINT(modernize-avoid-c-arrays): uninitialised on purpose
+};
+
+struct BytesResult {
+  std::optional<Bytes> bytes;
+  std::string problem;  ///< Why there are none, fit to follow "expected a readable file: ".
+};
+
+enum class Compression { none, gzip, zstd };
+
+/// By the end of the name: ".gz" or ".zst".
+[[nodiscard]] Compression compression_of(std::string_view name) noexcept;
+
+/// Expands gzip (several members too) or zstd (several frames too). Cut or damaged input and
+/// contents of more than 4 GiB are a problem, not a partial result.
+[[nodiscard]] BytesResult decompress(Bytes packed, Compression compression);
+
+/// Reads a file as it is on disk. Never throws on what it finds.
+[[nodiscard]] BytesResult read_raw_file(const std::filesystem::path& path);
+
+/// Reads a file and expands it according to its name.
+[[nodiscard]] BytesResult read_file(const std::filesystem::path& path);
+
+}  // namespace tcert

@@ -1,0 +1,243 @@
+#include "datasets/check_csv.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "datasets/bytes.hpp"
+#include "datasets/csv_write.hpp"
+
+namespace tcert {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kClockNames = {
+    "time", "time_s", "t", "t_s", "timestamp", "stamp"};
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return lower;
+}
+
+std::optional<double> number_in(std::string_view cell, char decimal_point) {
+  std::string text(cell);
+  if (decimal_point != '.') {
+    std::ranges::replace(text, decimal_point, '.');
+  }
+  const char* begin = text.c_str() + (text.starts_with('+') ? 1 : 0);
+  const char* end = text.c_str() + text.size();
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+bool is_missing(std::string_view cell) {
+  const std::string word = lower_case(cell);
+  return word.empty() || word == "na" || word == "nan" || word == "null";
+}
+
+std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+double share_of_sorted(const std::vector<double>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+/// Goes through the rows once.
+class CsvChecker {
+ public:
+  CsvChecker(std::string file, const CsvHeader& header, double max_gap_s)
+      : file_(std::move(file)), dialect_(header.dialect), max_gap_s_(max_gap_s) {
+    check_.dialect = header.dialect;
+    check_.preamble_records = header.preamble_records;
+    check_.header_line = header.line;
+    for (const std::string& name : header.names) {
+      check_.columns.push_back({name, 0, 0, 0, {}, {}});
+    }
+    const auto is_clock = [](const ColumnCheck& column) {
+      return std::ranges::find(kClockNames, lower_case(column.name)) != kClockNames.end();
+    };
+    const auto clock = std::ranges::find_if(check_.columns, is_clock);
+    clock_ = static_cast<std::size_t>(clock - check_.columns.begin());
+  }
+
+  void take(const std::vector<std::string>& fields, std::size_t line, DiagnosticGroups& problems) {
+    if (fields.size() != check_.columns.size()) {
+      problems.add({Severity::error,
+                    file_,
+                    line,
+                    "",
+                    std::to_string(fields.size()) + " fields",
+                    std::to_string(check_.columns.size()) + " fields, as the header has",
+                    1});
+      return;
+    }
+    ++check_.rows;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      take_cell(check_.columns[i], fields[i], line, i == clock_, problems);
+    }
+    if (fields == last_) {
+      problems.add({Severity::warning, file_, line, "", "the row before again", "new values", 1});
+    }
+    last_ = fields;
+  }
+
+  CsvCheck finish(DiagnosticGroups& problems) {
+    for (const ColumnCheck& column : check_.columns) {
+      if (column.numbers > 0 && column.texts > 0) {
+        problems.add({Severity::error,
+                      file_,
+                      0,
+                      column.name,
+                      std::to_string(column.texts) + " cells that are no number",
+                      "numbers, as in its " + std::to_string(column.numbers) + " other cells",
+                      1});
+      }
+      if (column.is_constant() && check_.rows > 1) {
+        problems.add({Severity::note,
+                      file_,
+                      0,
+                      column.name,
+                      "always " + number_text(*column.least),
+                      "a column that varies",
+                      1});
+      }
+    }
+    finish_clock();
+    return std::move(check_);
+  }
+
+ private:
+  void take_cell(ColumnCheck& column,
+                 const std::string& cell,
+                 std::size_t line,
+                 bool is_clock,
+                 DiagnosticGroups& problems) {
+    if (const auto value = number_in(cell, dialect_.decimal_point)) {
+      ++column.numbers;
+      column.least = column.least ? std::min(*column.least, *value) : *value;
+      column.largest = column.largest ? std::max(*column.largest, *value) : *value;
+      if (is_clock) {
+        take_time(column.name, *value, line, problems);
+      }
+    } else if (is_missing(cell)) {
+      ++column.missing;
+      problems.add({Severity::warning,
+                    file_,
+                    line,
+                    column.name,
+                    cell.empty() ? "an empty cell" : shortened(cell),
+                    "a value",
+                    1});
+    } else {
+      ++column.texts;
+    }
+  }
+
+  void take_time(const std::string& name,
+                 double time_s,
+                 std::size_t line,
+                 DiagnosticGroups& problems) {
+    if (last_time_s_) {
+      const double step_s = time_s - *last_time_s_;
+      if (!(step_s > 0.0)) {
+        problems.add({Severity::error,
+                      file_,
+                      line,
+                      name,
+                      number_text(time_s) + " after " + number_text(*last_time_s_),
+                      "times that increase",
+                      1});
+      } else {
+        steps_s_.push_back(step_s);
+      }
+      if (step_s > max_gap_s_) {
+        problems.add({Severity::warning,
+                      file_,
+                      line,
+                      name,
+                      "a gap of " + number_text(step_s) + " s",
+                      "steps of at most " + number_text(max_gap_s_) + " s",
+                      1});
+      }
+    } else {
+      first_time_s_ = time_s;
+    }
+    last_time_s_ = time_s;
+  }
+
+  void finish_clock() {
+    if (steps_s_.empty()) {
+      return;
+    }
+    std::ranges::sort(steps_s_);
+    check_.clock = ClockCheck{check_.columns[clock_].name,
+                              first_time_s_,
+                              *last_time_s_,
+                              1.0 / share_of_sorted(steps_s_, 0.95),
+                              1.0 / share_of_sorted(steps_s_, 0.50),
+                              1.0 / share_of_sorted(steps_s_, 0.05),
+                              steps_s_.back()};
+  }
+
+  std::string file_;
+  CsvDialect dialect_;
+  double max_gap_s_;
+  CsvCheck check_;
+  std::size_t clock_ = 0;
+  std::vector<std::string> last_;
+  double first_time_s_ = 0.0;
+  std::optional<double> last_time_s_;
+  std::vector<double> steps_s_;
+};
+
+}  // namespace
+
+CsvCheckResult check_csv_file(const std::filesystem::path& path, double max_gap_s, CsvOptions csv) {
+  if (csv.file.empty()) {
+    csv.file = path.string();
+  }
+  CsvCheckResult result;
+  const BytesResult file = read_file(path);
+  if (!file.bytes) {
+    result.diagnostics.push_back(
+        {Severity::error, csv.file, 0, "", file.problem, "a readable file", 1});
+    return result;
+  }
+  DiagnosticGroups problems;
+  if (const auto header = guess_header(file.bytes->view(), csv, problems)) {
+    CsvChecker checker(csv.file, *header, max_gap_s);
+    std::vector<std::string> fields;
+    CsvCursor cursor = header->data;
+    while (skip_to_record(cursor)) {
+      const std::size_t line = cursor.line;
+      if (!scan_record(cursor, header->dialect.separator, fields)) {
+        problems.add({Severity::error,
+                      csv.file,
+                      line,
+                      "",
+                      "a quote that is never closed",
+                      "a closing quote",
+                      1});
+        break;
+      }
+      checker.take(fields, line, problems);
+    }
+    result.check = checker.finish(problems);
+  }
+  result.diagnostics = problems.take();
+  return result;
+}
+
+}  // namespace tcert

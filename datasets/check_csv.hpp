@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// What stands in a CSV file of which nothing is known, and what is wrong with it.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "datasets/csv_header.hpp"
+#include "datasets/diagnostic.hpp"
+
+namespace tcert {
+
+/// One column: how many of its cells are what, and the range of its numbers.
+struct ColumnCheck {
+  std::string name;
+  std::size_t numbers = 0;
+  std::size_t missing = 0;  ///< Empty cells and the words NA, NaN, null.
+  std::size_t texts = 0;
+  std::optional<double> least;
+  std::optional<double> largest;
+
+  [[nodiscard]] bool is_constant() const noexcept {
+    return numbers > 1 && texts == 0 && least == largest;
+  }
+};
+
+/// The clock of a file: its first column named time, time_s, t, t_s, timestamp or stamp.
+struct ClockCheck {
+  std::string column;
+  double first_s = 0.0;
+  double last_s = 0.0;
+  double least_rate_hz = 0.0;  ///< 5th percentile of 1 / step over the steps that increase.
+  double median_rate_hz = 0.0;
+  double largest_rate_hz = 0.0;  ///< 95th percentile.
+  double longest_gap_s = 0.0;
+};
+
+struct CsvCheck {
+  CsvDialect dialect;
+  std::size_t preamble_records = 0;
+  std::size_t header_line = 0;  ///< 0: the file has no header.
+  std::size_t rows = 0;         ///< With as many cells as the header.
+  std::vector<ColumnCheck> columns;
+  std::optional<ClockCheck> clock;  ///< Empty without a clock or with fewer than two times.
+};
+
+struct CsvCheckResult {
+  std::optional<CsvCheck> check;  ///< Empty iff the file cannot be read as CSV at all.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Reads a CSV file of any dialect (.gz and .zst are expanded) and names its faults: lines before
+/// the header, rows of another length, text in a column of numbers, missing cells, times that do
+/// not increase, gaps of more than `max_gap_s`, rows that repeat the one before, constant columns
+/// (a note). Never throws on what it finds. O(size).
+[[nodiscard]] CsvCheckResult check_csv_file(const std::filesystem::path& path,
+                                            double max_gap_s = 1.0,
+                                            CsvOptions csv = {});
+
+}  // namespace tcert

@@ -1,0 +1,97 @@
+#include "datasets/check_trial.hpp"
+
+#include <algorithm>
+#include <tcert/geometry.hpp>
+#include <tcert/region.hpp>
+#include <utility>
+
+namespace tcert {
+
+namespace {
+
+constexpr double kCountedStepM = 0.01;
+
+StreamCheck check_stream(const std::vector<std::int64_t>& time_ns) {
+  StreamCheck check;
+  check.rows = time_ns.size();
+  std::vector<std::int64_t> steps_ns;
+  for (std::size_t i = 1; i < time_ns.size(); ++i) {
+    steps_ns.push_back(time_ns[i] - time_ns[i - 1]);
+  }
+  if (steps_ns.empty()) {
+    return check;
+  }
+  std::ranges::sort(steps_ns);
+  check.longest_gap_s = 1e-9 * static_cast<double>(steps_ns.back());
+  const std::int64_t median_ns = steps_ns[steps_ns.size() / 2];
+  if (median_ns > 0) {
+    check.median_rate_hz = 1e9 / static_cast<double>(median_ns);
+  }
+  return check;
+}
+
+double distance_travelled_m(const TickTable& ticks) {
+  double sum_m = 0.0;
+  Point counted = ticks.poses.front().position;
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    const Point here = ticks.poses[i].position;
+    const double step_m = distance(counted, here);
+    if (ticks.segment_start[i] != 0) {
+      counted = here;
+    } else if (step_m >= kCountedStepM) {
+      sum_m += step_m;
+      counted = here;
+    }
+  }
+  return sum_m;
+}
+
+std::optional<bool> lies_in(const std::optional<Region>& region, const Pose& pose) {
+  return region ? std::optional(contains(*region, pose.position)) : std::nullopt;
+}
+
+void check_ticks(const TickTable& ticks, const Course& course, TrialCheck& check) {
+  check.ticks = ticks.size();
+  check.stale_ticks = static_cast<std::size_t>(std::ranges::count(ticks.stale, 1));
+  check.breaks = static_cast<std::size_t>(std::ranges::count(ticks.segment_start, 1));
+  if (ticks.size() == 0) {
+    return;
+  }
+  check.duration_s = 1e-9 * static_cast<double>(ticks.time_ns.back() - ticks.time_ns.front());
+  check.distance_m = distance_travelled_m(ticks);
+  check.starts_in_start = lies_in(course.start, ticks.poses.front());
+  check.ends_in_goal = lies_in(course.goal, ticks.poses.back());
+}
+
+}  // namespace
+
+TrialCheckResult check_trial(const Bundle& bundle,
+                             const TrialRow& trial,
+                             const ReadOptions& read,
+                             const ResampleOptions& grid) {
+  TrialResult log = read_trial(bundle, trial, read);
+  TrialCheckResult result;
+  result.diagnostics = std::move(log.diagnostics);
+  result.check.rejected = !log.log;
+  if (!log.log) {
+    return result;
+  }
+  result.check.merged = log.log->merged.has_value();
+  result.check.pose =
+      check_stream(log.log->merged ? log.log->merged->time_ns : log.log->pose.time_ns);
+  result.check.tactile = check_stream(log.log->tactile.time_ns);
+  result.check.control = check_stream(log.log->control.time_ns);
+  check_ticks(resample(*log.log, grid), bundle.info.course, result.check);
+  if (result.check.starts_in_start == false) {
+    result.diagnostics.push_back({Severity::warning,
+                                  "logs/" + trial.trial_id,
+                                  0,
+                                  "",
+                                  "a first tick outside the start region",
+                                  "a run that starts in S; otherwise there is never a certificate",
+                                  1});
+  }
+  return result;
+}
+
+}  // namespace tcert

@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// The robot of the corpus and what its tentacles read off the walls.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <tcert/robot.hpp>
+#include <tcert/tick.hpp>
+
+#include "datasets/corpus/wall_index.hpp"
+#include "datasets/random.hpp"
+
+namespace tcert {
+
+inline constexpr std::size_t kTentacles = 3;  ///< Left, right, front.
+
+/// Body 0.45 m wide, least turn radius 0.35 m; lateral tentacles 0.16 m ahead of the centre and
+/// 0.12 m to the side, square to the heading, reach 0.45 m: they feel a wall up to 0.57 m from the
+/// centre line, so the middle of a 1.2 m lane feels free and every gate is felt on both sides. One
+/// frontal tentacle.
+[[nodiscard]] const Robot& corpus_robot();
+
+/// Distance from each tentacle's mount to the first wall, at most its reach.
+[[nodiscard]] std::array<double, kTentacles> cast_tentacles(const WallIndex& walls,
+                                                            const Pose& pose) noexcept;
+
+/// The tentacles of one trial: their noise, their day's calibration bias, and the state of each
+/// force sensor.
+class TentacleSensors {
+ public:
+  /// Noise is drawn per tentacle: 5 to 8 mm of clearance, one standard deviation. Most of it is
+  /// the wall's texture, waves of 6 to 20 cm of travel; 1.5 mm of it is white.
+  TentacleSensors(double calibration_bias_m, RandomStream random);
+
+  /// Readings at the next sample, at a true speed of `speed_mps`. A tentacle touches when its wall
+  /// comes 4 mm into reach and lets go 4 mm out of it; one sample in 200 is a glitch, a bend drawn
+  /// from its whole range. A tip rubs harder the faster it is drawn along: 5.6 N per m/s, at least
+  /// 0.58 N.
+  [[nodiscard]] std::array<RayReading, kTentacles> read(const WallIndex& walls,
+                                                        const Pose& pose,
+                                                        double speed_mps) noexcept;
+
+ private:
+  static constexpr std::size_t kWaves = 4;
+  struct Wave {
+    double per_metre = 0.0;
+    double phase = 0.0;
+  };
+
+  /// Of unit variance over the phases.
+  [[nodiscard]] double texture(std::size_t tentacle) const noexcept;
+
+  double calibration_bias_m_ = 0.0;
+  RandomStream random_;
+  std::array<double, kTentacles> noise_m_{};
+  std::array<std::array<Wave, kWaves>, kTentacles> texture_{};
+  double travelled_m_ = 0.0;
+  std::optional<Point> last_;
+  std::array<bool, kTentacles> touching_{};
+};
+
+}  // namespace tcert

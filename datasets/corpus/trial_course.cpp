@@ -1,0 +1,119 @@
+#include "datasets/corpus/trial_course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "datasets/corpus/purpose.hpp"
+#include "datasets/corpus/tentacles.hpp"
+#include "datasets/random.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNominalLaneWidth = 1.2;
+constexpr double kLeastRadius = 0.6;
+constexpr double kMostRadius = 1.0;
+
+constexpr double kMeanLevel = 0.090;    // margin of a success's gates
+constexpr double kOutcomeStep = 0.047;  // how much less a failure's are, at effect 1
+constexpr double kDaySd = 0.029;        // of the lanes' width, from day to day
+constexpr double kTrialSd = 0.026;      // of the level, from trial to trial
+constexpr double kGateSd = 0.008;       // from gate to gate
+constexpr double kSecondGate = 0.020;   // how much wider a lane's second gate is, at least
+constexpr double kLeastMargin = 0.020;
+constexpr double kSoftness = 0.010;
+
+constexpr double kWedgeMargin = -0.025;
+constexpr double kWedgeSd = 0.006;
+constexpr double kLeastWedge = 0.008;
+
+constexpr double kFirstGateFrom = 0.68;
+constexpr double kFirstGateTo = 0.90;
+constexpr double kGateSpacing = 0.50;
+constexpr double kLastGate = 1.50;
+constexpr double kWallClearance = 0.12;  // a gate's middle before the wall's end
+constexpr double kMostOffset = 0.02;
+
+/// log(1 + e^x) keeps order and is above 0: a floor without a heap of equal values on it.
+double above(double value, double floor) {
+  return floor + kSoftness * std::log1p(std::exp((value - floor) / kSoftness));
+}
+
+void add_gates(TrialCourse& trial,
+               Lane lane,
+               double tightest_width,
+               RandomStream& course_random,
+               RandomStream& tightness_random) {
+  const double end = std::min(kLastGate, walled_length(trial.course) - kWallClearance);
+  const double first = course_random.uniform(kFirstGateFrom, std::min(kFirstGateTo, end));
+  const double spacing = kGateSpacing + 0.2 * course_random.uniform();
+  const bool two = course_random.uniform() < 0.6 && first + spacing <= end;
+  for (int i = 0; i < (two ? 2 : 1); ++i) {
+    Gate gate;
+    gate.lane = lane;
+    gate.along_m = first + i * spacing;
+    gate.offset_m = course_random.uniform(-kMostOffset, kMostOffset);
+    gate.length_m = course_random.uniform(0.10, 0.20);
+    gate.width_m =
+        tightest_width + i * (kSecondGate + kGateSd * std::abs(tightness_random.normal()));
+    trial.gates.push_back(gate);
+  }
+}
+
+bool same(Lane a, Lane b) { return a.at_goal == b.at_goal && a.upper == b.upper; }
+
+/// Makes one of the gates of the route's second lane too narrow.
+void add_wedge(TrialCourse& trial, double shift, RandomStream& random) {
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < trial.gates.size(); ++i) {
+    if (same(trial.gates[i].lane, trial.route.second)) {
+      candidates.push_back(i);
+    }
+  }
+  trial.wedge = candidates[random.below(static_cast<std::uint32_t>(candidates.size()))];
+  const double margin = kWedgeMargin + shift + kWedgeSd * random.normal();
+  trial.gates[*trial.wedge].width_m = corpus_robot().body_width_m - above(-margin, kLeastWedge);
+}
+
+double least_margin(const TrialCourse& trial) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Gate& gate : trial.gates) {
+    if (same(gate.lane, trial.route.first) || same(gate.lane, trial.route.second)) {
+      least = std::min(least, gate.width_m - corpus_robot().body_width_m);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+TrialCourse draw_course(const TrialDesign& design) {
+  RandomStream course_random(design.seed, draws::kCourse, design.index);
+  RandomStream tightness_random(design.seed, draws::kTightness, design.index);
+  RandomStream wedge_random(design.seed, draws::kWedge, design.index);
+  const double shift = kDaySd * design.day_level;
+  const double level = kMeanLevel - (design.success ? 0.0 : kOutcomeStep * design.effect) + shift +
+                       kTrialSd * tightness_random.normal();
+  TrialCourse trial;
+  trial.course = {course_random.uniform(kLeastRadius, kMostRadius), kNominalLaneWidth + shift};
+  trial.route.first = {false, course_random.below(2) == 0};
+  trial.route.second = {true, course_random.below(2) == 0};
+  for (const bool at_goal : {false, true}) {
+    for (const bool upper : {false, true}) {
+      const double margin = above(level + kGateSd * tightness_random.normal(), kLeastMargin);
+      add_gates(trial,
+                {at_goal, upper},
+                corpus_robot().body_width_m + margin,
+                course_random,
+                tightness_random);
+    }
+  }
+  if (!design.success) {
+    add_wedge(trial, shift, wedge_random);
+  }
+  trial.true_margin_m = least_margin(trial);
+  return trial;
+}
+
+}  // namespace tcert

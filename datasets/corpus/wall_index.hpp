@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// The walls of a world as segments, found by where the robot stands.
+
+#include <cstddef>
+#include <cstdint>
+#include <tcert/geometry.hpp>
+#include <utility>
+#include <vector>
+
+#include "datasets/world.hpp"
+
+namespace tcert {
+
+struct Segment {
+  Point a;
+  Point b;
+};
+
+/// Edges of a world's polygons on a grid; each cell lists what lies within `range_m` of any point
+/// of it. Immutable; safe for concurrent use.
+class WallIndex {
+ public:
+  /// \throws std::invalid_argument if an obstacle is a disc: the courses have polygons only.
+  WallIndex(const World& world, double range_m);
+
+  /// Distance from `origin` along the unit vector `u` to the first wall, at most `reach`.
+  /// \pre the whole ray lies within range_m of `standpoint`.
+  [[nodiscard]] double cast(Point standpoint, Point origin, Point u, double reach) const noexcept;
+
+  /// `centre` moved out of the walls that a disc of `radius` round it cuts, one wall after the
+  /// other, a few rounds; and whether it is then free to within 1 mm. \pre radius <= range_m.
+  [[nodiscard]] std::pair<Point, bool> pushed_out(Point centre, double radius) const noexcept;
+
+ private:
+  struct Cell {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+  };
+  [[nodiscard]] Cell cell_at(Point p) const noexcept;
+
+  Bounds bounds_;
+  std::size_t columns_ = 0;
+  std::size_t rows_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<Segment> near_;  // cell by cell
+};
+
+}  // namespace tcert

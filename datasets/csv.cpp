@@ -1,0 +1,263 @@
+#include "datasets/csv.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace tcert {
+
+namespace {
+
+/// What becomes of a bad row.
+enum class BadRow {
+  rejects,      ///< The file is rejected, and would not be with repair.
+  is_dropped,   ///< By repair.
+  is_left_out,  ///< And is an error all the same.
+};
+
+/// Turns what is wrong with rows into diagnostics.
+class RowReporter {
+ public:
+  RowReporter(const CsvOptions& csv,
+              const CsvHeader& header,
+              BadRow bad_row,
+              std::string_view text,
+              DiagnosticGroups& problems)
+      : csv_(csv),
+        header_(header),
+        bad_row_(bad_row),
+        ends_with_line_end_(text.ends_with('\n')),
+        problems_(problems) {}
+
+  /// `after` is the cursor behind the row, to tell a last line that is cut short.
+  void report(const RowPlan& plan,
+              const RowProblems& row,
+              std::size_t line,
+              const CsvCursor& after) {
+    if (after.at == after.end && !ends_with_line_end_ && (!row.open_quote || after.line == line)) {
+      cut_short_ = true;
+      add(Severity::warning,
+          line,
+          "",
+          "a line cut short",
+          "a whole last line with its line end; the row is not used");
+      return;
+    }
+    const bool dropped = bad_row_ == BadRow::is_dropped;
+    const Severity severity = dropped ? Severity::warning : Severity::error;
+    const std::string way_out = dropped                       ? "; the row is dropped"
+                                : bad_row_ == BadRow::rejects ? "; --repair drops such rows"
+                                                              : "";
+    if (row.open_quote) {
+      add(Severity::error, line, "", "a quote that is never closed", "a closing quote");
+    } else if (row.fields != 0) {
+      add(severity,
+          line,
+          "",
+          std::to_string(row.fields) + " fields",
+          std::to_string(header_.names.size()) + " fields" + way_out);
+    }
+    for (const CellProblem& cell : row.cells) {
+      add(severity,
+          line,
+          header_.names[cell.cell],
+          shortened(cell.value),
+          expectation(plan.cells[cell.cell].kind) + way_out);
+    }
+  }
+
+  void report_missing_line_end() {
+    if (!ends_with_line_end_ && !cut_short_) {
+      add(Severity::warning,
+          0,
+          "",
+          "no line end after the last row",
+          "one; the row looks whole and is used");
+    }
+  }
+
+  void report_no_rows() { add(Severity::error, 0, "", "no rows", "at least one row"); }
+
+ private:
+  static std::string expectation(CellKind kind) {
+    return kind == CellKind::seconds ? "a time in seconds" : "a finite number";
+  }
+
+  void add(Severity severity,
+           std::size_t line,
+           std::string column,
+           std::string value,
+           std::string expected) {
+    problems_.add(
+        {severity, csv_.file, line, std::move(column), std::move(value), std::move(expected), 1});
+  }
+
+  const CsvOptions& csv_;
+  const CsvHeader& header_;
+  BadRow bad_row_;
+  bool ends_with_line_end_;
+  bool cut_short_ = false;
+  DiagnosticGroups& problems_;
+};
+
+std::vector<std::string> required_names(const NumberOptions& options) {
+  std::vector<std::string> names;
+  if (!options.time_column.empty()) {
+    names.push_back(options.time_column);
+  }
+  for (const NumberColumn& column : options.columns) {
+    if (column.required) {
+      names.push_back(column.name);
+    }
+  }
+  return names;
+}
+
+/// Rows to make room for, judged by the first of them.
+std::size_t estimated_rows(const CsvCursor& data) {
+  const std::string_view text(data.at, static_cast<std::size_t>(data.end - data.at));
+  const std::size_t first = std::min(text.find('\n'), text.size());
+  return text.size() / std::max<std::size_t>(first, 8) + 16;
+}
+
+NumberTable table_for(const CsvHeader& header, const NumberOptions& options) {
+  NumberTable table;
+  table.columns = options.columns.size();
+  for (const NumberColumn& column : options.columns) {
+    table.present.push_back(header.find(column.name) ? 1 : 0);
+  }
+  const std::size_t rows = estimated_rows(header.data);
+  table.values.reserve(rows * table.columns);
+  table.lines.reserve(rows);
+  if (!options.time_column.empty()) {
+    table.time_ns.reserve(rows);
+  }
+  return table;
+}
+
+}  // namespace
+
+RowPlan plan_row(const CsvHeader& header, const NumberOptions& options) {
+  RowPlan plan{header.dialect, std::vector<CellPlan>(header.names.size())};
+  if (const auto time = header.find(options.time_column); time && !options.time_column.empty()) {
+    plan.cells[*time].kind = CellKind::seconds;
+  }
+  for (std::size_t i = 0; i < options.columns.size(); ++i) {
+    const NumberColumn& column = options.columns[i];
+    if (const auto position = header.find(column.name)) {
+      plan.cells[*position] = {column.may_be_empty ? CellKind::optional_number : CellKind::number,
+                               i};
+    }
+  }
+  return plan;
+}
+
+std::optional<NumberTable> read_numbers(const Bytes& bytes,
+                                        const CsvOptions& csv,
+                                        const NumberOptions& options,
+                                        DiagnosticGroups& problems) {
+  const std::string_view text = bytes.view();
+  const auto header = find_header(text, csv, required_names(options), problems);
+  if (!header) {
+    return std::nullopt;
+  }
+  const RowPlan plan = plan_row(*header, options);
+  NumberTable table = table_for(*header, options);
+  RowReporter reporter(
+      csv, *header, options.repair ? BadRow::is_dropped : BadRow::rejects, text, problems);
+  const bool has_time = !options.time_column.empty();
+  std::vector<double> row(table.columns, std::numeric_limits<double>::quiet_NaN());
+  std::int64_t time_ns = 0;
+  CsvCursor cursor = header->data;
+  while (skip_to_record(cursor)) {
+    const std::size_t line = cursor.line;
+    RowProblems wrong;
+    if (!scan_row(plan, cursor, time_ns, row.data(), wrong)) {
+      reporter.report(plan, wrong, line, cursor);
+      continue;
+    }
+    table.values.insert(table.values.end(), row.begin(), row.end());
+    table.lines.push_back(static_cast<std::uint32_t>(line));
+    if (has_time) {
+      table.time_ns.push_back(time_ns);
+    }
+  }
+  if (table.rows() == 0 && !problems.has_error()) {
+    reporter.report_no_rows();
+  }
+  if (problems.has_error()) {
+    return std::nullopt;
+  }
+  reporter.report_missing_line_end();
+  return table;
+}
+
+std::optional<std::size_t> TextTable::find(std::string_view name) const noexcept {
+  const auto found = std::ranges::find(columns, name);
+  if (found == columns.end()) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+TextTable read_text_rows(const Bytes& bytes,
+                         const CsvHeader& header,
+                         const CsvOptions& csv,
+                         DiagnosticGroups& problems) {
+  TextTable table;
+  table.dialect = header.dialect;
+  table.columns = header.names;
+  RowReporter reporter(csv, header, BadRow::is_left_out, bytes.view(), problems);
+  const RowPlan plan{header.dialect, {}};
+  CsvCursor cursor = header.data;
+  std::vector<std::string> record;
+  while (skip_to_record(cursor)) {
+    const std::size_t line = cursor.line;
+    const bool closed = scan_record(cursor, header.dialect.separator, record);
+    while (record.size() > table.columns.size() && record.back().empty()) {
+      record.pop_back();
+    }
+    if (!closed || record.size() != table.columns.size()) {
+      RowProblems wrong;
+      wrong.fields = record.size();
+      wrong.open_quote = !closed;
+      reporter.report(plan, wrong, line, cursor);
+      continue;
+    }
+    table.cells.insert(table.cells.end(), record.begin(), record.end());
+    table.lines.push_back(line);
+  }
+  reporter.report_missing_line_end();
+  return table;
+}
+
+std::optional<TextTable> read_text_table(const Bytes& bytes,
+                                         const CsvOptions& csv,
+                                         const std::vector<std::string>& required,
+                                         DiagnosticGroups& problems) {
+  const auto header = find_header(bytes.view(), csv, required, problems);
+  if (!header) {
+    return std::nullopt;
+  }
+  return read_text_rows(bytes, *header, csv, problems);
+}
+
+TextTableResult read_text_table(const std::filesystem::path& path,
+                                const std::vector<std::string>& required,
+                                CsvOptions csv) {
+  if (csv.file.empty()) {
+    csv.file = path.string();
+  }
+  BytesResult file = read_file(path);
+  if (!file.bytes) {
+    return {std::nullopt, {{Severity::error, csv.file, 0, "", file.problem, "a readable file", 1}}};
+  }
+  DiagnosticGroups problems;
+  std::optional<TextTable> table = read_text_table(*file.bytes, csv, required, problems);
+  if (problems.has_error()) {
+    table.reset();
+  }
+  return {std::move(table), problems.take()};
+}
+
+}  // namespace tcert

@@ -1,0 +1,215 @@
+#include "datasets/csv_header.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "datasets/bytes.hpp"
+#include "datasets/decimal.hpp"
+#include "datasets/nearest_name.hpp"
+
+namespace tcert {
+
+namespace {
+
+struct Candidate {
+  CsvHeader header;
+  std::size_t matches = 0;
+};
+
+void apply_renames(std::vector<std::string>& names, const CsvOptions& options) {
+  for (std::string& name : names) {
+    if (const auto renamed = options.rename.find(name); renamed != options.rename.end()) {
+      name = renamed->second;
+    }
+  }
+}
+
+std::size_t count_matches(const std::vector<std::string>& names,
+                          std::span<const std::string> required) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      required,
+      [&names](const std::string& name) { return std::ranges::find(names, name) != names.end(); }));
+}
+
+CsvDialect dialect_of(char separator, const CsvOptions& options) {
+  return {separator, separator == ';' && options.decimal_comma ? ',' : '.'};
+}
+
+/// The earliest record with the most of the required names, for one separator.
+std::optional<Candidate> best_record(std::string_view text,
+                                     char separator,
+                                     const CsvOptions& options,
+                                     std::span<const std::string> required) {
+  std::optional<Candidate> best;
+  CsvCursor cursor = csv_begin(text);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i <= options.preamble_records && skip_to_record(cursor); ++i) {
+    const std::size_t line = cursor.line;
+    scan_record(cursor, separator, names);
+    apply_renames(names, options);
+    const std::size_t matches = count_matches(names, required);
+    if (!best || matches > best->matches) {
+      best = {{dialect_of(separator, options), names, line, i, cursor}, matches};
+    }
+    if (matches == required.size()) {
+      break;
+    }
+  }
+  return best;
+}
+
+std::optional<Candidate> best_header(std::string_view text,
+                                     const CsvOptions& options,
+                                     std::span<const std::string> required) {
+  if (options.separator) {
+    return best_record(text, *options.separator, options, required);
+  }
+  std::optional<Candidate> best;
+  for (const char separator : kCsvSeparators) {
+    std::optional<Candidate> candidate = best_record(text, separator, options, required);
+    if (candidate && (!best || candidate->matches > best->matches)) {
+      best = std::move(candidate);
+    }
+  }
+  if (best && best->matches == 0) {
+    std::size_t fields = 0;
+    best = best_record(text, detect_separator(text, fields), options, required);
+  }
+  return best;
+}
+
+void report_missing(const CsvHeader& header,
+                    const CsvOptions& options,
+                    std::span<const std::string> required,
+                    DiagnosticGroups& problems) {
+  for (const std::string& name : required) {
+    if (header.find(name)) {
+      continue;
+    }
+    const auto nearest = nearest_name(name, header.names);
+    problems.add({Severity::error,
+                  options.file,
+                  header.line,
+                  name,
+                  nearest ? shortened(*nearest) : std::string{},
+                  "a column of this name in the header; rename a foreign one under 'columns' in "
+                  "bundle.json",
+                  1});
+  }
+}
+
+void report_equal_names(const CsvHeader& header,
+                        const CsvOptions& options,
+                        DiagnosticGroups& problems) {
+  std::map<std::string, std::string> seen;
+  for (const std::string& name : header.names) {
+    if (name.empty()) {
+      continue;
+    }
+    const auto [first, is_new] = seen.try_emplace(case_folded(name), name);
+    if (!is_new) {
+      problems.add({Severity::error,
+                    options.file,
+                    header.line,
+                    shortened(name),
+                    shortened(first->second),
+                    "column names that differ when case is folded",
+                    1});
+    }
+  }
+}
+
+void report_preamble(const CsvHeader& header,
+                     const CsvOptions& options,
+                     DiagnosticGroups& problems) {
+  if (header.preamble_records > 0) {
+    problems.add({Severity::warning,
+                  options.file,
+                  header.line,
+                  "",
+                  std::to_string(header.preamble_records) + " lines before the header",
+                  "the header first; the lines before it are not used",
+                  1});
+  }
+}
+
+void report_no_record(const CsvOptions& options, DiagnosticGroups& problems) {
+  problems.add({Severity::error, options.file, 0, "", "", "a header line and rows", 1});
+}
+
+bool is_number(std::string_view text, char decimal_point) {
+  const Bytes padded = Bytes::copy_of(text);
+  double value = 0.0;
+  const char* const begin = padded.view().data();
+  return scan_number(begin, decimal_point, value) == begin + text.size();
+}
+
+bool holds_text(const std::vector<std::string>& record, char decimal_point) {
+  return std::ranges::any_of(record, [decimal_point](const std::string& cell) {
+    return !cell.empty() && !is_number(cell, decimal_point);
+  });
+}
+
+}  // namespace
+
+std::optional<std::size_t> CsvHeader::find(std::string_view name) const noexcept {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+std::optional<CsvHeader> find_header(std::string_view text,
+                                     const CsvOptions& options,
+                                     std::span<const std::string> required,
+                                     DiagnosticGroups& problems) {
+  std::optional<Candidate> best = best_header(text, options, required);
+  if (!best) {
+    report_no_record(options, problems);
+    return std::nullopt;
+  }
+  report_missing(best->header, options, required, problems);
+  report_equal_names(best->header, options, problems);
+  if (problems.has_error()) {
+    return std::nullopt;
+  }
+  report_preamble(best->header, options, problems);
+  return std::move(best->header);
+}
+
+std::optional<CsvHeader> guess_header(std::string_view text,
+                                      const CsvOptions& options,
+                                      DiagnosticGroups& problems) {
+  std::size_t fields = 0;
+  const char detected = detect_separator(text, fields);
+  CsvHeader header;
+  header.dialect = dialect_of(options.separator.value_or(detected), options);
+  CsvCursor cursor = csv_begin(text);
+  if (!skip_to_record(cursor)) {
+    report_no_record(options, problems);
+    return std::nullopt;
+  }
+  header.data = cursor;
+  for (std::size_t i = 0; i <= options.preamble_records && skip_to_record(cursor); ++i) {
+    const std::size_t line = cursor.line;
+    std::vector<std::string> record;
+    scan_record(cursor, header.dialect.separator, record);
+    if (record.size() == fields && holds_text(record, header.dialect.decimal_point)) {
+      apply_renames(record, options);
+      header.names = std::move(record);
+      header.line = line;
+      header.preamble_records = i;
+      header.data = cursor;
+      break;
+    }
+  }
+  for (std::size_t i = header.names.size(); i < fields; ++i) {
+    header.names.push_back("c" + std::to_string(i + 1));
+  }
+  report_equal_names(header, options, problems);
+  report_preamble(header, options, problems);
+  return header;
+}
+
+}  // namespace tcert

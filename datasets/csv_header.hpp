@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Finding the header line of a CSV file, whatever stands before it, and its columns by name.
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datasets/csv_dialect.hpp"
+#include "datasets/diagnostic.hpp"
+
+namespace tcert {
+
+/// How to read a CSV file; the same for numbers and for text.
+struct CsvOptions {
+  std::string file;                           ///< Its name in diagnostics.
+  std::optional<char> separator;              ///< ',' ';' tab or ' '; found out if empty.
+  bool decimal_comma = false;                 ///< Takes effect with the semicolon only.
+  std::map<std::string, std::string> rename;  ///< Column name in the file -> name to use.
+  std::size_t preamble_records = 20;          ///< How many lines may stand before the header.
+};
+
+struct CsvHeader {
+  CsvDialect dialect;
+  std::vector<std::string> names;  ///< After renaming.
+  std::size_t line = 0;
+  std::size_t preamble_records = 0;  ///< Records before the header, not used.
+  CsvCursor data;                    ///< Where the first row begins.
+
+  /// Index of the column of that name.
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const noexcept;
+};
+
+/// The first record that holds all of the `required` columns, or else most of them. Missing
+/// columns, names that are equal when case is folded, and a file without any record are errors, and
+/// then there is no header; records before the header are a warning.
+[[nodiscard]] std::optional<CsvHeader> find_header(std::string_view text,
+                                                   const CsvOptions& options,
+                                                   std::span<const std::string> required,
+                                                   DiagnosticGroups& problems);
+
+/// The header of a file of which nothing is known: the first record that has as many fields as most
+/// others and holds a text that is not a number. Without one the columns are called c1, c2, ... and
+/// the header's line is 0.
+[[nodiscard]] std::optional<CsvHeader> guess_header(std::string_view text,
+                                                    const CsvOptions& options,
+                                                    DiagnosticGroups& problems);
+
+}  // namespace tcert

@@ -1,0 +1,157 @@
+#include "datasets/csv_row.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+#include "datasets/bytes.hpp"
+#include "datasets/decimal.hpp"
+
+namespace tcert {
+
+namespace {
+
+/// Takes a cell that the fast path could not: spaces, quotes, a missing value, or an error.
+class CellReader {
+ public:
+  CellReader(const RowPlan& plan, std::int64_t& time_ns, double* values) noexcept
+      : plan_(plan), time_ns_(time_ns), values_(values) {}
+
+  [[nodiscard]] bool read(const CellPlan& cell, std::string_view text) {
+    if (text.empty()) {
+      if (cell.kind == CellKind::optional_number) {
+        values_[cell.slot] = std::numeric_limits<double>::quiet_NaN();
+      }
+      return cell.kind == CellKind::optional_number || cell.kind == CellKind::ignored;
+    }
+    padded_.assign(text);
+    const char* const begin = padded_.view().data();
+    const char* end = begin + text.size();
+    const char point = plan_.dialect.decimal_point;
+    switch (cell.kind) {
+      case CellKind::ignored:
+        return true;
+      case CellKind::seconds:
+        return scan_seconds(begin, point, time_ns_) == end;
+      case CellKind::number:
+      case CellKind::optional_number:
+        break;
+    }
+    return scan_number(begin, point, values_[cell.slot]) == end;
+  }
+
+ private:
+  const RowPlan& plan_;
+  std::int64_t& time_ns_;
+  double* values_;
+  Bytes padded_;
+};
+
+/// Reads the rest of a record, from the field at `position` on, with every check.
+bool scan_carefully(const RowPlan& plan,
+                    CsvCursor& cursor,
+                    std::size_t position,
+                    std::int64_t& time_ns,
+                    double* values,
+                    RowProblems& problems) {
+  CellReader reader(plan, time_ns, values);
+  std::string unquoted;
+  CsvField field;
+  bool surplus = false;
+  do {
+    field = scan_field(cursor, plan.dialect.separator, unquoted);
+    if (position >= plan.cells.size()) {
+      surplus = surplus || !field.text.empty();
+    } else if (!reader.read(plan.cells[position], field.text)) {
+      problems.cells.push_back({position, std::string(field.text)});
+    }
+    ++position;
+  } while (!field.ends_record);
+  problems.open_quote = field.open_quote;
+  if (surplus || position < plan.cells.size()) {
+    problems.fields = position;
+  }
+  return problems.empty();
+}
+
+/// Where an unquoted field that is not wanted ends.
+const char* skip_plain(const char* p, char separator) noexcept {
+  while (*p != separator && *p != '\n' && *p != '"' && (*p != '\t' || separator != ' ')) {
+    ++p;
+  }
+  return p;
+}
+
+const char* skip_run_of_spaces(const char* p) noexcept {
+  while (*p == ' ' || *p == '\t') {
+    ++p;
+  }
+  return p;
+}
+
+/// Reads one plain cell; null if it needs care.
+inline const char* scan_plain(const CellPlan& cell,
+                              const CsvDialect& dialect,
+                              const char* p,
+                              std::int64_t& time_ns,
+                              double* values) noexcept {
+  switch (cell.kind) {
+    case CellKind::optional_number:
+      if (*p == dialect.separator || *p == '\n' || *p == '\r') {
+        values[cell.slot] = std::numeric_limits<double>::quiet_NaN();
+        return p;
+      }
+      [[fallthrough]];
+    case CellKind::number:
+      return scan_number(p, dialect.decimal_point, values[cell.slot]);
+    case CellKind::seconds:
+      return scan_seconds(p, dialect.decimal_point, time_ns);
+    case CellKind::ignored:
+      break;
+  }
+  return skip_plain(p, dialect.separator);
+}
+
+}  // namespace
+
+// A row whose cells are all plain numbers is read in one pass without looking for its end first.
+// The first cell that is not hands the rest of the row to the careful reader.
+bool scan_row(const RowPlan& plan,
+              CsvCursor& cursor,
+              std::int64_t& time_ns,
+              double* values,
+              RowProblems& problems) {
+  const char separator = plan.dialect.separator;
+  const std::size_t cells = plan.cells.size();
+  const char* p = cursor.at;
+  std::size_t position = 0;
+  for (; position < cells; ++position) {
+    if (separator == ' ') {
+      p = skip_run_of_spaces(p);
+    }
+    const char* next = scan_plain(plan.cells[position], plan.dialect, p, time_ns, values);
+    if (next == nullptr) {
+      break;
+    }
+    if (position + 1 < cells) {
+      if (*next != separator) {
+        break;
+      }
+      p = next + 1;
+      continue;
+    }
+    next += *next == '\r' ? 1 : 0;
+    if (*next != '\n' || next > cursor.end) {
+      break;
+    }
+    // The line feed that pads the text ends a last line without one.
+    const bool ends_text = next == cursor.end;
+    cursor.at = ends_text ? next : next + 1;
+    cursor.line += ends_text ? 0 : 1;
+    return true;
+  }
+  cursor.at = p;
+  return scan_carefully(plan, cursor, position, time_ns, values, problems);
+}
+
+}  // namespace tcert

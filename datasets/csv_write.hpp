@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// Text of CSV cells: numbers that read back to the same bits, times to the same nanosecond.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace tcert {
+
+/// Shortest decimal that reads back as `value`; nothing for NaN, which is an empty cell.
+void append_number(std::string& out, double value);
+
+/// Seconds as an exact decimal without trailing zeros: 1'500'000'000 is "1.5".
+void append_seconds(std::string& out, std::int64_t time_ns);
+
+/// `text` as one cell, quoted if it holds a comma, a quote, a line end or outer spaces.
+void append_text(std::string& out, std::string_view text);
+
+}  // namespace tcert

@@ -1,0 +1,72 @@
+#include "datasets/flat_json.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace tcert {
+
+namespace {
+
+using nlohmann::json;
+
+/// Takes the parser's events; returning false ends the parse.
+class FlatHandler final : public nlohmann::json_sax<json> {
+ public:
+  bool null() override { return add(FlatMember::Kind::null, {}); }
+  bool boolean(bool value) override { return add(FlatMember::Kind::flag, value ? "1" : "0"); }
+  bool number_integer(number_integer_t value) override {
+    return add(FlatMember::Kind::number, std::to_string(value));
+  }
+  bool number_unsigned(number_unsigned_t value) override {
+    return add(FlatMember::Kind::number, std::to_string(value));
+  }
+  bool number_float(number_float_t /*value*/, const string_t& text) override {
+    return add(FlatMember::Kind::number, text);
+  }
+  bool string(string_t& text) override { return add(FlatMember::Kind::other, text); }
+  bool binary(binary_t& /*bytes*/) override { return false; }
+  bool start_object(std::size_t /*size*/) override { return !std::exchange(open_, true); }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t /*size*/) override { return false; }
+  bool end_array() override { return false; }
+
+  bool key(string_t& name) override {
+    members.push_back({name, FlatMember::Kind::null, {}});
+    return std::none_of(members.begin(), members.end() - 1, [&name](const FlatMember& earlier) {
+      return earlier.key == name;
+    });
+  }
+
+  bool parse_error(std::size_t /*position*/,
+                   const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*error*/) override {
+    return false;
+  }
+
+  std::vector<FlatMember> members;
+
+ private:
+  bool add(FlatMember::Kind kind, std::string text) {
+    if (members.empty()) {
+      return false;
+    }
+    members.back().kind = kind;
+    members.back().text = std::move(text);
+    return true;
+  }
+
+  bool open_ = false;
+};
+
+}  // namespace
+
+std::optional<std::vector<FlatMember>> parse_flat_json(std::string_view text) {
+  FlatHandler handler;
+  if (!json::sax_parse(text.begin(), text.end(), &handler)) {
+    return std::nullopt;
+  }
+  return std::move(handler.members);
+}
+
+}  // namespace tcert

@@ -1,0 +1,77 @@
+#pragma once
+/// \file
+/// A CARMEN log made into a bundle of one trial.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <tcert/region.hpp>
+#include <vector>
+
+#include "datasets/atomic_file.hpp"
+#include "datasets/bundle.hpp"
+#include "datasets/carmen_log.hpp"
+#include "datasets/diagnostic.hpp"
+
+namespace tcert {
+
+struct CarmenImportOptions {
+  std::string trial_id = "carmen";  ///< Name of a folder: no / and \.
+  double body_width_m = 0.45;
+  double start_radius_m = 0.5;  ///< S is the disc of this radius at the first pose.
+  std::optional<Disc> goal;     ///< G; without one there is only the on-policy corridor value.
+  double reach_m = 8.0;         ///< Readings of this and more are clamped to it.
+  bool replace = false;         ///< Replace a bundle that is there.
+};
+
+/// What was imported.
+struct CarmenSummary {
+  std::size_t scans = 0;
+  std::size_t beams = 0;
+  std::size_t odometry_records = 0;  ///< Not used.
+  std::size_t clamped_readings = 0;
+  double duration_s = 0.0;
+  double distance_m = 0.0;     ///< Length of the polyline through the corrected poses.
+  double median_step_m = 0.0;  ///< Between scans that are more than 0.05 m apart.
+  double longest_step_m = 0.0;
+  double longest_silence_s = 0.0;
+};
+
+struct CarmenImportResult {
+  std::optional<CarmenSummary> summary;  ///< Empty iff nothing was written.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// The bundle.json of an imported log: a range ray b000, b001, ... per beam, no limit on the turn
+/// radius, and parameters for scans that were kept only every half metre or so:
+///
+/// - `edge_length_m` 1.0, `max_step_m` 1.5: with 0.65 m between scans (median of the Intel Research
+///   Lab log; 90 % below 1.02, all below 1.15) an edge holds two or three scans, and no pair of
+///   consecutive scans is a break.
+/// - `merge_radius_m` 0.75: laps drive the same corridor up to this far apart.
+/// - `reversal_m` 0.3: a robot that turns between two scans seems to back up by less than that.
+/// - `side_window_m` 0.7: the last scan counts besides this one, so that what lies between two
+/// scans
+///   is judged by both.
+/// - `side_angle_rad` 0.8: beams up to 46 degrees off square see a door post 0.33 m beside the path
+///   from half a step before it, so that no post falls between two scans.
+/// - `travel_deadband_m` 0.02: the default of 0.01 is within the noise of scan matching.
+/// - `curvature` none: a differential drive turns on the spot.
+/// - `memory_weight_m` 0: a beam's return is not a contact, so there is no contact memory.
+///
+/// `max_gap_s` is 60: the logger kept a scan only once the robot had moved, so a silence is a stop,
+/// and a break of the path shows as a step in space instead.
+[[nodiscard]] BundleInfo carmen_bundle_info(const CarmenLog& log,
+                                            const std::string& source,
+                                            const CarmenImportOptions& options);
+
+/// Reads `log` (plain, .gz or .zst) and writes the bundle folder `output`: bundle.json, trials.csv
+/// with one row whose success is missing, and logs/<trial_id>/ticks.csv with one tick per scan.
+/// \throws WriteError if the folder cannot be written; std::invalid_argument on options out of
+/// range.
+[[nodiscard]] CarmenImportResult import_carmen(const std::filesystem::path& log,
+                                               const std::filesystem::path& output,
+                                               const CarmenImportOptions& options = {});
+
+}  // namespace tcert

@@ -1,0 +1,214 @@
+#include "datasets/robot_json.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "datasets/nearest_name.hpp"
+
+namespace tcert {
+
+namespace {
+
+using nlohmann::json;
+
+bool is_number(const json& value) { return value.is_number(); }
+
+bool is_point(const json& value) {
+  return value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
+}
+
+/// Fit to be part of a column name.
+bool is_ray_name(const std::string& name) {
+  return !name.empty() && std::ranges::all_of(name, [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+           c == '.' || c == '-';
+  });
+}
+
+std::vector<double> read_numbers(const JsonObject& from, const std::string& key) {
+  if (from.require(key) == nullptr) {
+    return {};
+  }
+  const json* list = from.list(key, is_number, "a list of numbers");
+  return list == nullptr ? std::vector<double>{} : list->get<std::vector<double>>();
+}
+
+Calibration read_calibration(const JsonObject& ray) {
+  const json* value = ray.require("calibration");
+  if (value == nullptr) {
+    return {};
+  }
+  const JsonObject from = ray.child("calibration", *value, {"bend_rad", "clearance_m"});
+  return {read_numbers(from, "bend_rad"), read_numbers(from, "clearance_m")};
+}
+
+RayKind read_kind(const JsonObject& ray) {
+  const json* kind = ray.require("kind");
+  if (kind != nullptr && *kind != "bend" && *kind != "range") {
+    ray.reject("kind", *kind, R"("bend" or "range")");
+  }
+  return kind != nullptr && *kind == "bend" ? RayKind::bend : RayKind::range;
+}
+
+Ray read_ray(const JsonObject& from) {
+  Ray ray;
+  if (const json* name = from.require("name")) {
+    ray.name = from.text("name").value_or("");
+    if (!is_ray_name(ray.name)) {
+      from.reject("name", *name, "letters, digits and _ . - only: it is part of column names");
+    }
+  }
+  ray.mount = {from.number("mount_x_m").value_or(0.0), from.number("mount_y_m").value_or(0.0)};
+  ray.bearing_rad = from.required_number("bearing_rad").value_or(0.0);
+  ray.reach_m = from.required_number("reach_m").value_or(0.0);
+  ray.kind = read_kind(from);
+  if (ray.kind == RayKind::bend) {
+    ray.calibration = read_calibration(from);
+  } else if (const json* calibration = from.find("calibration")) {
+    from.reject("calibration", *calibration, "none: a range ray reads the clearance itself");
+  }
+  return ray;
+}
+
+void read_rays(const JsonObject& bundle, Robot& robot) {
+  const json* rays = bundle.require("rays");
+  if (rays == nullptr) {
+    return;
+  }
+  if (!rays->is_array() || rays->empty()) {
+    bundle.reject("rays", *rays, "a list of at least one ray");
+    return;
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < rays->size(); ++i) {
+    const JsonObject from = bundle.child(
+        "rays[" + std::to_string(i) + "]",
+        (*rays)[i],
+        {"name", "mount_x_m", "mount_y_m", "bearing_rad", "reach_m", "kind", "calibration"});
+    robot.rays.push_back(read_ray(from));
+    const std::string& name = robot.rays.back().name;
+    if (!names.insert(case_folded(name)).second) {
+      from.reject("name", name, "ray names that differ when case is folded");
+    }
+  }
+}
+
+std::optional<Region> read_disc(const JsonObject& region, const json& value) {
+  const JsonObject from = region.child("disc", value, {"x_m", "y_m", "radius_m"});
+  const auto x = from.required_number("x_m");
+  const auto y = from.required_number("y_m");
+  const auto radius = from.required_number("radius_m");
+  if (radius && !(*radius > 0.0)) {
+    from.reject("radius_m", *radius, "a number above 0");
+  }
+  return Disc{{x.value_or(0.0), y.value_or(0.0)}, radius.value_or(0.0)};
+}
+
+std::optional<Region> read_polygon(const JsonObject& region, const json& value) {
+  const std::string expectation = "a list of at least three points [x, y]";
+  const json* list = region.list("polygon", is_point, expectation);
+  if (list == nullptr) {
+    return std::nullopt;
+  }
+  if (list->size() < 3) {
+    region.reject("polygon", value, expectation);
+  }
+  Polygon polygon;
+  for (const json& point : *list) {
+    polygon.vertices.push_back({point[0].get<double>(), point[1].get<double>()});
+  }
+  return polygon;
+}
+
+std::optional<Region> read_region(const JsonObject& course, const std::string& key) {
+  const json* value = course.find(key);
+  if (value == nullptr) {
+    return std::nullopt;
+  }
+  const JsonObject from = course.child(key, *value, {"disc", "polygon"});
+  const json* disc = from.find("disc");
+  const json* polygon = from.find("polygon");
+  if ((disc == nullptr) == (polygon == nullptr)) {
+    course.reject(key, *value, "either a disc or a polygon");
+    return std::nullopt;
+  }
+  return disc != nullptr ? read_disc(from, *disc) : read_polygon(from, *polygon);
+}
+
+void read_if_given(const JsonObject& from, const std::string& key, double& value) {
+  value = from.number(key).value_or(value);
+}
+
+}  // namespace
+
+Robot read_robot(const JsonObject& bundle) {
+  Robot robot;
+  if (const json* value = bundle.require("robot")) {
+    const JsonObject from = bundle.child(
+        "robot",
+        *value,
+        {"body_width_m", "min_turn_radius_m", "tracking_buffer_m", "curvature_buffer_per_m"});
+    read_if_given(from, "body_width_m", robot.body_width_m);
+    read_if_given(from, "min_turn_radius_m", robot.min_turn_radius_m);
+    read_if_given(from, "tracking_buffer_m", robot.tracking_buffer_m);
+    read_if_given(from, "curvature_buffer_per_m", robot.curvature_buffer_per_m);
+  }
+  read_rays(bundle, robot);
+  if (!bundle.problems().has_error()) {
+    try {
+      validate(robot);
+    } catch (const std::invalid_argument& error) {
+      bundle.problems().add({Severity::error,
+                             "bundle.json",
+                             0,
+                             "robot",
+                             error.what(),
+                             "a robot within its ranges",
+                             1});
+    }
+  }
+  return robot;
+}
+
+Course read_course(const JsonObject& bundle) {
+  Course course;
+  if (const json* value = bundle.find("course")) {
+    const JsonObject from = bundle.child("course", *value, {"start", "goal"});
+    course.start = read_region(from, "start");
+    course.goal = read_region(from, "goal");
+  }
+  return course;
+}
+
+nlohmann::ordered_json ray_json(const Ray& ray) {
+  nlohmann::ordered_json out{{"name", ray.name},
+                             {"mount_x_m", ray.mount.x_m},
+                             {"mount_y_m", ray.mount.y_m},
+                             {"bearing_rad", ray.bearing_rad},
+                             {"reach_m", ray.reach_m},
+                             {"kind", ray.kind == RayKind::bend ? "bend" : "range"}};
+  if (ray.kind == RayKind::bend) {
+    out["calibration"] = {{"bend_rad", ray.calibration.bend_rad},
+                          {"clearance_m", ray.calibration.clearance_m}};
+  }
+  return out;
+}
+
+nlohmann::ordered_json region_json(const Region& region) {
+  nlohmann::ordered_json out;
+  if (const auto* disc = std::get_if<Disc>(&region)) {
+    out["disc"] = {
+        {"x_m", disc->centre.x_m}, {"y_m", disc->centre.y_m}, {"radius_m", disc->radius_m}};
+    return out;
+  }
+  out["polygon"] = nlohmann::ordered_json::array();
+  for (const Point& p : std::get<Polygon>(region).vertices) {
+    out["polygon"].push_back({p.x_m, p.y_m});
+  }
+  return out;
+}
+
+}  // namespace tcert

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// The robot, its rays and the course in bundle.json.
+
+#include <tcert/robot.hpp>
+
+#include "datasets/json_object.hpp"
+
+namespace tcert {
+
+/// From the keys `robot` and `rays`. Problems are reported; the robot is valid if there are none.
+[[nodiscard]] Robot read_robot(const JsonObject& bundle);
+
+/// From the key `course`; either region may be absent.
+[[nodiscard]] Course read_course(const JsonObject& bundle);
+
+[[nodiscard]] nlohmann::ordered_json ray_json(const Ray& ray);
+[[nodiscard]] nlohmann::ordered_json region_json(const Region& region);
+
+}  // namespace tcert

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// The columns of the logs of a given robot, and how a row of numbers becomes a tick.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <tcert/robot.hpp>
+#include <tcert/tick.hpp>
+
+#include "datasets/csv.hpp"
+#include "datasets/ticks.hpp"
+
+namespace tcert {
+
+/// "<ray>_bend_rad" or "<ray>_range_m", by the ray's kind.
+[[nodiscard]] std::string value_column(const Ray& ray);
+
+/// "<ray>_fsr_n".
+[[nodiscard]] std::string force_column(const Ray& ray);
+
+/// tactile.csv: per ray its value, required, and its force, optional; either may be empty.
+[[nodiscard]] NumberOptions tactile_columns(const Robot& robot);
+
+/// ticks.csv: pose, then as tactile.csv, then the optional speed_cmd_mps, yaw_rate_cmd_rps, stale
+/// and segment_start.
+[[nodiscard]] NumberOptions tick_columns(const Robot& robot);
+
+/// What one row of ticks.csv says besides its time and readings.
+struct TickRow {
+  Pose pose;
+  double speed_cmd_mps = kMissing;
+  double yaw_rate_cmd_rps = kMissing;
+  bool stale = false;
+  bool segment_start = false;
+};
+
+/// Interprets a row that was read with tick_columns(): its readings go to `readings`, one per ray.
+/// Returns the name of a column whose value is neither 0 nor 1 nor missing, or null.
+[[nodiscard]] const char* interpret_tick(std::span<const double> row,
+                                         std::span<RayReading> readings,
+                                         TickRow& tick) noexcept;
+
+}  // namespace tcert

@@ -1,0 +1,173 @@
+#include "datasets/tick_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "datasets/csv_write.hpp"
+#include "datasets/decimal.hpp"
+#include "datasets/flat_json.hpp"
+#include "datasets/nearest_name.hpp"
+
+namespace tcert {
+
+namespace {
+
+std::vector<std::string> required_names(const NumberOptions& options) {
+  std::vector<std::string> names{options.time_column};
+  for (const NumberColumn& column : options.columns) {
+    if (column.required) {
+      names.push_back(column.name);
+    }
+  }
+  return names;
+}
+
+std::string_view without_spaces_before(std::string_view text) noexcept {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? std::string_view{} : text.substr(first);
+}
+
+}  // namespace
+
+TickLineParser::TickLineParser(const Robot& robot,
+                               std::string_view first_line,
+                               TickLineOptions options,
+                               DiagnosticGroups& problems)
+    : options_(std::move(options)),
+      columns_(tick_columns(robot)),
+      row_(columns_.columns.size(), kMissing),
+      readings_(robot.rays.size()) {
+  if (without_spaces_before(first_line).starts_with('{')) {
+    format_ = TickLineFormat::json_lines;
+    names_.push_back(columns_.time_column);
+    for (const NumberColumn& column : columns_.columns) {
+      names_.push_back(column.name);
+    }
+    return;
+  }
+  CsvOptions csv;
+  csv.file = options_.file;
+  csv.preamble_records = 0;
+  const Bytes header_bytes = Bytes::copy_of(first_line);
+  const auto header = find_header(header_bytes.view(), csv, required_names(columns_), problems);
+  ready_ = header.has_value();
+  if (header) {
+    names_ = header->names;
+    plan_ = plan_row(*header, columns_);
+  }
+}
+
+void TickLineParser::reject(std::string column, std::string_view value, std::string expectation) {
+  problems_.push_back({Severity::error,
+                       options_.file,
+                       line_,
+                       std::move(column),
+                       shortened(value),
+                       std::move(expectation),
+                       1});
+}
+
+bool TickLineParser::parse_csv(std::string_view text) {
+  padded_.assign(text);
+  CsvCursor cursor{padded_.view().data(), padded_.view().data() + text.size(), line_};
+  row_problems_.cells.clear();
+  row_problems_.fields = 0;
+  row_problems_.open_quote = false;
+  if (scan_row(plan_, cursor, time_ns_, row_.data(), row_problems_)) {
+    return true;
+  }
+  if (row_problems_.open_quote) {
+    reject("", "a quote that is never closed", "a closing quote");
+  } else if (row_problems_.fields != 0) {
+    reject("",
+           std::to_string(row_problems_.fields) + " fields",
+           std::to_string(names_.size()) + " fields");
+  }
+  for (const CellProblem& cell : row_problems_.cells) {
+    const bool is_time = plan_.cells[cell.cell].kind == CellKind::seconds;
+    reject(names_[cell.cell], cell.value, is_time ? "a time in seconds" : "a finite number");
+  }
+  return false;
+}
+
+bool TickLineParser::parse_json(std::string_view text) {
+  const std::optional<std::vector<FlatMember>> members = parse_flat_json(text);
+  if (!members) {
+    reject("", text, "one JSON object without nesting, each key once");
+    return false;
+  }
+  std::ranges::fill(row_, kMissing);
+  std::vector<bool> given(names_.size(), false);
+  for (const FlatMember& member : *members) {
+    const auto name = std::ranges::find(names_, member.key);
+    if (name == names_.end()) {
+      const auto nearest = nearest_name(member.key, names_);
+      reject(shortened(member.key),
+             "",
+             nearest ? "a known key; did you mean '" + *nearest + "'?" : "a known key");
+    } else if (member.kind != FlatMember::Kind::null) {
+      const auto position = static_cast<std::size_t>(name - names_.begin());
+      given[position] = true;
+      take_json_value(position, member);
+    }
+  }
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (!given[i] && (i == 0 || !columns_.columns[i - 1].may_be_empty)) {
+      reject(names_[i], "", i == 0 ? "a time in seconds" : "a finite number");
+    }
+  }
+  return problems_.empty();
+}
+
+// The names of JSON keys are the time and then the columns.
+void TickLineParser::take_json_value(std::size_t position, const FlatMember& member) {
+  const bool is_number = member.kind != FlatMember::Kind::other;
+  padded_.assign(member.text);
+  const char* const begin = padded_.view().data();
+  const char* const end = begin + member.text.size();
+  if (position == 0) {
+    if (!is_number || scan_seconds(begin, '.', time_ns_) != end) {
+      reject(names_[0], member.text, "a time in seconds");
+    }
+  } else if (!is_number || scan_number(begin, '.', row_[position - 1]) != end) {
+    reject(names_[position], member.text, "a finite number");
+  }
+}
+
+std::optional<TickLine> TickLineParser::to_tick() {
+  TickRow row;
+  if (const char* bad_flag = interpret_tick(row_, readings_, row); bad_flag != nullptr) {
+    reject(bad_flag, "", "0 or 1");
+    return std::nullopt;
+  }
+  if (last_ns_ && time_ns_ <= *last_ns_) {
+    std::string found;
+    append_seconds(found, time_ns_);
+    found += " after ";
+    append_seconds(found, *last_ns_);
+    reject(columns_.time_column, found, "a time after that of the row before");
+    return std::nullopt;
+  }
+  const bool gap = last_ns_ && static_cast<double>(time_ns_ - *last_ns_) > options_.max_gap_s * 1e9;
+  last_ns_ = time_ns_;
+  return TickLine{{time_ns_, row.pose, readings_, row.stale, row.segment_start || gap},
+                  row.speed_cmd_mps,
+                  row.yaw_rate_cmd_rps};
+}
+
+std::optional<TickLine> TickLineParser::parse(std::string_view text, std::size_t line) {
+  problems_.clear();
+  line_ = line;
+  while (text.ends_with('\n') || text.ends_with('\r')) {
+    text.remove_suffix(1);
+  }
+  const std::string_view content = without_spaces_before(text);
+  if (content.empty() || text.starts_with('#')) {
+    return std::nullopt;
+  }
+  const bool good = format_ == TickLineFormat::csv ? parse_csv(text) : parse_json(content);
+  return good ? to_tick() : std::nullopt;
+}
+
+}  // namespace tcert

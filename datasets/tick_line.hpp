@@ -1,0 +1,83 @@
+#pragma once
+/// \file
+/// Ticks one line at a time, as they arrive on a pipe: rows of CSV or JSON Lines.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tcert/robot.hpp>
+#include <tcert/tick.hpp>
+#include <vector>
+
+#include "datasets/csv.hpp"
+#include "datasets/diagnostic.hpp"
+#include "datasets/flat_json.hpp"
+#include "datasets/tick_columns.hpp"
+
+namespace tcert {
+
+/// A tick that was read, with what was commanded. The readings belong to the parser and stay valid
+/// until its next line.
+struct TickLine {
+  Tick tick;
+  double speed_cmd_mps = kMissing;
+  double yaw_rate_cmd_rps = kMissing;
+};
+
+enum class TickLineFormat { csv, json_lines };
+
+struct TickLineOptions {
+  std::string file = "stdin";  ///< Its name in diagnostics.
+  double max_gap_s = 1.0;      ///< A longer step starts a segment, as it does in a file.
+};
+
+/// Reads lines of ticks.csv, or objects with the same keys of which null or none is missing. The
+/// same line gives the same tick as reading the whole file does. Allocates nothing for a good CSV
+/// line once it has seen one of that length.
+class TickLineParser {
+ public:
+  /// For a stream whose first line is `first_line`: a line that begins with '{' is the first tick
+  /// of JSON Lines, any other the header of CSV, whose problems are added to `problems`.
+  TickLineParser(const Robot& robot,
+                 std::string_view first_line,
+                 TickLineOptions options,
+                 DiagnosticGroups& problems);
+
+  [[nodiscard]] TickLineFormat format() const noexcept { return format_; }
+
+  /// True if the header had no error; always true for JSON Lines.
+  [[nodiscard]] bool ready() const noexcept { return ready_; }
+
+  /// Reads one line, with or without its line end. Nothing for a blank or comment line and for a
+  /// bad one; what is wrong with that is in problems(). `line` is its 1-based number. \pre ready().
+  [[nodiscard]] std::optional<TickLine> parse(std::string_view text, std::size_t line);
+
+  /// Of the last line; empty if it was good, blank or a comment.
+  [[nodiscard]] const std::vector<Diagnostic>& problems() const noexcept { return problems_; }
+
+ private:
+  [[nodiscard]] bool parse_csv(std::string_view text);
+  [[nodiscard]] bool parse_json(std::string_view text);
+  void take_json_value(std::size_t position, const FlatMember& member);
+  [[nodiscard]] std::optional<TickLine> to_tick();
+  void reject(std::string column, std::string_view value, std::string expectation);
+
+  TickLineOptions options_;
+  TickLineFormat format_ = TickLineFormat::csv;
+  NumberOptions columns_;
+  std::vector<std::string> names_;  // of the columns by position: of the header, or of the keys
+  RowPlan plan_;
+  bool ready_ = true;
+  Bytes padded_;
+  RowProblems row_problems_;
+  std::vector<double> row_;
+  std::vector<RayReading> readings_;
+  std::int64_t time_ns_ = 0;
+  std::optional<std::int64_t> last_ns_;
+  std::size_t line_ = 0;
+  std::vector<Diagnostic> problems_;
+};
+
+}  // namespace tcert

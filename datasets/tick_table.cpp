@@ -1,0 +1,133 @@
+#include "datasets/tick_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "datasets/csv_write.hpp"
+#include "datasets/stream_clock.hpp"
+#include "datasets/tick_columns.hpp"
+
+namespace tcert {
+
+namespace {
+
+bool has_any_force(const TickTable& ticks, std::size_t ray) {
+  for (std::size_t i = ray; i < ticks.readings.size(); i += ticks.rays) {
+    if (!std::isnan(ticks.readings[i].fsr_n)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool has_any(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double v) { return !std::isnan(v); });
+}
+
+void append_cell(std::string& out, double value) {
+  out += ',';
+  append_number(out, value);
+}
+
+double value_or_missing(const std::vector<double>& values, std::size_t i) {
+  return i < values.size() ? values[i] : kMissing;
+}
+
+}  // namespace
+
+TickFormat::TickFormat(const Robot& robot, const TickTable& ticks)
+    : has_command_(has_any(ticks.speed_cmd_mps) || has_any(ticks.yaw_rate_cmd_rps)),
+      header_("time_s,x_m,y_m,yaw_rad") {
+  for (std::size_t k = 0; k < robot.rays.size(); ++k) {
+    has_force_.push_back(has_any_force(ticks, k) ? 1 : 0);
+    header_ += ',' + value_column(robot.rays[k]);
+    if (has_force_[k] != 0) {
+      header_ += ',' + force_column(robot.rays[k]);
+    }
+  }
+  header_ += has_command_ ? ",speed_cmd_mps,yaw_rate_cmd_rps" : "";
+  header_ += ",stale,segment_start\n";
+}
+
+void TickFormat::append_row(std::string& out, const TickTable& ticks, std::size_t i) const {
+  append_seconds(out, ticks.time_ns[i]);
+  const Pose& pose = ticks.poses[i];
+  append_cell(out, pose.position.x_m);
+  append_cell(out, pose.position.y_m);
+  append_cell(out, pose.yaw_rad);
+  for (std::size_t k = 0; k < ticks.rays; ++k) {
+    const RayReading& reading = ticks.readings[i * ticks.rays + k];
+    append_cell(out, reading.value);
+    if (has_force_[k] != 0) {
+      append_cell(out, reading.fsr_n);
+    }
+  }
+  if (has_command_) {
+    append_cell(out, value_or_missing(ticks.speed_cmd_mps, i));
+    append_cell(out, value_or_missing(ticks.yaw_rate_cmd_rps, i));
+  }
+  out += ticks.stale[i] != 0 ? ",1" : ",0";
+  out += ticks.segment_start[i] != 0 ? ",1\n" : ",0\n";
+}
+
+std::string to_ticks_csv(const Robot& robot, const TickTable& ticks) {
+  const TickFormat format(robot, ticks);
+  std::string out = format.header();
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    format.append_row(out, ticks, i);
+  }
+  return out;
+}
+
+TickTable to_tick_table(const NumberTable& rows,
+                        std::size_t rays,
+                        std::span<const std::int64_t> breaks_ns,
+                        const std::string& file,
+                        DiagnosticGroups& problems) {
+  TickTable ticks;
+  ticks.rays = rays;
+  ticks.time_ns = rows.time_ns;
+  ticks.readings.resize(rows.rows() * rays);
+  auto next_break = breaks_ns.begin();
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    TickRow row;
+    const auto values = std::span(rows.values).subspan(i * rows.columns, rows.columns);
+    const char* bad_flag =
+        interpret_tick(values, std::span(ticks.readings).subspan(i * rays, rays), row);
+    if (bad_flag != nullptr) {
+      problems.add({Severity::error, file, rows.lines[i], bad_flag, "", "0 or 1", 1});
+    }
+    bool breaks_here = row.segment_start;
+    for (; next_break != breaks_ns.end() && *next_break <= rows.time_ns[i]; ++next_break) {
+      breaks_here = true;
+    }
+    ticks.poses.push_back(row.pose);
+    ticks.stale.push_back(row.stale ? 1 : 0);
+    ticks.segment_start.push_back(breaks_here ? 1 : 0);
+    ticks.speed_cmd_mps.push_back(row.speed_cmd_mps);
+    ticks.yaw_rate_cmd_rps.push_back(row.yaw_rate_cmd_rps);
+  }
+  return ticks;
+}
+
+std::optional<TickTable> read_ticks_csv(const Bytes& bytes,
+                                        const Robot& robot,
+                                        const CsvOptions& csv,
+                                        double max_gap_s,
+                                        DiagnosticGroups& problems) {
+  const NumberOptions columns = tick_columns(robot);
+  auto rows = read_numbers(bytes, csv, columns, problems);
+  if (!rows) {
+    return std::nullopt;
+  }
+  put_in_order(*rows, csv.file, columns.time_column, false, EqualTimes::forbidden, problems);
+  const ClockLimits limits{max_gap_s, std::nullopt};
+  const auto breaks = find_breaks(*rows, csv.file, columns.time_column, limits, problems);
+  TickTable ticks = to_tick_table(*rows, robot.rays.size(), breaks, csv.file, problems);
+  if (problems.has_error()) {
+    return std::nullopt;
+  }
+  return ticks;
+}
+
+}  // namespace tcert

@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// ticks.csv: writing a table of ticks and reading it back, bit for bit.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <tcert/robot.hpp>
+
+#include "datasets/bytes.hpp"
+#include "datasets/csv.hpp"
+#include "datasets/diagnostic.hpp"
+#include "datasets/ticks.hpp"
+
+namespace tcert {
+
+/// Writes rows of ticks.csv. A force column is written only for a ray that has any force reading,
+/// the command columns only if there is any command.
+class TickFormat {
+ public:
+  /// The columns that `ticks` needs. \pre ticks.rays is the number of rays of `robot`.
+  TickFormat(const Robot& robot, const TickTable& ticks);
+
+  /// With its line end.
+  [[nodiscard]] const std::string& header() const noexcept { return header_; }
+
+  /// Appends row `i` with its line end. \pre i < ticks.size(); a table of the same robot.
+  void append_row(std::string& out, const TickTable& ticks, std::size_t i) const;
+
+ private:
+  std::vector<std::uint8_t> has_force_;  // per ray
+  bool has_command_ = false;
+  std::string header_;
+};
+
+/// Header and all rows.
+[[nodiscard]] std::string to_ticks_csv(const Robot& robot, const TickTable& ticks);
+
+/// Rows that were read with tick_columns() as ticks. `breaks_ns`, in order of time, start segments.
+/// A flag that is neither 0 nor 1 is an error. \pre times of `rows` increase strictly.
+[[nodiscard]] TickTable to_tick_table(const NumberTable& rows,
+                                      std::size_t rays,
+                                      std::span<const std::int64_t> breaks_ns,
+                                      const std::string& file,
+                                      DiagnosticGroups& problems);
+
+/// Reads a ticks.csv; empty iff it has an error. A step of more than `max_gap_s` starts a segment.
+[[nodiscard]] std::optional<TickTable> read_ticks_csv(const Bytes& bytes,
+                                                      const Robot& robot,
+                                                      const CsvOptions& csv,
+                                                      double max_gap_s,
+                                                      DiagnosticGroups& problems);
+
+}  // namespace tcert

@@ -1,0 +1,243 @@
+#include "datasets/trial_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <tcert/tick.hpp>
+#include <utility>
+
+#include "datasets/csv.hpp"
+#include "datasets/csv_write.hpp"
+#include "datasets/decimal.hpp"
+#include "datasets/nearest_name.hpp"
+
+namespace tcert {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kEndReasons{
+    "", "goal", "collision", "wedged", "timeout", "aborted"};
+
+/// Reads one row after another, each with all its problems.
+class TrialRowReader {
+ public:
+  TrialRowReader(const TextTable& table, const Bundle& bundle, DiagnosticGroups& problems)
+      : table_(table), bundle_(bundle), problems_(problems) {}
+
+  /// Columns that are not ours, in file order.
+  [[nodiscard]] std::vector<std::string> extra_columns() const {
+    std::vector<std::string> extra;
+    for (const std::string& name : table_.columns) {
+      if (std::ranges::find(kColumns, name) == kColumns.end()) {
+        extra.push_back(name);
+      }
+    }
+    return extra;
+  }
+
+  [[nodiscard]] std::optional<TrialRow> read(std::size_t row) {
+    row_ = row;
+    good_ = true;
+    TrialRow trial;
+    trial.trial_id = cell("trial_id");
+    if (!is_trial_folder_name(trial.trial_id)) {
+      reject("trial_id", "the name of its folder in logs: not empty, without / and \\");
+    }
+    trial.algorithm = cell("algorithm");
+    trial.lighting = cell("lighting");
+    trial.day = cell("day");
+    trial.batch = cell("batch");
+    trial.success = read_success();
+    trial.time_s = read_amount("time_s");
+    trial.distance_m = read_amount("distance_m");
+    trial.end_reason = read_end_reason();
+    warn_of_odd_values(trial);
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      if (std::ranges::find(kColumns, table_.columns[i]) == kColumns.end()) {
+        trial.extra.push_back(table_.at(row, i));
+      }
+    }
+    return good_ ? std::optional(std::move(trial)) : std::nullopt;
+  }
+
+ private:
+  static constexpr std::array<std::string_view, 9> kColumns{"trial_id",
+                                                            "algorithm",
+                                                            "lighting",
+                                                            "day",
+                                                            "batch",
+                                                            "success",
+                                                            "time_s",
+                                                            "distance_m",
+                                                            "end_reason"};
+
+  [[nodiscard]] std::string cell(std::string_view name) const {
+    const auto column = table_.find(name);
+    return column ? table_.at(row_, *column) : std::string{};
+  }
+
+  void add(Severity severity, std::string_view column, std::string expectation) {
+    problems_.add({severity,
+                   "trials.csv",
+                   table_.lines[row_],
+                   std::string(column),
+                   shortened(cell(column)),
+                   std::move(expectation),
+                   1});
+  }
+
+  void reject(std::string_view column, std::string expectation) {
+    good_ = false;
+    add(Severity::error, column, std::move(expectation) + "; the trial is rejected");
+  }
+
+  std::optional<bool> read_success() {
+    const std::string text = case_folded(cell("success"));
+    if (text == "1" || text == "true") {
+      return true;
+    }
+    if (text == "0" || text == "false") {
+      return false;
+    }
+    if (!text.empty()) {
+      reject("success", "0, 1, true, false or nothing");
+    }
+    return std::nullopt;
+  }
+
+  /// A number of seconds or metres, missing if the cell is empty.
+  std::optional<double> read_amount(std::string_view column) {
+    const std::string text = cell(column);
+    if (text.empty()) {
+      return std::nullopt;
+    }
+    padded_.assign(text);
+    const char* const begin = padded_.view().data();
+    double value = 0.0;
+    if (scan_number(begin, table_.dialect.decimal_point, value) != begin + text.size() ||
+        value < 0.0) {
+      reject(column, "a finite number, 0 or more");
+      return std::nullopt;
+    }
+    return value;
+  }
+
+  EndReason read_end_reason() {
+    const auto* const found = std::ranges::find(kEndReasons, case_folded(cell("end_reason")));
+    if (found == kEndReasons.end()) {
+      reject("end_reason", "goal, collision, wedged, timeout, aborted or nothing");
+      return EndReason::unknown;
+    }
+    return static_cast<EndReason>(found - kEndReasons.begin());
+  }
+
+  void warn_of_odd_values(const TrialRow& trial) {
+    const BundleInfo& info = bundle_.info;
+    if (trial.time_s && info.trial_limit_s && *trial.time_s > 10.0 * *info.trial_limit_s) {
+      add(Severity::warning, "time_s", "at most ten times the trial limit");
+    }
+    if (!trial.lighting.empty() && !info.lighting_tiers.empty() &&
+        std::ranges::find(info.lighting_tiers, trial.lighting) == info.lighting_tiers.end()) {
+      add(Severity::warning, "lighting", "one of the tiers of bundle.json");
+    }
+  }
+
+  const TextTable& table_;
+  const Bundle& bundle_;
+  DiagnosticGroups& problems_;
+  std::size_t row_ = 0;
+  bool good_ = true;
+  Bytes padded_;
+};
+
+/// Lines that repeat an id, by id.
+std::map<std::string, std::vector<std::size_t>> repeated_ids(const TextTable& table,
+                                                             std::size_t id_column) {
+  std::map<std::string, std::vector<std::size_t>> lines;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    lines[table.at(row, id_column)].push_back(table.lines[row]);
+  }
+  std::erase_if(lines, [](const auto& entry) { return entry.second.size() < 2; });
+  return lines;
+}
+
+}  // namespace
+
+std::string_view to_string(EndReason reason) noexcept {
+  return kEndReasons[static_cast<std::size_t>(reason)];
+}
+
+bool is_trial_folder_name(std::string_view id) noexcept {
+  return !id.empty() && id != "." && id != ".." &&
+         id.find_first_of(std::string_view("/\\\0", 3)) == std::string_view::npos;
+}
+
+void read_trial_table(const Bytes& bytes, Bundle& bundle, DiagnosticGroups& problems) {
+  CsvOptions csv;
+  csv.file = "trials.csv";
+  csv.decimal_comma = bundle.decimal_comma;
+  if (const auto renames = bundle.info.columns.find(csv.file);
+      renames != bundle.info.columns.end()) {
+    csv.rename = renames->second;
+  }
+  const auto table = read_text_table(bytes, csv, {"trial_id", "success", "time_s"}, problems);
+  if (!table) {
+    return;
+  }
+  const auto repeated = repeated_ids(*table, *table->find("trial_id"));
+  for (const auto& [id, lines] : repeated) {
+    problems.add({Severity::error,
+                  csv.file,
+                  lines[1],
+                  "trial_id",
+                  shortened(id),
+                  "a trial_id that no other row has; all rows of it are rejected",
+                  lines.size() - 1});
+  }
+  TrialRowReader reader(*table, bundle, problems);
+  bundle.extra_columns = reader.extra_columns();
+  for (std::size_t row = 0; row < table->rows(); ++row) {
+    std::optional<TrialRow> trial = reader.read(row);
+    if (trial && !repeated.contains(trial->trial_id)) {
+      bundle.trials.push_back(std::move(*trial));
+    }
+  }
+  if (table->rows() == 0) {
+    problems.add({Severity::error, csv.file, 0, "", "no rows", "at least one trial", 1});
+  }
+}
+
+std::string to_trials_csv(const std::vector<TrialRow>& trials,
+                          const std::vector<std::string>& extra_columns) {
+  std::string out = "trial_id,algorithm,lighting,day,batch,success,time_s,distance_m,end_reason";
+  for (const std::string& name : extra_columns) {
+    out += ',';
+    append_text(out, name);
+  }
+  out += '\n';
+  for (const TrialRow& trial : trials) {
+    for (const std::string* text :
+         {&trial.trial_id, &trial.algorithm, &trial.lighting, &trial.day, &trial.batch}) {
+      append_text(out, *text);
+      out += ',';
+    }
+    if (trial.success) {
+      out += *trial.success ? '1' : '0';
+    }
+    out += ',';
+    append_number(out, trial.time_s.value_or(kMissing));
+    out += ',';
+    append_number(out, trial.distance_m.value_or(kMissing));
+    out += ',';
+    out += to_string(trial.end_reason);
+    for (const std::string& text : trial.extra) {
+      out += ',';
+      append_text(out, text);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace tcert

@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "support/temporary_folder.hpp"
+#include "support/workdir.hpp"
+
+namespace tcert {
+namespace {
+
+using test_support::ProcessResult;
+using test_support::to_string;
+using test_support::Workdir;
+
+void expect_done(const ProcessResult& run) { ASSERT_EQ(run.exit_code, 0) << to_string(run); }
+
+void expect_same_folders(const Workdir& work, const std::string& a, const std::string& b) {
+  const auto files = work.files(a);
+  EXPECT_FALSE(files.empty());
+  ASSERT_EQ(files, work.files(b));
+  for (const std::string& file : files) {
+    EXPECT_TRUE(work.read(a + "/" + file) == work.read(b + "/" + file)) << file << " differs";
+  }
+}
+
+TEST(Pipeline, ThreadsDoNotChangeAByte) {
+  Workdir work(TCERT_BINARY);
+  for (const std::string threads : {"1", "2"}) {
+    const std::string corpus = "corpus" + threads;
+    expect_done(work.run({"simulate", "--trials", "80", "--threads", threads, "--output", corpus}));
+    expect_done(
+        work.run({"certify", "corpus1", "--threads", threads, "--output", "out" + threads}));
+  }
+  expect_same_folders(work, "corpus1", "corpus2");
+  expect_same_folders(work, "out1", "out2");
+}
+
+TEST(Pipeline, ATrialDependsOnSeedAndIndexAlone) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "20", "--output", "few"}));
+  expect_done(work.run({"simulate", "--trials", "30", "--output", "more"}));
+  EXPECT_EQ(work.read("few/logs/t0000019/pose.csv"), work.read("more/logs/t0000019/pose.csv"));
+  EXPECT_NE(work.read("few/logs/t0000018/pose.csv"), work.read("few/logs/t0000019/pose.csv"));
+}
+
+TEST(Pipeline, LiveWritesTheRowsOfCertify) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "50", "--output", "corpus"}));
+  expect_done(work.run({"certify", "corpus", "--ticks", "--output", "out"}));
+  int trials = 0;
+  for (const std::string& file : work.files("out/ticks")) {
+    const ProcessResult live =
+        work.run({"live", "--bundle", "corpus"}, work.read("out/ticks/" + file));
+    expect_done(live);
+    EXPECT_TRUE(live.out == work.read("out/series/" + file)) << file;
+    ++trials;
+  }
+  EXPECT_EQ(trials, 50);
+}
+
+TEST(Pipeline, LiveSurvivesLinesThatAreNoTicks) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "1", "--output", "corpus"}));
+  expect_done(work.run({"certify", "corpus", "--ticks", "--output", "out"}));
+  std::istringstream ticks(work.read("out/ticks/t0000000.csv"));
+  std::string with_rubbish;
+  std::size_t line_number = 0;
+  for (std::string line; std::getline(ticks, line); ++line_number) {
+    with_rubbish += line + "\n" + (line_number == 100 ? "1.5,rubbish\n" : "");
+  }
+  const ProcessResult live = work.run({"live", "--bundle", "corpus"}, with_rubbish);
+  EXPECT_EQ(live.exit_code, 3) << live.err;
+  EXPECT_NE(live.err.find(":102:"), std::string::npos) << live.err;
+  EXPECT_TRUE(live.out == work.read("out/series/t0000000.csv"));
+}
+
+TEST(Pipeline, ARejectedTrialIsNamedAndTheRestGoesOn) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "5", "--output", "corpus"}));
+  work.write("corpus/logs/t0000002/pose.csv", "time_s,x_m,y_m,yaw_rad\n0,0,abc,0\n");
+  const ProcessResult run = work.run({"certify", "corpus", "--output", "out"});
+  EXPECT_EQ(run.exit_code, 3) << to_string(run);
+  EXPECT_NE(run.err.find("t0000002"), std::string::npos) << run.err;
+  EXPECT_EQ(work.files("out/series").size(), 4U);
+  EXPECT_NE(work.read("out/diagnostics.csv").find("abc"), std::string::npos);
+  const ProcessResult strict = work.run({"certify", "corpus", "--strict", "--output", "strict"});
+  EXPECT_EQ(strict.exit_code, 65) << to_string(strict);
+  EXPECT_FALSE(std::filesystem::exists(work / "strict"));
+}
+
+TEST(Pipeline, CheckEndsWithOneWhereSomethingIsWrong) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "3", "--output", "corpus"}));
+  expect_done(work.run({"check", "corpus"}));
+  work.write("run.csv", "time_s,a\n0,1\n0,2\n");
+  const ProcessResult run = work.run({"check", "run.csv", "--format", "json"});
+  EXPECT_EQ(run.exit_code, 1) << to_string(run);
+  EXPECT_TRUE(nlohmann::json::accept(run.out)) << run.out;
+}
+
+TEST(Pipeline, AKilledRunLeavesNothingUnderTheFinalName) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "200", "--output", "corpus"}));
+  for (const int wait_ms : {20, 60, 120}) {
+    const pid_t child = work.start({"certify", "corpus", "--quiet", "--output", "out"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (std::filesystem::exists(work / "out")) {
+      EXPECT_EQ(work.files("out/series").size(), 200U) << "there, but not whole";
+      std::filesystem::remove_all(work / "out");
+    }
+  }
+  expect_done(work.run({"certify", "corpus", "--output", "out"}));
+  EXPECT_EQ(work.files("out/series").size(), 200U);
+}
+
+// Table 1 of the paper at the halved cell sizes.
+constexpr std::array<std::array<const char*, 4>, 18> kTableOne = {{
+    {"CB-V", "Dark", "52", "60"},
+    {"CB-V", "Indoor", "26", "30"},
+    {"CB-V", "Outdoor", "23", "30"},
+    {"M1", "Dark", "24", "30"},
+    {"M1", "Indoor", "30", "30"},
+    {"M1", "Outdoor", "26", "30"},
+    {"M2", "Dark", "27", "30"},
+    {"M2", "Indoor", "26", "30"},
+    {"M2", "Outdoor", "25", "30"},
+    {"M3", "Dark", "53", "60"},
+    {"M3", "Indoor", "53", "60"},
+    {"M3", "Outdoor", "52", "60"},
+    {"TD*Lite", "Dark", "27", "30"},
+    {"TD*Lite", "Indoor", "28", "30"},
+    {"TD*Lite", "Outdoor", "28", "30"},
+    {"TVFH", "Dark", "28", "30"},
+    {"TVFH", "Indoor", "27", "30"},
+    {"TVFH", "Outdoor", "28", "30"},
+}};
+
+TEST(Pipeline, ReproduceMakesTableOneAndSaysThatItIsSynthetic) {
+  Workdir work(TCERT_BINARY);
+  const ProcessResult run = work.run({"reproduce", "--output", "out", "--no-series"});
+  expect_done(run);
+  EXPECT_EQ(run.out.find("SYNTHETIC data, seed 1"), 0U);
+  const std::string table = work.read("out/tables/table1.csv");
+  for (const auto& [algorithm, lighting, successes, trials] : kTableOne) {
+    const std::string row =
+        std::string(algorithm) + "," + lighting + "," + successes + "," + trials + ",";
+    EXPECT_NE(table.find("\n" + row), std::string::npos) << row << " is not in\n" << table;
+  }
+  EXPECT_NE(table.find("583,660"), std::string::npos);
+  for (const std::string& file : work.files("out/tables")) {
+    const std::string text = work.read("out/tables/" + file);
+    EXPECT_TRUE(text.find("SYNTHETIC") != std::string::npos ||
+                text.find("synthetic") != std::string::npos)
+        << file;
+  }
+  // Nothing is made anew, and nothing changes.
+  const std::string manifest = work.read("out/certificates/manifest.json");
+  expect_done(work.run({"reproduce", "--output", "out", "--no-series"}));
+  EXPECT_EQ(work.read("out/certificates/manifest.json"), manifest);
+  EXPECT_EQ(manifest.find(work.path().string()), std::string::npos) << "a machine's path";
+}
+
+TEST(Pipeline, ARealRobotsLogHasACertificate) {
+  const auto log = test_support::shared_data() / "carmen-intel/intel.gfs.log.gz";
+  if (!std::filesystem::exists(log)) {
+    GTEST_SKIP() << "no real data: " << log << " is missing";
+  }
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"import",
+                        "carmen",
+                        log.string(),
+                        "--output",
+                        "intel",
+                        "--goal-x=-0.81",
+                        "--goal-y=-15.87"}));
+  expect_done(work.run({"certify", "intel", "--output", "out", "--format", "json"}));
+  const std::string certificates = work.read("out/certificates.csv");
+  // The door of 1.06 m in the west corridor, passed northward.
+  EXPECT_NE(certificates.find(",1,"), std::string::npos) << certificates;
+  EXPECT_NE(certificates.find("-6.04"), std::string::npos) << certificates;
+}
+
+}  // namespace
+}  // namespace tcert
