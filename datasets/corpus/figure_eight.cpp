@@ -75,8 +75,9 @@ Polygon upper_wall(const FigureEight& course) {
   polygon.vertices.push_back({-kExtent.x_m, 0.0});
   polygon.vertices.insert(polygon.vertices.end(), first.begin(), first.end());
   polygon.vertices.push_back({0.0, 0.5 * course.lane_width_m / std::cos(angle)});
-  for (auto p = first.rbegin(); p != first.rend(); ++p) {
-    polygon.vertices.push_back({-p->x_m, p->y_m});
+  std::reverse(first.begin(), first.end());
+  for (const Point p : first) {
+    polygon.vertices.push_back({-p.x_m, p.y_m});
   }
   polygon.vertices.push_back({kExtent.x_m, 0.0});
   polygon.vertices.push_back(kExtent);

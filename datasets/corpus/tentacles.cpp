@@ -53,8 +53,8 @@ double rounded(double value, double scale) { return std::round(value * scale) / 
 }  // namespace
 
 const Robot& corpus_robot() {
-  static const Robot kRobot = make_robot();
-  return kRobot;
+  static const Robot robot = make_robot();
+  return robot;
 }
 
 std::array<double, kTentacles> cast_tentacles(const WallIndex& walls, const Pose& pose) noexcept {
