@@ -33,9 +33,9 @@ TEST(SeriesRow, HasOneCellAColumn) {
   std::string row;
   append_series_row(row, tick_at(1'500'000'001), certified_tick(), {}, format);
   // Speed law: 0.08 + (0.22 - 0.08) / 2 at beta 10 and margin 0.1, one ulp above 0.15 in binary.
-  EXPECT_EQ(
-      row,
-      "1.500000001,1.5,-0.25,0.1,2,0.5,0.25,0.75,1000,0.1,0.05,0,0.04,,0.04,0.15000000000000002,0,0,3,2,,0\n");
+  EXPECT_EQ(row,
+            "1.500000001,1.5,-0.25,0.1,2,0.5,0.25,0.75,1000,0.1,0.05,0,0.04,,0.04,0."
+            "15000000000000002,0,0,3,2,,0\n");
   const std::string header = series_header(format, {});
   EXPECT_EQ(std::count(row.begin(), row.end(), ','), std::count(header.begin(), header.end(), ','));
 }
