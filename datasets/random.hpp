@@ -16,7 +16,8 @@ class RandomStream {
   [[nodiscard]] double uniform() noexcept;  ///< In (0, 1), 53 bits, never an end.
   [[nodiscard]] double uniform(double low, double high) noexcept;
   [[nodiscard]] double normal() noexcept;  ///< Standard normal.
-  [[nodiscard]] std::uint32_t below(std::uint32_t n) noexcept;  ///< In [0, n), unbiased. \pre n > 0.
+  [[nodiscard]] std::uint32_t below(
+      std::uint32_t n) noexcept;  ///< In [0, n), unbiased. \pre n > 0.
 
  private:
   void refill() noexcept;
