@@ -1,0 +1,91 @@
+#pragma once
+/// \file
+/// What is wrong or noteworthy about a fit or an estimate, by name, with the column it is in.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tcert {
+
+enum class ConditionKind : std::uint8_t {
+  // The rows.
+  no_rows,            ///< No complete row is left.
+  too_few_rows,       ///< Fewer rows than the estimate needs.
+  missing_rows,       ///< Rows left out because a used column is missing.
+  infinite_value,     ///< An infinite cell where a finite one is needed.
+  not_binary,         ///< An outcome or status that is neither 0 nor 1.
+  time_not_positive,  ///< A survival time that is not above 0.
+  start_not_before_stop,
+  bad_weight,  ///< Negative, or fractional where a count is needed.
+  // The outcome and the groups.
+  one_class,   ///< All rows have the same outcome.
+  rare_class,  ///< A class of a single row: an estimate, but no variance.
+  no_events,
+  one_group,     ///< A grouping column with a single level.
+  few_clusters,  ///< Fewer than 30: cluster-robust numbers are too sure of themselves.
+  one_cluster,   ///< A single cluster: no variance.
+  // The columns of the model.
+  constant_column,
+  collinear_column,
+  complete_separation,
+  quasi_separation,
+  monotone_likelihood,  ///< Cox: a coefficient runs to infinity.
+  // The estimate.
+  not_converged,
+  all_tied,             ///< The predictor is constant: 0.5, which says nothing.
+  separated,            ///< AUC or C is 0 or 1: its variance 0 is misleading.
+  same_ranking,         ///< Paired: both predictors rank every pair alike.
+  zero_variance,        ///< A difference that is not 0, without variance: no test.
+  no_comparable_pairs,  ///< C: no pair of rows can be compared.
+  not_proportional,     ///< Cox: the test of proportional hazards rejects.
+  // The bootstrap and cross-validation.
+  failed_replicates,      ///< Replicates without a value, left out.
+  constant_replicates,    ///< All replicates are equal: no interval.
+  endpoint_out_of_range,  ///< An endpoint's rank is below 1 or above the number of replicates.
+  one_class_fold,
+};
+
+/// How far the numbers stand.
+enum class ConditionSeverity : std::uint8_t {
+  note,     ///< The estimate stands; the condition is stated.
+  warning,  ///< Some number is missing (NA) because of it.
+  error,    ///< There is no estimate.
+};
+
+/// One condition. `column` is the column of the data or of the model that it is in; empty if it is
+/// in none.
+struct Condition {
+  ConditionKind kind = ConditionKind::no_rows;
+  ConditionSeverity severity = ConditionSeverity::error;
+  std::string column;
+  std::string detail;  ///< What was found: "rows 5 and 9", "every row with f = c has y = 1".
+
+  friend bool operator==(const Condition&, const Condition&) = default;
+};
+
+using Conditions = std::vector<Condition>;
+
+/// The kind's name in data files: the enumerator as it is written above.
+[[nodiscard]] std::string_view name_of(ConditionKind kind) noexcept;
+
+/// The kind in words and what to do about it, each without a full stop; advice may be empty.
+[[nodiscard]] std::string_view words(ConditionKind kind) noexcept;
+[[nodiscard]] std::string_view advice(ConditionKind kind) noexcept;
+
+/// "note", "warning", "error".
+[[nodiscard]] std::string_view to_string(ConditionSeverity severity) noexcept;
+
+/// One line: "error: column 'status': neither 0 nor 1: found 2 in row 1; write status == 2 ...".
+[[nodiscard]] std::string to_string(const Condition& condition);
+
+/// True if the condition `kind` is among them.
+[[nodiscard]] bool has(std::span<const Condition> conditions, ConditionKind kind) noexcept;
+
+/// True if one of them leaves no estimate.
+[[nodiscard]] bool has_error(std::span<const Condition> conditions) noexcept;
+
+}  // namespace tcert

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Times to an event, with censoring and left truncation, as the survival estimators take them.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tcert {
+
+/// One row each. A row is at risk on (start, stop]; at `stop` it has its event or is censored.
+struct SurvivalOutcome {
+  std::vector<double> start;        ///< Empty: every row is at risk from the beginning.
+  std::vector<double> stop;         ///< Finite.
+  std::vector<std::uint8_t> event;  ///< 1 for an event, 0 for censored.
+
+  [[nodiscard]] std::size_t rows() const noexcept { return stop.size(); }
+  [[nodiscard]] bool left_truncated() const noexcept { return !start.empty(); }
+};
+
+/// Makes times equal that differ by rounding alone, in place, as R's `survival::aeqSurv` does with
+/// its default tolerance: sorted distinct times are the same if they differ by at most
+/// sqrt(machine epsilon), absolutely or relative to the mean |time|; they all become the least of
+/// them. `start` and `stop` are treated together. Every estimator here expects it to have been
+/// done. O(n log n).
+void snap_times(SurvivalOutcome& outcome);
+
+}  // namespace tcert

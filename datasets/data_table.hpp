@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// A CSV file as typed columns: numbers, or names as a factor. What every model is fitted to.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datasets/bytes.hpp"
+#include "datasets/csv_header.hpp"
+#include "datasets/diagnostic.hpp"
+#include "datasets/factor.hpp"
+
+namespace tcert {
+
+/// A column is numeric if every cell is a number, missing, infinite or a truth value (TRUE, true,
+/// FALSE, false are 1 and 0); otherwise it is text, and each distinct cell a level.
+struct DataColumn {
+  std::string name;
+  bool is_text = false;
+  std::vector<double> numbers;  ///< Of a numeric column; NaN where missing; infinities kept.
+  Factor text;                  ///< Of a text column.
+};
+
+struct DataTable {
+  std::string file;  ///< Its name in messages.
+  std::vector<DataColumn> columns;
+  std::size_t rows = 0;
+
+  /// Null if there is no such column.
+  [[nodiscard]] const DataColumn* find(std::string_view name) const noexcept;
+  [[nodiscard]] std::vector<std::string> names() const;
+};
+
+struct DataTableResult {
+  std::optional<DataTable> table;  ///< Empty iff there is an error.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Reads the columns called `wanted`, all of them if it is empty; names that the file does not have
+/// are not an error here. Missing is an empty cell, NA or NaN; Inf and -Inf are infinite. A row
+/// with another number of cells than the header is an error. O(size).
+[[nodiscard]] DataTableResult read_data_table(const std::filesystem::path& path,
+                                              std::span<const std::string> wanted = {},
+                                              CsvOptions csv = {});
+
+/// The same from bytes; `csv.file` names them.
+[[nodiscard]] DataTableResult read_data_table(const Bytes& bytes,
+                                              std::span<const std::string> wanted,
+                                              const CsvOptions& csv);
+
+}  // namespace tcert
