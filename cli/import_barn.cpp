@@ -148,6 +148,11 @@ int import_barn_command(Arguments arguments) {
   Manifest manifest;
   manifest.command = "import barn";
   manifest.options = common.effective;
+  for (auto& [name, value] : manifest.options) {
+    if (name == "trials" || name == "metrics") {
+      value = name_of(value);  // without the machine's part of the path
+    }
+  }
   manifest.inputs = {{name_of(options.trials), digest_file(options.trials)},
                      {name_of(options.metrics), digest_file(options.metrics)}};
   write_with_manifest(common.output, *result.csv, std::move(manifest));

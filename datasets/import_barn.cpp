@@ -133,7 +133,7 @@ bool check_row(const Source& trials, std::size_t row) {
   const std::optional<double> time = number_of<double>(trials.cell(row, "time_s"));
   if (!time || !(*time > 0.0) || !std::isfinite(*time)) {
     reject("time_s", "a time above 0 s");
-  } else if (*time > 1.01 * kBarnLimit_s) {
+  } else if (*time > 1.01 * kBarnLimitSeconds) {
     trials.add(Severity::warning, row, "time_s", "at most 101 s, for a trial ends at 100; kept");
   }
   return good;

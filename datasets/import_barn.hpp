@@ -18,7 +18,7 @@ namespace tcert {
 inline constexpr long kFirstMovingWorld = 300;
 
 /// A trial ends at 100 s; longer ones are kept and named.
-inline constexpr double kBarnLimit_s = 100.0;
+inline constexpr double kBarnLimitSeconds = 100.0;
 
 /// Planners that ran on another port of the simulation, with other limits.
 [[nodiscard]] const std::vector<std::string>& other_port_planners();

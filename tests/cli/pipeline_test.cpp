@@ -192,5 +192,34 @@ TEST(Pipeline, ARealRobotsLogHasACertificate) {
   EXPECT_NE(certificates.find("-6.04"), std::string::npos) << certificates;
 }
 
+TEST(Pipeline, BarnOutcomesBecomeOneTable) {
+  Workdir work(TCERT_BINARY);
+  work.write("trials.csv",
+             "planner,world,success,collided,timeout,time_s\n"
+             "dwa,0,1,0,0,22.5\n"
+             "dwa,301,1,0,0,20\n"
+             "ros2_maity,0,0,1,0,3\n");
+  work.write("metrics.csv", "world,m1,m2,m3,m4,m5\n0,1,2,3,4,5\n");
+  std::vector<std::string> arguments{
+      "import", "barn", "--trials", "trials.csv", "--metrics", "metrics.csv", "--output", "a.csv"};
+  const ProcessResult run = work.run(arguments);
+  expect_done(run);
+  EXPECT_NE(run.err.find("2 of 3 trials written: 1 successes, 1 worlds"), std::string::npos)
+      << to_string(run);
+  EXPECT_EQ(work.read("a.csv"),
+            "planner,world,success,collided,timeout,time_s,m1,m2,m3,m4,m5\n"
+            "dwa,0,1,0,0,22.5,1,2,3,4,5\n"
+            "ros2_maity,0,0,1,0,3,1,2,3,4,5\n");
+  EXPECT_NE(work.read("a.csv.manifest.json").find("metrics.csv"), std::string::npos);
+  arguments.insert(arguments.end(), {"--same-port", "--planners", "dwaa"});
+  EXPECT_NE(work.run(arguments).err.find("did you mean 'dwa'?"), std::string::npos);
+  arguments.back() = "dwa";
+  expect_done(work.run(arguments));
+  work.write("trials.csv",
+             "planner,world,success,collided,timeout,time_s\ndwa,0,1,0,0,22.5\ndwa,0,1,0,0,-1\n");
+  EXPECT_EQ(work.run(arguments).exit_code, 3) << "a row was rejected";
+  EXPECT_EQ(work.run({"import", "bran", "x"}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace tcert
