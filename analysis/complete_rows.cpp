@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/compact_codes.hpp"
 #include "datasets/factor.hpp"
 
 namespace tcert {
@@ -23,18 +24,6 @@ void check_lengths(std::span<const std::span<const double>> scores,
     throw std::invalid_argument("AUC: " + std::to_string(cluster.size()) +
                                 " clusters, the outcome has " + std::to_string(rows) + " rows");
   }
-}
-
-/// Codes 0, 1, ... in the order of the codes that occur; how many there are.
-std::size_t number_anew(std::vector<std::uint32_t>& codes) {
-  std::vector<std::uint32_t> distinct = codes;
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-  for (std::uint32_t& code : codes) {
-    code = static_cast<std::uint32_t>(std::lower_bound(distinct.begin(), distinct.end(), code) -
-                                      distinct.begin());
-  }
-  return distinct.size();
 }
 
 }  // namespace
@@ -68,7 +57,9 @@ CompleteRows complete_rows(std::span<const std::span<const double>> scores,
       rows.cluster.push_back(cluster[row]);
     }
   }
-  rows.clusters = rows.clustered ? number_anew(rows.cluster) : 0;
+  CompactCodes compact = compact_codes(rows.cluster);
+  rows.cluster = std::move(compact.codes);
+  rows.clusters = compact.count;
   return rows;
 }
 
