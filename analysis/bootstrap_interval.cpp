@@ -91,22 +91,21 @@ std::optional<std::pair<double, double>> bca_levels(const BootstrapDistribution&
     add(conditions, ConditionKind::no_acceleration, ConditionSeverity::warning);
     return std::nullopt;
   }
-  const double ends[] = {(1.0 - level) / 2.0,
-                         (1.0 + level) / 2.0};  // NOLINT(modernize-avoid-c-arrays)
-  double adjusted[2] = {};                      // NOLINT(modernize-avoid-c-arrays)
-  for (int k = 0; k < 2; ++k) {
-    const double z = w + normal_quantile(ends[k]);
+  const auto adjusted = [&](double alpha) {
+    const double z = w + normal_quantile(alpha);
     const double scale = 1.0 - *acceleration * z;
-    if (!(scale > 0.0)) {
-      add(conditions,
-          ConditionKind::no_acceleration,
-          ConditionSeverity::warning,
-          "it is too large for this level");
-      return std::nullopt;
-    }
-    adjusted[k] = normal_cdf(w + z / scale);
+    return scale > 0.0 ? normal_cdf(w + z / scale) : kNan;
+  };
+  const double low = adjusted((1.0 - level) / 2.0);
+  const double high = adjusted((1.0 + level) / 2.0);
+  if (std::isnan(low) || std::isnan(high)) {
+    add(conditions,
+        ConditionKind::no_acceleration,
+        ConditionSeverity::warning,
+        "it is too large for this level");
+    return std::nullopt;
   }
-  return std::pair(adjusted[0], adjusted[1]);
+  return std::pair(low, high);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ Study simulate(const Scenario& scenario,
 double true_auc(double correlation);
 
 struct Options {
-  std::size_t data_sets = 1000;
+  std::size_t data_sets = 2000;
   std::size_t replicates = 1999;
   std::uint64_t seed = 1;
   double level = 0.95;
