@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -237,6 +238,96 @@ TEST_F(ConcordanceGolden, SinglePredictorsEqualR) {
     ++cases;
   }
   std::printf("concordance golden cases run: %zu single, %zu pair weights\n", cases, variants);
+  worst_.print();
+  EXPECT_GT(cases, 0U);
+}
+
+/// Columns of a model of numbers and factors, treatment contrasts.
+std::vector<std::vector<double>> design_columns(const GoldenFrame& all,
+                                                const std::vector<std::string>& names,
+                                                const std::string& model) {
+  std::vector<std::vector<double>> columns;
+  std::istringstream right(model.substr(model.find('~') + 1));
+  for (std::string name; right >> name;) {
+    if (name == "+") {
+      continue;
+    }
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at != names.end()) {
+      columns.push_back(all.predictors[static_cast<std::size_t>(at - names.begin())]);
+      continue;
+    }
+    for (std::uint32_t level = 1; level < all.groups.levels.size(); ++level) {
+      columns.emplace_back();
+      for (const std::uint32_t code : all.groups.codes) {
+        columns.back().push_back(code == level ? 1.0 : 0.0);
+      }
+    }
+  }
+  return columns;
+}
+
+TEST_F(ConcordanceGolden, PairedModelsEqualR) {
+  const std::map<std::string, std::vector<std::string>> numbers{
+      {"sim660.csv", {"x1", "x2", "x3", "x4"}},
+      {"lung.csv", {"age", "sex", "ph.ecog"}},
+      {"veteran.csv", {"karno", "age"}},
+      {"edge_ties.csv", {"score1", "score2"}}};
+  std::size_t cases = 0;
+  for (const auto& [name, expected] : golden_["paired"].items()) {
+    SCOPED_TRACE(name);
+    const std::string data = text(expected, "data");
+    ASSERT_EQ(numbers.count(data), 1U);
+    const std::string first = expected["models"][0].get<std::string>();
+    const bool cluster = expected["cluster"].is_string();
+    const bool lighting = name == "sim660_3models";
+    Call call = make_call(
+        golden_frame({data,
+                      first.substr(0, first.find(" ~")),
+                      numbers.at(data),
+                      lighting ? std::vector<std::string>{"lighting"} : std::vector<std::string>{},
+                      "",
+                      cluster ? text(expected, "cluster") : "",
+                      ""}),
+        false,
+        cluster);
+    std::vector<std::vector<double>> scores;
+    for (const json& model : expected["models"]) {
+      scores.push_back(test_support::efron_linear_predictor(
+          call.frame.outcome,
+          design_columns(call.frame, numbers.at(data), model.get<std::string>())));
+    }
+    call.frame.predictors = scores;
+    const ConcordanceResult result = call.run(LargerMeans::shorter_time);
+    const std::size_t k = scores.size();
+    for (std::size_t i = 0; i < k; ++i) {
+      worst_.expect("C", result.estimates[i].c.value_or(kNan), golden_number(expected["C"][i]));
+      for (std::size_t m = 0; m < 5; ++m) {
+        worst_.expect("counts",
+                      five(result.estimates[i].counts)[m],
+                      golden_number(expected["count"]["values"][i][m]));
+      }
+      for (std::size_t j = 0; j < k; ++j) {
+        worst_.expect("vcov",
+                      result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)),
+                      golden_number(expected["vcov"]["values"][i][j]));
+      }
+    }
+    const json& contrast = expected["contrast_1_minus_2"];
+    const ConcordanceDifference& difference = result.differences[0];
+    worst_.expect("difference", difference.difference.value(), golden_number(contrast["diff"]));
+    worst_.expect(
+        "difference variance", difference.variance.value(), golden_number(contrast["var"]));
+    if (golden_number(contrast["var"]) > 0.0) {
+      worst_.expect("difference se", difference.std_error.value(), golden_number(contrast["se"]));
+      worst_.expect("z", difference.z.value(), golden_number(contrast["z"]));
+      worst_.expect("p", difference.p_value.value(), golden_number(contrast["p"]));
+    } else {  // R has z = 0 / 0
+      EXPECT_TRUE(has(difference.conditions, ConditionKind::same_ranking));
+    }
+    ++cases;
+  }
+  std::printf("concordance golden cases run: %zu paired\n", cases);
   worst_.print();
   EXPECT_GT(cases, 0U);
 }

@@ -1,5 +1,6 @@
 #include "support/survival_golden.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -189,6 +190,63 @@ double disagreement(double actual, double expected) {
     return std::numeric_limits<double>::infinity();
   }
   return expected == 0.0 ? difference : difference / std::abs(expected);
+}
+
+std::vector<double> efron_linear_predictor(const SurvivalOutcome& outcome,
+                                           const std::vector<std::vector<double>>& columns) {
+  const auto n = static_cast<Eigen::Index>(outcome.rows());
+  const auto p = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd X(n, p);
+  for (Eigen::Index j = 0; j < p; ++j) {
+    X.col(j) = Eigen::Map<const Eigen::VectorXd>(columns[static_cast<std::size_t>(j)].data(), n);
+    X.col(j).array() -= X.col(j).mean();
+  }
+  std::map<double, std::vector<Eigen::Index>> events;
+  for (std::size_t row = 0; row < outcome.rows(); ++row) {
+    if (outcome.event[row] != 0) {
+      events[outcome.stop[row]].push_back(static_cast<Eigen::Index>(row));
+    }
+  }
+  struct Moments {
+    explicit Moments(Eigen::Index size)
+        : first(Eigen::VectorXd::Zero(size)), second(Eigen::MatrixXd::Zero(size, size)) {}
+    void add(const Eigen::VectorXd& x, double weight) {
+      zeroth += weight;
+      first += weight * x;
+      second += weight * x * x.transpose();
+    }
+    double zeroth = 0.0;
+    Eigen::VectorXd first;
+    Eigen::MatrixXd second;
+  };
+  Eigen::VectorXd beta = Eigen::VectorXd::Zero(p);
+  for (int step = 0; step < 25; ++step) {
+    Eigen::VectorXd score = Eigen::VectorXd::Zero(p);
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(p, p);
+    for (const auto& [time, tied] : events) {
+      Moments all(p);
+      Moments dead(p);
+      for (Eigen::Index row = 0; row < n; ++row) {
+        if (outcome.stop[static_cast<std::size_t>(row)] >= time) {
+          all.add(X.row(row), std::exp(X.row(row).dot(beta)));
+        }
+      }
+      for (const Eigen::Index row : tied) {
+        dead.add(X.row(row), std::exp(X.row(row).dot(beta)));
+        score += X.row(row);
+      }
+      for (std::size_t k = 0; k < tied.size(); ++k) {
+        const double part = static_cast<double>(k) / static_cast<double>(tied.size());
+        const double zeroth = all.zeroth - part * dead.zeroth;
+        const Eigen::VectorXd mean = (all.first - part * dead.first) / zeroth;
+        score -= mean;
+        information += (all.second - part * dead.second) / zeroth - mean * mean.transpose();
+      }
+    }
+    beta += information.ldlt().solve(score);
+  }
+  const Eigen::VectorXd scores = X * beta;
+  return {scores.data(), scores.data() + n};
 }
 
 }  // namespace tcert::test_support

@@ -42,4 +42,8 @@ struct GoldenCall {
 /// |actual - expected| relative to |expected|, or absolute below 1e-300; 0 if both are NaN.
 [[nodiscard]] double disagreement(double actual, double expected);
 
+/// X beta of the Cox model with Efron's ties, by Newton's method; columns of the design in turn.
+[[nodiscard]] std::vector<double> efron_linear_predictor(
+    const SurvivalOutcome& outcome, const std::vector<std::vector<double>>& columns);
+
 }  // namespace tcert::test_support
