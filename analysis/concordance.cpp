@@ -13,9 +13,19 @@ namespace {
 
 constexpr std::size_t kFewClusters = 30;
 
-/// Columns of the complete rows; a column that is not there is empty.
-struct Complete {
+/// What an estimate is made of, on complete rows.
+struct Columns {
+  const SurvivalOutcome* outcome = nullptr;
+  std::vector<std::span<const double>> predictors;
+  std::span<const double> weights;  ///< Empty if there are none; so the others.
+  std::span<const std::uint32_t> strata;
+  std::span<const std::uint32_t> cluster;
+};
+
+/// Copies of the columns' complete rows.
+struct Copies {
   SurvivalOutcome outcome;
+  std::vector<std::vector<double>> predictors;
   std::vector<double> weights;
   std::vector<std::uint32_t> strata;
   std::vector<std::uint32_t> cluster;
@@ -24,18 +34,53 @@ struct Complete {
 template <typename T>
 std::vector<T> pick(std::span<const T> column, std::span<const std::size_t> rows) {
   std::vector<T> result;
-  if (column.empty()) {
-    return result;
-  }
-  result.reserve(rows.size());
-  for (const std::size_t row : rows) {
-    result.push_back(column[row]);
+  if (!column.empty()) {
+    result.reserve(rows.size());
+    for (const std::size_t row : rows) {
+      result.push_back(column[row]);
+    }
   }
   return result;
 }
 
-std::span<const std::uint32_t> codes_of(const Factor* factor) {
-  return factor == nullptr ? std::span<const std::uint32_t>{} : std::span(factor->codes);
+Copies copy_rows(const Columns& columns, std::span<const std::size_t> rows) {
+  Copies copies;
+  copies.outcome.start = pick(std::span<const double>(columns.outcome->start), rows);
+  copies.outcome.stop = pick(std::span<const double>(columns.outcome->stop), rows);
+  copies.outcome.event = pick(std::span<const std::uint8_t>(columns.outcome->event), rows);
+  for (const std::span<const double> values : columns.predictors) {
+    copies.predictors.push_back(pick(values, rows));
+  }
+  copies.weights = pick(columns.weights, rows);
+  copies.strata = pick(columns.strata, rows);
+  copies.cluster = pick(columns.cluster, rows);
+  return copies;
+}
+
+Columns columns_of(const Copies& copies) {
+  return {&copies.outcome,
+          {copies.predictors.begin(), copies.predictors.end()},
+          copies.weights,
+          copies.strata,
+          copies.cluster};
+}
+
+Columns columns_of(const SurvivalOutcome& outcome,
+                   std::span<const Predictor> predictors,
+                   const ConcordanceOptions& options) {
+  Columns columns;
+  columns.outcome = &outcome;
+  for (const Predictor& predictor : predictors) {
+    columns.predictors.push_back(predictor.values);
+  }
+  columns.weights = options.weights;
+  if (options.strata != nullptr) {
+    columns.strata = options.strata->codes;
+  }
+  if (options.cluster != nullptr) {
+    columns.cluster = options.cluster->codes;
+  }
+  return columns;
 }
 
 void check(const SurvivalOutcome& outcome,
@@ -64,13 +109,27 @@ void check(const SurvivalOutcome& outcome,
   }
 }
 
-std::vector<std::size_t> complete_rows_of(std::size_t n, std::span<const Predictor> predictors) {
+bool is_complete(const Columns& columns, std::size_t row) {
+  return std::none_of(columns.predictors.begin(),
+                      columns.predictors.end(),
+                      [row](std::span<const double> values) { return std::isnan(values[row]); });
+}
+
+/// Empty if every row is complete.
+std::vector<std::size_t> complete_rows_of(const Columns& columns) {
+  const std::size_t n = columns.outcome->rows();
+  std::size_t complete = 0;
+  while (complete < n && is_complete(columns, complete)) {
+    ++complete;
+  }
   std::vector<std::size_t> rows;
-  rows.reserve(n);
-  for (std::size_t row = 0; row < n; ++row) {
-    if (std::none_of(predictors.begin(), predictors.end(), [row](const Predictor& predictor) {
-          return std::isnan(predictor.values[row]);
-        })) {
+  if (complete == n) {
+    return rows;
+  }
+  rows.resize(complete);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  for (std::size_t row = complete + 1; row < n; ++row) {
+    if (is_complete(columns, row)) {
       rows.push_back(row);
     }
   }
@@ -90,31 +149,12 @@ void raise_times(SurvivalOutcome& outcome, double earliest) {
 }
 
 /// A risk set that everybody enters at the same time is that of rows without a start.
-void drop_common_start(SurvivalOutcome& outcome) {
+bool has_common_start(const SurvivalOutcome& outcome) {
   const auto& start = outcome.start;
-  const auto& stop = outcome.stop;
-  if (!start.empty() &&
-      std::all_of(start.begin(), start.end(), [&](double s) { return s == start[0]; }) &&
-      std::all_of(stop.begin(), stop.end(), [&](double s) { return s > start[0]; })) {
-    outcome.start.clear();
-  }
-}
-
-Complete complete_columns(const SurvivalOutcome& outcome,
-                          std::span<const std::size_t> rows,
-                          const ConcordanceOptions& options) {
-  Complete complete;
-  complete.outcome.start = pick(std::span<const double>(outcome.start), rows);
-  complete.outcome.stop = pick(std::span<const double>(outcome.stop), rows);
-  complete.outcome.event = pick(std::span<const std::uint8_t>(outcome.event), rows);
-  complete.weights = pick(options.weights, rows);
-  complete.strata = pick(codes_of(options.strata), rows);
-  complete.cluster = pick(codes_of(options.cluster), rows);
-  if (options.earliest) {
-    raise_times(complete.outcome, *options.earliest);
-  }
-  drop_common_start(complete.outcome);
-  return complete;
+  return !start.empty() &&
+         std::all_of(start.begin(), start.end(), [&](double s) { return s == start[0]; }) &&
+         std::all_of(
+             outcome.stop.begin(), outcome.stop.end(), [&](double s) { return s > start[0]; });
 }
 
 void turn_over(ConcordancePairs& pairs) {
@@ -122,20 +162,21 @@ void turn_over(ConcordancePairs& pairs) {
     std::swap(counts.concordant, counts.discordant);
   };
   std::for_each(pairs.by_stratum.begin(), pairs.by_stratum.end(), swap_sides);
-  std::for_each(pairs.influence.begin(), pairs.influence.end(), swap_sides);
+  for (RowPairs& row : pairs.rows) {
+    row.net = -row.net;
+  }
 }
 
 /// Change of C by a row's weight, to first order.
-std::vector<double> dfbetas(const ConcordanceEstimate& estimate, std::span<const double> weights) {
-  const double comparable = estimate.counts.comparable();
-  const double somers_d = (estimate.counts.concordant - estimate.counts.discordant) / comparable;
-  std::vector<double> result(estimate.influence.size());
+std::vector<double> dfbetas(const ConcordanceCounts& counts,
+                            std::span<const RowPairs> rows,
+                            std::span<const double> weights) {
+  const double comparable = counts.comparable();
+  const double somers_d = (counts.concordant - counts.discordant) / comparable;
+  std::vector<double> result(rows.size());
   for (std::size_t row = 0; row < result.size(); ++row) {
-    const ConcordanceCounts& pairs = estimate.influence[row];
     const double weight = weights.empty() ? 1.0 : weights[row];
-    result[row] = 0.5 * weight *
-                  (pairs.concordant - pairs.discordant - somers_d * pairs.comparable()) /
-                  comparable;
+    result[row] = 0.5 * weight * (rows[row].net - somers_d * rows[row].comparable) / comparable;
   }
   return result;
 }
@@ -167,9 +208,6 @@ void name_conditions(std::span<const double> values, ConcordanceEstimate& estima
 std::vector<double> by_cluster(std::span<const double> dfbeta,
                                std::span<const std::uint32_t> cluster,
                                std::size_t levels) {
-  if (cluster.empty()) {
-    return {dfbeta.begin(), dfbeta.end()};
-  }
   std::vector<double> sums(levels, 0.0);
   for (std::size_t row = 0; row < dfbeta.size(); ++row) {
     sums[cluster[row]] += dfbeta[row];
@@ -222,26 +260,26 @@ ConcordanceDifference difference_of(const ConcordanceEstimate& first,
   return result;
 }
 
-std::size_t count_clusters(const Complete& complete, std::size_t levels) {
+std::size_t count_clusters(std::span<const std::uint32_t> cluster, std::size_t levels) {
   std::vector<bool> seen(levels, false);
-  for (const std::uint32_t code : complete.cluster) {
+  for (const std::uint32_t code : cluster) {
     seen[code] = true;
   }
   return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
 }
 
-void name_row_conditions(const Complete& complete, bool clustered, ConcordanceResult& result) {
+void name_row_conditions(std::size_t rows, bool clustered, ConcordanceResult& result) {
   if (result.missing > 0) {
     result.conditions.push_back({ConditionKind::missing_rows,
                                  ConditionSeverity::note,
                                  {},
                                  std::to_string(result.missing) + " rows left out"});
   }
-  if (complete.outcome.rows() == 0) {
+  if (rows == 0) {
     result.conditions.push_back(condition(ConditionKind::no_rows, ConditionSeverity::error));
     return;
   }
-  if (complete.outcome.rows() == 1) {
+  if (rows == 1) {
     result.conditions.push_back(condition(ConditionKind::too_few_rows, ConditionSeverity::error));
   }
   if (result.events == 0) {
@@ -265,13 +303,12 @@ ConcordanceEstimate estimate_of(const ConcordanceRows& rows,
   estimate.name = predictor.name;
   estimate.counts = pairs.total();
   estimate.by_stratum = std::move(pairs.by_stratum);
-  estimate.influence = std::move(pairs.influence);
   name_conditions(values, estimate);
   const double comparable = estimate.counts.comparable();
   if (comparable > 0.0) {
     estimate.c = concordance_index(estimate.counts);
     estimate.null_variance = pairs.score_variance / (4.0 * comparable * comparable);
-    estimate.dfbeta = dfbetas(estimate, rows.weight);
+    estimate.dfbeta = dfbetas(estimate.counts, pairs.rows, rows.weight);
   }
   return estimate;
 }
@@ -282,6 +319,30 @@ void set_variance(double variance, double level, ConcordanceEstimate& estimate) 
   estimate.std_error = std::sqrt(variance);
   estimate.interval =
       Interval{std::max(0.0, *estimate.c - half), std::min(1.0, *estimate.c + half), level};
+}
+
+void compare(std::span<const std::span<const double>> dfbeta,
+             double level,
+             ConcordanceResult& result) {
+  const std::size_t k = result.estimates.size();
+  const auto size = static_cast<Eigen::Index>(k);
+  result.covariance.setConstant(size, size, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = i; j < k; ++j) {
+      if (result.estimates[i].variance && result.estimates[j].variance) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const auto column = static_cast<Eigen::Index>(j);
+        result.covariance(row, column) = dot(dfbeta[i], dfbeta[j]);
+        result.covariance(column, row) = result.covariance(row, column);
+      }
+      if (j > i) {
+        result.differences.push_back(
+            difference_of(result.estimates[i], result.estimates[j], dfbeta[i], dfbeta[j], level));
+        result.differences.back().first = i;
+        result.differences.back().second = j;
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -298,51 +359,59 @@ ConcordanceResult concordance(const SurvivalOutcome& outcome,
                               std::span<const Predictor> predictors,
                               const ConcordanceOptions& options) {
   check(outcome, predictors, options);
+  Columns columns = columns_of(outcome, predictors, options);
   ConcordanceResult result;
-  result.rows = complete_rows_of(outcome.rows(), predictors);
-  result.missing = outcome.rows() - result.rows.size();
-  const Complete complete = complete_columns(outcome, result.rows, options);
+  result.rows = complete_rows_of(columns);
+  Copies copies;
+  const bool all = result.rows.empty() && (outcome.rows() == 0 || is_complete(columns, 0));
+  if (!all) {
+    result.missing = outcome.rows() - result.rows.size();
+    copies = copy_rows(columns, result.rows);
+    columns = columns_of(copies);
+  }
+  SurvivalOutcome adjusted;
+  if (options.earliest || has_common_start(*columns.outcome)) {
+    adjusted = *columns.outcome;
+    if (has_common_start(adjusted)) {
+      adjusted.start.clear();
+    }
+    if (options.earliest) {
+      raise_times(adjusted, *options.earliest);
+    }
+    columns.outcome = &adjusted;
+  }
+
   const std::size_t strata = options.strata == nullptr ? 1 : options.strata->levels.size();
   const std::size_t clusters = options.cluster == nullptr ? 0 : options.cluster->levels.size();
-  result.events = static_cast<std::size_t>(
-      std::count(complete.outcome.event.begin(), complete.outcome.event.end(), 1));
-  result.clusters = count_clusters(complete, clusters);
-  name_row_conditions(complete, options.cluster != nullptr, result);
+  const auto& events = columns.outcome->event;
+  result.events = static_cast<std::size_t>(std::count(events.begin(), events.end(), 1));
+  result.clusters = count_clusters(columns.cluster, clusters);
+  name_row_conditions(columns.outcome->rows(), options.cluster != nullptr, result);
 
-  const TimeOrder order = time_order(complete.outcome, complete.strata, strata);
-  ConcordanceRows rows{&order, &complete.outcome, complete.weights, options.pair_weight};
+  const TimeOrder order = time_order(*columns.outcome, columns.strata, strata);
+  ConcordanceRows rows{&order, columns.outcome, columns.weights, options.pair_weight};
   rows.last_event = options.latest.value_or(rows.last_event);
-  std::vector<std::vector<double>> dfbeta;
+  std::vector<std::vector<double>> clustered;
   const bool has_variance = options.cluster == nullptr || result.clusters > 1;
-  for (const Predictor& predictor : predictors) {
-    result.estimates.push_back(estimate_of(
-        rows, predictor, pick(predictor.values, std::span<const std::size_t>(result.rows))));
+  for (std::size_t i = 0; i < predictors.size(); ++i) {
+    result.estimates.push_back(estimate_of(rows, predictors[i], columns.predictors[i]));
     ConcordanceEstimate& estimate = result.estimates.back();
-    dfbeta.push_back(by_cluster(estimate.dfbeta, complete.cluster, clusters));
+    if (options.cluster != nullptr) {
+      clustered.push_back(by_cluster(estimate.dfbeta, columns.cluster, clusters));
+    }
+    const std::vector<double>& dfbeta =
+        options.cluster != nullptr ? clustered.back() : estimate.dfbeta;
     if (estimate.c && has_variance) {
-      set_variance(dot(dfbeta.back(), dfbeta.back()), options.level, estimate);
+      set_variance(dot(dfbeta, dfbeta), options.level, estimate);
     }
   }
-
-  const std::size_t k = predictors.size();
-  const auto size = static_cast<Eigen::Index>(k);
-  result.covariance.setConstant(size, size, std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = 0; i < k; ++i) {
-    for (std::size_t j = i; j < k; ++j) {
-      if (result.estimates[i].variance && result.estimates[j].variance) {
-        const auto row = static_cast<Eigen::Index>(i);
-        const auto column = static_cast<Eigen::Index>(j);
-        result.covariance(row, column) = dot(dfbeta[i], dfbeta[j]);
-        result.covariance(column, row) = result.covariance(row, column);
-      }
-      if (j > i) {
-        result.differences.push_back(difference_of(
-            result.estimates[i], result.estimates[j], dfbeta[i], dfbeta[j], options.level));
-        result.differences.back().first = i;
-        result.differences.back().second = j;
-      }
+  std::vector<std::span<const double>> dfbeta(clustered.begin(), clustered.end());
+  if (options.cluster == nullptr) {
+    for (const ConcordanceEstimate& estimate : result.estimates) {
+      dfbeta.emplace_back(estimate.dfbeta);
     }
   }
+  compare(dfbeta, options.level, result);
   return result;
 }
 

@@ -49,7 +49,6 @@ struct ConcordanceEstimate {
   std::optional<Interval> interval;  ///< Wald on C, clipped to [0, 1].
   ConcordanceCounts counts;          ///< In the predictor's direction.
   std::vector<ConcordanceCounts> by_stratum;  ///< One per level of the strata.
-  std::vector<ConcordanceCounts> influence;   ///< Per complete row, see ConcordancePairs.
   std::vector<double> dfbeta;  ///< Per complete row, its weight included; empty without C.
   Conditions conditions;
 };
@@ -70,7 +69,7 @@ struct ConcordanceDifference {
 struct ConcordanceResult {
   std::size_t events = 0;         ///< Among the complete rows.
   std::size_t clusters = 0;       ///< Among the complete rows; 0 if there is no cluster.
-  std::vector<std::size_t> rows;  ///< The complete rows: every predictor is known.
+  std::vector<std::size_t> rows;  ///< Those with every predictor known; empty if all are.
   std::size_t missing = 0;        ///< Rows left out.
   std::vector<ConcordanceEstimate> estimates;  ///< One per predictor.
   Eigen::MatrixXd covariance;  ///< predictors x predictors; NaN where there is no variance.

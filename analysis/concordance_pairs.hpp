@@ -49,10 +49,15 @@ struct ConcordanceRows {
   double last_event = std::numeric_limits<double>::infinity();  ///< Later events count nothing.
 };
 
+/// Weight of the comparable pairs that a row is part of, its own weight left out.
+struct RowPairs {
+  double net = 0.0;         ///< Concordant minus discordant.
+  double comparable = 0.0;  ///< Concordant, discordant and tied in the predictor.
+};
+
 struct ConcordancePairs {
   std::vector<ConcordanceCounts> by_stratum;
-  /// Per row: the weight of the pairs that it is part of, its own weight left out.
-  std::vector<ConcordanceCounts> influence;
+  std::vector<RowPairs> rows;
   /// Variance of the score of a Cox model on the predictor's ranks, which vanishes at C = 1/2:
   /// survival's `cvar` is it over 4 comparable^2.
   double score_variance = 0.0;
