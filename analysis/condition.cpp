@@ -1,6 +1,7 @@
 #include "analysis/condition.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace tcert {
 namespace {
@@ -12,7 +13,7 @@ struct Entry {
   std::string_view advice;
 };
 
-constexpr Entry kEntries[] = {
+constexpr auto kEntries = std::to_array<Entry>({
     // NOLINT(modernize-avoid-c-arrays): clang 14 cannot deduce more
     {ConditionKind::no_rows, "no_rows", "no complete row", "check the columns for missing values"},
     {ConditionKind::too_few_rows,
@@ -110,12 +111,12 @@ constexpr Entry kEntries[] = {
      "an endpoint lies beyond the replicates",
      "use more replicates"},
     {ConditionKind::one_class_fold, "one_class_fold", "a fold with one class", "it is left out"},
-};
+});
 
 const Entry& entry_of(ConditionKind kind) noexcept {
   const auto* const found = std::find_if(
-      std::begin(kEntries), std::end(kEntries), [&](const Entry& e) { return e.kind == kind; });
-  return found == std::end(kEntries) ? kEntries[0] : *found;
+      kEntries.begin(), kEntries.end(), [&](const Entry& e) { return e.kind == kind; });
+  return found == kEntries.end() ? kEntries[0] : *found;
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,16 +14,24 @@
 #include "analysis/condition.hpp"
 #include "analysis/formula.hpp"
 #include "analysis/survival_outcome.hpp"
+#include "analysis/variable.hpp"
 #include "datasets/data_table.hpp"
 #include "datasets/factor.hpp"
 
 namespace tcert {
 
+enum class RightSide {
+  design,  ///< Columns of a linear predictor.
+  groups,  ///< Groups to compare: the cross of all terms.
+};
+
 struct FrameOptions {
-  std::map<std::string, std::string> reference;  ///< Factor column -> its reference level.
-  std::string weights;                           ///< Column of case weights; empty for none.
-  std::string cluster;  ///< Column of the cluster, beside or instead of cluster() in the formula.
-  std::string strata;   ///< The same for strata().
+  References reference;
+  std::string weights;  ///< Column of case weights; empty for none.
+  std::string cluster;  ///< Column of the cluster, instead of cluster() in the formula.
+  std::string strata;   ///< Column of the strata, beside strata() in the formula.
+  RightSide right_side = RightSide::design;
+  bool allow_infinite = false;  ///< Of predictors, where only ranks count.
 };
 
 /// Successes out of trials, one row each; a 0/1 outcome has trials of 1.
@@ -47,27 +54,37 @@ struct ModelFrame {
   std::vector<std::string> columns;  ///< R's names: "(Intercept)", "lightingdim", "x1:lightingdim".
   std::vector<std::size_t> term_of;  ///< Per column: index into `terms` + 1; 0 is the intercept.
   std::vector<std::string> terms;    ///< "x1", "lighting", "x1:lighting".
+  std::optional<Factor> groups;      ///< For RightSide::groups: "sex=1, ph.ecog=0"; or "all".
+
   std::optional<Eigen::VectorXd> offset;
   std::optional<Eigen::VectorXd> weights;
-  std::optional<Factor> strata;  ///< Levels as R's strata() names them: "lighting=dim".
+  std::optional<Factor> strata;  ///< Levels "bright" of one text, else "sex=1, arm=A".
   std::optional<Factor> cluster;
   std::vector<std::pair<std::string, Factor>> random_groups;
 
   std::vector<std::size_t> rows;  ///< Of the table, 0-based, those that are complete.
   std::size_t dropped = 0;        ///< Rows left out.
-  std::vector<std::pair<std::string, std::size_t>> missing;  ///< Rows lost per column of the data.
-  Conditions conditions;  ///< Of the rows: missing, infinite, not binary, times, weights, constant
-                          ///< columns. Errors leave the frame without meaning.
+  std::vector<std::pair<std::string, std::size_t>> missing;  ///< Per variable: rows without it.
+  Conditions conditions;  ///< Of the rows: missing, infinite, times, weights. An error leaves the
+                          ///< frame without meaning.
 
   [[nodiscard]] std::size_t size() const noexcept { return rows.size(); }
 };
 
 /// Evaluates `formula` on `table`. The kind of outcome follows the response: Surv() -> survival
-/// with snapped times, cbind() -> counts, anything else -> numbers (a text column or factor() with
+/// with snapped times, cbind() -> counts, anything else -> numbers (a text column or factor() of
 /// two levels is 0 and 1 in level order). \throws FormulaError if a column is not in the table
 /// (with the nearest name) or a variable cannot be evaluated (log of a text column).
 [[nodiscard]] ModelFrame model_frame(const Formula& formula,
                                      const DataTable& table,
                                      const FrameOptions& options = {});
+
+/// Columns of the data that a model with these options uses: what is to be read.
+[[nodiscard]] std::vector<std::string> columns_of(const Formula& formula,
+                                                  const FrameOptions& options);
+
+/// Makes a 0/1 number outcome one of counts; any other value is an error condition that names the
+/// response. A count outcome stays. \throws FormulaError for a survival outcome.
+void require_binary(ModelFrame& frame);
 
 }  // namespace tcert

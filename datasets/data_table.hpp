@@ -27,13 +27,13 @@ struct DataColumn {
 };
 
 struct DataTable {
-  std::string file;  ///< Its name in messages.
-  std::vector<DataColumn> columns;
+  std::string file;                 ///< Its name in messages.
+  std::vector<std::string> header;  ///< All columns of the file.
+  std::vector<DataColumn> columns;  ///< Those that were wanted, in the order of the file.
   std::size_t rows = 0;
 
   /// Null if there is no such column.
   [[nodiscard]] const DataColumn* find(std::string_view name) const noexcept;
-  [[nodiscard]] std::vector<std::string> names() const;
 };
 
 struct DataTableResult {

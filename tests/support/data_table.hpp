@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// Tables and model frames in one line, for tests.
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "analysis/model_frame.hpp"
+#include "datasets/data_table.hpp"
+
+namespace tcert::test_support {
+
+[[nodiscard]] inline DataTable table_or_throw(DataTableResult&& result) {
+  if (!result.table) {
+    std::string problems = "no table";
+    for (const Diagnostic& diagnostic : result.diagnostics) {
+      problems += "\n" + to_string(diagnostic);
+    }
+    throw std::runtime_error(problems);
+  }
+  return std::move(*result.table);
+}
+
+/// The table of a CSV text; throws std::runtime_error with the diagnostics if it cannot be read.
+[[nodiscard]] inline DataTable table_of(std::string_view csv) {
+  CsvOptions options;
+  options.file = "test.csv";
+  return table_or_throw(read_data_table(Bytes::copy_of(csv), {}, options));
+}
+
+/// The same of a file.
+[[nodiscard]] inline DataTable table_of_file(const std::filesystem::path& path) {
+  return table_or_throw(read_data_table(path));
+}
+
+/// A formula on a file.
+[[nodiscard]] inline ModelFrame frame_of_file(const std::filesystem::path& path,
+                                              const std::string& formula,
+                                              const FrameOptions& options = {}) {
+  return model_frame(parse_formula(formula), table_of_file(path), options);
+}
+
+}  // namespace tcert::test_support
