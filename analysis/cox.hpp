@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/chi_square.hpp"
 #include "analysis/condition.hpp"
 #include "analysis/interval.hpp"
 #include "analysis/model_frame.hpp"
@@ -96,12 +97,6 @@ struct CoxCoefficient {
   std::optional<Interval> interval;  ///< Wald, of `estimate`.
 };
 
-struct ChiSquareTest {
-  double statistic = 0.0;
-  std::size_t df = 0;
-  double p_value = 1.0;
-};
-
 struct CoxFit {
   Ties ties = Ties::efron;
   bool robust = false;
@@ -117,7 +112,7 @@ struct CoxFit {
   Eigen::MatrixXd model_vcov;    ///< p x p.
   Eigen::VectorXd means;         ///< p, about which coxph centres: 0 for columns of -1, 0 and 1,
                                  ///< weighted for right-censored Efron and Breslow.
-  Eigen::VectorXd linear_predictors;  ///< n: (x - means) beta + offset.
+  Eigen::VectorXd linear_predictors;  ///< n: (x - means) beta + offset - its mean.
 
   std::size_t df = 0;  ///< Columns of full rank.
   std::optional<double> loglik_null;

@@ -65,7 +65,8 @@ Eigen::VectorXd newton_step(const CoxDerivatives& at, const std::vector<Eigen::I
   if (!kept.empty()) {
     const Eigen::VectorXd score = at.score(kept);
     const Eigen::MatrixXd information = at.information(kept, kept);
-    step(kept) = information.ldlt().solve(score);
+    const Eigen::VectorXd solution = information.ldlt().solve(score);
+    step(kept) = solution;
   }
   return step;
 }
@@ -188,7 +189,9 @@ Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
   if (!kept.empty()) {
     const Eigen::MatrixXd information = maximum.fitted.information(kept, kept);
     const auto size = static_cast<Eigen::Index>(kept.size());
-    inverse(kept, kept) = information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+    const Eigen::MatrixXd solution =
+        information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+    inverse(kept, kept) = solution;
   }
   for (Eigen::Index j = 0; j < p; ++j) {
     if (maximum.columns[static_cast<std::size_t>(j)] == ColumnState::infinite) {
