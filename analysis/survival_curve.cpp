@@ -280,7 +280,9 @@ std::vector<SurvivalCurve> survival_curves(const SurvivalOutcome& outcome,
     curve.rows = rows.stops.size();
     fill_risk_sets(rows, curve.points);
     CurveWalk walk(rows,
-                   options.cluster != nullptr ? options.cluster->levels.size() : outcome.rows());
+                   options.cluster != nullptr ? options.cluster->levels.size()
+                   : rows.starts.empty()      ? rows.stops.size()
+                                              : outcome.rows());
     for (SurvivalPoint& point : curve.points) {
       walk.step(point);
     }
