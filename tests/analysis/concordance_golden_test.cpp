@@ -13,37 +13,19 @@
 
 #include "analysis/concordance.hpp"
 #include "support/survival_golden.hpp"
+#include "support/worst.hpp"
 
 namespace tcert {
 namespace {
 
 using nlohmann::json;
-using test_support::disagreement;
 using test_support::golden_frame;
 using test_support::golden_number;
 using test_support::GoldenFrame;
+using test_support::Worst;
 
 constexpr double kRelative = 1e-10;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// The worst disagreement with R per quantity, printed at the end.
-class Worst {
- public:
-  void expect(const std::string& quantity, double actual, double expected, double scale = 0.0) {
-    const double gap =
-        scale > 0.0 ? std::abs(actual - expected) / scale : disagreement(actual, expected);
-    EXPECT_LE(gap, kRelative) << quantity << ": " << actual << ", R has " << expected;
-    worst_[quantity] = std::max(worst_[quantity], gap);
-  }
-  void print() const {
-    for (const auto& [quantity, gap] : worst_) {
-      std::printf("  worst disagreement of %s: %.1e\n", quantity.c_str(), gap);
-    }
-  }
-
- private:
-  std::map<std::string, double> worst_;
-};
 
 std::string text(const json& test_case, const char* key) {
   return test_case.contains(key) && test_case[key].is_string() ? test_case[key].get<std::string>()
@@ -147,7 +129,7 @@ class ConcordanceGolden : public ::testing::Test {
   }
 
   json golden_;
-  Worst worst_;
+  Worst worst_{kRelative};
 };
 
 const std::map<std::string, PairWeight> kPairWeights{
