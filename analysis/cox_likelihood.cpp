@@ -5,33 +5,6 @@
 #include "analysis/cox_risk_pass.hpp"
 
 namespace tcert {
-namespace {
-
-/// Adds one event time's part of score and information; `weight` is the mean weight of its events.
-/// Means are sums of positive parts alone: (others + g events) / z.
-void add_risk_set(const RiskSet& set,
-                  const TieSums& sums,
-                  double weight,
-                  std::vector<double>& score,
-                  std::vector<double>& information) {
-  const std::size_t p = score.size();
-  const double* const r1 = set.others.first();
-  const double* const e1 = set.events.first();
-  const double* r2 = set.others.second();
-  const double* e2 = set.events.second();
-  double* out = information.data();
-  for (std::size_t a = 0; a < p; ++a) {
-    score[a] -= weight * (sums.a1 * r1[a] + sums.b1 * e1[a]);
-    const double r = sums.a2 * r1[a] + sums.b2 * e1[a];
-    const double e = sums.b2 * r1[a] + sums.c2 * e1[a];
-    for (std::size_t b = 0; b <= a; ++b) {
-      *out++ += weight * (sums.a1 * *r2++ + sums.b1 * *e2++ - (r * r1[b] + e * e1[b]));
-    }
-  }
-}
-
-}  // namespace
-
 TieSums tie_sums(double others, double events, std::size_t d, Ties ties) noexcept {
   TieSums sums;
   if (ties != Ties::efron || d == 1) {
@@ -57,6 +30,43 @@ TieSums tie_sums(double others, double events, std::size_t d, Ties ties) noexcep
   return sums;
 }
 
+double add_risk_set(const CoxRows& rows,
+                    const RiskSet& set,
+                    Ties ties,
+                    std::vector<double>& score,
+                    std::vector<double>& information) {
+  const std::size_t p = score.size();
+  const std::size_t begin = rows.sets.events_begin[set.time];
+  const std::size_t end = rows.sets.begin[set.time + 1];
+  double weight = 0.0;
+  for (std::size_t place = begin; place < end; ++place) {
+    const double w = rows.weight[place];
+    const double* const x = rows.row(place);
+    weight += w;
+    for (std::size_t j = 0; j < p; ++j) {
+      score[j] += w * x[j];
+    }
+  }
+  weight /= static_cast<double>(end - begin);
+
+  const TieSums sums = tie_sums(set.others.zeroth(), set.events.zeroth(), end - begin, ties);
+  const double* const r1 = set.others.first();
+  const double* const e1 = set.events.first();
+  const double* r2 = set.others.second();
+  const double* e2 = set.events.second();
+  double* out = information.data();
+  for (std::size_t a = 0; a < p; ++a) {
+    score[a] -= weight * (sums.a1 * r1[a] + sums.b1 * e1[a]);
+    // Sums of positive parts alone, so that nothing cancels: (others + g events) / z.
+    const double r = sums.a2 * r1[a] + sums.b2 * e1[a];
+    const double e = sums.b2 * r1[a] + sums.c2 * e1[a];
+    for (std::size_t b = 0; b <= a; ++b) {
+      *out++ += weight * (sums.a1 * *r2++ + sums.b1 * *e2++ - (r * r1[b] + e * e1[b]));
+    }
+  }
+  return weight * sums.log_z;
+}
+
 CoxDerivatives cox_derivatives(const CoxRows& rows, const Eigen::VectorXd& beta, Ties ties) {
   if (ties == Ties::exact) {
     return exact_derivatives(rows, beta);
@@ -68,26 +78,17 @@ CoxDerivatives cox_derivatives(const CoxRows& rows, const Eigen::VectorXd& beta,
   std::vector<double> information(p * (p + 1) / 2, 0.0);
   double loglik = 0.0;
   for_each_risk_set(rows, risks, true, [&](const RiskSet& set) {
-    const std::size_t begin = rows.sets.events_begin[set.time];
-    const std::size_t end = rows.sets.begin[set.time + 1];
-    double weight = 0.0;
-    for (std::size_t place = begin; place < end; ++place) {
-      const double w = rows.weight[place];
-      weight += w;
-      double predictor = rows.offset[place] - risks.shift;
-      const double* const x = rows.row(place);
-      for (std::size_t j = 0; j < p; ++j) {
-        score[j] += w * x[j];
-        predictor += x[j] * beta(static_cast<Eigen::Index>(j));
-      }
-      loglik += w * predictor;
-    }
-    const auto d = static_cast<double>(end - begin);
-    const TieSums sums =
-        tie_sums(set.others.zeroth(), set.events.zeroth(), end - begin, ties);
-    loglik -= weight / d * sums.log_z;
-    add_risk_set(set, sums, weight / d, score, information);
+    loglik -= add_risk_set(rows, set, ties, score, information);
   });
+  for (std::size_t t = 0; t < rows.sets.times(); ++t) {
+    for (std::size_t place = rows.sets.events_begin[t]; place < rows.sets.begin[t + 1]; ++place) {
+      double predictor = rows.offset[place] - risks.shift;
+      for (std::size_t j = 0; j < p; ++j) {
+        predictor += rows.row(place)[j] * beta(static_cast<Eigen::Index>(j));
+      }
+      loglik += rows.weight[place] * predictor;
+    }
+  }
 
   CoxDerivatives result;
   result.loglik = loglik;

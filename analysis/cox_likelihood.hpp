@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
+#include "analysis/cox_risk_pass.hpp"
 #include "analysis/cox_rows.hpp"
 
 namespace tcert {
@@ -30,6 +32,14 @@ struct TieSums {
 
 /// `others` and `events`: the sums of risk of the two. \pre d > 0. O(d), O(1) with Breslow.
 [[nodiscard]] TieSums tie_sums(double others, double events, std::size_t d, Ties ties) noexcept;
+
+/// Adds one event time's part to score (p) and information (lower triangle by rows) and returns what
+/// it takes from the log-likelihood beside its events' own predictors. O(p (d + p)).
+double add_risk_set(const CoxRows& rows,
+                    const RiskSet& set,
+                    Ties ties,
+                    std::vector<double>& score,
+                    std::vector<double>& information);
 
 /// \pre some event. O(m p^2) with Efron or Breslow.
 [[nodiscard]] CoxDerivatives cox_derivatives(const CoxRows& rows,

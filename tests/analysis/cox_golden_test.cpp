@@ -14,6 +14,10 @@
 #include <vector>
 
 #include "analysis/cox.hpp"
+#include "analysis/cox_baseline.hpp"
+#include "analysis/cox_residuals.hpp"
+#include "analysis/cox_terms.hpp"
+#include "analysis/cox_zph.hpp"
 #include "analysis/formula.hpp"
 #include "analysis/model_frame.hpp"
 #include "datasets/data_table.hpp"
@@ -284,6 +288,223 @@ TEST_F(CoxGolden, EstimatesAndTestsEqualCoxph) {
     compare_coefficients(fit, expected);
     compare_tests(fit, expected);
     compare_predictors(fit, expected);
+  });
+}
+
+TEST_F(CoxGolden, ResidualsEqualR) {
+  const auto compare_vector = [&](const std::string& key, const Eigen::VectorXd& values,
+                                  const json& expected) {
+    expect_equal(key + " sum", values.sum(), expected["sum"], values.cwiseAbs().sum());
+    expect_equal(key + " ss", values.squaredNorm(), expected["ss"]);
+    const double largest = values.cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(expected["first"].size()); ++i) {
+      expect_equal(key + " first", values(i), expected["first"][static_cast<std::size_t>(i)],
+                   largest);
+    }
+  };
+  const auto compare_matrix = [&](const std::string& key, const Eigen::MatrixXd& values,
+                                  const json& expected) {
+    ASSERT_EQ(values.rows(), expected["nrow"].get<Eigen::Index>()) << key;
+    for (Eigen::Index j = 0; j < values.cols(); ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      expect_equal(key + " sum", values.col(j).sum(), expected["colsum"][at],
+                   values.col(j).cwiseAbs().sum());
+      expect_equal(key + " ss", values.col(j).squaredNorm(), expected["col_ss"][at]);
+      expect_equal(key + " first", values(0, j), expected["first_row"][at],
+                   values.col(j).cwiseAbs().maxCoeff());
+    }
+  };
+  for_each_model([&](const std::string& name, const CoxData& data, const CoxFit& fit,
+                     const json& expected) {
+    if (name == "edge_cox_monotone" || name == "edge_oneclass") {
+      return;
+    }
+    const CoxResiduals residuals = cox_residuals(data, fit);
+    if (expected.contains("martingale_ss")) {
+      expect_equal("martingale ss", residuals.martingale.squaredNorm(), expected["martingale_ss"]);
+    }
+    if (!expected.contains("martingale")) {
+      return;
+    }
+    compare_vector("martingale", residuals.martingale, expected["martingale"]);
+    compare_vector("deviance", residuals.deviance, expected["deviance_resid"]);
+    if (fit.ties == Ties::exact) {
+      EXPECT_EQ(residuals.score.size(), 0);
+      return;
+    }
+    compare_matrix("score resid", residuals.score, expected["score_resid"]);
+    compare_matrix("dfbeta", residuals.dfbeta, expected["dfbeta_resid"]);
+    compare_matrix("dfbetas", residuals.dfbetas, expected["dfbetas_resid"]);
+    compare_matrix("schoenfeld", residuals.schoenfeld, expected["schoenfeld_resid"]);
+    compare_matrix("scaled schoenfeld", residuals.scaled_schoenfeld, expected["scaledsch_resid"]);
+  });
+}
+
+TEST_F(CoxGolden, ProportionalityTestsEqualR) {
+  const auto compare = [&](const ProportionalityTests& tests, const json& expected) {
+    ASSERT_EQ(tests.parts.size() + 1, expected["rows"].size());
+    for (std::size_t k = 0; k <= tests.parts.size(); ++k) {
+      const bool last = k == tests.parts.size();
+      const ChiSquareTest& test = last ? tests.global : tests.parts[k].test;
+      EXPECT_EQ(last ? "GLOBAL" : tests.parts[k].name, expected["rows"][k].get<std::string>());
+      expect_equal("zph chisq", test.statistic, expected["values"][k][0]);
+      EXPECT_EQ(test.df, expected["values"][k][1].get<std::size_t>());
+      expect_equal("zph p", test.p_value, expected["values"][k][2]);
+    }
+  };
+  for_each_model([&](const std::string& name, const CoxData& data, const CoxFit& fit,
+                     const json& expected) {
+    // R cannot invert its information of badly scaled columns.
+    if (!expected.contains("cox_zph") || name == "edge_bigscale") {
+      return;
+    }
+    for (const TimeTransform transform : {TimeTransform::km, TimeTransform::rank,
+                                          TimeTransform::identity, TimeTransform::log}) {
+      const std::string key(to_string(transform));
+      SCOPED_TRACE(key);
+      compare(cox_zph(data, fit, transform), expected["cox_zph"][key]);
+    }
+    compare(cox_zph(data, fit, TimeTransform::km, false), expected["cox_zph"]["km_terms_false"]);
+  });
+}
+
+TEST_F(CoxGolden, BaselineHazardsEqualR) {
+  const auto compare = [&](const BaselineHazard& baseline, double factor, const json& expected) {
+    for (std::size_t k = 0; k < expected["time"].size(); ++k) {
+      const double time = number(expected["time"][k]);
+      const auto found = std::min_element(
+          baseline.time.begin(), baseline.time.end(),
+          [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
+      EXPECT_NEAR(*found, time, 1e-9 * time);
+      expect_equal("basehaz",
+                   factor * baseline.hazard[static_cast<std::size_t>(found - baseline.time.begin())],
+                   expected["hazard"][k]);
+    }
+  };
+  for_each_model([&](const std::string& name, const CoxData& data, const CoxFit& fit,
+                     const json& expected) {
+    if (!expected.contains("basehaz_uncentered") || name == "edge_cox_monotone") {
+      return;
+    }
+    const json& hazards = expected["basehaz_uncentered"];
+    const std::vector<BaselineHazard> baselines = cox_baseline(data, fit);
+    // R's is at the mean of the offset, ours at 0.
+    const double factor = data.offset ? std::exp(data.offset->mean()) : 1.0;
+    if (hazards.contains("time")) {
+      ASSERT_EQ(baselines.size(), 1U);
+      compare(baselines[0], factor, hazards);
+      return;
+    }
+    ASSERT_EQ(baselines.size(), hazards.size());
+    for (const BaselineHazard& baseline : baselines) {
+      ASSERT_TRUE(hazards.contains(baseline.stratum)) << baseline.stratum;
+      compare(baseline, factor, hazards[baseline.stratum]);
+    }
+  });
+}
+
+TEST_F(CoxGolden, CurvesEqualR) {
+  for_each_model([&](const std::string& name, const CoxData& data, const CoxFit& fit,
+                     const json& expected) {
+    if (!expected.contains("survfit_rows1_2") || name == "edge_cox_monotone") {
+      return;
+    }
+    const json& curves = expected["survfit_rows1_2"];
+    const Eigen::MatrixXd first_rows = data.design.topRows(2);
+    for (const CoxCurve& curve : cox_curves(data, fit, first_rows)) {
+      for (std::size_t k = 0; k < curves["time"].size(); ++k) {
+        const double time = number(curves["time"][k]);
+        const auto after = std::upper_bound(curve.time.begin(), curve.time.end(), time * (1 + 1e-12));
+        ASSERT_NE(after, curve.time.begin());
+        const auto at = static_cast<std::size_t>(after - curve.time.begin() - 1);
+        const auto value = [&](const char* key) {
+          const json& values = curves[key]["values"];
+          return values[k][curve.row];
+        };
+        expect_equal("survfit surv", curve.survival[at], value("surv"));
+        expect_equal("survfit std_err", curve.std_err[at], value("std_err"));
+        expect_equal("survfit lower", curve.lower[at], value("lower"));
+        expect_equal("survfit upper", curve.upper[at], value("upper"));
+      }
+    }
+  });
+}
+
+TEST_F(CoxGolden, TermTestsEqualR) {
+  const auto statistic = [](const TermTest& row) {
+    return row.test ? row.test->statistic : std::nan("");
+  };
+  for_each_model([&](const std::string&, const CoxData& data, const CoxFit& fit,
+                     const json& expected) {
+    CoxOptions options;
+    options.ties = fit.ties;
+    // R refuses robust fits, fails on strata and offsets, and forgets the weights on the way.
+    if (expected.contains("anova_sequential") && expected["anova_sequential"].contains("terms") &&
+        !data.weights) {
+      const json& anova = expected["anova_sequential"];
+      const TermTests tests = cox_anova(data, options);
+      ASSERT_EQ(tests.rows.size(), anova["terms"].size());
+      for (std::size_t k = 0; k < tests.rows.size(); ++k) {
+        EXPECT_EQ(tests.rows[k].term, anova["terms"][k].get<std::string>());
+        // The models on the way are fitted with R's loose default.
+        expect_equal("anova loglik", tests.rows[k].loglik, anova["loglik"][k]);
+        expect_equal("anova chisq", statistic(tests.rows[k]), anova["chisq"][k],
+                     std::abs(tests.rows[0].loglik));
+      }
+    }
+    if (expected.contains("drop1_LRT")) {
+      const json& drop = expected["drop1_LRT"];
+      const TermTests tests = cox_drop1(data, options);
+      std::size_t compared = 0;
+      for (std::size_t k = 0; k < drop["terms"].size(); ++k) {
+        const auto term = drop["terms"][k].get<std::string>();
+        const auto found = std::find_if(tests.rows.begin(), tests.rows.end(),
+                                        [&](const TermTest& row) { return row.term == term; });
+        if (found == tests.rows.end()) {
+          // Another baseline hazard is no smaller model.
+          EXPECT_TRUE(term.starts_with("strata(")) << term;
+          continue;
+        }
+        ++compared;
+        expect_equal("drop1 AIC", found->aic, drop["AIC"][k]);
+        expect_equal("drop1 LRT", statistic(*found), drop["LRT"][k], std::abs(found->loglik));
+        expect_equal("drop1 p", found->test ? found->test->p_value : std::nan(""), drop["p"][k]);
+      }
+      EXPECT_EQ(compared, tests.rows.size());
+    }
+  });
+}
+
+TEST_F(CoxGolden, NamesWhatRLeavesUnsaid) {
+  for_each_model([&](const std::string& name, const CoxData&, const CoxFit& fit,
+                     const json& expected) {
+    const auto named = [&](ConditionKind kind, const std::string& column) {
+      return std::any_of(fit.conditions.begin(), fit.conditions.end(), [&](const Condition& c) {
+        return c.kind == kind && c.column == column;
+      });
+    };
+    if (name == "edge_cox_monotone") {
+      EXPECT_EQ(fit.summary.termination, CoxTermination::monotone);
+      EXPECT_TRUE(named(ConditionKind::monotone_likelihood, "trt"));
+      EXPECT_FALSE(fit.coefficients[0].estimate.has_value());
+      EXPECT_FALSE(fit.coefficients[0].p_value.has_value());
+      expect_equal("limit loglik", *fit.loglik, expected["loglik"]);
+      expect_equal("limit coef", fit.coefficients[1].estimate.value(), expected["coef"]["z"]);
+      expect_equal("limit se", fit.coefficients[1].model_se.value(), expected["se_model"]["z"]);
+      expect_equal("limit LR", fit.likelihood_ratio->statistic, expected["LR"]["test"]);
+      EXPECT_FALSE(fit.wald.has_value());
+    } else if (name == "edge_oneclass") {
+      EXPECT_TRUE(named(ConditionKind::no_events, ""));
+      EXPECT_EQ(fit.summary.termination, CoxTermination::no_fit);
+    } else if (name == "edge_constcov") {
+      EXPECT_TRUE(named(ConditionKind::constant_column, "const"));
+    } else if (name == "edge_collinear") {
+      EXPECT_TRUE(named(ConditionKind::collinear_column, "dup"));
+    } else {
+      EXPECT_EQ(fit.summary.termination, CoxTermination::converged);
+      EXPECT_FALSE(has(fit.conditions, ConditionKind::collinear_column));
+      EXPECT_FALSE(has(fit.conditions, ConditionKind::monotone_likelihood));
+    }
   });
 }
 
