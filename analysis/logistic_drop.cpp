@@ -74,8 +74,8 @@ DroppedTerm dropped(const LogisticInput& input,
   }
   result.chi_squared = std::max(0.0, *result.deviance - *whole.deviance);
   if (result.df > 0) {
-    result.p_value = boost::math::gamma_q(0.5 * static_cast<double>(result.df),
-                                          0.5 * *result.chi_squared);
+    result.p_value =
+        boost::math::gamma_q(0.5 * static_cast<double>(result.df), 0.5 * *result.chi_squared);
   }
   return result;
 }

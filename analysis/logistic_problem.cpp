@@ -1,5 +1,6 @@
 #include "analysis/logistic_problem.hpp"
 
+#include <Eigen/Cholesky>
 #include <boost/math/special_functions/erf.hpp>
 #include <numbers>
 
@@ -37,6 +38,22 @@ LogisticProblem part_of(const LogisticInput& input,
   part.rows.offset = gathered(problem.rows.offset, rows);
   part.space = orthonormal_basis(input.design(part.used, problem.space.kept));
   return part;
+}
+
+/// Where to start: 0, or against a large offset, where 0 may be hopelessly far, the least-squares
+/// fit of the rows' own smoothed logits less the offset (as `glm` starts).
+Eigen::VectorXd start_of(const LogisticProblem& problem) {
+  const Eigen::MatrixXd& basis = problem.space.basis;
+  const Eigen::Index rank = problem.space.rank();
+  if (problem.rows.offset.size() == 0 || rank == 0) {
+    return Eigen::VectorXd::Zero(rank);
+  }
+  const Eigen::ArrayXd share =
+      (problem.rows.successes.array() + 0.5) / (problem.rows.trials.array() + 1.0);
+  const Eigen::VectorXd weight = problem.rows.trials.array() * share * (1.0 - share);
+  const Eigen::VectorXd wanted = (share / (1.0 - share)).log() - problem.rows.offset.array();
+  const Eigen::MatrixXd normal = basis.transpose() * weight.asDiagonal() * basis;
+  return normal.ldlt().solve(basis.transpose() * weight.cwiseProduct(wanted));
 }
 
 }  // namespace
@@ -80,9 +97,8 @@ LogisticMaximum maximum_of(const LogisticInput& input,
         find_separation(problem.space.basis, problem.rows.successes, problem.rows.trials);
     return maximum.separation.kind != Separation::none;
   };
-  const Eigen::VectorXd start = Eigen::VectorXd::Zero(problem.space.rank());
-  maximum.newton =
-      maximise_binomial(problem.space.basis, problem.rows, start, std::nullopt, options, separated);
+  maximum.newton = maximise_binomial(
+      problem.space.basis, problem.rows, start_of(problem), std::nullopt, options, separated);
   if (!maximum.newton.converged() && !asked) {
     separated();
   }
@@ -92,7 +108,7 @@ LogisticMaximum maximum_of(const LogisticInput& input,
   maximum.limit = part_of(input, problem, maximum.separation.overlaps);
   maximum.newton = maximise_binomial(maximum.limit.space.basis,
                                      maximum.limit.rows,
-                                     Eigen::VectorXd::Zero(maximum.limit.space.rank()),
+                                     start_of(maximum.limit),
                                      std::nullopt,
                                      options);
   return maximum;

@@ -27,9 +27,8 @@ class Profile {
     Eigen::VectorXd mirror = functional_.normalized();
     mirror[0] += mirror[0] < 0.0 ? -1.0 : 1.0;
     const Eigen::Index size = functional_.size();
-    const Eigen::MatrixXd reflection =
-        Eigen::MatrixXd::Identity(size, size) -
-        (2.0 / mirror.squaredNorm()) * mirror * mirror.transpose();
+    const Eigen::MatrixXd reflection = Eigen::MatrixXd::Identity(size, size) -
+                                       (2.0 / mirror.squaredNorm()) * mirror * mirror.transpose();
     others_ = reflection.rightCols(size - 1);
   }
 
@@ -68,7 +67,8 @@ class Profile {
 };
 
 /// Where the root of the drop is `target` on the side of `sign`. The root is nearly linear in the
-/// coefficient, so Newton's method needs a few steps; they are kept within the bracket found so far.
+/// coefficient, so Newton's method needs a few steps; they are kept within the bracket found so
+/// far.
 std::optional<double> profile_end(Profile profile, double error, double target, double sign) {
   double inside = profile.value();
   double outside = sign * std::numeric_limits<double>::infinity();

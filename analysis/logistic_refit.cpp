@@ -35,9 +35,8 @@ LogisticReplicate LogisticRefit::fit(std::span<const std::uint32_t> multipliciti
     }
   }
   const auto separated = [&] {
-    return find_separation(problem_.space.basis(drawn, Eigen::all),
-                           rows.successes(drawn),
-                           rows.trials(drawn))
+    return find_separation(
+               problem_.space.basis(drawn, Eigen::all), rows.successes(drawn), rows.trials(drawn))
                .kind != Separation::none;
   };
   NewtonResult newton =

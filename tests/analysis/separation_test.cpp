@@ -110,9 +110,9 @@ Data random_data(std::uint64_t seed) {
     }
     data.trials[i] = 1.0 + static_cast<double>(random.below(2) * random.below(2));
     const double noise = static_cast<double>(random.below(3)) - 1.0;
-    data.successes[i] = sloped ? (sum + noise > 0.0 ? data.trials[i] : 0.0)
-                               : static_cast<double>(random.below(
-                                     static_cast<std::uint32_t>(data.trials[i]) + 1));
+    data.successes[i] =
+        sloped ? (sum + noise > 0.0 ? data.trials[i] : 0.0)
+               : static_cast<double>(random.below(static_cast<std::uint32_t>(data.trials[i]) + 1));
   }
   return data;
 }
@@ -146,9 +146,9 @@ TEST(Separation, EqualsTheExtremeDirectionsOfRandomSmallData) {
     ASSERT_EQ(found.overlaps, expected);
     const auto apart = std::count(expected.begin(), expected.end(), false);
     EXPECT_EQ(found.kind,
-              apart == 0                           ? Separation::none
+              apart == 0                    ? Separation::none
               : apart == data.design.rows() ? Separation::complete
-                                                   : Separation::quasi);
+                                            : Separation::quasi);
     ++kinds[static_cast<int>(found.kind)];
   }
   std::printf("separation oracle: %d none, %d quasi, %d complete\n", kinds[0], kinds[1], kinds[2]);
