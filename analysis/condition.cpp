@@ -1,6 +1,7 @@
 #include "analysis/condition.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace tcert {
 namespace {
@@ -12,7 +13,7 @@ struct Entry {
   std::string_view advice;
 };
 
-constexpr Entry kEntries[] = {
+constexpr auto kEntries = std::to_array<Entry>({
     // NOLINT(modernize-avoid-c-arrays): clang 14 cannot deduce more
     {ConditionKind::no_rows, "no_rows", "no complete row", "check the columns for missing values"},
     {ConditionKind::too_few_rows,
@@ -97,6 +98,10 @@ constexpr Entry kEntries[] = {
      "not_proportional",
      "hazards are not proportional",
      "stratify, or report the effect over time"},
+    {ConditionKind::below_diagonal,
+     "below_diagonal",
+     "the curve lies below the diagonal",
+     "check the predictor's direction; the corrected area is NA"},
     {ConditionKind::failed_replicates,
      "failed_replicates",
      "replicates without a value are left out",
@@ -109,13 +114,21 @@ constexpr Entry kEntries[] = {
      "endpoint_out_of_range",
      "an endpoint lies beyond the replicates",
      "use more replicates"},
+    {ConditionKind::infinite_bias,
+     "infinite_bias",
+     "all replicates lie on one side of the estimate",
+     "there is no BCa interval; use more replicates"},
+    {ConditionKind::no_acceleration,
+     "no_acceleration",
+     "the jackknife gives no acceleration",
+     "there is no BCa interval; read the percentile one with care"},
     {ConditionKind::one_class_fold, "one_class_fold", "a fold with one class", "it is left out"},
-};
+});
 
 const Entry& entry_of(ConditionKind kind) noexcept {
   const auto* const found = std::find_if(
-      std::begin(kEntries), std::end(kEntries), [&](const Entry& e) { return e.kind == kind; });
-  return found == std::end(kEntries) ? kEntries[0] : *found;
+      kEntries.begin(), kEntries.end(), [&](const Entry& e) { return e.kind == kind; });
+  return found == kEntries.end() ? kEntries[0] : *found;
 }
 
 }  // namespace

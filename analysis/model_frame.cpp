@@ -124,7 +124,7 @@ class FrameBuilder {
     add_missing_conditions(frame_);
   }
 
-  std::vector<double> kept(const Variable& value) const {
+  [[nodiscard]] std::vector<double> kept(const Variable& value) const {
     std::vector<double> numbers;
     numbers.reserve(frame_.rows.size());
     for (const std::size_t row : frame_.rows) {
@@ -134,7 +134,7 @@ class FrameBuilder {
   }
 
   /// A factor of two levels as 0 and 1.
-  std::vector<double> kept_outcome(const Used& used) const {
+  [[nodiscard]] std::vector<double> kept_outcome(const Used& used) const {
     if (used.value.kind != Variable::Kind::factor) {
       return kept(used.value);
     }

@@ -29,7 +29,7 @@ po::options_description common_description(unsigned use, CommonOptions& o) {
   if ((use & uses_format) != 0) {
     add("format",
         po::value(&o.format)->value_name("WORD")->default_value(o.format),
-        "of what is printed: text, md, csv, json or jsonl");
+        "of what is printed: text, md, csv, json, jsonl or tex");
   }
   if ((use & uses_seed) != 0) {
     add("seed",
@@ -188,8 +188,8 @@ void check_common(const CommonOptions& common) {
   require_range("threads", static_cast<double>(common.threads), 0, 1024);
   if (!table_format_from(common.format)) {
     throw UsageError("--format: found '" + common.format +
-                     "', expected text, md, csv, json or jsonl" +
-                     did_you_mean(common.format, {"text", "md", "csv", "json", "jsonl"}));
+                     "', expected text, md, csv, json, jsonl or tex" +
+                     did_you_mean(common.format, {"text", "md", "csv", "json", "jsonl", "tex"}));
   }
 }
 

@@ -1,42 +1,19 @@
 #include "reports/manifest.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "reports/table_json.hpp"
 #include "reports/version.hpp"
 
 namespace tcert {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json json_value(const std::string& text) {
-  if (text.empty()) {
-    return nullptr;
-  }
-  if (text == "true" || text == "false") {
-    return text == "true";
-  }
-  const char* end = text.data() + text.size();
-  std::uint64_t whole = 0;
-  if (const auto read = std::from_chars(text.data(), end, whole);
-      read.ec == std::errc{} && read.ptr == end) {
-    return whole;
-  }
-  double number = 0.0;
-  if (const auto read = std::from_chars(text.data(), end, number);
-      read.ec == std::errc{} && read.ptr == end && std::isfinite(number)) {
-    return number;
-  }
-  return text;
-}
+using Json = OrderedJson;
 
 Json json_settings(const Settings& settings) {
   Json json = Json::object();
   for (const auto& [key, value] : settings) {
-    json[key] = json_value(value);
+    json[key] = setting_value(value);
   }
   return json;
 }
@@ -70,7 +47,7 @@ std::string to_json(const Manifest& manifest) {
   json["parameters"] = json_settings(manifest.parameters);
   json["inputs"] = json_files(manifest.inputs);
   json["outputs"] = json_files(manifest.outputs);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return dumped(json, 2);
 }
 
 std::string name_of(const std::filesystem::path& path) {

@@ -11,7 +11,8 @@
 namespace tcert {
 namespace {
 
-constexpr std::array<std::string_view, 5> kFormatWords = {"text", "md", "csv", "json", "jsonl"};
+constexpr std::array<std::string_view, 6> kFormatWords = {
+    "text", "md", "csv", "json", "jsonl", "tex"};
 
 bool fits(const TableCell& cell, ColumnKind kind) {
   switch (kind) {
@@ -29,8 +30,12 @@ bool fits(const TableCell& cell, ColumnKind kind) {
   return false;
 }
 
-int decimals_of(int own, const Column& column) {
-  return own == kColumnDecimals ? column.decimals : own;
+/// As the cell says, else as its column does.
+std::string rounded(double value, int own_decimals, const Column& column) {
+  if (own_decimals == kColumnDecimals && column.significant > 0) {
+    return significant(value, column.significant);
+  }
+  return fixed(value, own_decimals == kColumnDecimals ? column.decimals : own_decimals);
 }
 
 struct Printer {
@@ -40,15 +45,15 @@ struct Printer {
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t value) const { return std::to_string(value); }
   std::string operator()(const Number& number) const {
-    return fixed(number.value, decimals_of(number.decimals, column));
+    return rounded(number.value, number.decimals, column);
   }
   std::string operator()(const Estimate& estimate) const {
     if (!std::isfinite(estimate.value)) {
       return "NA";
     }
-    const int decimals = decimals_of(estimate.decimals, column);
-    return fixed(estimate.value, decimals) + " [" + fixed(estimate.low, decimals) + ", " +
-           fixed(estimate.high, decimals) + "]";
+    return rounded(estimate.value, estimate.decimals, column) + " [" +
+           rounded(estimate.low, estimate.decimals, column) + ", " +
+           rounded(estimate.high, estimate.decimals, column) + "]";
   }
   std::string operator()(const PValue& p) const {
     if (!std::isfinite(p.value)) {
@@ -104,6 +109,8 @@ std::string render(const Table& table, TableFormat format) {
       return render_json(table);
     case TableFormat::jsonl:
       return render_jsonl(table);
+    case TableFormat::latex:
+      return render_latex(table);
   }
   throw std::invalid_argument("unknown table format");
 }
@@ -125,6 +132,16 @@ std::string fixed(double value, int decimals) {
     text.erase(0, 1);
   }
   return text;
+}
+
+std::string significant(double value, int digits) {
+  if (!std::isfinite(value)) {
+    return "NA";
+  }
+  std::array<char, 64> buffer{};
+  const auto result = std::to_chars(
+      buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+  return {buffer.data(), result.ptr};
 }
 
 }  // namespace tcert

@@ -26,7 +26,8 @@ struct Column {
   std::string heading;  ///< For people.
   std::string unit;     ///< Printed behind the heading; empty if there is none.
   ColumnKind kind = ColumnKind::text;
-  int decimals = 3;  ///< In print, for cells that do not say otherwise.
+  int decimals = 3;     ///< In print, for cells that do not say otherwise.
+  int significant = 0;  ///< If above 0: digits in print, whatever the size of the number.
 };
 
 /// Decimals as the column says.
@@ -73,9 +74,9 @@ struct Table {
   void add_row(std::vector<TableCell> cells);
 };
 
-enum class TableFormat { text, markdown, csv, json, jsonl };
+enum class TableFormat { text, markdown, csv, json, jsonl, latex };
 
-/// Words of --format, in the order of TableFormat: text, md, csv, json, jsonl.
+/// Words of --format, in the order of TableFormat: text, md, csv, json, jsonl, tex.
 [[nodiscard]] std::string_view to_string(TableFormat format) noexcept;
 [[nodiscard]] std::optional<TableFormat> table_format_from(std::string_view word) noexcept;
 
@@ -92,5 +93,8 @@ void append_csv_row(std::string& out, const Table& table, const std::vector<Tabl
 
 /// `value` with a fixed number of decimals, without a sign on zero; NA if it is not finite.
 [[nodiscard]] std::string fixed(double value, int decimals);
+
+/// `value` with so many significant digits: "0.0001234", "1.234e+09"; NA if it is not finite.
+[[nodiscard]] std::string significant(double value, int digits);
 
 }  // namespace tcert

@@ -1,8 +1,8 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "datasets/csv_write.hpp"
 #include "reports/table_formats.hpp"
+#include "reports/table_json.hpp"
 
 namespace tcert {
 namespace {
@@ -37,44 +37,7 @@ struct CsvCell {
   void operator()(const PValue& p) const { append_finite(out, p.value); }
 };
 
-using Json = nlohmann::ordered_json;
-
-Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-struct JsonCell {
-  Json& row;
-  const Column& column;
-
-  void operator()(std::monostate /*missing*/) const {
-    if (column.kind == ColumnKind::estimate) {
-      (*this)(Estimate{});
-    } else {
-      row[column.name] = nullptr;
-    }
-  }
-  void operator()(const std::string& text) const { row[column.name] = text; }
-  void operator()(std::int64_t value) const { row[column.name] = value; }
-  void operator()(const Number& number) const { row[column.name] = json_number(number.value); }
-  void operator()(const Estimate& estimate) const {
-    row[column.name] = json_number(estimate.value);
-    row[column.name + "_low"] = json_number(estimate.low);
-    row[column.name + "_high"] = json_number(estimate.high);
-  }
-  void operator()(const PValue& p) const { row[column.name] = json_number(p.value); }
-};
-
-Json json_row(const Table& table, const std::vector<TableCell>& cells) {
-  Json row = Json::object();
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    std::visit(JsonCell{row, table.columns[c]}, cells[c]);
-  }
-  return row;
-}
-
-/// Text from a log need not be UTF-8: what is not becomes U+FFFD instead of an exception.
-std::string dumped(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
-}
+using Json = OrderedJson;
 
 std::string_view word_of(ColumnKind kind) {
   switch (kind) {

@@ -10,6 +10,7 @@ namespace tcert {
 
 [[nodiscard]] std::string render_text(const Table& table);
 [[nodiscard]] std::string render_markdown(const Table& table);
+[[nodiscard]] std::string render_latex(const Table& table);
 [[nodiscard]] std::string render_csv(const Table& table);
 [[nodiscard]] std::string render_json(const Table& table);
 [[nodiscard]] std::string render_jsonl(const Table& table);

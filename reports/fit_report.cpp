@@ -1,0 +1,141 @@
+#include "reports/fit_report.hpp"
+
+#include <stdexcept>
+
+#include "reports/table_json.hpp"
+
+namespace tcert {
+namespace {
+
+using Json = OrderedJson;
+
+/// A record as a table of two columns, for people.
+Table name_and_value(const Table& record) {
+  Table table;
+  table.name = record.name;
+  table.title = record.title;
+  table.n = record.n;
+  table.footnotes = record.footnotes;
+  table.columns = {{"name", "", "", ColumnKind::text}, {"value", "", "", ColumnKind::text}};
+  for (std::size_t c = 0; c < record.columns.size() && !record.rows.empty(); ++c) {
+    const TableCell& cell = record.rows.front()[c];
+    if (!std::holds_alternative<std::monostate>(cell)) {
+      table.add_row({record.columns[c].heading, printed(cell, record.columns[c])});
+    }
+  }
+  return table;
+}
+
+Table conditions_table(const Conditions& conditions) {
+  Table table;
+  table.name = "conditions";
+  table.title = "Conditions";
+  table.columns = {{"severity", "", "", ColumnKind::text},
+                   {"condition", "condition", "", ColumnKind::text},
+                   {"column", "column", "", ColumnKind::text},
+                   {"detail", "found", "", ColumnKind::text},
+                   {"advice", "what to do", "", ColumnKind::text}};
+  for (const Condition& condition : conditions) {
+    table.add_row({std::string(to_string(condition.severity)),
+                   std::string(words(condition.kind)),
+                   condition.column,
+                   condition.detail,
+                   std::string(advice(condition.kind))});
+  }
+  return table;
+}
+
+Json json_of(const Conditions& conditions) {
+  Json list = Json::array();
+  for (const Condition& condition : conditions) {
+    list.push_back({{"name", name_of(condition.kind)},
+                    {"severity", to_string(condition.severity)},
+                    {"column", condition.column.empty() ? Json(nullptr) : Json(condition.column)},
+                    {"detail", condition.detail},
+                    {"message", to_string(condition)}});
+  }
+  return list;
+}
+
+std::string json_document(const FitReport& report) {
+  Json json;
+  json["model"] = report.model;
+  for (const auto& [key, value] : report.settings) {
+    json[key] = setting_value(value);
+  }
+  json["synthetic"] = report.synthetic.has_value();
+  if (report.synthetic) {
+    json["synthetic_seed"] = report.synthetic->seed ? Json(*report.synthetic->seed) : Json(nullptr);
+  }
+  json["summary"] = report.summary.rows.empty()
+                        ? Json::object()
+                        : json_row(report.summary, report.summary.rows.front());
+  for (const auto* list : {&report.tables, &report.details}) {
+    for (const Table& table : *list) {
+      Json rows = Json::array();
+      for (const auto& cells : table.rows) {
+        rows.push_back(json_row(table, cells));
+      }
+      json[table.name] = std::move(rows);
+    }
+  }
+  json["conditions"] = json_of(report.conditions);
+  return dumped(json, 1);
+}
+
+}  // namespace
+
+const Table* FitReport::find(std::string_view table) const noexcept {
+  if (summary.name == table) {
+    return &summary;
+  }
+  for (const auto* list : {&tables, &details}) {
+    for (const Table& one : *list) {
+      if (one.name == table) {
+        return &one;
+      }
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::string> FitReport::table_names() const {
+  std::vector<std::string> names{summary.name};
+  for (const auto* list : {&tables, &details}) {
+    for (const Table& one : *list) {
+      names.push_back(one.name);
+    }
+  }
+  return names;
+}
+
+std::string render(const FitReport& report, TableFormat format, std::string_view table) {
+  const auto labelled = [&](Table one) {
+    one.synthetic = report.synthetic;
+    return render(one, format);
+  };
+  if (!table.empty()) {
+    const Table* const chosen = report.find(table);
+    if (chosen == nullptr) {
+      throw std::invalid_argument("no table '" + std::string(table) + "'");
+    }
+    return labelled(*chosen);
+  }
+  if (format == TableFormat::json) {
+    return json_document(report);
+  }
+  if (format == TableFormat::csv || format == TableFormat::jsonl) {
+    return report.tables.empty() ? labelled(report.summary) : labelled(report.tables.front());
+  }
+  std::string out;
+  for (const Table& one : report.tables) {
+    out += labelled(one) + '\n';
+  }
+  out += labelled(name_and_value(report.summary));
+  if (!report.conditions.empty()) {
+    out += '\n' + labelled(conditions_table(report.conditions));
+  }
+  return out;
+}
+
+}  // namespace tcert

@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// What a fit gives, in every format: its summary, its tables, the conditions it met.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/condition.hpp"
+#include "reports/manifest.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+struct FitReport {
+  std::string model;           ///< "cox".
+  Settings settings;           ///< Formula, data, options; in this order.
+  Table summary;               ///< One row: n, events, tests of the whole model, how the fit ended.
+  std::vector<Table> tables;   ///< For people and programs; the first one is the main table.
+  std::vector<Table> details;  ///< For programs: covariances, residuals, curves.
+  Conditions conditions;
+  std::optional<SyntheticLabel> synthetic;
+
+  /// Null if there is no table of that name.
+  [[nodiscard]] const Table* find(std::string_view table) const noexcept;
+  [[nodiscard]] std::vector<std::string> table_names() const;
+};
+
+/// Text, Markdown and LaTeX: the summary and `tables`. JSON: one document with everything; the
+/// summary is an object, every table a list of objects, each condition an object with name,
+/// severity, column, detail. CSV and JSON Lines: the main table. With `table` only the table of
+/// that name, in any format; it is to be there.
+[[nodiscard]] std::string render(const FitReport& report,
+                                 TableFormat format,
+                                 std::string_view table = {});
+
+}  // namespace tcert
