@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/compact_codes.hpp"
+#include "analysis/concordance_replicates.hpp"
 #include "datasets/random.hpp"
 
 namespace tcert {
@@ -174,6 +175,38 @@ PooledScore out_of_fold_auc(const Folds& folds,
     if (successes > 0 && successes < rows.size()) {
       result.value = placements(score_of_fold, success_of_fold, higher).auc;
       result.pairs = static_cast<double>(successes) * static_cast<double>(rows.size() - successes);
+    }
+    return result;
+  });
+}
+
+PooledScore out_of_fold_c(const Folds& folds,
+                          std::span<const double> scores,
+                          const SurvivalOutcome& outcome,
+                          LargerMeans larger) {
+  if (scores.size() != folds.of_row.size() || outcome.rows() != folds.of_row.size()) {
+    throw std::invalid_argument("cross-validation: a score and an outcome for each row are needed");
+  }
+  return pooled_within_folds(folds, [&](std::span<const std::size_t> rows) {
+    SurvivalOutcome of_fold;
+    std::vector<double> score_of_fold;
+    for (const std::size_t row : rows) {
+      if (outcome.left_truncated()) {
+        of_fold.start.push_back(outcome.start[row]);
+      }
+      of_fold.stop.push_back(outcome.stop[row]);
+      of_fold.event.push_back(outcome.event[row]);
+      score_of_fold.push_back(scores[row]);
+    }
+    const ConcordanceReplicates c(of_fold, {"", score_of_fold, larger});
+    ConcordanceReplicates::Scratch scratch;
+    const auto counts = c.counts(std::vector<std::uint32_t>(rows.size(), 1), scratch);
+    const std::uint64_t pairs = counts.concordant + counts.discordant + counts.tied_x;
+    FoldScore result;
+    if (pairs > 0) {
+      result.pairs = static_cast<double>(pairs);
+      result.value =
+          static_cast<double>(2 * counts.concordant + counts.tied_x) / (2.0 * result.pairs);
     }
     return result;
   });

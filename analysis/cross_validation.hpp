@@ -9,8 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "analysis/concordance.hpp"
 #include "analysis/condition.hpp"
 #include "analysis/placements.hpp"
+#include "analysis/survival_outcome.hpp"
 
 namespace tcert {
 
@@ -72,5 +74,12 @@ struct PooledScore {
                                           std::span<const double> scores,
                                           std::span<const std::uint8_t> success,
                                           HigherMeans higher = HigherMeans::success);
+
+/// Harrell's C of out-of-fold `scores` within folds. `outcome` has snapped times.
+/// \throws std::invalid_argument if lengths differ.
+[[nodiscard]] PooledScore out_of_fold_c(const Folds& folds,
+                                        std::span<const double> scores,
+                                        const SurvivalOutcome& outcome,
+                                        LargerMeans larger = LargerMeans::shorter_time);
 
 }  // namespace tcert

@@ -19,6 +19,7 @@
 
 #include "analysis/auc_statistic.hpp"
 #include "analysis/bootstrap.hpp"
+#include "analysis/concordance_statistic.hpp"
 #include "analysis/formula.hpp"
 #include "analysis/golden_columns.hpp"
 #include "analysis/jackknife.hpp"
@@ -61,57 +62,6 @@ const std::map<std::string, Case>& cases() {
       {"sim660_cdiff_x1_x2_byday", {"Surv(time, success) ~ x1 + x2", {kUp, kUp}}}};
   return all;
 }
-
-/// Harrell's C over all pairs, as the definition has it: a pair counts if the row with the shorter
-/// time has an event, or both times are equal and one row alone has one.
-class AllPairsC {
- public:
-  AllPairsC(const SurvivalOutcome& outcome, const std::vector<std::vector<double>>& risks)
-      : scores_(risks.size()) {
-    for (std::uint32_t i = 0; i < outcome.rows(); ++i) {
-      for (std::uint32_t j = 0; j < outcome.rows(); ++j) {
-        const bool first = outcome.stop[i] < outcome.stop[j] ||
-                           (outcome.stop[i] == outcome.stop[j] && outcome.event[j] == 0);
-        if (i == j || outcome.event[i] == 0 || !first) {
-          continue;
-        }
-        const auto twice = [&](const std::vector<double>& risk) {
-          return risk[i] > risk[j] ? 2U : (risk[i] == risk[j] ? 1U : 0U);
-        };
-        pairs_.push_back({i, j, twice(risks.front()), twice(risks.back())});
-      }
-    }
-  }
-
-  void operator()(std::span<const std::uint32_t> multiplicity, std::span<double> values) const {
-    std::uint64_t all = 0;
-    std::uint64_t twice_first = 0;
-    std::uint64_t twice_second = 0;
-    for (const Pair& pair : pairs_) {
-      const std::uint32_t times = multiplicity[pair.i] * multiplicity[pair.j];
-      all += times;
-      twice_first += times * pair.twice_first;
-      twice_second += times * pair.twice_second;
-    }
-    const double whole = 2.0 * static_cast<double>(all);
-    values[0] = static_cast<double>(twice_first) / whole;
-    if (scores_ == 2) {
-      values[1] = static_cast<double>(twice_second) / whole;
-      values[2] =
-          static_cast<double>(static_cast<std::int64_t>(twice_first - twice_second)) / whole;
-    }
-  }
-
- private:
-  struct Pair {
-    std::uint32_t i = 0;
-    std::uint32_t j = 0;
-    std::uint32_t twice_first = 0;
-    std::uint32_t twice_second = 0;
-  };
-  std::size_t scores_;
-  std::vector<Pair> pairs_;
-};
 
 std::vector<std::vector<double>> read_rows(const fs::path& path, bool header) {
   std::ifstream file(path);
@@ -157,21 +107,15 @@ Statistic statistic_of(const ModelFrame& frame, const Case& test_case) {
   const AucDifferences differences =
       columns.size() == 2 ? AucDifferences{{0, 1}} : AucDifferences{};
   if (const auto* survival = std::get_if<SurvivalOutcome>(&frame.outcome)) {
+    std::vector<Predictor> predictors;
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      for (double& x : columns[k]) {
-        x = test_case.higher[k] == HigherMeans::success ? x : -x;
-      }
+      predictors.push_back({frame.columns[k + 1],
+                            columns[k],
+                            test_case.higher[k] == HigherMeans::success
+                                ? LargerMeans::shorter_time
+                                : LargerMeans::longer_time});
     }
-    Statistic statistic;
-    statistic.rows = frame.size();
-    statistic.values = columns.size() + differences.size();
-    const auto kernel = std::make_shared<const AllPairsC>(*survival, columns);
-    statistic.make_kernel = [kernel]() -> StatisticKernel {
-      return [kernel](std::span<const std::uint32_t> multiplicity, std::span<double> values) {
-        (*kernel)(multiplicity, values);
-      };
-    };
-    return statistic;
+    return concordance_statistic(*survival, predictors, differences);
   }
   std::vector<Score> scores;
   for (std::size_t k = 0; k < columns.size(); ++k) {

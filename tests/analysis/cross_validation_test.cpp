@@ -108,6 +108,22 @@ TEST(OutOfFoldAuc, AveragesFoldsByTheirPairs) {
   EXPECT_TRUE(has_error(none.conditions));
 }
 
+TEST(OutOfFoldC, AveragesFoldsByTheirPairs) {
+  // Fold 0: times 1, 2, 3, all events, risks 3, 1, 2: 2 of 3 pairs. Fold 1: censored alone. Fold 2:
+  // times 1, 2, 2+ with an event first: risks 5, 4, 5: 1.5 of 2 pairs, and event 2 before 2+: 0 of
+  // 1. Together 3.5 of 6.
+  SurvivalOutcome outcome;
+  outcome.stop = {1, 2, 3, 7, 8, 1, 2, 2};
+  outcome.event = {1, 1, 1, 0, 0, 1, 1, 0};
+  const std::vector<double> risk{3, 1, 2, 9, 9, 5, 4, 5};
+  const PooledScore pooled = out_of_fold_c(by_hand(), risk, outcome);
+  EXPECT_DOUBLE_EQ(pooled.value.value(), 3.5 / 6.0);
+  EXPECT_EQ(pooled.pairs, 6.0);
+  EXPECT_TRUE(has(pooled.conditions, ConditionKind::one_class_fold));
+  EXPECT_DOUBLE_EQ(out_of_fold_c(by_hand(), risk, outcome, LargerMeans::longer_time).value.value(),
+                   2.5 / 6.0);
+}
+
 TEST(OutOfFoldScores, ComeFromTheOtherFolds) {
   const std::vector<double> scores = out_of_fold_scores(
       by_hand(), [](std::span<const std::size_t> training, std::span<const std::size_t> held_out) {

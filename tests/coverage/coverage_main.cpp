@@ -24,15 +24,17 @@ int main(int argc, char** argv) {
                                 {"icc_0.2", 22, 30, 0.2},
                                 {"icc_0.5", 22, 30, 0.5},
                                 {"icc_0.8", 22, 30, 0.8}};
-  std::printf("scenario,quantity,method,truth,intervals,missing,coverage,mc_se,mean_width\n");
+  std::printf(
+      "scenario,quantity,method,truth,mean_estimate,intervals,missing,coverage,mc_se,mean_width\n");
   std::uint32_t stream = 10;
   for (const Scenario& scenario : scenarios) {
     for (const Coverage& row : tcert::coverage::run(scenario, stream++, options)) {
-      std::printf("%s,%s,%s,%.4f,%zu,%zu,%.4f,%.4f,%.4f\n",
+      std::printf("%s,%s,%s,%.4f,%.4f,%zu,%zu,%.4f,%.4f,%.4f\n",
                   row.scenario.c_str(),
                   row.quantity.c_str(),
                   row.method.c_str(),
                   row.truth,
+                  row.mean_estimate,
                   row.intervals,
                   row.missing,
                   row.covered,

@@ -25,8 +25,11 @@ constexpr std::array<const char*, kMethods> kMethodNames{"delong_plain",
                                                          "percentile_days",
                                                          "bca_days"};
 
-/// Intervals of the AUC and of the difference by every method.
-using Intervals = std::array<std::array<std::optional<Interval>, kMethods>, 2>;
+/// Intervals of the AUC and of the difference by every method, and the estimates.
+struct Intervals {
+  std::array<std::array<std::optional<Interval>, kMethods>, 2> by_quantity;
+  std::array<double, 2> estimate{};
+};
 
 Intervals intervals_of(const Study& study, const Options& options, std::uint64_t index) {
   const std::vector<Score> scores{{study.first, HigherMeans::success},
@@ -40,8 +43,8 @@ Intervals intervals_of(const Study& study, const Options& options, std::uint64_t
         {options.level,
          clustered ? std::span<const std::uint32_t>(study.day) : std::span<const std::uint32_t>()});
     const std::size_t method = clustered ? 1 : 0;
-    result[0][method] = joint.markers[0].interval;
-    result[1][method] = auc_contrast(joint, 0, 1).interval;
+    result.by_quantity[0][method] = joint.markers[0].interval;
+    result.by_quantity[1][method] = auc_contrast(joint, 0, 1).interval;
   }
   const Statistic statistic = auc_statistic(scores, study.success, {{0, 1}});
   for (const bool clustered : {false, true}) {
@@ -54,10 +57,11 @@ Intervals intervals_of(const Study& study, const Options& options, std::uint64_t
       const std::size_t value = quantity == 0 ? 0 : 2;
       const BootstrapDistribution distribution =
           bootstrap_distribution(boot.replicates[value], boot.observed[value]);
+      result.estimate[quantity] = boot.observed[value];
       const std::size_t method = clustered ? 4 : 2;
-      result[quantity][method] =
+      result.by_quantity[quantity][method] =
           bootstrap_interval(distribution, BootstrapMethod::percentile, {}, options.level).interval;
-      result[quantity][method + 1] =
+      result.by_quantity[quantity][method + 1] =
           bootstrap_interval(
               distribution, BootstrapMethod::bca, boot.acceleration[value], options.level)
               .interval;
@@ -77,7 +81,8 @@ Coverage summary(const std::vector<Intervals>& all,
   double covered = 0.0;
   double width = 0.0;
   for (const Intervals& of_set : all) {
-    const auto& interval = of_set[quantity][method];
+    result.mean_estimate += of_set.estimate[quantity] / static_cast<double>(all.size());
+    const auto& interval = of_set.by_quantity[quantity][method];
     if (!interval) {
       ++result.missing;
       continue;

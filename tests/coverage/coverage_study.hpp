@@ -53,7 +53,8 @@ struct Coverage {
   std::string quantity;  ///< "auc" of the first predictor, "delta_auc" over the second.
   std::string method;
   double truth = 0.0;
-  std::size_t intervals = 0;  ///< Data sets that had one.
+  double mean_estimate = 0.0;  ///< Over the data sets: its distance to the truth is a bias.
+  std::size_t intervals = 0;   ///< Data sets that had one.
   std::size_t missing = 0;
   double covered = 0.0;         ///< Share of the intervals that cover the truth.
   double monte_carlo_se = 0.0;  ///< Of that share.
