@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/concordance.hpp"
+#include "analysis/cox.hpp"
 #include "support/survival_golden.hpp"
 #include "support/worst.hpp"
 
@@ -21,16 +22,11 @@ namespace {
 using nlohmann::json;
 using test_support::golden_frame;
 using test_support::golden_number;
-using test_support::GoldenFrame;
+using test_support::golden_text;
 using test_support::Worst;
 
 constexpr double kRelative = 1e-10;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-std::string text(const json& test_case, const char* key) {
-  return test_case.contains(key) && test_case[key].is_string() ? test_case[key].get<std::string>()
-                                                               : std::string();
-}
 
 std::vector<double> five(const ConcordanceCounts& counts) {
   return {counts.concordant, counts.discordant, counts.tied_x, counts.tied_y, counts.tied_xy};
@@ -54,24 +50,47 @@ void expect_counts(const ConcordanceEstimate& estimate, const json& expected, Wo
 }
 
 struct Call {
-  GoldenFrame frame;
-  ConcordanceOptions options;
-
-  [[nodiscard]] ConcordanceResult run(LargerMeans larger = LargerMeans::longer_time) const {
-    std::vector<Predictor> predictors;
-    for (const auto& values : frame.predictors) {
-      predictors.push_back({"x", values, larger});
+  Call(ModelFrame of, std::vector<std::vector<double>> values)
+      : frame(std::move(of)),
+        outcome(test_support::survival_outcome(frame)),
+        predictors(std::move(values)) {
+    if (frame.weights) {
+      weights.assign(frame.weights->begin(), frame.weights->end());
     }
-    return concordance(frame.outcome, predictors, options);
   }
+
+  [[nodiscard]] ConcordanceOptions options() const {
+    ConcordanceOptions result;
+    result.weights = weights;
+    result.strata = frame.strata ? &*frame.strata : nullptr;
+    result.cluster = frame.cluster ? &*frame.cluster : nullptr;
+    return result;
+  }
+  [[nodiscard]] ConcordanceResult run(const ConcordanceOptions& with,
+                                      LargerMeans larger = LargerMeans::longer_time) const {
+    std::vector<Predictor> list;
+    for (const auto& values : predictors) {
+      list.push_back({"x", values, larger});
+    }
+    return concordance(outcome, list, with);
+  }
+
+  ModelFrame frame;
+  SurvivalOutcome outcome;
+  std::vector<std::vector<double>> predictors;
+  std::vector<double> weights;
 };
 
-Call make_call(GoldenFrame frame, bool strata, bool cluster) {
-  Call call{std::move(frame), {}};
-  call.options.weights = call.frame.weights;
-  call.options.strata = strata ? &call.frame.strata : nullptr;
-  call.options.cluster = cluster ? &call.frame.cluster : nullptr;
-  return call;
+Call single_call(const json& expected) {
+  FrameOptions options;
+  options.weights = golden_text(expected, "w");
+  options.cluster = golden_text(expected, "cluster");
+  options.strata = golden_text(expected, "strata");
+  ModelFrame frame = golden_frame(golden_text(expected, "data"),
+                                  golden_text(expected, "y") + " ~ " + golden_text(expected, "x"),
+                                  options);
+  const Eigen::VectorXd x = frame.design.col(1);
+  return {std::move(frame), {{x.begin(), x.end()}}};
 }
 
 void expect_dfbetas(const Call& call,
@@ -79,10 +98,10 @@ void expect_dfbetas(const Call& call,
                     const json& expected,
                     Worst& worst) {
   std::vector<double> dfbeta = estimate.dfbeta;
-  if (call.options.cluster != nullptr) {
-    std::vector<double> sums(call.frame.cluster.levels.size(), 0.0);
+  if (call.frame.cluster) {
+    std::vector<double> sums(call.frame.cluster->levels.size(), 0.0);
     for (std::size_t row = 0; row < dfbeta.size(); ++row) {
-      sums[call.frame.cluster.codes[row]] += dfbeta[row];
+      sums[call.frame.cluster->codes[row]] += dfbeta[row];
     }
     dfbeta = sums;
   }
@@ -140,22 +159,22 @@ const std::map<std::string, PairWeight> kPairWeights{
     {"I", PairWeight::inverse_at_risk}};
 
 /// Returns how many variants R has a value for.
-std::size_t expect_pair_weights(Call call, const json& expected, Worst& worst) {
+std::size_t expect_pair_weights(const Call& call, const json& expected, Worst& worst) {
   std::size_t variants = 0;
   for (const auto& [name, value] : expected.items()) {
     SCOPED_TRACE(name);
-    call.options.pair_weight = kPairWeights.at(name);
-    if (!value.is_object()) {  // R crashes on (start, stop] rows
-      const ConcordanceResult result = call.run();
-      EXPECT_TRUE(result.estimates[0].c.has_value());
+    ConcordanceOptions options = call.options();
+    options.pair_weight = kPairWeights.at(name);
+    if (value.is_object() && value.contains("error")) {
+      EXPECT_THROW(static_cast<void>(call.run(options)), std::invalid_argument);
       continue;
     }
-    if (value.contains("error")) {
-      EXPECT_THROW(static_cast<void>(call.run()), std::invalid_argument);
-      continue;
-    }
-    const ConcordanceResult result = call.run();
+    const ConcordanceResult result = call.run(options);
     const ConcordanceEstimate& estimate = result.estimates[0];
+    if (!value.is_object()) {  // R crashes on (start, stop] rows
+      EXPECT_TRUE(estimate.c.has_value());
+      continue;
+    }
     worst.expect("C by pair weight", estimate.c.value_or(kNan), golden_number(value["C"]));
     worst.expect(
         "variance by pair weight", estimate.variance.value_or(kNan), golden_number(value["var"]));
@@ -165,23 +184,43 @@ std::size_t expect_pair_weights(Call call, const json& expected, Worst& worst) {
   return variants;
 }
 
+void expect_limited(const Call& call, const json& expected, Worst& worst) {
+  for (const double latest : {5.0, 12.0}) {
+    const std::string key = "ymax_" + std::to_string(static_cast<int>(latest));
+    if (expected.contains(key) && !expected[key].contains("error")) {
+      ConcordanceOptions options = call.options();
+      options.latest = latest;
+      const ConcordanceResult early = call.run(options);
+      worst.expect(
+          "C by ymax", early.estimates[0].c.value_or(kNan), golden_number(expected[key]["C"]));
+      worst.expect("variance by ymax",
+                   early.estimates[0].variance.value_or(kNan),
+                   golden_number(expected[key]["var"]));
+    }
+  }
+}
+
+void expect_influence(const Call& call, const json& first, Worst& worst) {
+  const auto& strata = call.frame.strata;
+  const TimeOrder order = strata ? time_order(call.outcome, strata->codes, strata->levels.size())
+                                 : time_order(call.outcome);
+  const RowPairs row =
+      concordance_pairs({&order, &call.outcome, call.weights}, call.predictors[0]).rows[0];
+  const double concordant = golden_number(first[0]);
+  const double discordant = golden_number(first[1]);
+  worst.expect("influence", row.net, concordant - discordant);
+  worst.expect("influence", row.comparable, concordant + discordant + golden_number(first[2]));
+}
+
 TEST_F(ConcordanceGolden, SinglePredictorsEqualR) {
   std::size_t cases = 0;
   std::size_t variants = 0;
   for (const auto& [name, expected] : golden_["single"].items()) {
     SCOPED_TRACE(name);
-    Call call = make_call(golden_frame({text(expected, "data"),
-                                        text(expected, "y"),
-                                        {text(expected, "x")},
-                                        {},
-                                        text(expected, "strata"),
-                                        text(expected, "cluster"),
-                                        text(expected, "w")}),
-                          expected.contains("strata"),
-                          expected.contains("cluster"));
-    const ConcordanceResult result = call.run();
+    const Call call = single_call(expected);
+    const ConcordanceResult result = call.run(call.options());
     const ConcordanceEstimate& estimate = result.estimates[0];
-    EXPECT_EQ(call.frame.outcome.rows(), expected["n"].get<std::size_t>());
+    EXPECT_EQ(call.outcome.rows(), expected["n"].get<std::size_t>());
     worst_.expect("C", estimate.c.value_or(kNan), golden_number(expected["C"]));
     worst_.expect("variance", estimate.variance.value_or(kNan), golden_number(expected["var"]));
     worst_.expect("se", estimate.std_error.value_or(kNan), golden_number(expected["se"]));
@@ -190,40 +229,14 @@ TEST_F(ConcordanceGolden, SinglePredictorsEqualR) {
     if (estimate.c) {
       expect_dfbetas(call, estimate, expected, worst_);
     }
-    const TimeOrder order = time_order(call.frame.outcome,
-                                       call.frame.strata.codes,
-                                       std::max<std::size_t>(1, call.frame.strata.levels.size()));
-    const RowPairs row = concordance_pairs({&order, &call.frame.outcome, call.frame.weights},
-                                           call.frame.predictors[0])
-                             .rows[0];
-    const json& influence = expected["influence_first"];
-    worst_.expect("influence", row.net, golden_number(influence[0]) - golden_number(influence[1]));
-    worst_.expect(
-        "influence",
-        row.comparable,
-        golden_number(influence[0]) + golden_number(influence[1]) + golden_number(influence[2]));
-    const ConcordanceResult reverse = call.run(LargerMeans::shorter_time);
+    expect_influence(call, expected["influence_first"], worst_);
+    const ConcordanceResult reverse = call.run(call.options(), LargerMeans::shorter_time);
     worst_.expect(
         "C_reverse", reverse.estimates[0].c.value_or(kNan), golden_number(expected["C_reverse"]));
     expect_brute_force(estimate, expected.value("brute_force", json()), worst_);
     expect_hmisc(estimate, expected.value("Hmisc_rcorr_cens", json()), worst_);
-    for (const double latest : {5.0, 12.0}) {
-      const std::string key = "ymax_" + std::to_string(static_cast<int>(latest));
-      if (expected.contains(key) && !expected[key].contains("error")) {
-        Call limited = make_call(call.frame, false, expected.contains("cluster"));
-        limited.options.latest = latest;
-        const ConcordanceResult early = limited.run();
-        worst_.expect(
-            "C by ymax", early.estimates[0].c.value_or(kNan), golden_number(expected[key]["C"]));
-        worst_.expect("variance by ymax",
-                      early.estimates[0].variance.value_or(kNan),
-                      golden_number(expected[key]["var"]));
-      }
-    }
-    variants += expect_pair_weights(
-        make_call(call.frame, expected.contains("strata"), expected.contains("cluster")),
-        expected.value("timewt", json::object()),
-        worst_);
+    expect_limited(call, expected, worst_);
+    variants += expect_pair_weights(call, expected.value("timewt", json::object()), worst_);
     ++cases;
   }
   std::printf("concordance golden cases run: %zu single, %zu pair weights\n", cases, variants);
@@ -231,64 +244,63 @@ TEST_F(ConcordanceGolden, SinglePredictorsEqualR) {
   EXPECT_GT(cases, 0U);
 }
 
-/// Columns of a model of numbers and factors, treatment contrasts.
-std::vector<std::vector<double>> design_columns(const GoldenFrame& all,
-                                                const std::vector<std::string>& names,
-                                                const std::string& model) {
-  std::vector<std::vector<double>> columns;
-  std::istringstream right(model.substr(model.find('~') + 1));
-  for (std::string name; right >> name;) {
-    if (name == "+") {
-      continue;
-    }
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at != names.end()) {
-      columns.push_back(all.predictors[static_cast<std::size_t>(at - names.begin())]);
-      continue;
-    }
-    for (std::uint32_t level = 1; level < all.groups.levels.size(); ++level) {
-      columns.emplace_back();
-      for (const std::uint32_t code : all.groups.codes) {
-        columns.back().push_back(code == level ? 1.0 : 0.0);
-      }
+/// The terms of "y ~ a + b".
+std::vector<std::string> terms_of(const std::string& formula) {
+  std::vector<std::string> terms;
+  std::istringstream right(formula.substr(formula.find('~') + 1));
+  for (std::string term; right >> term;) {
+    if (term != "+") {
+      terms.push_back(term);
     }
   }
-  return columns;
+  return terms;
+}
+
+/// Linear predictor of the Cox model of some terms of a frame.
+std::vector<double> cox_score(const ModelFrame& frame, const std::vector<std::string>& terms) {
+  CoxData data;
+  data.outcome = test_support::survival_outcome(frame);
+  std::vector<Eigen::Index> used;
+  for (std::size_t column = 0; column < frame.columns.size(); ++column) {
+    const std::size_t term = frame.term_of[column];
+    if (term > 0 && std::find(terms.begin(), terms.end(), frame.terms[term - 1]) != terms.end()) {
+      used.push_back(static_cast<Eigen::Index>(column));
+      data.columns.push_back(frame.columns[column]);
+      data.term_of.push_back(data.terms.size());
+      data.terms.push_back(frame.columns[column]);
+    }
+  }
+  data.design = frame.design(Eigen::all, used);
+  const Eigen::VectorXd score = fit_cox(data).linear_predictors;
+  return {score.begin(), score.end()};
+}
+
+/// The scores of all models on the rows that are complete in every one.
+Call paired_call(const json& expected) {
+  const auto first = expected["models"][0].get<std::string>();
+  std::string formula = first;
+  for (const json& model : expected["models"]) {
+    for (const std::string& term : terms_of(model.get<std::string>())) {
+      formula += " + " + term;
+    }
+  }
+  FrameOptions options;
+  options.cluster = golden_text(expected, "cluster");
+  ModelFrame frame = golden_frame(golden_text(expected, "data"), formula, options);
+  std::vector<std::vector<double>> scores;
+  for (const json& model : expected["models"]) {
+    scores.push_back(cox_score(frame, terms_of(model.get<std::string>())));
+  }
+  return {std::move(frame), std::move(scores)};
 }
 
 TEST_F(ConcordanceGolden, PairedModelsEqualR) {
-  const std::map<std::string, std::vector<std::string>> numbers{
-      {"sim660.csv", {"x1", "x2", "x3", "x4"}},
-      {"lung.csv", {"age", "sex", "ph.ecog"}},
-      {"veteran.csv", {"karno", "age"}},
-      {"edge_ties.csv", {"score1", "score2"}}};
   std::size_t cases = 0;
   for (const auto& [name, expected] : golden_["paired"].items()) {
     SCOPED_TRACE(name);
-    const std::string data = text(expected, "data");
-    ASSERT_EQ(numbers.count(data), 1U);
-    const std::string first = expected["models"][0].get<std::string>();
-    const bool cluster = expected["cluster"].is_string();
-    const bool lighting = name == "sim660_3models";
-    Call call = make_call(
-        golden_frame({data,
-                      first.substr(0, first.find(" ~")),
-                      numbers.at(data),
-                      lighting ? std::vector<std::string>{"lighting"} : std::vector<std::string>{},
-                      "",
-                      cluster ? text(expected, "cluster") : "",
-                      ""}),
-        false,
-        cluster);
-    std::vector<std::vector<double>> scores;
-    for (const json& model : expected["models"]) {
-      scores.push_back(test_support::efron_linear_predictor(
-          call.frame.outcome,
-          design_columns(call.frame, numbers.at(data), model.get<std::string>())));
-    }
-    call.frame.predictors = scores;
-    const ConcordanceResult result = call.run(LargerMeans::shorter_time);
-    const std::size_t k = scores.size();
+    const Call call = paired_call(expected);
+    const ConcordanceResult result = call.run(call.options(), LargerMeans::shorter_time);
+    const std::size_t k = call.predictors.size();
     for (std::size_t i = 0; i < k; ++i) {
       worst_.expect("C", result.estimates[i].c.value_or(kNan), golden_number(expected["C"][i]));
       for (std::size_t m = 0; m < 5; ++m) {

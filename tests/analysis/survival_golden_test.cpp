@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,30 +22,27 @@ namespace {
 using nlohmann::json;
 using test_support::golden_frame;
 using test_support::golden_number;
-using test_support::GoldenCall;
-using test_support::GoldenFrame;
+using test_support::golden_text;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// "Surv(time, status) ~ a + b + strata(s)".
-GoldenCall call_of(const json& test_case) {
-  const auto formula = test_case["f"].get<std::string>();
-  GoldenCall call;
-  call.data = test_case["data"].get<std::string>();
-  call.response = formula.substr(0, formula.find(" ~"));
-  std::istringstream right(formula.substr(formula.find('~') + 1));
-  for (std::string name; right >> name;) {
-    if (name.rfind("strata(", 0) == 0) {
-      call.strata = name.substr(7, name.size() - 8);
-    } else if (name != "+" && name != "1") {
-      call.groups.push_back(name);
+/// Outcome, groups, strata and weights of a case.
+struct Call {
+  explicit Call(const json& test_case) {
+    FrameOptions options;
+    options.right_side = RightSide::groups;
+    options.weights = golden_text(test_case, "weights");
+    frame = golden_frame(golden_text(test_case, "data"), golden_text(test_case, "f"), options);
+    outcome = test_support::survival_outcome(frame);
+    if (frame.weights) {
+      weights.assign(frame.weights->begin(), frame.weights->end());
     }
   }
-  if (test_case.contains("weights") && test_case["weights"].is_string()) {
-    call.weights = test_case["weights"].get<std::string>();
-  }
-  return call;
-}
+
+  ModelFrame frame;
+  SurvivalOutcome outcome;
+  std::vector<double> weights;
+};
 
 const std::map<std::string, IntervalScale> kScales{{"ci_log", IntervalScale::log},
                                                    {"ci_log-log", IntervalScale::log_log},
@@ -71,12 +69,13 @@ class SurvivalGolden : public ::testing::Test {
 };
 
 const SurvivalCurve& curve_named(const std::vector<SurvivalCurve>& curves, const json& name) {
-  for (const SurvivalCurve& curve : curves) {
-    if (curve.group == name.get<std::string>()) {
-      return curve;
-    }
+  const auto found = std::find_if(curves.begin(), curves.end(), [&](const SurvivalCurve& curve) {
+    return curve.group == name.get<std::string>();
+  });
+  if (found == curves.end()) {
+    throw std::runtime_error("no curve " + name.dump());
   }
-  return curves.front();  // "all"
+  return *found;
 }
 
 void SurvivalGolden::expect_points(const std::vector<SurvivalCurve>& curves,
@@ -194,13 +193,12 @@ TEST_F(SurvivalGolden, CurvesEqualSurvfit) {
   std::size_t cases = 0;
   for (const auto& [name, expected] : golden_["km"].items()) {
     SCOPED_TRACE(name);
-    const GoldenCall call = call_of(expected);
-    const GoldenFrame frame = golden_frame(call);
+    const Call call(expected);
     CurveOptions options;
-    options.weights = frame.weights;
-    options.groups = call.groups.empty() ? nullptr : &frame.groups;
-    const std::vector<SurvivalCurve> curves = survival_curves(frame.outcome, options);
-    expect_points(curves, expected, !call.weights.empty());
+    options.weights = call.weights;
+    options.groups = &*call.frame.groups;
+    const std::vector<SurvivalCurve> curves = survival_curves(call.outcome, options);
+    expect_points(curves, expected, call.frame.weights.has_value());
     expect_intervals(curves, expected);
     expect_quantiles(curves, expected["quantiles_25_50_75"]);
     expect_table(curves, expected);
@@ -212,8 +210,8 @@ TEST_F(SurvivalGolden, CurvesEqualSurvfit) {
 }
 
 TEST_F(SurvivalGolden, FlemingHarringtonVariantsEqualSurvfit) {
-  const GoldenFrame frame =
-      golden_frame({"edge_ties.csv", "Surv(time, status)", {}, {}, "", "", ""});
+  const SurvivalOutcome outcome =
+      test_support::survival_outcome(golden_frame("edge_ties.csv", "Surv(time, status) ~ 1"));
   std::size_t cases = 0;
   for (const int stype : {1, 2}) {
     for (const int ctype : {1, 2}) {
@@ -225,7 +223,7 @@ TEST_F(SurvivalGolden, FlemingHarringtonVariantsEqualSurvfit) {
           stype == 1 ? SurvivalEstimate::kaplan_meier : SurvivalEstimate::exponential;
       options.hazard =
           ctype == 1 ? HazardEstimate::nelson_aalen : HazardEstimate::fleming_harrington;
-      const SurvivalCurve curve = survival_curves(frame.outcome, options)[0];
+      const SurvivalCurve curve = survival_curves(outcome, options)[0];
       ASSERT_EQ(curve.points.size(), expected["time"].size());
       for (std::size_t k = 0; k < curve.points.size(); ++k) {
         const SurvivalPoint& point = curve.points[k];
@@ -248,14 +246,13 @@ TEST_F(SurvivalGolden, FlemingHarringtonVariantsEqualSurvfit) {
 TEST_F(SurvivalGolden, LogRankTestsEqualSurvdiff) {
   std::size_t cases = 0;
   for (const auto& [name, tests] : golden_["survdiff"].items()) {
-    const GoldenCall call = call_of(tests);
-    const GoldenFrame frame = golden_frame(call);
+    const Call call(tests);
     for (const char* const rho : {"0", "1"}) {
       SCOPED_TRACE(name + ", rho " + rho);
       const json& expected = tests[rho];
-      const LogRankTest test = log_rank_test(frame.outcome,
-                                             frame.groups,
-                                             call.strata.empty() ? nullptr : &frame.strata,
+      const LogRankTest test = log_rank_test(call.outcome,
+                                             *call.frame.groups,
+                                             call.frame.strata ? &*call.frame.strata : nullptr,
                                              golden_number(expected["rho"]));
       ASSERT_EQ(test.groups.size(), expected["groups"].size());
       double largest = 0.0;
