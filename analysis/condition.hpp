@@ -42,10 +42,13 @@ enum class ConditionKind : std::uint8_t {
   zero_variance,        ///< A difference that is not 0, without variance: no test.
   no_comparable_pairs,  ///< C: no pair of rows can be compared.
   not_proportional,     ///< Cox: the test of proportional hazards rejects.
+  below_diagonal,       ///< A partial AUC less than chance: no corrected one.
   // The bootstrap and cross-validation.
   failed_replicates,      ///< Replicates without a value, left out.
   constant_replicates,    ///< All replicates are equal: no interval.
   endpoint_out_of_range,  ///< An endpoint's rank is below 1 or above the number of replicates.
+  infinite_bias,          ///< All replicates lie on one side of the estimate: no BCa.
+  no_acceleration,        ///< The jackknife has no spread or lacks a value: no BCa.
   one_class_fold,
 };
 

@@ -123,12 +123,12 @@ void score(const Trials& trials, const Predictors& predictors, double level, H1P
     row.predictor = predictors[k].name;
     row.higher = predictors[k].higher;
     row.missing = cases.missing[k];
-    row.auc = auc(cases.scores[k], cases.success, row.higher, level);
+    row.auc = auc(cases.scores[k], cases.success, row.higher, {level, {}});
     if (k > 0) {
       row.tc_gain = paired_auc_test({cases.scores[0], predictors[0].higher},
                                     {cases.scores[k], row.higher},
                                     cases.success,
-                                    level);
+                                    {level, {}});
     }
     panel.rows.push_back(row);
   }

@@ -76,9 +76,10 @@ struct H1Options {
 };
 
 /// A trial ends at its time_s, or with its log where that is not given; one of which neither is
-/// known is taken to run on. A log that ends by the landmark excludes its trial from that panel too. A higher certificate speaks for success; more contacts, dwell and
-/// variance speak for failure, whatever the data say.
-/// \throws std::invalid_argument if `level` is out of range. O(trials log trials).
+/// known is taken to run on. A log that ends by the landmark excludes its trial from that panel
+/// too. A higher certificate speaks for success; more contacts, dwell and variance speak for
+/// failure, whatever the data say. \throws std::invalid_argument if `level` is out of range.
+/// O(trials log trials).
 [[nodiscard]] H1Table hypothesis_h1(std::span<const FeatureRow> trials,
                                     const H1Options& options = {});
 

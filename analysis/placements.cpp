@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
+
+#include "analysis/rank_order.hpp"
 
 namespace tcert {
 
@@ -11,13 +12,7 @@ Placements placements(std::span<const double> score,
                       HigherMeans higher) {
   assert(score.size() == success.size());
   const std::size_t n = score.size();
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  // Weakest evidence of success first.
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return higher == HigherMeans::success ? score[a] < score[b] : score[b] < score[a];
-  });
-
+  const std::vector<std::uint32_t> order = rank_order(score, higher);
   const auto is_success = [&](std::size_t row) { return success[row] != 0; };
   const auto successes = static_cast<std::size_t>(
       std::count_if(success.begin(), success.end(), [](std::uint8_t s) { return s != 0; }));

@@ -1,171 +1,287 @@
 #include "analysis/roc.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <functional>
-#include <numbers>
-#include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include "analysis/complete_rows.hpp"
+#include "analysis/normal.hpp"
 
 namespace tcert {
 namespace {
 
-/// Conditions of the classes alone; true if there is an AUC.
-bool class_conditions(const CompleteRows& rows, std::vector<AucCondition>& conditions) {
+constexpr std::size_t kFewClusters = 30;
+
+/// Conditions of the classes alone; one that is an error means that there is no AUC.
+Conditions class_conditions(const CompleteRows& rows) {
+  Conditions conditions;
   if (rows.success.empty()) {
-    conditions.push_back(AucCondition::no_rows);
-  } else {
-    if (rows.successes == 0) {
-      conditions.push_back(AucCondition::no_successes);
-    }
-    if (rows.failures == 0) {
-      conditions.push_back(AucCondition::no_failures);
-    }
+    conditions.push_back({ConditionKind::no_rows, ConditionSeverity::error, "", ""});
+  } else if (rows.successes == 0) {
+    conditions.push_back({ConditionKind::one_class, ConditionSeverity::error, "", "no successes"});
+  } else if (rows.failures == 0) {
+    conditions.push_back({ConditionKind::one_class, ConditionSeverity::error, "", "no failures"});
   }
-  if (!conditions.empty()) {
-    return false;
+  if (rows.successes == 1 && rows.failures > 0) {
+    conditions.push_back(
+        {ConditionKind::rare_class, ConditionSeverity::warning, "", "a single success"});
   }
-  if (rows.successes == 1) {
-    conditions.push_back(AucCondition::one_success);
+  if (rows.failures == 1 && rows.successes > 0) {
+    conditions.push_back(
+        {ConditionKind::rare_class, ConditionSeverity::warning, "", "a single failure"});
   }
-  if (rows.failures == 1) {
-    conditions.push_back(AucCondition::one_failure);
-  }
-  return true;
+  return conditions;
 }
 
-/// Sample variance of the mean of `values`, n - 1 in the denominator. \pre at least two values.
-double variance_of_mean(std::span<const double> values) {
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0.0;
-  for (const double value : values) {
-    squares += (value - mean) * (value - mean);
+/// How many units, and how many of them hold a success or a failure.
+struct Units {
+  std::size_t all = 0;
+  std::size_t with_success = 0;
+  std::size_t with_failure = 0;
+};
+
+Units units_of(const CompleteRows& rows) {
+  if (!rows.clustered) {
+    return {rows.success.size(), rows.successes, rows.failures};
   }
-  return squares / (n - 1.0) / n;
+  std::vector<std::uint8_t> has_success(rows.clusters, 0);
+  std::vector<std::uint8_t> has_failure(rows.clusters, 0);
+  for (std::size_t row = 0; row < rows.success.size(); ++row) {
+    (rows.success[row] != 0 ? has_success : has_failure)[rows.cluster[row]] = 1;
+  }
+  const auto total = [](const std::vector<std::uint8_t>& flags) {
+    return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+  };
+  Units units;
+  units.all = rows.clusters;
+  units.with_success = total(has_success);
+  units.with_failure = total(has_failure);
+  return units;
 }
 
-/// Two-sided standard normal quantile: 1.96 for level 0.95.
-double normal_factor(double level) { return std::numbers::sqrt2 * boost::math::erf_inv(level); }
+void add_cluster_conditions(const Units& units, Conditions& conditions) {
+  const auto none = [&](const char* detail) {
+    conditions.push_back({ConditionKind::one_cluster, ConditionSeverity::warning, "", detail});
+  };
+  if (units.all < 2) {
+    none("");
+  } else if (units.with_success < 2) {
+    none("all successes are in it");
+  } else if (units.with_failure < 2) {
+    none("all failures are in it");
+  } else if (units.all < kFewClusters) {
+    conditions.push_back({ConditionKind::few_clusters,
+                          ConditionSeverity::note,
+                          "",
+                          std::to_string(units.all) + " clusters"});
+  }
+}
 
-void check_level(double level) {
+double small_sample_factor(std::size_t units) {
+  return static_cast<double>(units) / (static_cast<double>(units) - 1.0);
+}
+
+AucParts empty_parts(const CompleteRows& rows, const Units& units) {
+  const auto columns = static_cast<Eigen::Index>(rows.scores.size());
+  const auto size = [](std::size_t n) { return static_cast<Eigen::Index>(n); };
+  AucParts parts;
+  parts.clustered = rows.clustered;
+  parts.successes.setZero(size(rows.clustered ? units.all : rows.successes), columns);
+  parts.failures.setZero(size(rows.clustered ? units.all : rows.failures), columns);
+  parts.success_factor = small_sample_factor(units.with_success);
+  parts.failure_factor = small_sample_factor(units.with_failure);
+  parts.cross_factor = rows.clustered ? small_sample_factor(units.all) : 0.0;
+  return parts;
+}
+
+void add_marker(const CompleteRows& rows,
+                const Placements& place,
+                Eigen::Index column,
+                AucParts& parts) {
+  const auto successes = static_cast<double>(rows.successes);
+  const auto failures = static_cast<double>(rows.failures);
+  std::size_t i = 0;
+  std::size_t j = 0;
+  for (std::size_t row = 0; row < rows.success.size(); ++row) {
+    const bool success = rows.success[row] != 0;
+    const std::size_t in_class = success ? i++ : j++;
+    const auto unit = static_cast<Eigen::Index>(rows.clustered ? rows.cluster[row] : in_class);
+    if (success) {
+      parts.successes(unit, column) += (place.successes[in_class] - place.auc) / successes;
+    } else {
+      parts.failures(unit, column) += (place.failures[in_class] - place.auc) / failures;
+    }
+  }
+}
+
+/// u' C v for the covariance C of the AUCs. The clustered form is written so that no term is
+/// negative for u = v: rounding cannot make a variance negative.
+double form(const AucParts& parts, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
+  const Eigen::VectorXd su = parts.successes * u;
+  const Eigen::VectorXd sv = parts.successes * v;
+  const Eigen::VectorXd fu = parts.failures * u;
+  const Eigen::VectorXd fv = parts.failures * v;
+  const double within = (parts.success_factor - parts.cross_factor) * su.dot(sv) +
+                        (parts.failure_factor - parts.cross_factor) * fu.dot(fv);
+  return parts.clustered ? within + parts.cross_factor * (su + fu).dot(sv + fv) : within;
+}
+
+Eigen::MatrixXd covariance_of(const AucParts& parts) {
+  const Eigen::Index k = parts.successes.cols();
+  const Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(k, k);
+  Eigen::MatrixXd result(k, k);
+  for (Eigen::Index i = 0; i < k; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      result(i, j) = result(j, i) = form(parts, basis.col(i), basis.col(j));
+    }
+  }
+  return result;
+}
+
+void check(std::span<const Score> scores, double level) {
+  if (scores.empty()) {
+    throw std::invalid_argument("AUC: no predictor");
+  }
   if (!(level > 0.0 && level < 1.0)) {
     throw std::invalid_argument("AUC: level must be in (0, 1)");
   }
 }
 
-std::vector<double> difference_of(std::span<const double> a, std::span<const double> b) {
-  std::vector<double> result(a.size());
-  std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::minus<>());
-  return result;
+CompleteRows rows_of(std::span<const Score> scores,
+                     std::span<const double> success,
+                     const AucOptions& options) {
+  std::vector<std::span<const double>> values;
+  values.reserve(scores.size());
+  for (const Score& score : scores) {
+    values.push_back(score.values);
+  }
+  return complete_rows(values, success, options.cluster);
 }
 
 }  // namespace
 
-std::string_view to_string(AucCondition condition) noexcept {
-  switch (condition) {
-    case AucCondition::no_rows:
-      return "no complete rows";
-    case AucCondition::no_successes:
-      return "no successes";
-    case AucCondition::no_failures:
-      return "no failures";
-    case AucCondition::one_success:
-      return "a single success";
-    case AucCondition::one_failure:
-      return "a single failure";
-    case AucCondition::all_tied:
-      return "all tied";
-    case AucCondition::separated:
-      return "separated";
-    case AucCondition::same_ranking:
-      return "same ranking";
-    case AucCondition::zero_variance:
-      return "zero variance";
+JointAuc joint_auc(std::span<const Score> scores,
+                   std::span<const double> success,
+                   const AucOptions& options) {
+  check(scores, options.level);
+  const CompleteRows rows = rows_of(scores, success, options);
+  JointAuc joint;
+  joint.level = options.level;
+  AucEstimate common;
+  common.successes = rows.successes;
+  common.failures = rows.failures;
+  common.missing = rows.missing;
+  common.clusters = rows.clusters;
+  common.conditions = class_conditions(rows);
+  if (has_error(common.conditions)) {
+    joint.markers.assign(scores.size(), common);
+    return joint;
   }
-  return "";
+  const Units units = units_of(rows);
+  if (rows.clustered) {
+    add_cluster_conditions(units, common.conditions);
+  }
+  joint.markers.assign(scores.size(), common);
+
+  const bool has_variance = units.with_success > 1 && units.with_failure > 1;
+  AucParts parts = has_variance ? empty_parts(rows, units) : AucParts{};
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    const Placements place = placements(rows.scores[k], rows.success, scores[k].higher);
+    AucEstimate& marker = joint.markers[k];
+    marker.auc = place.auc;
+    if (place.distinct == 1) {
+      marker.conditions.push_back({ConditionKind::all_tied, ConditionSeverity::note, "", ""});
+    }
+    if (place.auc == 0.0 || place.auc == 1.0) {
+      marker.conditions.push_back({ConditionKind::separated, ConditionSeverity::note, "", ""});
+    }
+    if (has_variance) {
+      add_marker(rows, place, static_cast<Eigen::Index>(k), parts);
+    }
+  }
+  if (!has_variance) {
+    return joint;
+  }
+  joint.parts = std::move(parts);
+  joint.covariance = covariance_of(joint.parts);
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    AucEstimate& marker = joint.markers[k];
+    const auto column = static_cast<Eigen::Index>(k);
+    marker.variance = (*joint.covariance)(column, column);
+    const double half = normal_factor(options.level) * std::sqrt(*marker.variance);
+    marker.interval = Interval{
+        std::max(0.0, *marker.auc - half), std::min(1.0, *marker.auc + half), options.level};
+  }
+  return joint;
 }
 
 AucEstimate auc(std::span<const double> score,
                 std::span<const double> success,
                 HigherMeans higher,
-                double level) {
-  check_level(level);
-  const CompleteRows rows = complete_rows({score}, success);
-  AucEstimate estimate;
-  estimate.successes = rows.successes;
-  estimate.failures = rows.failures;
-  estimate.missing = rows.missing;
-  if (!class_conditions(rows, estimate.conditions)) {
-    return estimate;
+                const AucOptions& options) {
+  const Score marker{score, higher};
+  return joint_auc({&marker, 1}, success, options).markers.front();
+}
+
+AucDifference auc_contrast(const JointAuc& joint,
+                           std::size_t first,
+                           std::size_t second,
+                           Alternative alternative) {
+  if (first >= joint.markers.size() || second >= joint.markers.size()) {
+    throw std::invalid_argument("AUC: a contrast of a marker that is not there");
+  }
+  const AucEstimate& a = joint.markers[first];
+  const AucEstimate& b = joint.markers[second];
+  AucDifference result;
+  result.successes = a.successes;
+  result.failures = a.failures;
+  result.missing = a.missing;
+  result.clusters = a.clusters;
+  for (const Condition& condition : a.conditions) {
+    if (has(b.conditions, condition.kind) && condition.kind != ConditionKind::all_tied &&
+        condition.kind != ConditionKind::separated) {
+      result.conditions.push_back(condition);
+    }
+  }
+  if (!a.auc || !b.auc) {
+    return result;
+  }
+  const double difference = *a.auc - *b.auc;
+  result.first_auc = a.auc;
+  result.second_auc = b.auc;
+  result.difference = difference;
+  if (!joint.covariance) {
+    return result;
   }
 
-  const Placements place = placements(rows.scores[0], rows.success, higher);
-  estimate.auc = place.auc;
-  if (place.distinct == 1) {
-    estimate.conditions.push_back(AucCondition::all_tied);
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(joint.parts.successes.cols());
+  weights(static_cast<Eigen::Index>(first)) += 1.0;
+  weights(static_cast<Eigen::Index>(second)) -= 1.0;
+  const double variance = form(joint.parts, weights, weights);
+  const double half = normal_factor(joint.level) * std::sqrt(variance);
+  result.variance = variance;
+  result.interval = Interval{difference - half, difference + half, joint.level};
+  if (variance > 0.0) {
+    result.z = difference / std::sqrt(variance);
+    result.p_value = normal_p_value(*result.z, alternative);
+  } else if (difference == 0.0) {
+    result.conditions.push_back({ConditionKind::same_ranking, ConditionSeverity::note, "", ""});
+    result.z = 0.0;
+    result.p_value = normal_p_value(0.0, alternative);
+  } else {
+    result.conditions.push_back({ConditionKind::zero_variance, ConditionSeverity::warning, "", ""});
   }
-  if (place.auc == 0.0 || place.auc == 1.0) {
-    estimate.conditions.push_back(AucCondition::separated);
-  }
-  if (rows.successes < 2 || rows.failures < 2) {
-    return estimate;
-  }
-
-  const double variance = variance_of_mean(place.successes) + variance_of_mean(place.failures);
-  const double half = normal_factor(level) * std::sqrt(variance);
-  estimate.variance = variance;
-  estimate.interval =
-      Interval{std::max(0.0, place.auc - half), std::min(1.0, place.auc + half), level};
-  return estimate;
+  return result;
 }
 
 AucDifference paired_auc_test(const Score& first,
                               const Score& second,
                               std::span<const double> success,
-                              double level) {
-  check_level(level);
-  const CompleteRows rows = complete_rows({first.values, second.values}, success);
-  AucDifference result;
-  result.successes = rows.successes;
-  result.failures = rows.failures;
-  result.missing = rows.missing;
-  if (!class_conditions(rows, result.conditions)) {
-    return result;
-  }
-
-  const Placements a = placements(rows.scores[0], rows.success, first.higher);
-  const Placements b = placements(rows.scores[1], rows.success, second.higher);
-  const double difference = a.auc - b.auc;
-  result.first_auc = a.auc;
-  result.second_auc = b.auc;
-  result.difference = difference;
-  if (rows.successes < 2 || rows.failures < 2) {
-    return result;
-  }
-
-  // The variance of the row-wise differences is var(A) + var(B) - 2 cov(A, B) of the paper, without
-  // the cancellation that leaves a spurious remainder when the two predictors rank alike.
-  const double variance = variance_of_mean(difference_of(a.successes, b.successes)) +
-                          variance_of_mean(difference_of(a.failures, b.failures));
-  const double half = normal_factor(level) * std::sqrt(variance);
-  result.variance = variance;
-  result.interval = Interval{difference - half, difference + half, level};
-  if (variance > 0.0) {
-    const double z = difference / std::sqrt(variance);
-    result.z = z;
-    result.p_value = std::erfc(std::abs(z) / std::numbers::sqrt2);
-  } else if (difference == 0.0) {
-    result.conditions.push_back(AucCondition::same_ranking);
-    result.z = 0.0;
-    result.p_value = 1.0;
-  } else {
-    result.conditions.push_back(AucCondition::zero_variance);
-  }
-  return result;
+                              const AucOptions& options,
+                              Alternative alternative) {
+  const Score both[] = {first, second};  // NOLINT(modernize-avoid-c-arrays): a span's two elements
+  return auc_contrast(joint_auc(both, success, options), 0, 1, alternative);
 }
 
 }  // namespace tcert

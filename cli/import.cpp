@@ -1,130 +1,58 @@
-#include "datasets/import_carmen.hpp"
+#include "cli/import.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <filesystem>
-#include <limits>
+#include <algorithm>
+#include <string>
 
 #include "cli/errors.hpp"
 #include "cli/options.hpp"
-#include "cli/output.hpp"
 
 namespace tcert::cli {
 namespace {
 
 constexpr std::string_view kText =
-    R"(Make a bundle from a log in a foreign format.
+    R"(Make a bundle or a feature table from data in a foreign format.
 
-carmen: a Carnegie Mellon log (plain, .gz or .zst). Each FLASER record, with its corrected pose,
-becomes a tick with one range ray a beam; ODOM records are raw odometry in another frame and are only
-counted. The bundle's parameters suit scans that lie about 0.65 m apart; change them with --set when
-certifying. S is a disc round the first pose; G is where you say, and without it there is the on-policy
-corridor value but no certificate.
+carmen: a Carnegie Mellon log becomes a bundle of one trial.
+barn: public outcomes of the BARN challenge, with the metrics of its worlds, become a feature table.
 
 Usage: tcert import carmen LOG --output DIR [options]
+       tcert import barn --trials FILE --metrics FILE --output FILE [options]
+
+'tcert import carmen --help' and 'tcert import barn --help' list the options.
 
 Example:
   tcert import carmen intel.gfs.log.gz --output intel --goal-x -2 --goal-y -14.5 --goal-radius 1
-  tcert certify intel --output results
+  tcert import barn --trials trials.csv --metrics difficulty_metrics.csv --output barn.csv
 
-Cost: one pass over the log.
+Cost: one pass over the files.
 )";
 
-constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
-
-struct ImportOptions {
-  std::string format;
-  std::string log;
-  double goal_x_m = kUnset;
-  double goal_y_m = kUnset;
-  double goal_radius_m = 1.0;
-  CarmenImportOptions carmen;
-};
-
-CommandLine command_line(ImportOptions& o) {
-  CommandLine line{"import",
-                   kText,
-                   uses_output | uses_config,
-                   po::options_description("Options"),
-                   {{"FORMAT", &o.format}, {"LOG", &o.log}}};
-  line.own.add_options()(
-      "goal-x", po::value(&o.goal_x_m)->value_name("M"), "centre of G in the frame of the log")(
-      "goal-y", po::value(&o.goal_y_m)->value_name("M"), "the same")(
-      "goal-radius",
-      po::value(&o.goal_radius_m)->value_name("M")->default_value(o.goal_radius_m),
-      "of G")("start-radius",
-              po::value(&o.carmen.start_radius_m)->value_name("M")->default_value(0.5, "0.5"),
-              "of S, round the first pose")(
-      "body-width",
-      po::value(&o.carmen.body_width_m)->value_name("M")->default_value(0.45, "0.45"),
-      "w_B of the robot")("reach",
-                          po::value(&o.carmen.reach_m)->value_name("M")->default_value(8.0, "8"),
-                          "longest clearance that a beam is trusted with; longer ones are clamped")(
-      "trial-id",
-      po::value(&o.carmen.trial_id)->value_name("ID")->default_value(o.carmen.trial_id),
-      "name of the one trial");
-  return line;
-}
-
-CarmenImportOptions carmen_options(const ImportOptions& options, const CommonOptions& common) {
-  CarmenImportOptions carmen = options.carmen;
-  require_range("start-radius", carmen.start_radius_m, 1e-3, 1e3);
-  require_range("body-width", carmen.body_width_m, 1e-3, 1e3);
-  require_range("reach", carmen.reach_m, 1e-3, 1e4);
-  require_range("goal-radius", options.goal_radius_m, 1e-3, 1e3);
-  if (std::isnan(options.goal_x_m) != std::isnan(options.goal_y_m)) {
-    throw UsageError("--goal-x and --goal-y go together");
-  }
-  if (!std::isnan(options.goal_x_m)) {
-    carmen.goal = Disc{{options.goal_x_m, options.goal_y_m}, options.goal_radius_m};
-  }
-  carmen.replace = std::filesystem::exists(std::filesystem::path(common.output) / "bundle.json");
-  return carmen;
-}
-
 int run(Arguments arguments) {
-  ImportOptions options;
+  const auto names = [&](const char* format) {
+    return std::find(arguments.begin(), arguments.end(), format);
+  };
+  const auto carmen = names("carmen");
+  const auto barn = names("barn");
+  if (carmen < barn) {
+    return import_carmen_command(arguments);
+  }
+  if (barn < carmen) {
+    return import_barn_command(arguments);
+  }
+  std::string format;
   CommonOptions common;
-  if (!parse(command_line(options), common, arguments)) {
-    return exit_done;
-  }
-  if (options.format != "carmen") {
-    throw UsageError("unknown format '" + options.format + "'" +
-                     did_you_mean(options.format, {"carmen"}) + " known: carmen");
-  }
-  if (common.output.empty()) {
-    throw UsageError("needs --output DIR");
-  }
-  if (!std::filesystem::exists(options.log)) {
-    throw NoInput("there is nothing at " + options.log);
-  }
-  const CarmenImportResult result =
-      import_carmen(options.log, common.output, carmen_options(options, common));
-  say(result.diagnostics);
-  if (!result.summary) {
-    throw BadData(options.log + " holds no scan that can be used");
-  }
-  const CarmenSummary& made = *result.summary;
-  if (!common.quiet) {
-    say(fmt::format(
-        "{} scans of {} beams, {:.1f} m in {:.0f} s, {:.2f} m between scans (median), {:.2f} "
-        "m at most; {} readings clamped to {} m. Bundle: {}",
-        made.scans,
-        made.beams,
-        made.distance_m,
-        made.duration_s,
-        made.median_step_m,
-        made.longest_step_m,
-        made.clamped_readings,
-        options.carmen.reach_m,
-        common.output));
+  if (parse({"import", kText, 0, po::options_description("Options"), {{"FORMAT", &format}}},
+            common,
+            arguments)) {
+    throw UsageError("unknown format '" + format + "'" + did_you_mean(format, {"barn", "carmen"}) +
+                     " known: barn, carmen");
   }
   return exit_done;
 }
 
 }  // namespace
 
-const Command kImport = {"import", "make a bundle from a log in a foreign format", run};
+const Command kImport = {
+    "import", "make a bundle or a feature table from data in a foreign format", run};
 
 }  // namespace tcert::cli

@@ -30,10 +30,11 @@ TableCell estimate(const std::optional<double>& value, const std::optional<Inter
   return cell;
 }
 
-std::string joined(const std::vector<AucCondition>& conditions) {
+std::string joined(const Conditions& conditions) {
   std::string text;
-  for (const AucCondition condition : conditions) {
-    text += (text.empty() ? "" : "; ") + std::string(to_string(condition));
+  for (const Condition& condition : conditions) {
+    text += (text.empty() ? "" : "; ") + std::string(words(condition.kind));
+    text += condition.detail.empty() ? "" : ": " + condition.detail;
   }
   return text;
 }

@@ -1,0 +1,67 @@
+#pragma once
+// How often intervals of AUCs cover the truth, on simulated studies whose truth is known.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tcert::coverage {
+
+/// Trials of days. A latent ability L of a trial, standard normal, decides its outcome: it fails
+/// below a threshold that 77 of 660 trials miss. Two predictors see it through noise:
+/// x_k = r_k L + sqrt(1 - r_k^2) N_k. L and every N_k have the within-day correlation `icc`, so
+/// days differ in their failures and in their predictors.
+struct Scenario {
+  std::string name;
+  std::size_t days = 22;
+  std::size_t trials_per_day = 30;
+  double icc = 0.0;
+};
+
+inline constexpr double kFailureShare = 77.0 / 660.0;
+inline constexpr double kFirstCorrelation = 0.5;
+inline constexpr double kSecondCorrelation = 0.3;
+
+struct Study {
+  std::vector<double> first;
+  std::vector<double> second;
+  std::vector<std::uint8_t> success;
+  std::vector<std::uint32_t> day;
+};
+
+/// Data set number `index` of a scenario, keyed by (seed, stream, index).
+Study simulate(const Scenario& scenario,
+               std::uint64_t seed,
+               std::uint32_t stream,
+               std::uint64_t index);
+
+/// Pr(x of a success > x of a failure) for trials of different days, by quadrature: given both
+/// abilities the difference of the predictors is normal.
+double true_auc(double correlation);
+
+struct Options {
+  std::size_t data_sets = 2000;
+  std::size_t replicates = 1999;
+  std::uint64_t seed = 1;
+  double level = 0.95;
+};
+
+/// One interval method on one quantity.
+struct Coverage {
+  std::string scenario;
+  std::string quantity;  ///< "auc" of the first predictor, "delta_auc" over the second.
+  std::string method;
+  double truth = 0.0;
+  std::size_t intervals = 0;  ///< Data sets that had one.
+  std::size_t missing = 0;
+  double covered = 0.0;         ///< Share of the intervals that cover the truth.
+  double monte_carlo_se = 0.0;  ///< Of that share.
+  double mean_width = 0.0;
+};
+
+/// All methods on all data sets of a scenario. `stream` must differ between scenarios. The same
+/// numbers for any number of threads.
+std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const Options& options);
+
+}  // namespace tcert::coverage
