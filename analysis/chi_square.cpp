@@ -21,7 +21,9 @@ ChiSquareTest chi_square_test(double statistic, std::size_t df) {
   return test;
 }
 
-double two_sided_quantile(double level) { return std::numbers::sqrt2 * boost::math::erf_inv(level); }
+double two_sided_quantile(double level) {
+  return std::numbers::sqrt2 * boost::math::erf_inv(level);
+}
 
 double two_sided_p(double z) { return std::erfc(std::abs(z) / std::numbers::sqrt2); }
 

@@ -60,15 +60,16 @@ struct CoxOptions {
 
   std::size_t iterations = 60;
   double loglik_tolerance = 1e-14;  ///< Relative change of the log-likelihood.
-  double step_tolerance = 1e-8;     ///< Largest next step, relative to 1 + |coefficient|, per scaled column.
+  double step_tolerance =
+      1e-8;  ///< Largest next step, relative to 1 + |coefficient|, per scaled column.
   double rank_tolerance = 1.8e-12;  ///< A column whose share of information is below it is NA.
 };
 
 enum class CoxTermination : std::uint8_t {
   converged,
-  monotone,          ///< The log-likelihood converged, a coefficient runs to infinity.
+  monotone,  ///< The log-likelihood converged, a coefficient runs to infinity.
   iteration_limit,
-  no_fit,            ///< An error among the conditions.
+  no_fit,  ///< An error among the conditions.
 };
 
 /// "converged", "monotone likelihood", "iteration limit", "no fit".
@@ -106,19 +107,19 @@ struct CoxFit {
   double level = 0.95;
 
   std::vector<CoxCoefficient> coefficients;
-  Eigen::VectorXd beta;          ///< p, 0 where the coefficient is NA; a column that runs to infinity
-                                 ///< holds the last iterate, so predictors order the rows rightly.
-  Eigen::MatrixXd vcov;          ///< p x p, the robust one if robust; NaN where a coefficient is NA.
-  Eigen::MatrixXd model_vcov;    ///< p x p.
-  Eigen::VectorXd means;         ///< p, about which coxph centres: 0 for columns of -1, 0 and 1,
-                                 ///< weighted for right-censored Efron and Breslow.
+  Eigen::VectorXd beta;        ///< p, 0 where the coefficient is NA; a column that runs to infinity
+                               ///< holds the last iterate, so predictors order the rows rightly.
+  Eigen::MatrixXd vcov;        ///< p x p, the robust one if robust; NaN where a coefficient is NA.
+  Eigen::MatrixXd model_vcov;  ///< p x p.
+  Eigen::VectorXd means;       ///< p, about which coxph centres: 0 for columns of -1, 0 and 1,
+                               ///< weighted for right-censored Efron and Breslow.
   Eigen::VectorXd linear_predictors;  ///< n: (x - means) beta + offset - its mean.
 
   std::size_t df = 0;  ///< Columns of full rank.
   std::optional<double> loglik_null;
   std::optional<double> loglik;
   std::optional<ChiSquareTest> likelihood_ratio;
-  std::optional<ChiSquareTest> wald;   ///< Robust if robust.
+  std::optional<ChiSquareTest> wald;  ///< Robust if robust.
   std::optional<ChiSquareTest> score;
   std::optional<ChiSquareTest> robust_score;  ///< At beta = 0, with the offset.
   std::optional<double> aic;

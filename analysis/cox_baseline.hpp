@@ -29,9 +29,10 @@ struct CoxCurve {
   std::size_t row = 0;  ///< Of the new rows.
   std::vector<double> time;
   std::vector<double> survival;
-  std::vector<double> std_err;  ///< Of `survival`; as R's, it uses the robust variance for beta alone.
-  std::vector<double> lower;    ///< On the log scale; NaN where survival is 0.
-  std::vector<double> upper;    ///< At most 1.
+  std::vector<double>
+      std_err;  ///< Of `survival`; as R's, it uses the robust variance for beta alone.
+  std::vector<double> lower;  ///< On the log scale; NaN where survival is 0.
+  std::vector<double> upper;  ///< At most 1.
 };
 
 /// For every stratum all rows of `design` (k x p, columns as in `data`), with `offset` (k) if the

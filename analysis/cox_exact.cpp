@@ -2,8 +2,8 @@
 // prod(r of the events) / e_d(r), e_d the d-th elementary symmetric polynomial of the risks. Were
 // each row to have an event by an independent coin with odds s r, then Pr(d heads) =
 // e_d s^d / prod(1 + s r), and score and information are mean and variance of the sum of x over the
-// heads, given d of them. The recursion over the rows is in these probabilities; s is chosen so that
-// d heads are expected.
+// heads, given d of them. The recursion over the rows is in these probabilities; s is chosen so
+// that d heads are expected.
 
 #include <algorithm>
 #include <cmath>
@@ -210,7 +210,7 @@ CoxDerivatives exact_derivatives(const CoxRows& rows, const Eigen::VectorXd& bet
     for (std::size_t place = begin; place < end; ++place) {
       const Eigen::Map<const Eigen::VectorXd> x(rows.row(place), p);
       result.score += x;
-      result.loglik += x.dot(beta) + rows.offset[place] - risks.shift;
+      result.loglik += x.dot(beta) + rows.offset_of(place) - risks.shift;
     }
   });
   result.information = Eigen::MatrixXd(result.information.selfadjointView<Eigen::Lower>());

@@ -53,7 +53,10 @@ void check_options(const CoxData& data, const CoxOptions& options) {
   }
 }
 
-void add(CoxFit& fit, ConditionKind kind, ConditionSeverity severity, std::string column = {},
+void add(CoxFit& fit,
+         ConditionKind kind,
+         ConditionSeverity severity,
+         std::string column = {},
          std::string detail = {}) {
   fit.conditions.push_back({kind, severity, std::move(column), std::move(detail)});
 }
@@ -85,8 +88,8 @@ bool rows_can_be_fitted(const CoxData& data, CoxFit& fit) {
   return !has_error(fit.conditions);
 }
 
-/// As coxph centres: not at all for columns of -1, 0 and 1; the exact and left-truncated fits do not
-/// weight.
+/// As coxph centres: not at all for columns of -1, 0 and 1; the exact and left-truncated fits do
+/// not weight.
 Eigen::VectorXd centring_means(const CoxData& data, const CoxRows& rows, Ties ties) {
   Eigen::VectorXd means = rows.centre;
   const bool weighted = ties != Ties::exact && !data.outcome.left_truncated();
@@ -119,14 +122,20 @@ void name_columns(const CoxData& data, const CoxMaximum& maximum, CoxFit& fit) {
       case ColumnState::estimated:
         break;
       case ColumnState::constant:
-        add(fit, ConditionKind::constant_column, kWarning, data.columns[j],
+        add(fit,
+            ConditionKind::constant_column,
+            kWarning,
+            data.columns[j],
             (column == column(0)).all() ? "" : "within every set of rows at risk");
         break;
       case ColumnState::collinear:
         add(fit, ConditionKind::collinear_column, kWarning, data.columns[j]);
         break;
       case ColumnState::infinite:
-        add(fit, ConditionKind::monotone_likelihood, kWarning, data.columns[j],
+        add(fit,
+            ConditionKind::monotone_likelihood,
+            kWarning,
+            data.columns[j],
             fit.beta(static_cast<Eigen::Index>(j)) > 0.0 ? "its coefficient runs to +infinity"
                                                          : "its coefficient runs to -infinity");
         break;
@@ -175,7 +184,10 @@ void add_robust_variance(const CoxData& data,
       return;
     }
     if (fit.clusters < kFewClusters) {
-      add(fit, ConditionKind::few_clusters, ConditionSeverity::note, {},
+      add(fit,
+          ConditionKind::few_clusters,
+          ConditionSeverity::note,
+          {},
           std::to_string(fit.clusters) + " clusters");
     }
   }
@@ -195,8 +207,8 @@ void add_robust_variance(const CoxData& data,
     fit.vcov(known, known) = sandwich;
   }
   if (!ranked.empty()) {
-    const ClusterScores null = cluster_scores(
-        rows, Eigen::VectorXd::Zero(maximum.beta.size()), fit.ties, cluster);
+    const ClusterScores null =
+        cluster_scores(rows, Eigen::VectorXd::Zero(maximum.beta.size()), fit.ties, cluster);
     const Eigen::MatrixXd products = null.products(ranked, ranked);
     const Eigen::VectorXd total = null.total(ranked);
     // Fewer clusters than columns leave no variance in some direction.

@@ -1,5 +1,7 @@
 #include "analysis/cox_hazard_steps.hpp"
 
+#include <algorithm>
+
 #include "analysis/cox_likelihood.hpp"
 #include "analysis/cox_risk_pass.hpp"
 
@@ -10,41 +12,35 @@ bool is_event(const CoxRows& rows, std::size_t place) noexcept {
   return place >= rows.sets.events_begin[rows.sets.last[rows.sets.order[place]]];
 }
 
-/// Where a row's exposure begins and ends in cumulative sums over event times.
+/// A row's exposure: what its cumulative sums of `stride` numbers an event time are, as
+/// end + own - begin. `none` is a row of zeros.
 struct Exposure {
-  std::size_t last = 0;
-  std::size_t before_last = 0;   ///< Valid if `has_before_last`.
-  std::size_t before_first = 0;  ///< Valid if `has_before_first`.
-  bool has_before_last = false;
-  bool has_before_first = false;
-  bool event = false;
-
-  Exposure(const CoxRows& rows, std::size_t place) noexcept {
-    const RiskSets& sets = rows.sets;
-    const std::uint32_t row = sets.order[place];
-    last = sets.last[row];
-    const std::size_t origin = sets.stratum_begin[sets.stratum_of[last]];
-    const std::size_t first = sets.first[row];
-    has_before_last = last > origin;
-    before_last = has_before_last ? last - 1 : 0;
-    has_before_first = first > origin;
-    before_first = has_before_first ? first - 1 : 0;
-    event = is_event(rows, place);
-  }
-
-  /// Of cumulative sums and events' own steps, each `stride` apart.
-  [[nodiscard]] double sum(const double* cumulative,
-                           const double* event_step,
-                           std::size_t stride) const noexcept {
-    double total = 0.0;
-    if (event) {
-      total = event_step[last * stride] + (has_before_last ? cumulative[before_last * stride] : 0.0);
-    } else {
-      total = cumulative[last * stride];
-    }
-    return has_before_first ? total - cumulative[before_first * stride] : total;
-  }
+  const double* end;
+  const double* own;
+  const double* begin;
 };
+
+Exposure exposure_of(const RiskSets& sets,
+                     std::uint32_t row,
+                     bool event,
+                     const double* cumulative,
+                     const double* event_step,
+                     const double* none,
+                     std::size_t stride) noexcept {
+  const std::size_t last = sets.last[row];
+  const std::size_t first = sets.first[row];
+  const std::size_t origin = sets.stratum_begin[sets.stratum_of[last]];
+  Exposure exposure{cumulative + last * stride, none, none};
+  if (event) {
+    // Its own time counts by the reduced step.
+    exposure.end = last > origin ? cumulative + (last - 1) * stride : none;
+    exposure.own = event_step + last * stride;
+  }
+  if (first > origin) {
+    exposure.begin = cumulative + (first - 1) * stride;
+  }
+  return exposure;
+}
 
 void accumulate_strata(const RiskSets& sets, std::vector<double>& values, std::size_t stride) {
   for (std::size_t s = 0; s < sets.strata(); ++s) {
@@ -63,6 +59,7 @@ HazardSteps hazard_steps(const CoxRows& rows, const Eigen::VectorXd& beta, Ties 
   const std::size_t p = rows.columns;
   HazardSteps steps;
   risk_scores(rows, beta, steps.risks);
+  steps.none.assign(std::max<std::size_t>(1, p), 0.0);
   steps.hazard.resize(times);
   steps.hazard_variance.resize(times);
   steps.event_hazard.resize(times);
@@ -73,7 +70,7 @@ HazardSteps hazard_steps(const CoxRows& rows, const Eigen::VectorXd& beta, Ties 
     const std::size_t t = set.time;
     double weight = 0.0;
     for (std::size_t place = rows.sets.events_begin[t]; place < rows.sets.begin[t + 1]; ++place) {
-      weight += rows.weight[place];
+      weight += rows.weight_of(place);
     }
     const std::size_t d = rows.sets.events_at(t);
     const auto count = static_cast<double>(d);
@@ -97,7 +94,14 @@ HazardSteps hazard_steps(const CoxRows& rows, const Eigen::VectorXd& beta, Ties 
 }
 
 double hazard_of_row(const CoxRows& rows, const HazardSteps& steps, std::size_t place) noexcept {
-  return Exposure(rows, place).sum(steps.hazard.data(), steps.event_hazard.data(), 1);
+  const Exposure exposure = exposure_of(rows.sets,
+                                        rows.sets.order[place],
+                                        is_event(rows, place),
+                                        steps.hazard.data(),
+                                        steps.event_hazard.data(),
+                                        steps.none.data(),
+                                        1);
+  return *exposure.end + *exposure.own - *exposure.begin;
 }
 
 void score_residual(const CoxRows& rows,
@@ -105,16 +109,26 @@ void score_residual(const CoxRows& rows,
                     std::size_t place,
                     double* residual) noexcept {
   const std::size_t p = rows.columns;
-  const Exposure exposure(rows, place);
+  const bool event = is_event(rows, place);
+  const std::uint32_t row = rows.sets.order[place];
+  const Exposure exposure = exposure_of(rows.sets,
+                                        row,
+                                        event,
+                                        steps.mean_hazard.data(),
+                                        steps.event_mean_hazard.data(),
+                                        steps.none.data(),
+                                        p);
   const double* const x = rows.row(place);
   const double risk = steps.risks.score[place];
-  const double hazard = exposure.sum(steps.hazard.data(), steps.event_hazard.data(), 1);
+  const double hazard = hazard_of_row(rows, steps, place);
   for (std::size_t j = 0; j < p; ++j) {
-    const double mean_hazard =
-        exposure.sum(steps.mean_hazard.data() + j, steps.event_mean_hazard.data() + j, p);
+    const double mean_hazard = exposure.end[j] + exposure.own[j] - exposure.begin[j];
     residual[j] = -risk * (x[j] * hazard - mean_hazard);
-    if (exposure.event) {
-      residual[j] += x[j] - steps.mean[exposure.last * p + j];
+  }
+  if (event) {
+    const double* const mean = steps.mean.data() + rows.sets.last[row] * p;
+    for (std::size_t j = 0; j < p; ++j) {
+      residual[j] += x[j] - mean[j];
     }
   }
 }

@@ -14,13 +14,15 @@ namespace tcert {
 /// Cumulative sums start anew in every stratum. Of tied events under Efron's rule each sees its own
 /// hazard reduced: `event_*` is the time's own step for a row that has its event then.
 struct HazardSteps {
-  std::vector<double> hazard;           ///< Cumulative, of a row with risk score 1.
-  std::vector<double> hazard_variance;  ///< Cumulative: the part without the coefficients' variance.
+  std::vector<double> hazard;  ///< Cumulative, of a row with risk score 1.
+  std::vector<double>
+      hazard_variance;  ///< Cumulative: the part without the coefficients' variance.
   std::vector<double> event_hazard;
-  std::vector<double> mean;               ///< Of x over the risk set, averaged over the tied events.
-  std::vector<double> mean_hazard;        ///< Cumulative integral of the mean by the hazard.
+  std::vector<double> mean;         ///< Of x over the risk set, averaged over the tied events.
+  std::vector<double> mean_hazard;  ///< Cumulative integral of the mean by the hazard.
   std::vector<double> event_mean_hazard;
-  RiskScores risks;  ///< Scores of the rows; `hazard` belongs to scores with their shift.
+  std::vector<double> none;  ///< Zeros: a sum over no event time.
+  RiskScores risks;          ///< Scores of the rows; `hazard` belongs to scores with their shift.
 };
 
 /// With exact ties the steps are Breslow's, as in R. O(m p).

@@ -40,7 +40,7 @@ double add_risk_set(const CoxRows& rows,
   const std::size_t end = rows.sets.begin[set.time + 1];
   double weight = 0.0;
   for (std::size_t place = begin; place < end; ++place) {
-    const double w = rows.weight[place];
+    const double w = rows.weight_of(place);
     const double* const x = rows.row(place);
     weight += w;
     for (std::size_t j = 0; j < p; ++j) {
@@ -82,11 +82,11 @@ CoxDerivatives cox_derivatives(const CoxRows& rows, const Eigen::VectorXd& beta,
   });
   for (std::size_t t = 0; t < rows.sets.times(); ++t) {
     for (std::size_t place = rows.sets.events_begin[t]; place < rows.sets.begin[t + 1]; ++place) {
-      double predictor = rows.offset[place] - risks.shift;
+      double predictor = rows.offset_of(place) - risks.shift;
       for (std::size_t j = 0; j < p; ++j) {
         predictor += rows.row(place)[j] * beta(static_cast<Eigen::Index>(j));
       }
-      loglik += rows.weight[place] * predictor;
+      loglik += rows.weight_of(place) * predictor;
     }
   }
 

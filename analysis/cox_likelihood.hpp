@@ -33,8 +33,8 @@ struct TieSums {
 /// `others` and `events`: the sums of risk of the two. \pre d > 0. O(d), O(1) with Breslow.
 [[nodiscard]] TieSums tie_sums(double others, double events, std::size_t d, Ties ties) noexcept;
 
-/// Adds one event time's part to score (p) and information (lower triangle by rows) and returns what
-/// it takes from the log-likelihood beside its events' own predictors. O(p (d + p)).
+/// Adds one event time's part to score (p) and information (lower triangle by rows) and returns
+/// what it takes from the log-likelihood beside its events' own predictors. O(p (d + p)).
 double add_risk_set(const CoxRows& rows,
                     const RiskSet& set,
                     Ties ties,

@@ -39,7 +39,7 @@ std::vector<ColumnState> column_states(const CoxRows& rows,
   double events = 0.0;
   for (std::size_t t = 0; t < rows.sets.times(); ++t) {
     for (std::size_t place = rows.sets.events_begin[t]; place < rows.sets.begin[t + 1]; ++place) {
-      events += rows.weight[place];
+      events += rows.weight_of(place);
     }
   }
   std::vector<ColumnState> states(rows.columns, ColumnState::collinear);
@@ -52,8 +52,8 @@ std::vector<ColumnState> column_states(const CoxRows& rows,
       states[static_cast<std::size_t>(j)] = ColumnState::constant;
     }
   }
-  for (const Eigen::Index j : independent_columns(
-           null.information, varying, null.information.diagonal(), tolerance)) {
+  for (const Eigen::Index j :
+       independent_columns(null.information, varying, null.information.diagonal(), tolerance)) {
     states[static_cast<std::size_t>(j)] = ColumnState::estimated;
   }
   return states;
@@ -180,10 +180,8 @@ Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
     std::stable_partition(kept.begin(), kept.end(), [&](Eigen::Index j) {
       return maximum.columns[static_cast<std::size_t>(j)] != ColumnState::infinite;
     });
-    kept = independent_columns(maximum.fitted.information,
-                               kept,
-                               maximum.null.information.diagonal(),
-                               kLimitTolerance);
+    kept = independent_columns(
+        maximum.fitted.information, kept, maximum.null.information.diagonal(), kLimitTolerance);
   }
   Eigen::MatrixXd inverse = Eigen::MatrixXd::Constant(p, p, std::nan(""));
   if (!kept.empty()) {

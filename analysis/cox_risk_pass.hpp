@@ -25,27 +25,16 @@ class RiskMoments {
 
   void clear() noexcept;
 
-  /// Adds a row with risk `r`.
-  void add(double r, const double* x) noexcept {
-    double* sum = sums_.data();
-    *sum++ += r;
-    double* triangle = sum + columns_;
-    for (std::size_t a = 0; a < columns_; ++a) {
-      const double rx = r * x[a];
-      sum[a] += rx;
-      if (second_) {
-        for (std::size_t b = 0; b <= a; ++b) {
-          triangle[b] += rx * x[b];
-        }
-        triangle += a + 1;
-      }
-    }
-  }
+  /// Adds the rows at places begin..end - 1. O((end - begin) p^2), or p without second moments.
+  void add(const CoxRows& rows,
+           const RiskScores& risks,
+           std::size_t begin,
+           std::size_t end) noexcept;
 
   void add(const RiskMoments& other) noexcept;
 
-  /// Adds `sign` times `other` and keeps in `rest` what rounding loses (Neumaier), so that rows
-  /// can leave again without trace.
+  /// Adds `sign` times `other` and keeps in `rest` what rounding loses (Knuth's two-sum), so that
+  /// rows can leave again without trace.
   void add_exactly(const RiskMoments& other, double sign, RiskMoments& rest) noexcept;
 
  private:
@@ -56,58 +45,52 @@ class RiskMoments {
 
 /// At one event time.
 struct RiskSet {
-  std::size_t time;            ///< Its number in `RiskSets`.
-  const RiskMoments& others;   ///< Rows at risk without an event now.
-  const RiskMoments& events;   ///< Rows with an event now.
+  std::size_t time;           ///< Its number in `RiskSets`.
+  const RiskMoments& others;  ///< Rows at risk without an event now.
+  const RiskMoments& events;  ///< Rows with an event now.
+};
+
+/// The rows at risk as the pass goes down in time.
+class RiskPass {
+ public:
+  RiskPass(const CoxRows& rows, const RiskScores& risks, bool second);
+
+  /// Before the last event time of a stratum.
+  void start_stratum() noexcept;
+
+  /// Lets in the rows whose last event time is `t`. Downwards.
+  [[nodiscard]] RiskSet enter(std::size_t t) noexcept;
+
+  /// Lets out the rows whose first event time is `t`.
+  void leave(std::size_t t) noexcept;
+
+ private:
+  void join(const RiskMoments& part, double sign) noexcept;
+
+  const CoxRows& rows_;
+  const RiskScores& risks_;
+  bool truncated_;
+  RiskMoments total_;  ///< All at risk; with late entry its rounded part.
+  RiskMoments rest_;   ///< Late entry: what `total_` lacks.
+  RiskMoments exact_;  ///< Late entry: `total_` + `rest_`.
+  RiskMoments events_;
+  RiskMoments group_;
 };
 
 /// Calls `visit(RiskSet)` for every event time, strata upwards, times downwards. O(m p^2), or
 /// O(m p) without second moments.
 template <class Visit>
-void for_each_risk_set(const CoxRows& rows, const RiskScores& risks, bool second, Visit&& visit) {
+void for_each_risk_set(const CoxRows& rows,
+                       const RiskScores& risks,
+                       bool second,
+                       const Visit& visit) {
   const RiskSets& sets = rows.sets;
-  RiskMoments total(rows.columns, second);
-  RiskMoments rest(rows.columns, second);
-  RiskMoments events(rows.columns, second);
-  RiskMoments group(rows.columns, second);
-  RiskMoments others(rows.columns, second);
-  const bool truncated = !sets.late_begin.empty();
-  const auto risk = [&](std::size_t place) { return rows.weight[place] * risks.score[place]; };
-  const auto join = [&](const RiskMoments& part, double sign) {
-    if (truncated) {
-      total.add_exactly(part, sign, rest);
-    } else {
-      total.add(part);
-    }
-  };
+  RiskPass pass(rows, risks, second);
   for (std::size_t s = 0; s < sets.strata(); ++s) {
-    total.clear();
-    rest.clear();
+    pass.start_stratum();
     for (std::size_t t = sets.stratum_begin[s + 1]; t-- > sets.stratum_begin[s];) {
-      group.clear();
-      for (std::size_t place = sets.begin[t]; place < sets.events_begin[t]; ++place) {
-        group.add(risk(place), rows.row(place));
-      }
-      join(group, 1.0);
-      events.clear();
-      for (std::size_t place = sets.events_begin[t]; place < sets.begin[t + 1]; ++place) {
-        events.add(risk(place), rows.row(place));
-      }
-      if (truncated) {
-        others = total;
-        others.add(rest);
-        visit(RiskSet{t, others, events});
-      } else {
-        visit(RiskSet{t, total, events});
-      }
-      join(events, 1.0);
-      if (truncated && sets.late_begin[t] != sets.late_begin[t + 1]) {
-        group.clear();
-        for (std::size_t k = sets.late_begin[t]; k < sets.late_begin[t + 1]; ++k) {
-          group.add(risk(sets.late[k]), rows.row(sets.late[k]));
-        }
-        join(group, -1.0);
-      }
+      visit(pass.enter(t));
+      pass.leave(t);
     }
   }
 }

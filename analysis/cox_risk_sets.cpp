@@ -13,6 +13,13 @@ std::size_t stratum_of_row(const Factor* strata, std::size_t row) {
 void find_event_times(const SurvivalOutcome& outcome, const Factor* strata, RiskSets& sets) {
   const std::size_t count = strata == nullptr ? 1 : strata->levels.size();
   std::vector<std::vector<double>> times(count);
+  std::vector<std::size_t> events(count, 0);
+  for (std::size_t row = 0; row < outcome.rows(); ++row) {
+    events[stratum_of_row(strata, row)] += outcome.event[row];
+  }
+  for (std::size_t s = 0; s < count; ++s) {
+    times[s].reserve(events[s]);
+  }
   for (std::size_t row = 0; row < outcome.rows(); ++row) {
     if (outcome.event[row] != 0) {
       times[stratum_of_row(strata, row)].push_back(outcome.stop[row]);

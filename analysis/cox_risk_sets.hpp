@@ -18,9 +18,9 @@ namespace tcert {
 struct RiskSets {
   static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<double> time;                   ///< T.
-  std::vector<std::uint32_t> stratum_begin;   ///< Strata + 1: each one's first event time.
-  std::vector<std::uint32_t> stratum_of;      ///< T.
+  std::vector<double> time;                  ///< T.
+  std::vector<std::uint32_t> stratum_begin;  ///< Strata + 1: each one's first event time.
+  std::vector<std::uint32_t> stratum_of;     ///< T.
 
   std::vector<std::uint32_t> first;  ///< n; kNever if the row is at risk at no event time.
   std::vector<std::uint32_t> last;   ///< n; likewise.

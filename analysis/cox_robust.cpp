@@ -13,8 +13,8 @@ ClusterScores cluster_scores(const CoxRows& rows,
   ClusterScores scores;
   scores.products = Eigen::MatrixXd::Zero(p, p);
   scores.total = Eigen::VectorXd::Zero(p);
-  Eigen::MatrixXd sums =
-      Eigen::MatrixXd::Zero(p, cluster == nullptr ? 0 : static_cast<Eigen::Index>(cluster->levels.size()));
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(
+      p, cluster == nullptr ? 0 : static_cast<Eigen::Index>(cluster->levels.size()));
   Eigen::VectorXd residual(p);
   const auto add_product = [&](const Eigen::VectorXd& sum) {
     for (Eigen::Index b = 0; b < p; ++b) {
@@ -25,7 +25,7 @@ ClusterScores cluster_scores(const CoxRows& rows,
   };
   for (std::size_t place = 0; place < rows.rows(); ++place) {
     score_residual(rows, steps, place, residual.data());
-    residual *= rows.weight[place];
+    residual *= rows.weight_of(place);
     scores.total += residual;
     if (cluster == nullptr) {
       add_product(residual);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 namespace tcert {
 namespace {
@@ -17,16 +19,37 @@ void centre_and_scale(const CoxData& data, CoxRows& rows) {
   if (n == 0) {
     return;
   }
-  const Eigen::VectorXd weights = data.weights.value_or(Eigen::VectorXd::Ones(n));
-  const double total = weights.sum();
+  const auto weighted_mean = [&](const auto& values) {
+    return data.weights ? data.weights->dot(values.matrix()) / data.weights->sum() : values.mean();
+  };
   for (Eigen::Index j = 0; j < p; ++j) {
-    const auto column = data.design.col(j);
+    const auto column = data.design.col(j).array();
     // About the first value, so that the mean of a constant column is exact.
     const double origin = column(0);
-    rows.centre(j) = origin + weights.dot((column.array() - origin).matrix()) / total;
-    const double deviation =
-        weights.dot((column.array() - rows.centre(j)).abs().matrix()) / total;
+    const double centre = origin + weighted_mean(column - origin);
+    const double deviation = weighted_mean((column - centre).abs());
+    rows.centre(j) = centre;
     rows.scale(j) = deviation > 0.0 ? deviation : 1.0;
+  }
+}
+
+/// Reads the design column by column, a block of rows at a time, and writes rows where they belong:
+/// the other way around every number of a large design would be a cache miss.
+void scatter_design(const CoxData& data, const std::vector<std::uint32_t>& place, CoxRows& rows) {
+  constexpr std::size_t kBlock = 512;
+  for (std::size_t begin = 0; begin < place.size(); begin += kBlock) {
+    const std::size_t end = std::min(begin + kBlock, place.size());
+    for (std::size_t j = 0; j < rows.columns; ++j) {
+      const auto column = static_cast<Eigen::Index>(j);
+      const double* const from = data.design.col(column).data();
+      const double centre = rows.centre(column);
+      const double unit = rows.scale(column);
+      for (std::size_t row = begin; row < end; ++row) {
+        if (place[row] != RiskSets::kNever) {
+          rows.x[place[row] * rows.columns + j] = (from[row] - centre) / unit;
+        }
+      }
+    }
   }
 }
 
@@ -39,22 +62,22 @@ CoxRows cox_rows(const CoxData& data) {
   centre_and_scale(data, rows);
 
   const std::size_t m = rows.rows();
-  rows.x.resize(m * rows.columns);
-  rows.weight.assign(m, 1.0);
-  rows.offset.assign(m, 0.0);
-  for (std::size_t place = 0; place < m; ++place) {
-    const auto row = static_cast<Eigen::Index>(rows.sets.order[place]);
-    double* const x = rows.x.data() + place * rows.columns;
-    for (Eigen::Index j = 0; j < data.design.cols(); ++j) {
-      x[j] = (data.design(row, j) - rows.centre(j)) / rows.scale(j);
-    }
-    if (data.weights) {
-      rows.weight[place] = (*data.weights)(row);
-    }
-    if (data.offset) {
-      rows.offset[place] = (*data.offset)(row);
-    }
+  std::vector<std::uint32_t> place(data.rows(), RiskSets::kNever);
+  for (std::size_t k = 0; k < m; ++k) {
+    place[rows.sets.order[k]] = static_cast<std::uint32_t>(k);
   }
+  rows.x.resize(m * rows.columns);
+  scatter_design(data, place, rows);
+  const auto gather = [&](const std::optional<Eigen::VectorXd>& from, std::vector<double>& to) {
+    if (from) {
+      to.resize(m);
+      for (std::size_t k = 0; k < m; ++k) {
+        to[k] = (*from)(static_cast<Eigen::Index>(rows.sets.order[k]));
+      }
+    }
+  };
+  gather(data.weights, rows.weight);
+  gather(data.offset, rows.offset);
   return rows;
 }
 
@@ -65,7 +88,7 @@ void risk_scores(const CoxRows& rows, const Eigen::VectorXd& beta, RiskScores& s
   double largest = 0.0;
   for (std::size_t place = 0; place < m; ++place) {
     const double* const x = rows.row(place);
-    double sum = rows.offset[place];
+    double sum = rows.offset_of(place);
     for (std::size_t j = 0; j < p; ++j) {
       sum += x[j] * beta(static_cast<Eigen::Index>(j));
     }
@@ -75,6 +98,10 @@ void risk_scores(const CoxRows& rows, const Eigen::VectorXd& beta, RiskScores& s
   scores.shift = largest > kLargestExponent ? largest - kLargestExponent : 0.0;
   for (double& score : scores.score) {
     score = std::exp(score - scores.shift);
+  }
+  scores.weighted.resize(rows.weight.size());
+  for (std::size_t place = 0; place < rows.weight.size(); ++place) {
+    scores.weighted[place] = rows.weight[place] * scores.score[place];
   }
 }
 

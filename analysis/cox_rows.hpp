@@ -19,10 +19,16 @@ struct CoxRows {
   Eigen::VectorXd centre;      ///< p: the weighted mean over all n rows.
   Eigen::VectorXd scale;       ///< p: the weighted mean absolute deviation; 1 if it is 0.
   std::vector<double> x;       ///< m x p, a row after the other: (x - centre) / scale.
-  std::vector<double> weight;  ///< m.
-  std::vector<double> offset;  ///< m.
+  std::vector<double> weight;  ///< m, or empty: every weight is 1.
+  std::vector<double> offset;  ///< m, or empty: every offset is 0.
 
   [[nodiscard]] std::size_t rows() const noexcept { return sets.order.size(); }
+  [[nodiscard]] double weight_of(std::size_t place) const noexcept {
+    return weight.empty() ? 1.0 : weight[place];
+  }
+  [[nodiscard]] double offset_of(std::size_t place) const noexcept {
+    return offset.empty() ? 0.0 : offset[place];
+  }
   [[nodiscard]] const double* row(std::size_t place) const noexcept {
     return x.data() + place * columns;
   }
@@ -34,7 +40,13 @@ struct CoxRows {
 /// Risk scores exp(x beta + offset - shift) of the m rows.
 struct RiskScores {
   std::vector<double> score;
-  double shift = 0.0;  ///< 0 unless the largest exponent would overflow.
+  std::vector<double> weighted;  ///< Times the weight; empty if every weight is 1.
+  double shift = 0.0;            ///< 0 unless the largest exponent would overflow.
+
+  /// What a row adds to the sums over risk sets.
+  [[nodiscard]] const double* risk() const noexcept {
+    return weighted.empty() ? score.data() : weighted.data();
+  }
 };
 
 /// `beta` are the coefficients of the scaled columns. O(m p).

@@ -78,16 +78,14 @@ bool is_part_of_another(const std::vector<std::string>& terms, std::size_t term)
 
 TermTests cox_anova(const CoxData& data, const CoxOptions& options) {
   TermTests result;
-  CoxFit previous =
-      refit(with_terms(data, [](std::size_t) { return false; }), options);
+  CoxFit previous = refit(with_terms(data, [](std::size_t) { return false; }), options);
   if (has_error(previous.conditions)) {
     result.conditions = previous.conditions;
     return result;
   }
   result.rows.push_back(row_of("NULL", previous));
   for (std::size_t last = 0; last < data.terms.size(); ++last) {
-    CoxFit fit =
-        refit(with_terms(data, [&](std::size_t term) { return term <= last; }), options);
+    CoxFit fit = refit(with_terms(data, [&](std::size_t term) { return term <= last; }), options);
     result.conditions = fit.conditions;
     if (has_error(fit.conditions)) {
       result.rows.clear();

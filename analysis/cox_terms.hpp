@@ -16,7 +16,8 @@ struct TermTest {
   std::string term;  ///< "NULL" or "<none>" in the first row.
   double loglik = 0.0;
   double aic = 0.0;
-  std::optional<ChiSquareTest> test;  ///< Empty in the first row, and if the models are of the same rank.
+  std::optional<ChiSquareTest>
+      test;  ///< Empty in the first row, and if the models are of the same rank.
 };
 
 struct TermTests {

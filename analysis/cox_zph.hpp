@@ -15,8 +15,8 @@ namespace tcert {
 
 /// g(t).
 enum class TimeTransform : std::uint8_t {
-  km,        ///< 1 - Kaplan-Meier's estimate just before t, over all strata.
-  rank,      ///< Mean rank of t among all rows' times.
+  km,    ///< 1 - Kaplan-Meier's estimate just before t, over all strata.
+  rank,  ///< Mean rank of t among all rows' times.
   identity,
   log,
 };
@@ -37,8 +37,8 @@ struct ProportionalityTests {
                           ///< 0.05; error no_events, collinear_column if there is no test.
 };
 
-/// `by_term`: one test a term, else one a column. \pre `fit` is the fit to `data`, without an error,
-/// with Efron or Breslow ties; coefficients that are NA are left out. O(n (log n + p^2)).
+/// `by_term`: one test a term, else one a column. \pre `fit` is the fit to `data`, without an
+/// error, with Efron or Breslow ties; coefficients that are NA are left out. O(n (log n + p^2)).
 /// \throws std::invalid_argument with exact ties.
 [[nodiscard]] ProportionalityTests cox_zph(const CoxData& data,
                                            const CoxFit& fit,

@@ -51,8 +51,8 @@ std::vector<double> failed_before(const SurvivalOutcome& outcome) {
       ++end;
     }
     // Who has not yet started is not at risk.
-    const auto waiting =
-        static_cast<std::size_t>(starts.end() - std::lower_bound(starts.begin(), starts.end(), time));
+    const auto waiting = static_cast<std::size_t>(
+        starts.end() - std::lower_bound(starts.begin(), starts.end(), time));
     const auto at_risk = static_cast<double>(n - begin - waiting);
     survival *= 1.0 - static_cast<double>(events) / at_risk;
     begin = end;

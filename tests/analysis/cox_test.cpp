@@ -242,8 +242,7 @@ void expect_maximum_of_slow_likelihood(const CoxData& data, Ties ties) {
   options.ties = ties;
   const CoxFit fit = fit_cox(data, options);
   ASSERT_EQ(fit.summary.termination, CoxTermination::converged);
-  EXPECT_NEAR(fit.loglik.value(), slow_loglik(data, fit.beta, ties),
-              1e-11 * std::abs(*fit.loglik));
+  EXPECT_NEAR(fit.loglik.value(), slow_loglik(data, fit.beta, ties), 1e-11 * std::abs(*fit.loglik));
   EXPECT_NEAR(fit.loglik_null.value(),
               slow_loglik(data, Eigen::VectorXd::Zero(fit.beta.size()), ties),
               1e-11 * std::abs(*fit.loglik));
@@ -350,10 +349,9 @@ TEST(Cox, ScoreResidualsSumToTheScoreAndDfbetasFollowTheJackknife) {
           (*lighter.weights)(row) -= step;
           const Eigen::VectorXd slope =
               (fit_cox(heavier, options).beta - fit_cox(lighter, options).beta) / (2 * step);
-          EXPECT_LT((slope * weights(row) - residuals.dfbeta.row(row).transpose())
-                        .cwiseAbs()
-                        .maxCoeff(),
-                    1e-6);
+          EXPECT_LT(
+              (slope * weights(row) - residuals.dfbeta.row(row).transpose()).cwiseAbs().maxCoeff(),
+              1e-6);
         }
       }
     }
@@ -384,6 +382,86 @@ TEST(Cox, RobustVarianceIsThatOfTheDfbetas) {
   EXPECT_TRUE(fit_cox(data).robust);  // By its fractional weights.
   *data.weights = data.weights->array() + 0.5;
   EXPECT_FALSE(fit_cox(data).robust);
+}
+
+// ---- Against R, late entry ----
+
+/// Sixteen rows with ties, late entry, weights and clusters, for `coxph(Surv(start, stop, event) ~
+/// x
+/// + g + cluster(day), weights = w)` with `coxph.control(eps = 1e-14)`.
+CoxData late_entries() {
+  Eigen::MatrixXd design(16, 2);
+  design.col(0) << .5, -1.2, .3, 2.1, -.4, 1.5, -.8, .2, 1.1, .9, -1.5, .7, 0, -.3, 1.8, -.6;
+  design.col(1) << 1, 0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1, 0;
+  CoxData data = cox({3, 5, 5, 6, 8, 8, 4, 9, 6, 2, 9, 7, 6, 8, 7, 5},
+                     {1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 0, 1, 1, 1},
+                     design);
+  data.outcome.start = {0, 0, 1, 2, 0, 3, 1, 4, 2, 0, 5, 3, 0, 2, 4, 1};
+  data.weights = Eigen::VectorXd(16);
+  *data.weights << 1, 2, 1.5, 1, .5, 1, 2, 1, 1, 1.5, 1, 2, 1, 1, .5, 1;
+  data.cluster = factor({0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0}, 5);
+  return data;
+}
+
+/// What R says.
+struct Reference {
+  Ties ties;
+  std::vector<double> beta, model_se, robust_se, zph, dfbeta_ss;
+  double loglik_null, loglik, robust_score, deviance_ss, hazard_at_8;
+};
+
+void expect_reference(const Reference& reference) {
+  const CoxData data = late_entries();
+  CoxOptions options;
+  options.ties = reference.ties;
+  const CoxFit fit = fit_cox(data, options);
+  const CoxResiduals residuals = cox_residuals(data, fit);
+  const ProportionalityTests zph = cox_zph(data, fit);
+  const auto expect_near = [](double actual, double expected) {
+    EXPECT_NEAR(actual, expected, 1e-11 * std::abs(expected));
+  };
+  for (std::size_t j = 0; j < 2; ++j) {
+    expect_near(fit.coefficients[j].estimate.value(), reference.beta[j]);
+    expect_near(fit.coefficients[j].model_se.value(), reference.model_se[j]);
+    expect_near(fit.coefficients[j].robust_se.value(), reference.robust_se[j]);
+    expect_near(zph.parts[j].test.statistic, reference.zph[j]);
+    expect_near(residuals.dfbeta.col(static_cast<Eigen::Index>(j)).squaredNorm(),
+                reference.dfbeta_ss[j]);
+  }
+  expect_near(zph.global.statistic, reference.zph[2]);
+  expect_near(fit.loglik_null.value(), reference.loglik_null);
+  expect_near(fit.loglik.value(), reference.loglik);
+  expect_near(fit.robust_score.value().statistic, reference.robust_score);
+  expect_near(residuals.deviance.squaredNorm(), reference.deviance_ss);
+  const BaselineHazard baseline = cox_baseline(data, fit).front();
+  const auto at = std::find(baseline.time.begin(), baseline.time.end(), 8.0);
+  expect_near(baseline.hazard[static_cast<std::size_t>(at - baseline.time.begin())],
+              reference.hazard_at_8);
+}
+
+TEST(Cox, LateEntryWithTiesWeightsAndClustersEqualsR) {
+  expect_reference({Ties::efron,
+                    {0.300624826733589, 0.605975754570175},
+                    {0.298983171668557, 0.659878015962734},
+                    {0.234430949197685, 0.315982720480881},
+                    {1.383122607028321, 0.030411393241574, 1.383126826665236},
+                    {0.113746473945134, 0.159197466142780},
+                    -26.6592202738816,
+                    -25.4091378548772,
+                    2.35535382744263,
+                    12.1898351880598,
+                    1.43334210886326});
+  expect_reference({Ties::breslow,
+                    {0.265761054790647, 0.563676363707599},
+                    {0.297653393275245, 0.653124981817030},
+                    {0.220530540736452, 0.277156654662144},
+                    {1.018122702692595943, 0.000313068064504794, 1.033351497482619008},
+                    {0.0960952014253253, 0.1351021636862543},
+                    -27.7433248229934,
+                    -26.6850479070552,
+                    2.66263784380535,
+                    11.2459593296771,
+                    1.23332856372457});
 }
 
 // ---- Invariance ----
@@ -421,7 +499,8 @@ TEST(Cox, SplitRowsGiveTheSameFit) {
     EXPECT_LT((a.vcov - b.vcov).cwiseAbs().maxCoeff(), 1e-10);
     if (ties != Ties::exact) {
       EXPECT_NEAR(cox_zph(whole, a, TimeTransform::identity).global.statistic,
-                  cox_zph(split, b, TimeTransform::identity).global.statistic, 1e-8);
+                  cox_zph(split, b, TimeTransform::identity).global.statistic,
+                  1e-8);
     }
   }
 }
@@ -499,10 +578,10 @@ TEST(Cox, NamesTooFewRowsAndNoEvents) {
   EXPECT_FALSE(none.coefficients[0].estimate.has_value());
   EXPECT_FALSE(none.loglik.has_value());
 
-  EXPECT_TRUE(named(fit_cox(cox({1}, {1}, Eigen::MatrixXd::Ones(1, 1))),
-                    ConditionKind::too_few_rows, ""));
-  EXPECT_TRUE(named(fit_cox(cox({1, 2}, {0, 0}, Eigen::Vector2d(0, 1))),
-                    ConditionKind::no_events, ""));
+  EXPECT_TRUE(
+      named(fit_cox(cox({1}, {1}, Eigen::MatrixXd::Ones(1, 1))), ConditionKind::too_few_rows, ""));
+  EXPECT_TRUE(
+      named(fit_cox(cox({1, 2}, {0, 0}, Eigen::Vector2d(0, 1))), ConditionKind::no_events, ""));
   const CoxFit two = fit_cox(cox({1, 2}, {1, 1}, Eigen::Vector2d(0, 1)));
   EXPECT_TRUE(named(two, ConditionKind::monotone_likelihood, "x1"));
   EXPECT_NEAR(two.loglik.value(), 0.0, 1e-10);
@@ -510,7 +589,8 @@ TEST(Cox, NamesTooFewRowsAndNoEvents) {
   CoxOptions exact;
   exact.ties = Ties::exact;
   EXPECT_TRUE(named(fit_cox(cox({1, 1}, {1, 1}, Eigen::Vector2d(0, 1)), exact),
-                    ConditionKind::constant_column, "x1"));
+                    ConditionKind::constant_column,
+                    "x1"));
 }
 
 TEST(Cox, NamesConstantAndCollinearColumns) {
@@ -592,8 +672,8 @@ TEST(Cox, NamesEveryColumnThatRunsAway) {
       const CoxFit limit = fit_cox(rest, options);
       EXPECT_NEAR(fit.loglik.value(), limit.loglik.value(), 1e-8);
       EXPECT_NEAR(fit.beta(1), limit.beta(1), 1e-8);
-      EXPECT_NEAR(fit.coefficients[2].model_se.value(), limit.coefficients[2].model_se.value(),
-                  1e-8);
+      EXPECT_NEAR(
+          fit.coefficients[2].model_se.value(), limit.coefficients[2].model_se.value(), 1e-8);
     }
   }
 }
