@@ -14,7 +14,6 @@ struct Entry {
 };
 
 constexpr auto kEntries = std::to_array<Entry>({
-    // NOLINT(modernize-avoid-c-arrays): clang 14 cannot deduce more
     {ConditionKind::no_rows, "no_rows", "no complete row", "check the columns for missing values"},
     {ConditionKind::too_few_rows,
      "too_few_rows",

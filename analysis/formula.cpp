@@ -65,7 +65,7 @@ class Expansion {
       return {};
     }
     if (side.kind != Expression::Kind::call) {
-      return {Term{{side}}};
+      return variable(side);
     }
     if (side.name == "(") {
       return in_parentheses(side);
@@ -90,6 +90,9 @@ class Expansion {
     }
     return special_or_variable(side);
   }
+
+  /// Every variable, in the order in which the text names them.
+  [[nodiscard]] const std::vector<Expression>& seen() const noexcept { return seen_; }
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
@@ -200,22 +203,22 @@ class Expansion {
     if (call.name == "Surv" || call.name == "cbind" || call.name == "~" || call.name == "|") {
       fail("'" + to_string(call) + "' cannot stand on the right-hand side");
     }
-    return {Term{{call}}};
+    return variable(call);
+  }
+
+  Terms variable(const Expression& expression) {
+    if (std::find(seen_.begin(), seen_.end(), expression) == seen_.end()) {
+      seen_.push_back(expression);
+    }
+    return {Term{{expression}}};
   }
 
   Formula& formula_;
+  std::vector<Expression> seen_;
 };
 
 /// Variables within a term by first appearance in the formula; terms by order.
-void sort_as_r_does(Terms& terms) {
-  std::vector<Expression> seen;
-  for (const Term& term : terms) {
-    for (const Expression& variable : term.variables) {
-      if (std::find(seen.begin(), seen.end(), variable) == seen.end()) {
-        seen.push_back(variable);
-      }
-    }
-  }
+void sort_as_r_does(Terms& terms, const std::vector<Expression>& seen) {
   const auto place = [&](const Expression& variable) {
     return std::find(seen.begin(), seen.end(), variable);
   };
@@ -278,8 +281,9 @@ Formula parse_formula(std::string_view text) {
                        "': expected outcome ~ terms, for instance success ~ x1 + x2");
   }
   formula.response = whole.arguments[0];
-  formula.terms = Expansion(formula).terms_of(whole.arguments[1]);
-  sort_as_r_does(formula.terms);
+  Expansion expansion(formula);
+  formula.terms = expansion.terms_of(whole.arguments[1]);
+  sort_as_r_does(formula.terms, expansion.seen());
   return formula;
 }
 

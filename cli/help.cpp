@@ -33,8 +33,16 @@ Example:
 Cost: none.
 )";
 
-constexpr std::array kCommands = {
-    &kSimulate, &kImport, &kCheck, &kCertify, &kHypotheses, &kReproduce, &kLive, &kHelp, &kVersion};
+constexpr std::array kCommands = {&kSimulate,
+                                  &kImport,
+                                  &kCheck,
+                                  &kCertify,
+                                  &kFit,
+                                  &kHypotheses,
+                                  &kReproduce,
+                                  &kLive,
+                                  &kHelp,
+                                  &kVersion};
 
 std::string overview() {
   std::string text =

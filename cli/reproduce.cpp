@@ -1,9 +1,11 @@
 #include <optional>
 
-#include "analysis/hypotheses_h1.hpp"
+#include "analysis/h1/hypothesis_h1.hpp"
 #include "analysis/study_tables.hpp"
 #include "cli/certify_run.hpp"
+#include "cli/data_file.hpp"
 #include "cli/errors.hpp"
+#include "cli/feature_data.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -63,15 +65,15 @@ std::string corpus_for(const ReproduceOptions& options, const CommonOptions& com
   return folder.string();
 }
 
-std::vector<Table> tables_of(const StudyRecord& study, double landmark_s) {
-  const H1Table h1 = hypothesis_h1(study.rows(), {landmark_s});
+std::vector<Table> tables_of(const StudyRecord& study, const H1Table& h1) {
   const std::vector<StudyGroup> cells = study.by_cell();
   return {success_table(cells),
           speed_table(study.by_algorithm(), study.by_lighting()),
           latency_table(cells),
           issuance_table(h1),
           tc_early_table(h1),
-          h1_table(h1)};
+          h1_success_table(h1),
+          h1_time_table(h1)};
 }
 
 void write_tables(const std::vector<Table>& tables, const ResultFolder& folder) {
@@ -104,8 +106,10 @@ int run(Arguments arguments) {
   ResultFolder certificates(output / "certificates");
   ResultFolder table_folder(output / "tables");
   StudyRecord study;
+  FeatureData features(opened.bundle);
   const CertifySummary summary =
       certify_trials(opened, common, &certificates, {!options.no_series}, [&](TrialRecord&& trial) {
+        features.add(trial);
         study.add(std::move(trial));
       });
   Manifest manifest = manifest_of("reproduce", opened, common, summary);
@@ -114,12 +118,20 @@ int run(Arguments arguments) {
   }
   certificates.commit(manifest);
 
-  std::vector<Table> tables = tables_of(study, opened.parameters.early_window.time_s);
+  H1Options h1_options;
+  h1_options.landmark_s = opened.parameters.early_window.time_s;
+  h1_options.seed = static_cast<std::uint64_t>(common.seed);
+  const ThreadLimit threads(common.threads);
+  const H1Table h1 = hypothesis_h1(features.table(), h1_options);
+  std::vector<Table> tables = tables_of(study, h1);
   for (Table& table : tables) {
     table.synthetic = synthetic_label(opened.bundle.info);
     print(render(table, common.table_format()) + '\n');
   }
   write_tables(tables, table_folder);
+  FitReport document = h1_report(h1);
+  document.synthetic = synthetic_label(opened.bundle.info);
+  table_folder.write("h1_all.json", render(document, TableFormat::json));
   table_folder.commit(std::move(manifest));
   if (!common.quiet) {
     say("Bundle:       " + opened.bundle.path.string() + "\nCertificates: " +

@@ -1,22 +1,15 @@
 #include "reports/h1_table.hpp"
 
-#include <cstdint>
+#include <cmath>
 #include <string>
+
+#include "reports/fit/cells.hpp"
+#include "reports/h1_notes.hpp"
 
 namespace tcert {
 namespace {
 
-std::string outcome(bool success) { return success ? "success" : "failure"; }
-
-TableCell integer(std::size_t value) { return static_cast<std::int64_t>(value); }
-
-TableCell number_or_missing(const std::optional<double>& value) {
-  return value ? TableCell{Number{*value}} : TableCell{};
-}
-
-TableCell share(std::size_t part, std::size_t whole) {
-  return whole == 0 ? TableCell{} : Number{static_cast<double>(part) / static_cast<double>(whole)};
-}
+constexpr int kDecimals = 3;
 
 TableCell estimate(const std::optional<double>& value, const std::optional<Interval>& interval) {
   if (!value) {
@@ -30,122 +23,109 @@ TableCell estimate(const std::optional<double>& value, const std::optional<Inter
   return cell;
 }
 
-std::string joined(const Conditions& conditions) {
-  std::string text;
-  for (const Condition& condition : conditions) {
-    text += (text.empty() ? "" : "; ") + std::string(words(condition.kind));
-    text += condition.detail.empty() ? "" : ": " + condition.detail;
-  }
-  return text;
+TableCell estimate(const H1Score& score) { return estimate(score.value, score.bca); }
+
+TableCell ratio(const H1HazardRatio& one) { return estimate(one.ratio, one.interval); }
+
+Column estimate_column(std::string name, std::string heading) {
+  return {std::move(name), std::move(heading), "", ColumnKind::estimate, kDecimals};
 }
 
-std::string panel_note(const H1Panel& panel) {
-  if (panel.kind == H1PanelKind::paper) {
-    return "Paper panel: the early window as configured, " + std::to_string(panel.trials) +
-           " trials; " + std::to_string(panel.ended_in_window) +
-           " of them end inside their window (" + std::to_string(panel.failures_ended_in_window) +
-           " failures), which then contains the outcome.";
+Column plain_column(std::string name, std::string heading) {
+  return {std::move(name), std::move(heading), "", ColumnKind::number, kDecimals};
+}
+
+bool is_single(const H1Row& row) {
+  return row.kind == H1RowKind::predictor || row.kind == H1RowKind::rival;
+}
+
+TableCell better_if(const H1Row& row) {
+  if (!is_single(row)) {
+    return {};
   }
-  return "Landmark panel: the time window alone, " + std::to_string(panel.trials) +
-         " trials; excluded: " + std::to_string(panel.ended_by_landmark) +
-         " that end before the landmark, " + std::to_string(panel.still_at_landmark) +
-         " that stand still at it. Conclusions are drawn from this panel.";
+  return std::string(row.higher == HigherMeans::success ? "larger" : "smaller");
+}
+
+TableCell missing(const H1Row& row) {
+  return is_single(row) ? integer_cell(row.missing) : TableCell{};
+}
+
+std::string level_text(const H1Table& h1) {
+  return significant(100.0 * h1.options.level, kShownDigits) + " %";
 }
 
 }  // namespace
 
-Table h1_table(const H1Table& h1) {
+Table h1_success_table(const H1Table& h1) {
   Table table;
   table.name = "h1";
-  table.title = "H1: early certificate margin against contact heuristics";
+  table.title = "H1, success: early certificate margin against contact heuristics";
   table.n = static_cast<std::int64_t>(h1.trials);
-  table.columns = {{"panel", "panel", "", ColumnKind::text},
-                   {"predictor", "predictor", "", ColumnKind::text},
-                   {"better", "better if", "", ColumnKind::text},
-                   {"n", "n", "", ColumnKind::integer},
-                   {"successes", "successes", "", ColumnKind::integer},
-                   {"failures", "failures", "", ColumnKind::integer},
-                   {"missing", "missing", "", ColumnKind::integer},
-                   {"auc", "AUC [95 % CI]", "", ColumnKind::estimate, 3},
-                   {"tc_gain", "gain of TC [95 % CI]", "", ColumnKind::estimate, 3},
-                   {"p", "p", "", ColumnKind::p_value},
-                   {"conditions", "conditions", "", ColumnKind::text}};
+  table.columns = {text_column("panel", "panel"),
+                   text_column("predictor", "predictor"),
+                   text_column("better", "better if"),
+                   integer_column("n", "n"),
+                   integer_column("events", "successes"),
+                   integer_column("clusters", "clusters"),
+                   integer_column("missing", "missing"),
+                   estimate_column("auc", "AUC [" + level_text(h1) + " BCa]"),
+                   estimate_column("auc_gain", "gain of AUC [" + level_text(h1) + " BCa]"),
+                   p_column("p", "p"),
+                   p_column("p_holm", "p Holm"),
+                   plain_column("auc_out_of_fold", "out of fold")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
-      const auto& gain = row.tc_gain;
-      std::string conditions = joined(row.auc.conditions);
-      if (gain && !gain->conditions.empty()) {
-        conditions += (conditions.empty() ? "" : "; ") + joined(gain->conditions);
-      }
       table.add_row({std::string(to_string(panel.kind)),
-                     std::string(row.predictor),
-                     std::string(row.higher == HigherMeans::success ? "larger" : "smaller"),
-                     integer(panel.complete),
-                     integer(row.auc.successes),
-                     integer(row.auc.failures),
-                     integer(row.missing),
-                     estimate(row.auc.auc, row.auc.interval),
-                     gain ? estimate(gain->difference, gain->interval) : TableCell{},
-                     gain && gain->p_value ? TableCell{PValue{*gain->p_value}} : TableCell{},
-                     conditions});
+                     row.name,
+                     better_if(row),
+                     integer_cell(panel.complete),
+                     integer_cell(panel.successes),
+                     integer_cell(panel.clusters),
+                     missing(row),
+                     estimate(row.auc),
+                     estimate(row.auc_gain),
+                     p_cell(row.auc_p),
+                     p_cell(row.auc_holm),
+                     number_cell(row.auc_out_of_fold)});
     }
-    table.footnotes.push_back(panel_note(panel));
   }
-  table.footnotes.emplace_back(
-      "AUC: Pr(a success outranks a failure) in the a-priori direction, ties one half, on the rows "
-      "where all predictors are known; intervals and p by DeLong, two-sided, not adjusted for "
-      "multiplicity, trials of one day taken as independent.");
-  if (h1.outcome_missing > 0) {
-    table.footnotes.push_back(std::to_string(h1.outcome_missing) +
-                              " trials without an outcome are left out.");
-  }
+  table.footnotes = h1_success_notes(h1);
   return table;
 }
 
-Table issuance_table(const H1Table& h1) {
+Table h1_time_table(const H1Table& h1) {
   Table table;
-  table.name = "issued";
-  table.title = "Certificates issued, by outcome";
-  table.n = static_cast<std::int64_t>(h1.trials - h1.outcome_missing);
-  table.columns = {{"outcome", "outcome", "", ColumnKind::text},
-                   {"issued", "issued", "", ColumnKind::integer},
-                   {"trials", "trials", "", ColumnKind::integer},
-                   {"share", "share", "", ColumnKind::number, 3}};
-  for (const IssuedCount& count : h1.issued) {
-    table.add_row({outcome(count.success),
-                   integer(count.issued),
-                   integer(count.trials),
-                   share(count.issued, count.trials)});
-  }
-  return table;
-}
-
-Table tc_early_table(const H1Table& h1) {
-  Table table;
-  table.name = "tc_early";
-  table.title = "Spread of the early certificate margin, by outcome";
-  table.n = static_cast<std::int64_t>(h1.trials - h1.outcome_missing);
-  table.columns = {{"panel", "panel", "", ColumnKind::text},
-                   {"outcome", "outcome", "", ColumnKind::text},
-                   {"trials", "trials", "", ColumnKind::integer},
-                   {"p10_m", "p10", "m", ColumnKind::number, 3},
-                   {"p50_m", "p50", "m", ColumnKind::number, 3},
-                   {"p90_m", "p90", "m", ColumnKind::number, 3},
-                   {"missing_share", "share NA", "", ColumnKind::number, 3},
-                   {"negative_share", "share below 0", "", ColumnKind::number, 3}};
+  table.name = "h1_time";
+  table.title = "H1, time to egress: early certificate margin against contact heuristics";
+  table.n = static_cast<std::int64_t>(h1.trials);
+  table.columns = {text_column("panel", "panel"),
+                   text_column("predictor", "predictor"),
+                   estimate_column("c", "C [" + level_text(h1) + " BCa]"),
+                   estimate_column("c_gain", "gain of C [" + level_text(h1) + " BCa]"),
+                   p_column("p", "p"),
+                   p_column("p_holm", "p Holm"),
+                   plain_column("c_out_of_fold", "out of fold"),
+                   estimate_column("hr_censored", "HR per SD, failures censored"),
+                   estimate_column("hr_at_limit", "HR, failures at limit"),
+                   estimate_column("hr_stratified", "HR, stratified"),
+                   plain_column("sd", "SD")};
+  table.columns.back().significant = kShownDigits;
   for (const H1Panel& panel : h1.panels) {
-    for (const TcDistribution& one : panel.distribution) {
+    for (const H1Row& row : panel.rows) {
       table.add_row({std::string(to_string(panel.kind)),
-                     outcome(one.success),
-                     integer(one.trials),
-                     number_or_missing(one.p10),
-                     number_or_missing(one.p50),
-                     number_or_missing(one.p90),
-                     share(one.missing, one.trials),
-                     share(one.negative, one.trials - one.missing)});
+                     row.name,
+                     estimate(row.c),
+                     estimate(row.c_gain),
+                     p_cell(row.c_p),
+                     p_cell(row.c_holm),
+                     number_cell(row.c_out_of_fold),
+                     ratio(row.censored),
+                     ratio(row.at_limit),
+                     ratio(row.stratified),
+                     number_cell(row.sd)});
     }
   }
-  table.footnotes = {"share below 0: of the trials in which TC_early is known."};
+  table.footnotes = h1_time_notes(h1);
   return table;
 }
 

@@ -1,20 +1,28 @@
 #pragma once
 /// \file
-/// The first H1 table and what goes with it: issuance and the spread of the early certificate.
+/// The tables of H1 and what goes with them: issuance and the spread of the early certificate.
 
-#include "analysis/hypotheses_h1.hpp"
+#include "analysis/h1/hypothesis_h1.hpp"
+#include "reports/fit/fit_report.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
 
-/// AUC of every predictor with its DeLong interval, and the certificate's gain over each rival;
-/// one row per predictor and panel.
-[[nodiscard]] Table h1_table(const H1Table& h1);
+/// Success: AUC of every row with its interval, gain of the certificate, out of fold.
+[[nodiscard]] Table h1_success_table(const H1Table& h1);
+
+/// Time: C likewise, and hazard ratios of egress.
+[[nodiscard]] Table h1_time_table(const H1Table& h1);
+
+/// All of H1 as a document: the two tables above, the case-level figures, incidence by quartile,
+/// closed-form standard errors and folds.
+[[nodiscard]] FitReport h1_report(const H1Table& h1);
 
 /// Certificates issued, by outcome.
 [[nodiscard]] Table issuance_table(const H1Table& h1);
 
-/// Deciles of TC_early, the share that is missing and the share below 0; by panel and outcome.
+/// Deciles of the predictor under test, the share that is missing and the share below 0; by panel
+/// and outcome.
 [[nodiscard]] Table tc_early_table(const H1Table& h1);
 
 }  // namespace tcert

@@ -32,6 +32,7 @@ TEST(Formula, ExpandsTermsInRsOrder) {
   EXPECT_EQ(terms_of("y ~ a:b + a"), (Names{"a", "a:b"}));
   EXPECT_EQ(terms_of("y ~ b:a + a"), (Names{"a", "b:a"}));
   EXPECT_EQ(terms_of("y ~ a*b*c"), (Names{"a", "b", "c", "a:b", "a:c", "b:c", "a:b:c"}));
+  EXPECT_EQ(terms_of("y ~ (a + b):c"), (Names{"a:c", "b:c"}));
   EXPECT_EQ(terms_of("y ~ a/b"), (Names{"a", "a:b"}));
   EXPECT_EQ(terms_of("y ~ (a + b + c)^2 - a:b"), (Names{"a", "b", "c", "a:c", "b:c"}));
   EXPECT_EQ(terms_of("y ~ a + a + b - a"), (Names{"b"}));

@@ -1,4 +1,4 @@
-#include "reports/fit_report.hpp"
+#include "reports/fit/fit_report.hpp"
 
 #include <stdexcept>
 

@@ -1,0 +1,234 @@
+#include "analysis/h1/hypothesis_h1.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/bootstrap_difference.hpp"
+#include "analysis/h1/closed_forms.hpp"
+#include "analysis/h1/incidence_by_quartile.hpp"
+#include "analysis/h1/joint_statistic.hpp"
+#include "analysis/h1/model_scores.hpp"
+#include "analysis/h1/out_of_fold.hpp"
+#include "analysis/h1/panel_data.hpp"
+#include "analysis/holm.hpp"
+
+namespace tcert {
+namespace {
+
+/// Streams of the seed; the panels must not share draws.
+constexpr std::uint32_t kFirstStream = 0x4831;  // "H1"
+
+void name_rows(const H1Data& data, H1Panel& panel) {
+  for (std::size_t k = 0; k < data.names.size(); ++k) {
+    panel.rows[k].name = data.names[k];
+    panel.rows[k].kind = k == 0 ? H1RowKind::predictor : H1RowKind::rival;
+    panel.rows[k].higher = data.higher[k];
+  }
+}
+
+void add_model_rows(const H1Models& models, H1Panel& panel) {
+  for (std::size_t m = 0; m < models.models.size(); ++m) {
+    H1Row row;
+    row.kind = m == 0 ? H1RowKind::together : H1RowKind::added;
+    row.name = m == 0 ? "rivals together" : "rivals + " + panel.rows.front().name;
+    panel.rows.push_back(std::move(row));
+  }
+}
+
+/// The row that a row's gain is measured from, and the row that gains.
+struct Comparison {
+  std::size_t better = 0;
+  std::size_t than = 0;
+};
+
+std::optional<Comparison> comparison_of(const H1Panel& panel, std::size_t row) {
+  switch (panel.rows[row].kind) {
+    case H1RowKind::predictor:
+      return std::nullopt;
+    case H1RowKind::rival:
+    case H1RowKind::together:
+      return Comparison{0, row};
+    case H1RowKind::added:
+      return Comparison{row, row - 1};
+  }
+  return std::nullopt;
+}
+
+void take(const BootstrapEstimate& estimate,
+          const std::string& quantity,
+          H1Score& score,
+          H1Row& row) {
+  if (!std::isnan(estimate.observed)) {
+    score.value = estimate.observed;
+  }
+  score.bca = estimate.interval;
+  for (Condition condition : estimate.conditions) {
+    condition.column = row.name;
+    condition.detail = quantity + (condition.detail.empty() ? "" : ": " + condition.detail);
+    row.conditions.push_back(std::move(condition));
+  }
+}
+
+void bootstrap_rows(const H1Data& data,
+                    const H1Models& models,
+                    const H1Options& options,
+                    H1Panel& panel) {
+  H1Layout layout;
+  layout.predictors = data.predictors.size();
+  layout.models = models.models.size();
+  layout.has_time = data.censored.has_value();
+  const ResamplingPlan plan = ResamplingPlan::of_clusters(data.cluster.codes);
+  BootstrapOptions bootstrap_options;
+  bootstrap_options.replicates = options.replicates;
+  bootstrap_options.seed = options.seed;
+  bootstrap_options.analysis = kFirstStream + static_cast<std::uint32_t>(panel.kind);
+  const BootstrapResult result =
+      bootstrap(joint_statistic(data, layout, models), plan, bootstrap_options);
+
+  for (std::size_t r = 0; r < panel.rows.size(); ++r) {
+    H1Row& row = panel.rows[r];
+    take(bootstrap_estimate(result, layout.auc(r), options.level), "AUC", row.auc, row);
+    if (layout.has_time) {
+      take(bootstrap_estimate(result, layout.c(r), options.level), "C", row.c, row);
+    }
+    if (const auto pair = comparison_of(panel, r)) {
+      const auto gain = [&](std::size_t better, std::size_t than) {
+        return bootstrap_estimate(paired_difference(result, plan, better, than), 0, options.level);
+      };
+      take(
+          gain(layout.auc(pair->better), layout.auc(pair->than)), "gain of AUC", row.auc_gain, row);
+      if (layout.has_time) {
+        take(gain(layout.c(pair->better), layout.c(pair->than)), "gain of C", row.c_gain, row);
+      }
+    }
+  }
+}
+
+/// The family: gains over each rival in AUC and in C.
+void adjust(H1Panel& panel) {
+  std::vector<std::optional<double>> p;
+  for (const H1Row& row : panel.rows) {
+    if (row.kind == H1RowKind::rival) {
+      p.push_back(row.auc_p);
+      p.push_back(row.c_p);
+    }
+  }
+  const std::vector<std::optional<double>> adjusted = holm(p);
+  std::size_t next = 0;
+  for (H1Row& row : panel.rows) {
+    if (row.kind == H1RowKind::rival) {
+      row.auc_holm = adjusted[next++];
+      row.c_holm = adjusted[next++];
+    }
+  }
+}
+
+/// True if there is something to estimate; otherwise says why not.
+bool can_be_scored(H1Panel& panel) {
+  if (panel.complete == 0) {
+    panel.conditions.push_back({ConditionKind::no_rows, ConditionSeverity::error, "", ""});
+  } else if (panel.successes == 0 || panel.failures == 0) {
+    panel.conditions.push_back({ConditionKind::one_class,
+                                ConditionSeverity::error,
+                                "",
+                                panel.successes == 0 ? "no success" : "no failure"});
+  } else if (panel.clusters == 1) {
+    panel.conditions.push_back({ConditionKind::one_cluster, ConditionSeverity::error, "", ""});
+  }
+  return !has_error(panel.conditions);
+}
+
+H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind kind) {
+  H1Panel panel;
+  panel.kind = kind;
+  const H1Data data = panel_data(table, options, panel);
+  name_rows(data, panel);
+  if (!can_be_scored(panel)) {
+    return panel;
+  }
+  const H1Models models = h1_models(data);
+  add_model_rows(models, panel);
+  bootstrap_rows(data, models, options, panel);
+  add_closed_forms(data, models, options, panel);
+  add_out_of_fold(data, models, options, panel);
+  add_incidence_by_quartile(data, panel);
+  adjust(panel);
+  return panel;
+}
+
+std::vector<IssuedCount> issued_counts(const DataTable& table, const H1Options& options) {
+  const DataColumn* const issued = table.find("issued");
+  const DataColumn* const success = table.find(options.success);
+  if (issued == nullptr || success == nullptr || issued->is_text || success->is_text) {
+    return {};
+  }
+  std::vector<IssuedCount> counts{{true, 0, 0}, {false, 0, 0}};
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    if (!std::isnan(success->numbers[row])) {
+      IssuedCount& count = counts[success->numbers[row] == 1.0 ? 0 : 1];
+      ++count.trials;
+      count.issued += issued->numbers[row] == 1.0 ? 1 : 0;
+    }
+  }
+  return counts;
+}
+
+void validate(const H1Options& options) {
+  if (options.predictors.empty()) {
+    throw std::invalid_argument("H1 needs a predictor");
+  }
+  if (!(options.level > 0.0 && options.level < 1.0)) {
+    throw std::invalid_argument("H1: the level must be in (0, 1)");
+  }
+  if (options.replicates < 1 || options.folds < 2) {
+    throw std::invalid_argument("H1 needs a replicate and two folds");
+  }
+}
+
+}  // namespace
+
+std::vector<H1Predictor> paper_predictors() {
+  return {{"tc_early", HigherMeans::success, "tc_landmark"},
+          {"contacts_per_m", HigherMeans::failure, "contacts_per_m_landmark"},
+          {"dwell", HigherMeans::failure, "dwell_landmark"},
+          {"bend_variance", HigherMeans::failure, "bend_variance_landmark"}};
+}
+
+std::string_view to_string(H1PanelKind kind) noexcept {
+  return kind == H1PanelKind::paper ? "paper" : "landmark";
+}
+
+H1Table hypothesis_h1(const DataTable& table, const H1Options& options) {
+  validate(options);
+  H1Table h1;
+  h1.options = options;
+  h1.trials = table.rows;
+  h1.issued = issued_counts(table, options);
+  h1.panels.push_back(panel_of(table, options, H1PanelKind::paper));
+  if (has_landmark(table, options)) {
+    h1.panels.push_back(panel_of(table, options, H1PanelKind::landmark));
+  }
+  h1.outcome_missing = table.rows - h1.panels.front().trials;  // The paper panel excludes no one.
+  return h1;
+}
+
+std::vector<std::string> columns_of(const H1Options& options) {
+  std::vector<std::string> columns{options.success,
+                                   options.time,
+                                   options.cluster,
+                                   options.strata,
+                                   "end_s",
+                                   "window_end_s",
+                                   "still_at_landmark",
+                                   "issued",
+                                   "synthetic_seed"};
+  for (const H1Predictor& predictor : options.predictors) {
+    columns.push_back(predictor.column);
+    columns.push_back(predictor.landmark_column);
+  }
+  std::erase(columns, "");
+  return columns;
+}
+
+}  // namespace tcert

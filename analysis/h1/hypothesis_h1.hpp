@@ -1,0 +1,177 @@
+#pragma once
+/// \file
+/// H1: the early certificate margin predicts success and time better than contact heuristics do, on
+/// any table with an outcome, a time and predictors.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/bootstrap.hpp"
+#include "analysis/condition.hpp"
+#include "analysis/cumulative_incidence.hpp"
+#include "analysis/interval.hpp"
+#include "analysis/placements.hpp"
+#include "datasets/data_table.hpp"
+
+namespace tcert {
+
+/// A column with its a-priori direction. `landmark_column` is the same feature of the time window
+/// alone; empty if there is none.
+struct H1Predictor {
+  std::string column;
+  HigherMeans higher = HigherMeans::success;
+  std::string landmark_column;
+};
+
+/// The certificate's feature first, then contacts, dwell, bend variance.
+[[nodiscard]] std::vector<H1Predictor> paper_predictors();
+
+struct H1Options {
+  std::vector<H1Predictor> predictors = paper_predictors();  ///< The one under test, then rivals.
+  std::string success = "success";
+  std::string time = "time_s";       ///< Column of the time to egress or to the end; may be absent.
+  std::string cluster = "day";       ///< Empty: every trial is its own cluster.
+  std::string strata = "algorithm";  ///< Of the stratified Cox model; may be absent.
+  double landmark_s = 15.0;          ///< When the time window closes.
+  bool always_landmark = false;      ///< A landmark panel without landmark columns too.
+  std::optional<double> limit_s;     ///< Trial limit; empty: the longest time of the panel.
+  double level = 0.95;
+  std::size_t replicates = 2000;
+  std::size_t folds = 5;
+  std::uint64_t seed = 1;
+};
+
+/// The early window may contain the outcome, so the test is made twice.
+enum class H1PanelKind : std::uint8_t {
+  paper,     ///< Features as configured, all trials.
+  landmark,  ///< Features of the time window; only trials that are still running when it closes,
+             ///< and times start there.
+};
+
+[[nodiscard]] std::string_view to_string(H1PanelKind kind) noexcept;
+
+/// A hazard ratio of egress per standard deviation towards the better side, cluster-robust.
+struct H1HazardRatio {
+  std::optional<double> ratio;
+  std::optional<Interval> interval;
+  std::optional<double> p_value;
+};
+
+enum class H1RowKind : std::uint8_t {
+  predictor,  ///< The one under test.
+  rival,
+  together,  ///< A model of all rivals.
+  added,     ///< The same with the predictor under test.
+};
+
+/// One number by the panel's clusters: its bootstrap interval, and the closed form beside it.
+struct H1Score {
+  std::optional<double> value;
+  std::optional<Interval> bca;
+  std::optional<Interval> closed_form;  ///< Clustered DeLong; clustered jackknife of C.
+  std::optional<double> std_error;      ///< Of the closed form.
+};
+
+/// One row of the table. A gain is that of the predictor under test over a rival or over the rivals
+/// together; in the row `added`, of the larger model over the smaller.
+struct H1Row {
+  std::string name;
+  H1RowKind kind = H1RowKind::rival;
+  HigherMeans higher = HigherMeans::success;
+  std::size_t missing = 0;  ///< Trials of the panel without this predictor.
+
+  H1Score auc;
+  H1Score auc_gain;
+  std::optional<double> auc_p;     ///< Clustered DeLong; likelihood ratio for `added`.
+  std::optional<double> auc_holm;  ///< Of the family of gains over the rivals.
+  std::optional<double> auc_out_of_fold;
+
+  H1Score c;
+  H1Score c_gain;
+  std::optional<double> c_p;
+  std::optional<double> c_holm;
+  std::optional<double> c_out_of_fold;
+
+  std::optional<double> sd;  ///< One standard deviation of the predictor.
+  H1HazardRatio censored;    ///< Failures leave the risk set when they fail.
+  H1HazardRatio at_limit;    ///< Failures stay at risk to the trial limit.
+  H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
+  Conditions conditions;
+};
+
+/// A single predictor by single trials, as if they were independent: a sensitivity, not the result.
+struct H1CaseRow {
+  std::string name;
+  H1Score auc;  ///< Plain DeLong as the closed form; no bootstrap.
+  std::optional<double> auc_gain_p;
+  H1Score c;
+  std::optional<double> c_gain_p;
+};
+
+/// Where the predictor under test lies, for one outcome.
+struct TcDistribution {
+  bool success = false;
+  std::size_t trials = 0;
+  std::size_t missing = 0;
+  std::size_t negative = 0;  ///< Below 0, of those that are not missing.
+  std::optional<double> p10, p50, p90;
+};
+
+struct H1Panel {
+  H1PanelKind kind = H1PanelKind::paper;
+  std::size_t trials = 0;     ///< With a known outcome, after the exclusions below.
+  std::size_t complete = 0;   ///< Of those, with everything known: the rows' n.
+  std::size_t successes = 0;  ///< Of the complete ones: also the events of C and Cox.
+  std::size_t failures = 0;
+  std::size_t clusters = 0;
+  bool has_time = false;
+  double limit_s = 0.0;                                      ///< The trial limit that was used.
+  std::vector<std::pair<std::string, std::size_t>> missing;  ///< Per column that is no predictor.
+
+  // Landmark panel: what was excluded, in this order.
+  std::size_t ended_by_landmark = 0;
+  std::size_t still_at_landmark = 0;
+
+  // Paper panel: trials that are over before their window is; empty if the table does not say.
+  std::optional<std::size_t> ended_in_window;
+  std::optional<std::size_t> failures_ended_in_window;
+
+  std::vector<H1Row> rows;  ///< The predictor, its rivals, together, added.
+  std::vector<H1CaseRow> case_level;
+  std::vector<TcDistribution> distribution;  ///< Successes, failures.
+  std::vector<IncidenceCurves> incidence;    ///< By quartile of the predictor under test.
+  std::vector<std::pair<std::string, std::size_t>> folds;  ///< Cluster and its fold, from 1.
+  Conditions conditions;
+};
+
+/// How often a certificate was issued, for one outcome.
+struct IssuedCount {
+  bool success = false;
+  std::size_t trials = 0;
+  std::size_t issued = 0;
+};
+
+struct H1Table {
+  std::size_t trials = 0;           ///< Rows of the table.
+  std::size_t outcome_missing = 0;  ///< Of those, left out everywhere.
+  H1Options options;
+  std::vector<IssuedCount> issued;  ///< Successes, failures; empty if the table does not say.
+  std::vector<H1Panel> panels;      ///< Paper, and landmark where the table has its columns.
+};
+
+/// The trials of `table` by its columns. A trial ends at its time, or with its log (`end_s`) where
+/// that is not given. Every resample draws whole clusters, for all numbers of a panel jointly;
+/// model rows are re-fitted in each (logistic for AUC, Cox for C) and in each fold. \throws
+/// FormulaError if a column is not there or holds the wrong kind; std::invalid_argument if an
+/// option is out of range. O(replicates trials log trials).
+[[nodiscard]] H1Table hypothesis_h1(const DataTable& table, const H1Options& options = {});
+
+/// Names of the columns that it looks for.
+[[nodiscard]] std::vector<std::string> columns_of(const H1Options& options);
+
+}  // namespace tcert

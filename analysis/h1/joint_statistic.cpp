@@ -1,0 +1,74 @@
+#include "analysis/h1/joint_statistic.hpp"
+
+#include <memory>
+#include <vector>
+
+#include "analysis/auc_statistic.hpp"
+#include "analysis/concordance_replicates.hpp"
+
+namespace tcert {
+namespace {
+
+std::vector<Score> scores_of(const H1Data& data) {
+  std::vector<Score> scores;
+  for (std::size_t k = 0; k < data.predictors.size(); ++k) {
+    scores.push_back(data.score(k));
+  }
+  return scores;
+}
+
+Statistic concordances(const H1Data& data) {
+  auto replicates = std::make_shared<std::vector<ConcordanceReplicates>>();
+  for (std::size_t k = 0; k < data.predictors.size(); ++k) {
+    replicates->emplace_back(*data.censored, data.timed(k));
+  }
+  Statistic statistic;
+  statistic.rows = data.rows();
+  statistic.values = replicates->size();
+  statistic.make_kernel = [replicates]() -> StatisticKernel {
+    return [replicates, scratch = ConcordanceReplicates::Scratch{}](
+               std::span<const std::uint32_t> multiplicity, std::span<double> values) mutable {
+      for (std::size_t k = 0; k < replicates->size(); ++k) {
+        values[k] = (*replicates)[k].c(multiplicity, scratch);
+      }
+    };
+  };
+  return statistic;
+}
+
+/// AUCs, or Cs, of the models.
+Statistic of_models(const H1Data& data,
+                    const H1Models& models,
+                    double (H1Model::*value)(std::span<const std::uint32_t>) const) {
+  Statistic statistic;
+  statistic.rows = data.rows();
+  statistic.values = models.models.size();
+  statistic.make_kernel = [&models, value]() -> StatisticKernel {
+    return [&models, value](std::span<const std::uint32_t> multiplicity, std::span<double> values) {
+      for (std::size_t k = 0; k < models.models.size(); ++k) {
+        values[k] = (models.models[k].*value)(multiplicity);
+      }
+    };
+  };
+  return statistic;
+}
+
+}  // namespace
+
+Statistic joint_statistic(const H1Data& data, const H1Layout& layout, const H1Models& models) {
+  std::vector<Statistic> parts;
+  const std::vector<Score> scores = scores_of(data);
+  parts.push_back(auc_statistic(scores, data.success));
+  if (layout.models > 0) {
+    parts.push_back(of_models(data, models, &H1Model::auc));
+  }
+  if (layout.has_time) {
+    parts.push_back(concordances(data));
+    if (layout.models > 0) {
+      parts.push_back(of_models(data, models, &H1Model::c));
+    }
+  }
+  return joined(std::move(parts));
+}
+
+}  // namespace tcert

@@ -1,0 +1,156 @@
+#include "analysis/h1/model_scores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "analysis/auc_statistic.hpp"
+#include "analysis/concordance_replicates.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Centred and scaled: a fit is the same, but better conditioned. A constant column stays 0.
+Eigen::VectorXd standardised(const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::VectorXd> x(values.data(),
+                                            static_cast<Eigen::Index>(values.size()));
+  const Eigen::VectorXd centred = x.array() - x.mean();
+  const double sd = std::sqrt(centred.squaredNorm() / static_cast<double>(values.size() - 1));
+  return sd > 0.0 ? Eigen::VectorXd(centred / sd) : centred;
+}
+
+/// Indices of the rows, each as often as it was drawn.
+std::vector<Eigen::Index> drawn_rows(std::span<const std::uint32_t> multiplicity) {
+  std::vector<Eigen::Index> rows;
+  rows.reserve(multiplicity.size());
+  for (std::size_t row = 0; row < multiplicity.size(); ++row) {
+    rows.insert(rows.end(), multiplicity[row], static_cast<Eigen::Index>(row));
+  }
+  return rows;
+}
+
+SurvivalOutcome on(const SurvivalOutcome& outcome, const std::vector<Eigen::Index>& rows) {
+  SurvivalOutcome chosen;
+  for (const Eigen::Index index : rows) {
+    const auto row = static_cast<std::size_t>(index);
+    chosen.stop.push_back(outcome.stop[row]);
+    chosen.event.push_back(outcome.event[row]);
+    if (outcome.left_truncated()) {
+      chosen.start.push_back(outcome.start[row]);
+    }
+  }
+  return chosen;
+}
+
+CoxData on(const CoxData& data, const std::vector<Eigen::Index>& rows) {
+  CoxData chosen;
+  chosen.columns = data.columns;
+  chosen.terms = data.terms;
+  chosen.term_of = data.term_of;
+  chosen.outcome = on(data.outcome, rows);
+  chosen.design = data.design(rows, Eigen::all);
+  return chosen;
+}
+
+CoxFit light_fit(const CoxData& data) {
+  CoxOptions options;
+  options.inference = false;
+  return fit_cox(data, options);
+}
+
+bool usable(const CoxFit& fit) { return fit.summary.termination == CoxTermination::converged; }
+
+std::vector<std::uint32_t> as_multiplicity(std::span<const std::uint8_t> train) {
+  return {train.begin(), train.end()};
+}
+
+}  // namespace
+
+H1Model::H1Model(const H1Data& data, const std::vector<std::size_t>& columns) : data_(data) {
+  const auto rows = static_cast<Eigen::Index>(data.rows());
+  logistic_.design = Eigen::MatrixXd::Ones(rows, static_cast<Eigen::Index>(columns.size()) + 1);
+  logistic_.columns = {"(Intercept)"};
+  logistic_.term_of = {0};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    logistic_.design.col(static_cast<Eigen::Index>(k) + 1) =
+        standardised(data.predictors[columns[k]]);
+    logistic_.columns.push_back(data.names[columns[k]]);
+    logistic_.terms.push_back(data.names[columns[k]]);
+    logistic_.term_of.push_back(k + 1);
+  }
+  logistic_.response = "success";
+  logistic_.successes.resize(rows);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    logistic_.successes[row] = data.success[static_cast<std::size_t>(row)];
+  }
+  refit_ = std::make_unique<LogisticRefit>(logistic_);
+  if (data.censored) {
+    cox_.outcome = *data.censored;
+    cox_.design = logistic_.design.rightCols(static_cast<Eigen::Index>(columns.size()));
+    cox_.columns = logistic_.terms;
+    cox_.terms = logistic_.terms;
+    cox_.term_of.resize(columns.size());
+    std::iota(cox_.term_of.begin(), cox_.term_of.end(), std::size_t{0});
+  }
+}
+
+double H1Model::auc(std::span<const std::uint32_t> multiplicity) const {
+  const LogisticReplicate fit = refit_->fit(multiplicity);
+  if (!fit.coefficients) {
+    return kNaN;
+  }
+  const Eigen::VectorXd predictor = refit_->linear_predictor(*fit.coefficients);
+  const Score score{{predictor.data(), static_cast<std::size_t>(predictor.size())}};
+  double value = kNaN;
+  auc_statistic({&score, 1}, data_.success).make_kernel()(multiplicity, {&value, 1});
+  return value;
+}
+
+double H1Model::c(std::span<const std::uint32_t> multiplicity) const {
+  const CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
+  if (!usable(fit)) {
+    return kNaN;
+  }
+  const Eigen::VectorXd risk = cox_.design * fit.beta;
+  const Predictor predictor{
+      "", {risk.data(), static_cast<std::size_t>(risk.size())}, LargerMeans::shorter_time};
+  ConcordanceReplicates::Scratch scratch;
+  return ConcordanceReplicates(cox_.outcome, predictor).c(multiplicity, scratch);
+}
+
+std::optional<std::vector<double>> H1Model::logistic_scores(
+    std::span<const std::uint8_t> train) const {
+  const LogisticReplicate fit = refit_->fit(as_multiplicity(train));
+  if (!fit.coefficients) {
+    return std::nullopt;
+  }
+  const Eigen::VectorXd scores = refit_->linear_predictor(*fit.coefficients);
+  return std::vector<double>(scores.data(), scores.data() + scores.size());
+}
+
+std::optional<std::vector<double>> H1Model::cox_scores(std::span<const std::uint8_t> train) const {
+  const CoxFit fit = light_fit(on(cox_, drawn_rows(as_multiplicity(train))));
+  if (!usable(fit)) {
+    return std::nullopt;
+  }
+  const Eigen::VectorXd scores = cox_.design * fit.beta;
+  return std::vector<double>(scores.data(), scores.data() + scores.size());
+}
+
+H1Models h1_models(const H1Data& data) {
+  H1Models all;
+  if (data.predictors.size() < 2 || data.rows() < 2) {
+    return all;
+  }
+  std::vector<std::size_t> rivals(data.predictors.size() - 1);
+  std::iota(rivals.begin(), rivals.end(), std::size_t{1});
+  all.models.emplace_back(data, rivals);
+  rivals.push_back(0);
+  all.models.emplace_back(data, rivals);
+  return all;
+}
+
+}  // namespace tcert

@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// AUC and C of H1's rows on clusters that no fit has seen.
+
+#include "analysis/h1/model_scores.hpp"
+#include "analysis/h1/panel_data.hpp"
+
+namespace tcert {
+
+/// Fills `auc_out_of_fold` and `c_out_of_fold` of every row and the folds of the panel. A single
+/// predictor needs no fit: its raw values are scored within the same folds.
+void add_out_of_fold(const H1Data& data,
+                     const H1Models& models,
+                     const H1Options& options,
+                     H1Panel& panel);
+
+}  // namespace tcert

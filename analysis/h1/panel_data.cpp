@@ -1,0 +1,311 @@
+#include "analysis/h1/panel_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/failures_at_limit.hpp"
+#include "analysis/quantile.hpp"
+#include "analysis/variable.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Expression column_named(const std::string& name) {
+  return {Expression::Kind::column, 0.0, name, {}};
+}
+
+std::vector<double> numbers(const DataTable& table, const std::string& column) {
+  Variable variable = evaluate(column_named(column), table);
+  if (variable.kind == Variable::Kind::factor) {
+    throw FormulaError("column '" + column + "' of " + table.file + " holds text, not numbers");
+  }
+  return std::move(variable.numbers);
+}
+
+/// All NaN if the table does not have it.
+std::vector<double> numbers_if_there(const DataTable& table, const std::string& column) {
+  return table.find(column) == nullptr ? std::vector<double>(table.rows, kNaN)
+                                       : numbers(table, column);
+}
+
+std::vector<double> outcome(const DataTable& table, const std::string& column) {
+  std::vector<double> success = numbers(table, column);
+  for (std::size_t row = 0; row < success.size(); ++row) {
+    if (!std::isnan(success[row]) && success[row] != 0.0 && success[row] != 1.0) {
+      throw FormulaError("column '" + column + "' of " + table.file + ", row " +
+                         std::to_string(row + 1) + ": an outcome is 0 or 1");
+    }
+  }
+  return success;
+}
+
+/// Columns of the whole table.
+struct Columns {
+  std::vector<double> success;
+  std::vector<double> time;
+  std::vector<double> end;  ///< Time, or that of the last tick.
+  std::vector<double> log_end;
+  std::vector<std::vector<double>> predictors;
+  std::optional<Factor> cluster;
+  std::optional<Factor> strata;
+};
+
+/// The landmark's own column where the table has it.
+const std::string& column_of(const DataTable& table,
+                             const H1Predictor& predictor,
+                             H1PanelKind kind) {
+  const bool landmark =
+      kind == H1PanelKind::landmark && table.find(predictor.landmark_column) != nullptr;
+  return landmark ? predictor.landmark_column : predictor.column;
+}
+
+Columns columns_of_table(const DataTable& table, const H1Options& options, H1PanelKind kind) {
+  Columns columns;
+  columns.success = outcome(table, options.success);
+  columns.time = numbers_if_there(table, options.time);
+  columns.log_end = numbers_if_there(table, "end_s");
+  columns.end = columns.time;
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    columns.end[row] = std::isnan(columns.end[row]) ? columns.log_end[row] : columns.end[row];
+  }
+  for (const H1Predictor& predictor : options.predictors) {
+    columns.predictors.push_back(
+        numbers(table,
+                kind == H1PanelKind::landmark && !predictor.landmark_column.empty()
+                    ? predictor.landmark_column
+                    : predictor.column));
+  }
+  if (!options.cluster.empty()) {
+    columns.cluster = evaluate_factor(column_named(options.cluster), table);
+  }
+  if (!options.strata.empty() && table.find(options.strata) != nullptr) {
+    columns.strata = evaluate_factor(column_named(options.strata), table);
+  }
+  return columns;
+}
+
+std::vector<std::size_t> trials_of_panel(const DataTable& table,
+                                         const H1Options& options,
+                                         const Columns& columns,
+                                         H1Panel& panel) {
+  const std::vector<double> still = numbers_if_there(table, "still_at_landmark");
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    if (std::isnan(columns.success[row])) {
+      continue;
+    }
+    if (panel.kind == H1PanelKind::landmark) {
+      if (columns.end[row] <= options.landmark_s || columns.log_end[row] <= options.landmark_s) {
+        ++panel.ended_by_landmark;
+        continue;
+      }
+      if (still[row] == 1.0) {
+        ++panel.still_at_landmark;
+        continue;
+      }
+    }
+    rows.push_back(row);
+  }
+  panel.trials = rows.size();
+  return rows;
+}
+
+void count_window_ends(const DataTable& table, const Columns& columns, H1Panel& panel) {
+  if (panel.kind != H1PanelKind::paper || table.find("window_end_s") == nullptr) {
+    return;
+  }
+  const std::vector<double> window_end = numbers(table, "window_end_s");
+  std::size_t ended = 0;
+  std::size_t failures = 0;
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    if (std::isnan(columns.success[row])) {
+      continue;
+    }
+    const bool in_window = std::isnan(window_end[row]) ? !std::isnan(columns.log_end[row])
+                                                       : columns.end[row] <= window_end[row];
+    ended += in_window ? 1 : 0;
+    failures += in_window && columns.success[row] == 0.0 ? 1 : 0;
+  }
+  panel.ended_in_window = ended;
+  panel.failures_ended_in_window = failures;
+}
+
+/// Marks rows where `is_missing` holds and counts them.
+template <class IsMissing>
+std::size_t mark(const std::vector<std::size_t>& rows,
+                 std::vector<bool>& complete,
+                 const IsMissing& is_missing) {
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (is_missing(rows[i])) {
+      complete[i] = false;
+      ++missing;
+    }
+  }
+  return missing;
+}
+
+void list_missing(H1Panel& panel, const std::string& column, std::size_t missing) {
+  if (missing > 0) {
+    panel.missing.emplace_back(column, missing);
+  }
+}
+
+std::vector<std::size_t> complete_trials(const std::vector<std::size_t>& rows,
+                                         const H1Options& options,
+                                         const Columns& columns,
+                                         H1Panel& panel) {
+  std::vector<bool> complete(rows.size(), true);
+  for (const std::vector<double>& predictor : columns.predictors) {
+    panel.rows.emplace_back();
+    panel.rows.back().missing =
+        mark(rows, complete, [&](std::size_t row) { return std::isnan(predictor[row]); });
+  }
+  if (panel.has_time) {
+    list_missing(panel, options.time, mark(rows, complete, [&](std::size_t row) {
+                   return std::isnan(columns.time[row]);
+                 }));
+  }
+  const auto mark_factor = [&](const std::optional<Factor>& factor, const std::string& name) {
+    if (factor) {
+      list_missing(panel, name, mark(rows, complete, [&](std::size_t row) {
+                     return factor->codes[row] == Factor::kMissing;
+                   }));
+    }
+  };
+  mark_factor(columns.cluster, options.cluster);
+  mark_factor(columns.strata, options.strata);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (complete[i]) {
+      kept.push_back(rows[i]);
+    }
+  }
+  panel.complete = kept.size();
+  return kept;
+}
+
+std::vector<double> on(const std::vector<double>& column, const std::vector<std::size_t>& rows) {
+  std::vector<double> kept;
+  kept.reserve(rows.size());
+  for (const std::size_t row : rows) {
+    kept.push_back(column[row]);
+  }
+  return kept;
+}
+
+void add_times(const std::vector<double>& time,
+               const H1Options& options,
+               H1Panel& panel,
+               H1Data& data) {
+  SurvivalOutcome outcome;
+  outcome.stop = time;
+  outcome.event = data.success;
+  const bool landmark = panel.kind == H1PanelKind::landmark;
+  if (landmark) {
+    outcome.start.assign(time.size(), options.landmark_s);
+  }
+  const double earliest = landmark ? options.landmark_s : 0.0;
+  const auto bad =
+      std::find_if(time.begin(), time.end(), [&](double t) { return !(t > earliest); });
+  if (bad != time.end()) {
+    panel.conditions.push_back({ConditionKind::time_not_positive,
+                                ConditionSeverity::warning,
+                                options.time,
+                                "no times are used"});
+    panel.has_time = false;
+    return;
+  }
+  snap_times(outcome);
+  const double longest = time.empty() ? 0.0 : *std::max_element(time.begin(), time.end());
+  panel.limit_s = std::max(options.limit_s.value_or(longest), longest);
+  std::vector<std::uint8_t> failed(data.success.size());
+  std::transform(data.success.begin(), data.success.end(), failed.begin(), [](std::uint8_t s) {
+    return static_cast<std::uint8_t>(s == 0 ? 1 : 0);
+  });
+  data.at_limit = failures_at_limit(outcome, failed, panel.limit_s);
+  data.censored = std::move(outcome);
+}
+
+TcDistribution distribution(const std::vector<std::size_t>& trials,
+                            const Columns& columns,
+                            bool success) {
+  TcDistribution result;
+  result.success = success;
+  std::vector<double> values;
+  for (const std::size_t row : trials) {
+    if ((columns.success[row] == 1.0) != success) {
+      continue;
+    }
+    ++result.trials;
+    if (const double value = columns.predictors[0][row]; !std::isnan(value)) {
+      values.push_back(value);
+    }
+  }
+  result.missing = result.trials - values.size();
+  result.negative = static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [](double value) { return value < 0.0; }));
+  result.p10 = quantile(values, 0.10);
+  result.p50 = quantile(values, 0.50);
+  result.p90 = quantile(values, 0.90);
+  return result;
+}
+
+Factor each_its_own(std::size_t rows) {
+  Factor factor;
+  for (std::size_t row = 0; row < rows; ++row) {
+    factor.codes.push_back(static_cast<std::uint32_t>(row));
+    factor.levels.push_back(std::to_string(row + 1));
+  }
+  return factor;
+}
+
+}  // namespace
+
+bool has_landmark(const DataTable& table, const H1Options& options) {
+  if (options.always_landmark) {
+    return true;
+  }
+  return std::all_of(
+      options.predictors.begin(), options.predictors.end(), [&](const H1Predictor& predictor) {
+        return !predictor.landmark_column.empty() &&
+               table.find(predictor.landmark_column) != nullptr;
+      });
+}
+
+H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& panel) {
+  const Columns columns = columns_of_table(table, options, panel.kind);
+  panel.has_time = table.find(options.time) != nullptr;
+  const std::vector<std::size_t> trials = trials_of_panel(table, options, columns, panel);
+  count_window_ends(table, columns, panel);
+  for (const bool success : {true, false}) {
+    panel.distribution.push_back(distribution(trials, columns, success));
+  }
+  const std::vector<std::size_t> rows = complete_trials(trials, options, columns, panel);
+
+  H1Data data;
+  for (const std::size_t row : rows) {
+    const bool success = columns.success[row] == 1.0;
+    data.success.push_back(success ? 1 : 0);
+    ++(success ? panel.successes : panel.failures);
+  }
+  for (std::size_t k = 0; k < options.predictors.size(); ++k) {
+    data.predictors.push_back(on(columns.predictors[k], rows));
+    data.higher.push_back(options.predictors[k].higher);
+    data.names.push_back(column_of(table, options.predictors[k], panel.kind));
+  }
+  data.cluster = columns.cluster ? on_rows(*columns.cluster, rows) : each_its_own(rows.size());
+  if (columns.strata) {
+    data.strata = on_rows(*columns.strata, rows);
+  }
+  panel.clusters = data.cluster.levels.size();
+  if (panel.has_time) {
+    add_times(on(columns.time, rows), options, panel, data);
+  }
+  return data;
+}
+
+}  // namespace tcert

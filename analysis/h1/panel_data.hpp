@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// The trials of one H1 panel: those that count, complete in everything, in columns.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/concordance.hpp"
+#include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/roc.hpp"
+#include "analysis/survival_outcome.hpp"
+#include "datasets/factor.hpp"
+
+namespace tcert {
+
+struct H1Data {
+  std::vector<std::uint8_t> success;
+  std::vector<std::vector<double>> predictors;  ///< As H1Options::predictors.
+  std::vector<HigherMeans> higher;
+  std::vector<std::string> names;
+  std::optional<SurvivalOutcome> censored;  ///< Egress is the event; failures end when they fail.
+  std::optional<SurvivalOutcome> at_limit;  ///< Failures stay at risk to the limit.
+  Factor cluster;                           ///< Levels without a trial are gone.
+  std::optional<Factor> strata;
+
+  [[nodiscard]] std::size_t rows() const noexcept { return success.size(); }
+  [[nodiscard]] Score score(std::size_t predictor) const {
+    return {predictors[predictor], higher[predictor]};
+  }
+  /// Larger values go with a longer time where they speak for failure.
+  [[nodiscard]] Predictor timed(std::size_t predictor) const {
+    return {names[predictor],
+            predictors[predictor],
+            higher[predictor] == HigherMeans::success ? LargerMeans::shorter_time
+                                                      : LargerMeans::longer_time};
+  }
+};
+
+/// Chooses the rows and counts what is left out, in `panel`. \throws FormulaError.
+[[nodiscard]] H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& panel);
+
+/// True if the table has the landmark column of every predictor.
+[[nodiscard]] bool has_landmark(const DataTable& table, const H1Options& options);
+
+}  // namespace tcert

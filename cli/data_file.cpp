@@ -1,0 +1,121 @@
+#include "cli/data_file.hpp"
+
+#include <tbb/global_control.h>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "cli/errors.hpp"
+#include "cli/output.hpp"
+#include "cli/result_folder.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kSeedColumn = "synthetic_seed";
+
+}  // namespace
+
+std::optional<SyntheticLabel> label_of(const DataTable& table) {
+  const DataColumn* const seed = table.find(kSeedColumn);
+  if (seed == nullptr || table.rows == 0) {
+    return std::nullopt;
+  }
+  const double value = seed->is_text ? std::nan("") : seed->numbers.front();
+  const bool whole = value >= 0.0 && value < 0x1p53 && value == std::floor(value);
+  return whole ? SyntheticLabel{static_cast<std::uint64_t>(value)} : SyntheticLabel{};
+}
+
+DataFile read_data_file(const std::string& path,
+                        std::vector<std::string> wanted,
+                        const CommonOptions& common) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw NoInput("no table at '" + path + "'");
+  }
+  if (!wanted.empty()) {
+    wanted.emplace_back(kSeedColumn);
+  }
+  CsvOptions csv;
+  csv.decimal_comma = common.decimal_comma;
+  DataTableResult read = read_data_table(std::filesystem::path(path), wanted, csv);
+  say(read.diagnostics);
+  if (!read.table) {
+    throw BadData("'" + path + "' cannot be used as a table");
+  }
+  DataFile file;
+  file.path = path;
+  file.synthetic = label_of(*read.table);
+  file.table = std::move(*read.table);
+  return file;
+}
+
+void write_or_print(std::string_view text,
+                    const std::string& command,
+                    const DataFile& file,
+                    const CommonOptions& common) {
+  if (common.output.empty()) {
+    print(text);
+    return;
+  }
+  Manifest manifest;
+  manifest.command = command;
+  manifest.options = common.effective;
+  manifest.synthetic = file.synthetic;
+  manifest.inputs = {{name_of(file.path), digest_file(file.path)}};
+  write_with_manifest(common.output, text, std::move(manifest));
+}
+
+void require_table(const FitReport& report, const std::string& table) {
+  if (table.empty() || report.find(table) != nullptr) {
+    return;
+  }
+  std::string known;
+  for (const std::string& name : report.table_names()) {
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  throw UsageError("--table: found '" + table + "', expected one of " + known);
+}
+
+std::vector<std::string> words_of(const std::string& list) {
+  std::vector<std::string> words;
+  std::size_t begin = 0;
+  while (begin <= list.size()) {
+    const std::size_t comma = std::min(list.find(',', begin), list.size());
+    if (comma > begin) {
+      words.push_back(list.substr(begin, comma - begin));
+    }
+    begin = comma + 1;
+  }
+  return words;
+}
+
+std::vector<double> numbers_of(const std::string& option, const std::string& list) {
+  std::vector<double> numbers;
+  for (const std::string& word : words_of(list)) {
+    double value = 0.0;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), end, value);
+    if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(value)) {
+      throw UsageError("--" + option + ": found '" + word + "', expected numbers, comma between");
+    }
+    numbers.push_back(value);
+  }
+  return numbers;
+}
+
+struct ThreadLimit::State {
+  tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(std::int64_t threads) {
+  if (threads > 0) {
+    state_.reset(new State{tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                               static_cast<std::size_t>(threads))});
+  }
+}
+
+ThreadLimit::~ThreadLimit() = default;
+
+}  // namespace tcert::cli

@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// A table that a command is given: read, its problems said, its label and digest kept.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "datasets/data_table.hpp"
+#include "reports/fit/fit_report.hpp"
+#include "reports/manifest.hpp"
+#include "reports/table.hpp"
+
+namespace tcert::cli {
+
+struct DataFile {
+  std::string path;
+  DataTable table;
+  std::optional<SyntheticLabel> synthetic;  ///< By the column synthetic_seed.
+};
+
+/// Reads the columns called `wanted`, all if it is empty. \throws NoInput if there is no file,
+/// BadData if it is not a table.
+[[nodiscard]] DataFile read_data_file(const std::string& path,
+                                      std::vector<std::string> wanted,
+                                      const CommonOptions& common);
+
+/// The label of a table that holds a column synthetic_seed, as every table made from synthetic data
+/// does.
+[[nodiscard]] std::optional<SyntheticLabel> label_of(const DataTable& table);
+
+/// To stdout, or to --output with a manifest beside it. \throws WriteError.
+void write_or_print(std::string_view text,
+                    const std::string& command,
+                    const DataFile& file,
+                    const CommonOptions& common);
+
+/// \throws UsageError that lists the tables unless `table` is empty or one of them.
+void require_table(const FitReport& report, const std::string& table);
+
+/// "1,2.5,3" as numbers. \throws UsageError that names the option.
+[[nodiscard]] std::vector<double> numbers_of(const std::string& option, const std::string& list);
+
+/// "a,b" as words; empty ones are left out.
+[[nodiscard]] std::vector<std::string> words_of(const std::string& list);
+
+/// Bounds the threads of all parallel work while it lives; 0 takes all cores.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(std::int64_t threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tcert::cli

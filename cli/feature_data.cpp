@@ -1,0 +1,26 @@
+#include "cli/feature_data.hpp"
+
+#include <stdexcept>
+
+#include "datasets/bytes.hpp"
+#include "reports/features_table.hpp"
+
+namespace tcert::cli {
+
+FeatureData::FeatureData(const Bundle& bundle) : features_(features_table(bundle)) {}
+
+void FeatureData::add(const TrialRecord& trial) { features_.add_row(features_row(trial)); }
+
+DataTable FeatureData::table() const {
+  CsvOptions csv;
+  csv.file = "features.csv";
+  DataTableResult read =
+      read_data_table(Bytes::copy_of(render(features_, TableFormat::csv)), {}, csv);
+  if (!read.table) {
+    throw std::logic_error("the features cannot be read back: " +
+                           to_string(read.diagnostics.front()));
+  }
+  return std::move(*read.table);
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// Features of certified trials as the table that a hypothesis is tested on: what features.csv
+/// would read back as.
+
+#include "analysis/study_tables.hpp"
+#include "datasets/bundle.hpp"
+#include "datasets/data_table.hpp"
+#include "reports/table.hpp"
+
+namespace tcert::cli {
+
+class FeatureData {
+ public:
+  explicit FeatureData(const Bundle& bundle);
+
+  void add(const TrialRecord& trial);
+
+  /// Written as CSV and read again, so that a bundle and its features.csv give the same numbers.
+  [[nodiscard]] DataTable table() const;
+
+ private:
+  Table features_;
+};
+
+}  // namespace tcert::cli

@@ -1,0 +1,54 @@
+#include "cli/fit/bootstrap_of_rows.hpp"
+
+#include "analysis/bootstrap_difference.hpp"
+#include "cli/errors.hpp"
+#include "reports/fit/bootstrap_table.hpp"
+
+namespace tcert::cli {
+
+FrameColumns predictor_columns(const ModelFrame& frame) {
+  FrameColumns columns;
+  for (std::size_t k = 0; k < frame.columns.size(); ++k) {
+    if (frame.term_of[k] == 0) {
+      continue;
+    }
+    const auto column = frame.design.col(static_cast<Eigen::Index>(k));
+    columns.names.push_back(frame.columns[k]);
+    columns.values.emplace_back(column.data(), column.data() + column.size());
+  }
+  if (columns.names.empty()) {
+    throw FormulaError("formula '" + frame.formula + "': names no predictor");
+  }
+  return columns;
+}
+
+void require_plain_bootstrap(const FitRequest& request, bool plain) {
+  if (request.frame.weights || !plain) {
+    throw UsageError("--bootstrap draws rows: leave out --weights and --pair-weight");
+  }
+}
+
+void add_bootstrap(const FitRequest& request,
+                   const std::vector<std::string>& names,
+                   const Statistic& statistic,
+                   FitReport& report) {
+  const auto& cluster = request.frame.cluster;
+  const ResamplingPlan plan = cluster ? ResamplingPlan::of_clusters(cluster->codes)
+                                      : ResamplingPlan::of_rows(request.frame.size());
+  BootstrapOptions options;
+  options.replicates = static_cast<std::size_t>(request.options.replicates);
+  options.seed = request.options.seed;
+  const BootstrapResult result = bootstrap(statistic, plan, options);
+  BootstrapTable table(request.options.level);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    table.add(names[k], result, k);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t j = i + 1; j < names.size(); ++j) {
+      table.add(names[i] + " - " + names[j], paired_difference(result, plan, i, j), 0);
+    }
+  }
+  table.append_to(report);
+}
+
+}  // namespace tcert::cli

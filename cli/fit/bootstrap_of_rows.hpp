@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// The predictors of a frame one by one, and bootstrap intervals of a number for each of them and
+/// for their differences.
+
+#include <string>
+#include <vector>
+
+#include "analysis/statistic.hpp"
+#include "cli/fit/fit.hpp"
+
+namespace tcert::cli {
+
+struct FrameColumns {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+};
+
+/// The design's columns but the intercept. \throws FormulaError if there is none.
+[[nodiscard]] FrameColumns predictor_columns(const ModelFrame& frame);
+
+/// \throws UsageError if the rows have case weights, or `plain` is false: a resample is one of
+/// rows.
+void require_plain_bootstrap(const FitRequest& request, bool plain);
+
+/// Adds a table `bootstrap`: per predictor, then per pair of them, the value, its bias, standard
+/// error and BCa, percentile and basic intervals. Whole clusters are drawn where there are any.
+void add_bootstrap(const FitRequest& request,
+                   const std::vector<std::string>& names,
+                   const Statistic& statistic,
+                   FitReport& report);
+
+}  // namespace tcert::cli

@@ -1,0 +1,258 @@
+#include "cli/fit/fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "cli/data_file.hpp"
+#include "cli/errors.hpp"
+#include "cli/output.hpp"
+#include "cli/result_folder.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kText =
+    R"(Fit a model to any CSV table, with R's formulas and R's numbers.
+
+KIND is one of
+  glm          logistic regression           success ~ x1 + lighting, cbind(k, n - k) ~ x
+  cox          proportional hazards          Surv(time, success) ~ x1 + strata(algorithm)
+  km           Kaplan-Meier and log-rank     Surv(time, success) ~ lighting
+  roc          AUC and ROC curve             success ~ x1 + x2: larger values speak for 1
+  concordance  Harrell's C                   Surv(time, success) ~ x1: larger values, longer times
+
+Formulas take a + b, a:b, a*b, I(x^2), log(x), scale(x), factor(d), offset(o), Surv(time, event),
+Surv(start, stop, event), cbind(k, n - k), status == 2, strata(s), cluster(c). Factors are coded
+against their first level in byte order; --ref changes it. Rows with a missing value are left out
+and counted.
+
+Text shows the main tables; json has every number at full precision, the conditions met and how the
+fit ended, with broom's names; csv has the main table, or that of --table.
+
+Usage: tcert fit KIND --data FILE --formula FORMULA [options]
+
+Example:
+  tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --cluster day
+  tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
+  tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --times 60,120
+  tcert fit roc --data features.csv --formula 'success ~ tc_early + I(-dwell)' --cluster day
+  tcert fit concordance --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --reverse
+
+Ends with 0 if there is an estimate, with 65 if the data do not allow one; what was met is said on
+stderr and in the result.
+
+Cost: a pass over the table and a few over its rows; a million rows take seconds.
+)";
+
+using Fit = FitReport (*)(const FitRequest&);
+
+struct Kind {
+  std::string_view name;
+  Fit fit;
+  RightSide right_side;
+  bool allow_infinite;  ///< Only ranks count.
+};
+
+constexpr std::array<Kind, 5> kKinds{{{"glm", fit_glm, RightSide::design, false},
+                                      {"cox", fit_cox_model, RightSide::design, false},
+                                      {"km", fit_km, RightSide::groups, false},
+
+                                      {"roc", fit_roc, RightSide::design, true},
+                                      {"concordance", fit_concordance, RightSide::design, true}}};
+
+CommandLine command_line(FitOptions& o) {
+  CommandLine line{"fit",
+                   kText,
+                   uses_config | uses_output | uses_format | uses_seed | uses_threads,
+                   po::options_description("Options"),
+                   {{"KIND", &o.kind}}};
+  auto add = line.own.add_options();
+  const auto text = [](std::string& value, const char* name) {
+    return po::value(&value)->value_name(name);
+  };
+  add("data", text(o.data, "FILE"), "a CSV table, one row a trial; .gz and .zst are expanded");
+  add("formula", text(o.formula, "F"), "outcome ~ terms, quoted for the shell");
+  add("cluster",
+      text(o.cluster, "COLUMN"),
+      "rows of one value are not independent: robust variances");
+  add("strata", text(o.strata, "COLUMN"), "as strata() in the formula");
+  add("weights", text(o.weights, "COLUMN"), "case weights");
+  add("ref",
+      po::value(&o.references)->composing()->value_name("COLUMN=LEVEL"),
+      "the level that the others are compared with, repeatable");
+  add("level",
+      po::value(&o.level)->value_name("P")->default_value(o.level, "0.95"),
+      "of the intervals");
+  add("table", text(o.table, "NAME"), "print only this table; a wrong name lists them");
+  add("ties",
+      text(o.ties, "WORD")->default_value(o.ties),
+      "cox: efron, breslow or exact; exact for few distinct times");
+  add("robust", po::bool_switch(&o.robust), "glm, cox: sandwich variance, without clusters too");
+  add("transform",
+      text(o.transform, "WORD")->default_value(o.transform),
+      "cox: time scale of the test of proportional hazards: km, rank, identity or log");
+  add("residuals",
+      text(o.residuals, "WORDS"),
+      "cox: martingale, deviance, score, dfbeta, dfbetas, schoenfeld, scaledsch; comma between");
+  add("curves",
+      text(o.curves, "ROWS"),
+      "cox: predicted survival of these rows of the table, counted from 1, comma between");
+  add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
+  add("interval",
+      text(o.interval, "WORD")->default_value(o.interval),
+      "km: log, log-log, plain, logit or arcsin");
+  add("times",
+      po::value<std::string>()->value_name("LIST")->notifier(
+          [&o](const std::string& list) { o.times = numbers_of("times", list); }),
+      "km: times at which the curves are shown, comma between");
+  add("rho",
+      po::value(&o.rho)->value_name("X")->default_value(o.rho),
+      "km: weight S^rho of the log-rank test; 1 is Peto's");
+  add("cause",
+      text(o.cause, "COLUMN"),
+      "km: a column that names the end of each row; gives cumulative incidences");
+  add("pair-weight",
+      text(o.pair_weight, "WORD")->default_value(o.pair_weight),
+      "concordance: n, S, S/G, n/G2 or I, as survival's timewt");
+  add("reverse", po::bool_switch(&o.reverse), "concordance: larger values go with shorter times");
+  add("partial",
+      text(o.partial, "AXIS:LOW:HIGH"),
+      "roc: partial area, for instance specificity:0.9:1");
+  add("bootstrap",
+      po::value(&o.replicates)->value_name("R")->default_value(o.replicates),
+      "roc, concordance: BCa intervals from R resamples of rows, or of clusters");
+  return line;
+}
+
+const Kind& kind_of(const std::string& name) {
+  std::vector<std::string> known;
+  for (const Kind& kind : kKinds) {
+    if (kind.name == name) {
+      return kind;
+    }
+    known.emplace_back(kind.name);
+  }
+  throw UsageError("unknown kind '" + name + "', expected glm, cox, km, roc or concordance" +
+                   did_you_mean(name, known));
+}
+
+FrameOptions frame_options(const FitOptions& options, const Kind& kind) {
+  FrameOptions frame;
+  for (const std::string& text : options.references) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw UsageError("--ref: found '" + text + "', expected COLUMN=LEVEL");
+    }
+    frame.reference[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  frame.weights = options.weights;
+  frame.cluster = options.cluster;
+  frame.strata = options.strata;
+  frame.right_side = kind.right_side;
+  frame.allow_infinite = kind.allow_infinite;
+  return frame;
+}
+
+/// The report of a frame that no model can be fitted to.
+FitReport without_estimate(const FitOptions& options) {
+  FitReport report;
+  report.model = options.kind;
+  report.summary.name = "summary";
+  report.summary.title = "Fit";
+  return report;
+}
+
+void add_settings(const FitOptions& options, const ModelFrame& frame, FitReport& report) {
+  report.settings = {{"formula", frame.formula},
+                     {"data", name_of(options.data)},
+                     {"response", frame.response},
+                     {"n", std::to_string(frame.size())},
+                     {"n_dropped", std::to_string(frame.dropped)},
+                     {"level", std::to_string(options.level)}};
+}
+
+void check(const FitOptions& options) {
+  if (options.data.empty() || options.formula.empty()) {
+    throw UsageError("needs --data FILE and --formula FORMULA");
+  }
+  if (!(options.level > 0.0 && options.level < 1.0)) {
+    throw UsageError("--level: expected a value between 0 and 1");
+  }
+  require_range("bootstrap", static_cast<double>(options.replicates), 0, 1e6);
+}
+
+std::vector<std::string> wanted_columns(const Formula& formula,
+                                        const FitOptions& options,
+                                        const Kind& kind) {
+  std::vector<std::string> columns = columns_of(formula, frame_options(options, kind));
+  if (!options.cause.empty()) {
+    columns.push_back(options.cause);
+  }
+  return columns;
+}
+
+FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile& file) {
+  const Formula formula = parse_formula(options.formula);
+  const FrameOptions frame_option = frame_options(options, kind);
+  const ModelFrame frame = model_frame(formula, file.table, frame_option);
+  FitReport report = has_error(frame.conditions) ? without_estimate(options)
+                                                 : kind.fit({options, formula, file.table, frame});
+  for (const Condition& condition : frame.conditions) {
+    const bool known = std::find(report.conditions.begin(), report.conditions.end(), condition) !=
+                       report.conditions.end();
+    if (!known) {
+      report.conditions.push_back(condition);
+    }
+  }
+  add_settings(options, frame, report);
+  report.synthetic = file.synthetic;
+  return report;
+}
+
+int run(Arguments arguments) {
+  FitOptions options;
+  CommonOptions common;
+  if (!parse(command_line(options), common, arguments)) {
+    return exit_done;
+  }
+  options.seed = static_cast<std::uint64_t>(common.seed);
+  const Kind& kind = kind_of(options.kind);
+  check(options);
+  const ThreadLimit threads(common.threads);
+  try {
+    const Formula formula = parse_formula(options.formula);
+    const DataFile file =
+        read_data_file(options.data, wanted_columns(formula, options, kind), common);
+    const FitReport report = report_of(options, kind, file);
+    require_table(report, options.table);
+    const std::string text = render(report, common.table_format(), options.table);
+    for (const Condition& condition : report.conditions) {
+      say("tcert fit: " + to_string(condition));
+    }
+    write_or_print(text, "fit", file, common);
+    return has_error(report.conditions) ? exit_bad_data : exit_done;
+  } catch (const FormulaError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace
+
+std::size_t choice(const std::string& option,
+                   const std::string& word,
+                   const std::vector<std::string>& words) {
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) {
+    return static_cast<std::size_t>(found - words.begin());
+  }
+  std::string known;
+  for (const std::string& one : words) {
+    known += (known.empty() ? "" : ", ") + one;
+  }
+  throw UsageError("--" + option + ": found '" + word + "', expected one of " + known);
+}
+
+const Command kFit = {"fit", "fit a model to any table: glm, cox, km, roc, concordance", run};
+
+}  // namespace tcert::cli

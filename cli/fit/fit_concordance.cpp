@@ -1,0 +1,81 @@
+#include <array>
+#include <memory>
+
+#include "analysis/bootstrap.hpp"
+#include "analysis/concordance.hpp"
+#include "analysis/concordance_replicates.hpp"
+#include "cli/fit/bootstrap_of_rows.hpp"
+#include "cli/fit/fit.hpp"
+#include "reports/fit/concordance_report.hpp"
+
+namespace tcert::cli {
+namespace {
+
+/// Times as they are, or plain numbers as times of events.
+SurvivalOutcome outcome_of(const ModelFrame& frame) {
+  if (const auto* const survival = std::get_if<SurvivalOutcome>(&frame.outcome)) {
+    return *survival;
+  }
+  if (const auto* const numbers = std::get_if<NumberOutcome>(&frame.outcome)) {
+    return uncensored(numbers->values);
+  }
+  throw FormulaError("'" + frame.response + "': C needs Surv() or a number as the outcome");
+}
+
+Statistic concordance_statistic(const SurvivalOutcome& outcome,
+                                const std::vector<Predictor>& predictors,
+                                const Factor* strata) {
+  auto all = std::make_shared<std::vector<ConcordanceReplicates>>();
+  for (const Predictor& predictor : predictors) {
+    all->emplace_back(outcome, predictor, strata);
+  }
+  Statistic statistic;
+  statistic.rows = outcome.rows();
+  statistic.values = all->size();
+  statistic.make_kernel = [all]() -> StatisticKernel {
+    return [all, scratch = ConcordanceReplicates::Scratch{}](
+               std::span<const std::uint32_t> multiplicity, std::span<double> values) mutable {
+      for (std::size_t k = 0; k < all->size(); ++k) {
+        values[k] = (*all)[k].c(multiplicity, scratch);
+      }
+    };
+  };
+  return statistic;
+}
+
+}  // namespace
+
+FitReport fit_concordance(const FitRequest& request) {
+  const ModelFrame& frame = request.frame;
+  const FrameColumns columns = predictor_columns(frame);
+  const LargerMeans larger =
+      request.options.reverse ? LargerMeans::shorter_time : LargerMeans::longer_time;
+  std::vector<Predictor> predictors;
+  for (std::size_t k = 0; k < columns.names.size(); ++k) {
+    predictors.push_back({columns.names[k], columns.values[k], larger});
+  }
+  constexpr std::array kPairWeights{PairWeight::equal,
+                                    PairWeight::survival,
+                                    PairWeight::survival_by_censoring,
+                                    PairWeight::inverse_censoring_squared,
+                                    PairWeight::inverse_at_risk};
+  ConcordanceOptions options;
+  options.level = request.options.level;
+  options.pair_weight = kPairWeights[choice(
+      "pair-weight", request.options.pair_weight, {"n", "S", "S/G", "n/G2", "I"})];
+  options.strata = frame.strata ? &*frame.strata : nullptr;
+  options.cluster = frame.cluster ? &*frame.cluster : nullptr;
+  if (frame.weights) {
+    options.weights = {frame.weights->data(), static_cast<std::size_t>(frame.weights->size())};
+  }
+  const SurvivalOutcome outcome = outcome_of(frame);
+  FitReport report = concordance_report(concordance(outcome, predictors, options));
+  if (request.options.replicates > 0 && !has_error(report.conditions)) {
+    require_plain_bootstrap(request, options.pair_weight == PairWeight::equal);
+    add_bootstrap(
+        request, columns.names, concordance_statistic(outcome, predictors, options.strata), report);
+  }
+  return report;
+}
+
+}  // namespace tcert::cli

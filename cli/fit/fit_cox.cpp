@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <array>
+
+#include "analysis/concordance.hpp"
+#include "analysis/cox.hpp"
+#include "analysis/cox_baseline.hpp"
+#include "analysis/cox_residuals.hpp"
+#include "analysis/cox_terms.hpp"
+#include "analysis/cox_zph.hpp"
+#include "cli/data_file.hpp"
+#include "cli/errors.hpp"
+#include "cli/fit/fit.hpp"
+#include "reports/fit/cox_report.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::array kTies{Ties::efron, Ties::breslow, Ties::exact};
+constexpr std::array kTransforms{
+    TimeTransform::km, TimeTransform::rank, TimeTransform::identity, TimeTransform::log};
+
+/// Of the linear predictor, within strata and by clusters, as R's summary gives it.
+std::optional<ConcordanceResult> concordance_of(const CoxData& data, const CoxFit& fit) {
+  if (fit.df == 0 || has_error(fit.conditions)) {
+    return std::nullopt;
+  }
+  const Predictor predictor{
+      "linear predictor",
+      {fit.linear_predictors.data(), static_cast<std::size_t>(fit.linear_predictors.size())},
+      LargerMeans::shorter_time};
+  ConcordanceOptions options;
+  options.level = fit.level;
+  options.strata = data.strata ? &*data.strata : nullptr;
+  options.cluster = data.cluster ? &*data.cluster : nullptr;
+  if (data.weights) {
+    options.weights = {data.weights->data(), static_cast<std::size_t>(data.weights->size())};
+  }
+  return concordance(data.outcome, {&predictor, 1}, options);
+}
+
+void add_residuals(const FitRequest& request,
+                   const CoxData& data,
+                   const CoxFit& fit,
+                   FitReport& report) {
+  const std::vector<std::string> known{
+      "martingale", "deviance", "score", "dfbeta", "dfbetas", "schoenfeld", "scaledsch"};
+  const std::vector<std::string> words = words_of(request.options.residuals);
+  for (const std::string& word : words) {
+    static_cast<void>(choice("residuals", word, known));
+    if (fit.ties == Ties::exact && word != "martingale" && word != "deviance") {
+      throw UsageError("--residuals: with exact ties there are only martingale and deviance");
+    }
+  }
+  if (words.empty()) {
+    return;
+  }
+  const CoxResiduals residuals = cox_residuals(data, fit);
+  for (const std::string& word : words) {
+    report.details.push_back(residual_table(residuals, word, data.columns, request.frame.rows));
+  }
+}
+
+/// Rows of the table, counted from 1, as rows of the frame. \throws UsageError for one that is not.
+std::vector<std::size_t> frame_rows(const FitRequest& request) {
+  std::vector<std::size_t> rows;
+  for (const double number : numbers_of("curves", request.options.curves)) {
+    const auto& known = request.frame.rows;
+    const auto found = std::find_if(known.begin(), known.end(), [&](std::size_t row) {
+      return static_cast<double>(row + 1) == number;
+    });
+    if (found == known.end()) {
+      throw UsageError("--curves: there is no complete row " + significant(number, 9));
+    }
+    rows.push_back(static_cast<std::size_t>(found - known.begin()));
+  }
+  return rows;
+}
+
+void add_curves(const FitRequest& request,
+                const CoxData& data,
+                const CoxFit& fit,
+                FitReport& report) {
+  const std::vector<std::size_t> rows = frame_rows(request);
+  if (rows.empty()) {
+    return;
+  }
+  Eigen::MatrixXd design(static_cast<Eigen::Index>(rows.size()), data.design.cols());
+  Eigen::VectorXd offset;
+  if (data.offset) {
+    offset.resize(design.rows());
+  }
+  std::vector<std::size_t> names;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const auto row = static_cast<Eigen::Index>(rows[i]);
+    design.row(at) = data.design.row(row);
+    if (data.offset) {
+      offset[at] = (*data.offset)[row];
+    }
+    names.push_back(request.frame.rows[rows[i]] + 1);
+  }
+  report.details.push_back(curve_table(cox_curves(data, fit, design, offset), names));
+}
+
+}  // namespace
+
+FitReport fit_cox_model(const FitRequest& request) {
+  if (!std::holds_alternative<SurvivalOutcome>(request.frame.outcome)) {
+    throw FormulaError("'" + request.frame.response + "': a Cox model needs Surv(time, event)");
+  }
+  CoxData data = cox_data(request.frame);
+  CoxOptions options;
+  options.level = request.options.level;
+  options.ties = kTies[choice("ties", request.options.ties, {"efron", "breslow", "exact"})];
+  if (request.options.robust) {
+    options.robust = true;
+  }
+  if (options.ties == Ties::exact && (options.robust || data.cluster || data.weights)) {
+    throw UsageError("--ties exact goes without --robust, --cluster, cluster() and --weights");
+  }
+  const TimeTransform transform = kTransforms[choice(
+      "transform", request.options.transform, {"km", "rank", "identity", "log"})];
+  const CoxFit fit = fit_cox(data, options);
+  FitReport report = cox_report(fit, concordance_of(data, fit));
+  if (has_error(fit.conditions) || fit.summary.termination != CoxTermination::converged) {
+    return report;
+  }
+  if (fit.ties != Ties::exact && fit.df > 0) {
+    add_proportionality(
+        cox_zph(data, fit, transform, true), cox_zph(data, fit, transform, false), report);
+  }
+  if (!fit.robust) {
+    add_term_tests(cox_anova(data, options), cox_drop1(data, options), report);
+  }
+  report.details.push_back(baseline_table(cox_baseline(data, fit)));
+  add_residuals(request, data, fit, report);
+  add_curves(request, data, fit, report);
+  return report;
+}
+
+}  // namespace tcert::cli

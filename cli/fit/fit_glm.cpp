@@ -1,0 +1,24 @@
+#include "analysis/logistic.hpp"
+#include "analysis/logistic_drop.hpp"
+#include "analysis/logistic_profile.hpp"
+#include "cli/fit/fit.hpp"
+#include "reports/fit/logistic_report.hpp"
+
+namespace tcert::cli {
+
+FitReport fit_glm(const FitRequest& request) {
+  LogisticInput input = logistic_input(request.frame);
+  LogisticOptions options;
+  options.level = request.options.level;
+  if (input.cluster || request.options.robust) {
+    options.variance = CoefficientVariance::robust;
+  }
+  const LogisticFit fit = fit_logistic(input, options);
+  std::vector<std::optional<Interval>> profiles;
+  if (!request.options.no_profile) {
+    profiles = profile_intervals(input, options);
+  }
+  return logistic_report(fit, profiles, drop_terms(input));
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,74 @@
+#include "analysis/auc_statistic.hpp"
+#include "analysis/roc.hpp"
+#include "analysis/roc_curve.hpp"
+#include "cli/data_file.hpp"
+#include "cli/errors.hpp"
+#include "cli/fit/bootstrap_of_rows.hpp"
+#include "cli/fit/fit.hpp"
+#include "reports/fit/roc_report.hpp"
+
+namespace tcert::cli {
+namespace {
+
+/// "specificity:0.9:1".
+PartialRange partial_range(const std::string& text) {
+  const auto first = text.find(':');
+  const auto second = text.find(':', first + 1);
+  if (first == std::string::npos || second == std::string::npos) {
+    throw UsageError("--partial: found '" + text + "', expected AXIS:LOW:HIGH");
+  }
+  PartialRange range;
+  range.focus = choice("partial", text.substr(0, first), {"specificity", "sensitivity"}) == 0
+                    ? RocFocus::specificity
+                    : RocFocus::sensitivity;
+  const std::vector<double> ends = numbers_of(
+      "partial", text.substr(first + 1, second - first - 1) + ',' + text.substr(second + 1));
+  if (ends.size() != 2 || !(ends[0] >= 0.0 && ends[0] < ends[1] && ends[1] <= 1.0)) {
+    throw UsageError("--partial: found '" + text + "', expected 0 <= LOW < HIGH <= 1");
+  }
+  range.low = ends[0];
+  range.high = ends[1];
+  return range;
+}
+
+}  // namespace
+
+FitReport fit_roc(const FitRequest& request) {
+  ModelFrame frame = request.frame;
+  require_binary(frame);
+  if (has_error(frame.conditions)) {
+    FitReport report;
+    report.model = "roc";
+    report.conditions = frame.conditions;
+    return report;
+  }
+  const std::vector<double>& success = std::get<CountOutcome>(frame.outcome).successes;
+  const FrameColumns columns = predictor_columns(frame);
+  std::vector<Score> scores;
+  for (const std::vector<double>& values : columns.values) {
+    scores.push_back({values, HigherMeans::success});
+  }
+  AucOptions options;
+  options.level = request.options.level;
+  if (frame.cluster) {
+    options.cluster = frame.cluster->codes;
+  }
+  std::vector<RocCurve> curves;
+  for (const Score& score : scores) {
+    curves.push_back(roc_curve(score.values, success, score.higher));
+  }
+  std::optional<PartialRange> partial;
+  if (!request.options.partial.empty()) {
+    partial = partial_range(request.options.partial);
+  }
+  FitReport report =
+      roc_report(columns.names, joint_auc(scores, success, options), curves, partial);
+  if (request.options.replicates > 0 && !has_error(report.conditions)) {
+    require_plain_bootstrap(request, true);
+    const std::vector<std::uint8_t> outcome(success.begin(), success.end());
+    add_bootstrap(request, columns.names, auc_statistic(scores, outcome), report);
+  }
+  return report;
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,122 @@
+#include "cli/h1_options.hpp"
+
+#include "cli/data_file.hpp"
+#include "cli/errors.hpp"
+#include "cli/inputs.hpp"
+
+namespace tcert::cli {
+namespace {
+
+/// "m3", "m3:larger", "m3:smaller"; a predictor of the paper keeps its own direction and landmark.
+H1Predictor predictor_of(const std::string& option, const std::string& word) {
+  const auto colon = word.find(':');
+  const std::string column = word.substr(0, colon);
+  H1Predictor predictor{column, HigherMeans::success, ""};
+  for (const H1Predictor& known : paper_predictors()) {
+    if (known.column == column) {
+      predictor = known;
+    }
+  }
+  if (colon != std::string::npos) {
+    const std::string direction = word.substr(colon + 1);
+    if (direction != "larger" && direction != "smaller") {
+      throw UsageError("--" + option + ": found '" + word +
+                       "', expected COLUMN, COLUMN:larger or COLUMN:smaller");
+    }
+    predictor.higher = direction == "larger" ? HigherMeans::success : HigherMeans::failure;
+  }
+  return predictor;
+}
+
+std::vector<H1Predictor> predictors_of(const HypothesesOptions& options) {
+  if (options.predictor.empty() && options.baselines.empty()) {
+    return paper_predictors();
+  }
+  std::vector<H1Predictor> predictors;
+  predictors.push_back(options.predictor.empty() ? paper_predictors().front()
+                                                 : predictor_of("predictor", options.predictor));
+  for (const std::string& word : words_of(options.baselines)) {
+    predictors.push_back(predictor_of("baselines", word));
+  }
+  return predictors;
+}
+
+double number_of(const std::string& option, const std::string& text) {
+  const std::vector<double> numbers = numbers_of(option, text);
+  if (numbers.size() != 1 || !(numbers[0] > 0.0)) {
+    throw UsageError("--" + option + ": found '" + text + "', expected seconds above 0");
+  }
+  return numbers[0];
+}
+
+}  // namespace
+
+void add_h1_options(po::options_description& own, HypothesesOptions& o) {
+  const auto text = [](std::string& value, const char* name) {
+    return po::value(&value)->value_name(name);
+  };
+  auto add = own.add_options();
+  add("features", text(o.features, "FILE"), "a table of trials instead of a bundle");
+  add("predictor",
+      text(o.predictor, "COLUMN"),
+      "the predictor under test; tc_early unless given; ':smaller' turns its direction");
+  add("baselines",
+      text(o.baselines, "COLUMNS"),
+      "its rivals, comma between; those of the paper unless predictors are given");
+  add("success", text(o.success, "COLUMN")->default_value(o.success), "outcome, 0 or 1");
+  add("time",
+      text(o.time, "COLUMN")->default_value(o.time),
+      "time to egress, or to the end of a failed trial; without it there is no C");
+  add("cluster",
+      text(o.cluster, "COLUMN")->default_value(o.cluster),
+      "trials that share a value are not independent; '' for none");
+  add("strata",
+      text(o.strata, "COLUMN")->default_value(o.strata),
+      "of the stratified hazard ratio; '' for none");
+  add("landmark",
+      text(o.landmark, "S"),
+      "start of the landmark panel; the time window of the features unless given");
+  add("limit",
+      text(o.limit, "S"),
+      "trial limit for failures that stay at risk; the longest time "
+      "unless given");
+  add("replicates",
+      po::value(&o.replicates)->value_name("R")->default_value(o.replicates),
+      "of the bootstrap; more for stable third digits");
+  add("folds",
+      po::value(&o.folds)->value_name("K")->default_value(o.folds),
+      "of the cross-validation, of whole clusters");
+  add("level",
+      po::value(&o.level)->value_name("P")->default_value(o.level, "0.95"),
+      "of the intervals");
+  add("table", text(o.table, "NAME"), "print only this table; a wrong name lists them");
+}
+
+H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common) {
+  require_range("replicates", static_cast<double>(options.replicates), 1, 1e6);
+  require_range("folds", static_cast<double>(options.folds), 2, 1000);
+  if (!(options.level > 0.0 && options.level < 1.0)) {
+    throw UsageError("--level: expected a value between 0 and 1");
+  }
+  H1Options h1;
+  h1.predictors = predictors_of(options);
+  h1.success = options.success;
+  h1.time = options.time;
+  h1.cluster = options.cluster;
+  h1.strata = options.strata;
+  h1.landmark_s = effective_parameters({}, common).early_window.time_s;
+  if (!options.landmark.empty()) {
+    h1.landmark_s = number_of("landmark", options.landmark);
+    h1.always_landmark = true;
+  }
+  if (!options.limit.empty()) {
+    h1.limit_s = number_of("limit", options.limit);
+  }
+  h1.level = options.level;
+  h1.replicates = static_cast<std::size_t>(options.replicates);
+  h1.folds = static_cast<std::size_t>(options.folds);
+  h1.seed = static_cast<std::uint64_t>(common.seed);
+  return h1;
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The options of `tcert hypotheses h1`.
+
+#include <cstdint>
+#include <string>
+
+#include "analysis/h1/hypothesis_h1.hpp"
+#include "cli/options.hpp"
+
+namespace tcert::cli {
+
+struct HypothesesOptions {
+  std::string hypothesis;
+  std::string bundle;
+  std::string features;
+  std::string predictor;
+  std::string baselines;
+  std::string success = "success";
+  std::string time = "time_s";
+  std::string cluster = "day";
+  std::string strata = "algorithm";
+  std::string table;
+  std::string landmark;
+  std::string limit;
+  double level = 0.95;
+  std::int64_t replicates = 2000;
+  std::int64_t folds = 5;
+};
+
+void add_h1_options(po::options_description& own, HypothesesOptions& o);
+
+/// \throws UsageError for a value out of range.
+[[nodiscard]] H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common);
+
+}  // namespace tcert::cli

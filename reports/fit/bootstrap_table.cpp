@@ -1,0 +1,54 @@
+#include "reports/fit/bootstrap_table.hpp"
+
+#include "reports/fit/cells.hpp"
+
+namespace tcert {
+
+BootstrapTable::BootstrapTable(double level) : level_(level) {
+  table_.name = "bootstrap";
+  table_.title = "Bootstrap intervals";
+  table_.columns = {text_column("term", "predictor"),
+                    number_column("estimate", "value"),
+                    number_column("bias", "bias"),
+                    number_column("std.error", "SE"),
+                    number_column("conf.low", "BCa low"),
+                    number_column("conf.high", "BCa high"),
+                    number_column("percentile.low", "percentile low"),
+                    number_column("percentile.high", "percentile high"),
+                    number_column("basic.low", "basic low"),
+                    number_column("basic.high", "basic high"),
+                    number_column("normal.low", "normal low"),
+                    number_column("normal.high", "normal high"),
+                    number_column("acceleration", "acceleration"),
+                    integer_column("replicates", "replicates")};
+}
+
+void BootstrapTable::add(const std::string& name,
+                         const BootstrapResult& result,
+                         std::size_t value) {
+  const BootstrapEstimate bca = bootstrap_estimate(result, value, level_);
+  std::vector<TableCell> cells{
+      name, number_cell(bca.observed), number_cell(bca.bias), number_cell(bca.standard_error)};
+  for (const BootstrapMethod method : {BootstrapMethod::bca,
+                                       BootstrapMethod::percentile,
+                                       BootstrapMethod::basic,
+                                       BootstrapMethod::normal}) {
+    const auto interval = bootstrap_estimate(result, value, level_, method).interval;
+    cells.push_back(low_cell(interval));
+    cells.push_back(high_cell(interval));
+  }
+  cells.push_back(number_cell(result.acceleration[value]));
+  cells.push_back(integer_cell(result.replicates[value].size()));
+  table_.add_row(std::move(cells));
+  for (Condition condition : bca.conditions) {
+    condition.column = name;
+    conditions_.push_back(std::move(condition));
+  }
+}
+
+void BootstrapTable::append_to(FitReport& report) const {
+  report.tables.push_back(table_);
+  report.conditions.insert(report.conditions.end(), conditions_.begin(), conditions_.end());
+}
+
+}  // namespace tcert

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Bootstrap intervals as a table.
+
+#include <cstddef>
+#include <string>
+
+#include "analysis/bootstrap.hpp"
+#include "reports/fit/fit_report.hpp"
+
+namespace tcert {
+
+class BootstrapTable {
+ public:
+  explicit BootstrapTable(double level);
+
+  /// One row: the value, bias, standard error, acceleration, and all intervals.
+  void add(const std::string& name, const BootstrapResult& result, std::size_t value);
+
+  /// Adds the table and the conditions met to `report`.
+  void append_to(FitReport& report) const;
+
+ private:
+  double level_;
+  Table table_;
+  Conditions conditions_;
+};
+
+}  // namespace tcert

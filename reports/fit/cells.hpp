@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// Cells and columns that the reports of fits have in common, named as R's broom names them.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/interval.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+/// Digits that people see of a coefficient or a statistic.
+inline constexpr int kShownDigits = 4;
+
+[[nodiscard]] TableCell integer_cell(std::size_t value);
+[[nodiscard]] TableCell number_cell(const std::optional<double>& value);
+[[nodiscard]] TableCell p_cell(const std::optional<double>& value);
+[[nodiscard]] TableCell low_cell(const std::optional<Interval>& interval);
+[[nodiscard]] TableCell high_cell(const std::optional<Interval>& interval);
+
+[[nodiscard]] Column text_column(std::string name, std::string heading);
+[[nodiscard]] Column integer_column(std::string name, std::string heading);
+/// Printed with kShownDigits significant digits.
+[[nodiscard]] Column number_column(std::string name, std::string heading);
+[[nodiscard]] Column p_column(std::string name = "p.value", std::string heading = "p");
+
+/// A table of one row, made column by column.
+class Record {
+ public:
+  Record(std::string name, std::string title);
+
+  Record& text(std::string name, std::string heading, std::string value);
+  Record& integer(std::string name, std::string heading, std::size_t value);
+  Record& number(std::string name, std::string heading, const std::optional<double>& value);
+  Record& p(std::string name, std::string heading, const std::optional<double>& value);
+
+  [[nodiscard]] Table table() &&;
+
+ private:
+  Table table_;
+  std::vector<TableCell> cells_;
+};
+
+/// A square matrix with its names: column `term`, then one column a name. NaN is missing.
+[[nodiscard]] Table matrix_table(std::string name,
+                                 std::string title,
+                                 const std::vector<std::string>& names,
+                                 const Eigen::MatrixXd& values);
+
+}  // namespace tcert

@@ -1,0 +1,130 @@
+#include "reports/fit/logistic_report.hpp"
+
+#include <cmath>
+
+#include "reports/fit/cells.hpp"
+
+namespace tcert {
+namespace {
+
+std::string_view word(CoefficientKind kind) {
+  switch (kind) {
+    case CoefficientKind::finite:
+      return "finite";
+    case CoefficientKind::not_estimable:
+      return "not estimable";
+    case CoefficientKind::plus_infinity:
+      return "+infinity";
+    case CoefficientKind::minus_infinity:
+      return "-infinity";
+    case CoefficientKind::diverging:
+      return "diverging";
+    case CoefficientKind::unknown:
+      return "unknown";
+  }
+  return "";
+}
+
+std::optional<double> odds(const std::optional<double>& log_odds) {
+  return log_odds ? std::optional(std::exp(*log_odds)) : std::nullopt;
+}
+
+Table coefficient_table(const LogisticFit& fit,
+                        const std::vector<std::optional<Interval>>& profiles) {
+  Table table;
+  table.name = "coefficients";
+  table.title = "Logistic regression: log odds of success";
+  table.n = static_cast<std::int64_t>(fit.rows);
+  table.columns = {text_column("term", "term"),
+                   number_column("estimate", "estimate"),
+                   number_column("std.error", "SE"),
+                   number_column("statistic", "z"),
+                   p_column(),
+                   number_column("conf.low", "Wald low"),
+                   number_column("conf.high", "Wald high"),
+                   number_column("profile.low", "profile low"),
+                   number_column("profile.high", "profile high"),
+                   number_column("odds.ratio", "odds ratio"),
+                   text_column("kind", "")};
+  for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
+    const LogisticCoefficient& one = fit.coefficients[k];
+    const std::optional<Interval> profile = k < profiles.size() ? profiles[k] : std::nullopt;
+    table.add_row({one.column,
+                   number_cell(one.estimate),
+                   number_cell(one.standard_error),
+                   number_cell(one.z),
+                   p_cell(one.p_value),
+                   low_cell(one.interval),
+                   high_cell(one.interval),
+                   low_cell(profile),
+                   high_cell(profile),
+                   number_cell(odds(one.estimate)),
+                   one.kind == CoefficientKind::finite ? TableCell{std::string()}
+                                                       : TableCell{std::string(word(one.kind))}});
+  }
+  return table;
+}
+
+Table drop_table(const std::vector<DroppedTerm>& dropped) {
+  Table table;
+  table.name = "drop1";
+  table.title = "Likelihood-ratio test of each term";
+  table.columns = {text_column("term", "term"),
+                   integer_column("df", "df"),
+                   number_column("deviance", "deviance without"),
+                   number_column("AIC", "AIC without"),
+                   number_column("statistic", "chi-squared"),
+                   p_column()};
+  for (const DroppedTerm& one : dropped) {
+    table.add_row({one.term,
+                   integer_cell(one.df),
+                   number_cell(one.deviance),
+                   number_cell(one.aic),
+                   number_cell(one.chi_squared),
+                   p_cell(one.p_value)});
+  }
+  return table;
+}
+
+std::optional<double> df_null(const LogisticFit& fit) {
+  return fit.rows == 0 ? std::nullopt : std::optional(static_cast<double>(fit.rows) - 1.0);
+}
+
+}  // namespace
+
+FitReport logistic_report(const LogisticFit& fit,
+                          const std::vector<std::optional<Interval>>& profiles,
+                          const std::vector<DroppedTerm>& dropped) {
+  FitReport report;
+  report.model = "glm";
+  report.tables = {coefficient_table(fit, profiles), drop_table(dropped)};
+  Record summary("summary", "Fit");
+  summary.integer("nobs", "rows", fit.rows)
+      .integer("clusters", "clusters", fit.clusters)
+      .number("logLik", "log-likelihood", fit.log_likelihood)
+      .number("deviance", "deviance", fit.deviance)
+      .integer("df.residual", "residual df", fit.df_residual)
+      .number("null.deviance", "null deviance", fit.null_deviance)
+      .number("df.null", "null df", df_null(fit))
+      .number("AIC", "AIC", fit.aic)
+      .number("BIC", "BIC", fit.bic)
+      .text(
+          "variance", "variance", fit.variance == CoefficientVariance::robust ? "robust" : "model")
+      .text("termination", "termination", std::string(to_string(fit.termination)))
+      .integer("iterations", "iterations", static_cast<std::size_t>(fit.iterations))
+      .number("gradient_norm", "gradient norm", fit.gradient_norm)
+      .number("last_step", "last step [SE]", fit.last_step);
+  report.summary = std::move(summary).table();
+  std::vector<std::string> names;
+  for (const LogisticCoefficient& one : fit.coefficients) {
+    names.push_back(one.column);
+  }
+  if (fit.covariance.rows() == static_cast<Eigen::Index>(names.size())) {
+    report.details.push_back(
+        matrix_table("vcov", "Covariance of the coefficients", names, fit.covariance));
+  }
+  report.conditions = fit.conditions;
+  return report;
+}
+
+}  // namespace tcert

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Areas under ROC curves, their differences, thresholds and points as tables.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/roc.hpp"
+#include "analysis/roc_curve.hpp"
+#include "reports/fit/fit_report.hpp"
+
+namespace tcert {
+
+/// Part of an axis that a partial area is taken over.
+struct PartialRange {
+  RocFocus focus = RocFocus::specificity;
+  double low = 0.9;
+  double high = 1.0;
+};
+
+/// One name and one curve a marker of `joint`.
+[[nodiscard]] FitReport roc_report(const std::vector<std::string>& names,
+                                   const JointAuc& joint,
+                                   const std::vector<RocCurve>& curves,
+                                   const std::optional<PartialRange>& partial);
+
+}  // namespace tcert

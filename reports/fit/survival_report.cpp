@@ -1,0 +1,258 @@
+#include "reports/fit/survival_report.hpp"
+
+#include <algorithm>
+
+#include "reports/fit/cells.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr int kShownTimes = 5;
+
+std::string name_of(const std::string& group) { return group.empty() ? "all" : group; }
+
+std::vector<double> shown_times(const std::vector<double>& asked, double last) {
+  if (!asked.empty()) {
+    return asked;
+  }
+  std::vector<double> times;
+  for (int i = 1; i <= kShownTimes; ++i) {
+    times.push_back(last * i / kShownTimes);
+  }
+  return times;
+}
+
+Table group_table(const std::vector<SurvivalCurve>& curves, const SurvivalReportOptions& options) {
+  Table table;
+  table.name = "groups";
+  table.title = "Time to the event, by group";
+  table.columns = {text_column("strata", "group"),
+                   integer_column("records", "rows"),
+                   number_column("events", "events"),
+                   number_column("median", "median"),
+                   number_column("median.low", "low"),
+                   number_column("median.high", "high"),
+                   number_column("rmean", "restricted mean"),
+                   number_column("rmean.std.error", "SE"),
+                   number_column("rmean.limit", "up to")};
+  const double limit = common_limit(curves);
+  for (const SurvivalCurve& curve : curves) {
+    double events = 0.0;
+    for (const SurvivalPoint& point : curve.points) {
+      events += point.events;
+    }
+    const SurvivalQuantile median = survival_quantile(curve, 0.5, options.scale, options.level);
+    const RestrictedMean mean = restricted_mean(curve, limit);
+    table.add_row({name_of(curve.group),
+                   integer_cell(curve.rows),
+                   number_cell(events),
+                   number_cell(median.time),
+                   number_cell(median.low),
+                   number_cell(median.high),
+                   number_cell(mean.mean),
+                   number_cell(mean.std_error),
+                   number_cell(mean.limit)});
+  }
+  return table;
+}
+
+std::vector<Column> curve_columns() {
+  return {text_column("strata", "group"),
+          number_column("time", "time"),
+          number_column("n.risk", "at risk"),
+          number_column("n.event", "events"),
+          number_column("n.censor", "censored"),
+          number_column("estimate", "survival"),
+          number_column("std.error", "SE"),
+          number_column("conf.low", "low"),
+          number_column("conf.high", "high"),
+          number_column("cumhaz", "cumulative hazard"),
+          number_column("cumhaz.std.error", "SE of hazard")};
+}
+
+void add_point(const std::string& group,
+               double time,
+               const SurvivalPoint& point,
+               const SurvivalReportOptions& options,
+               Table& table) {
+  const Interval interval =
+      survival_interval(point.survival, point.log_std_error, options.scale, options.level);
+  table.add_row({name_of(group),
+                 number_cell(time),
+                 number_cell(point.at_risk),
+                 number_cell(point.events),
+                 number_cell(point.censored),
+                 number_cell(point.survival),
+                 number_cell(point.std_error()),
+                 number_cell(interval.low),
+                 number_cell(interval.high),
+                 number_cell(point.cumulative_hazard),
+                 number_cell(point.hazard_std_error)});
+}
+
+/// The curves just after each time, with the weight still at risk there.
+Table times_table(const std::vector<SurvivalCurve>& curves, const SurvivalReportOptions& options) {
+  Table table;
+  table.name = "times";
+  table.title = "Survival at chosen times: the share without the event";
+  table.columns = curve_columns();
+  for (const SurvivalCurve& curve : curves) {
+    for (const double time : shown_times(options.times, common_limit(curves))) {
+      SurvivalPoint point;
+      if (const SurvivalPoint* const last = curve.at(time)) {
+        point = *last;
+      }
+      point.events = point.censored = point.at_risk = 0.0;
+      for (const SurvivalPoint& one : curve.points) {
+        point.events += one.time <= time ? one.events : 0.0;
+        point.censored += one.time <= time ? one.censored : 0.0;
+      }
+      const auto next = std::find_if(curve.points.begin(),
+                                     curve.points.end(),
+                                     [&](const SurvivalPoint& one) { return one.time >= time; });
+      point.at_risk = next == curve.points.end() ? 0.0 : next->at_risk;
+      add_point(curve.group, time, point, options, table);
+    }
+  }
+  table.footnotes = {
+      "at risk: just before the time; events and censored: up to the time, that time included."};
+  return table;
+}
+
+Table all_points(const std::vector<SurvivalCurve>& curves, const SurvivalReportOptions& options) {
+  Table table;
+  table.name = "curve";
+  table.title = "Kaplan-Meier curve";
+  table.columns = curve_columns();
+  for (const SurvivalCurve& curve : curves) {
+    for (const SurvivalPoint& point : curve.points) {
+      add_point(curve.group, point.time, point, options, table);
+    }
+  }
+  return table;
+}
+
+Table test_table(const LogRankTest& test) {
+  Table table;
+  table.name = "logrank";
+  table.title = "Log-rank test, rho = " + significant(test.rho, kShownDigits);
+  table.columns = {text_column("strata", "group"),
+                   integer_column("records", "rows"),
+                   number_column("observed", "observed"),
+                   number_column("expected", "expected")};
+  for (const LogRankGroup& group : test.groups) {
+    table.add_row({group.group,
+                   integer_cell(group.rows),
+                   number_cell(group.observed),
+                   number_cell(group.expected)});
+  }
+  return table;
+}
+
+std::vector<Column> incidence_columns() {
+  return {text_column("strata", "group"),
+          text_column("state", "cause"),
+          number_column("time", "time"),
+          number_column("n.risk", "at risk"),
+          number_column("estimate", "incidence"),
+          number_column("std.error", "SE"),
+          number_column("conf.low", "low"),
+          number_column("conf.high", "high")};
+}
+
+/// The state after point `at`; before the first point nothing has happened.
+void add_incidence_row(const IncidenceCurves& curves,
+                       const IncidenceCurve& curve,
+                       double time,
+                       std::size_t at,
+                       const SurvivalReportOptions& options,
+                       Table& table) {
+  const bool before = at >= curves.time.size();
+  const double p = before ? 0.0 : curve.probability[at];
+  std::vector<TableCell> cells{name_of(curves.group),
+                               curve.cause,
+                               number_cell(time),
+                               before ? TableCell{} : number_cell(curves.at_risk[at]),
+                               number_cell(p),
+                               before ? TableCell{} : number_cell(curve.std_error[at])};
+  if (before || p == 0.0) {
+    cells.insert(cells.end(), 2, TableCell{});
+  } else {
+    const Interval interval =
+        survival_interval(p, curve.std_error[at] / p, options.scale, options.level);
+    cells.push_back(number_cell(interval.low));
+    cells.push_back(number_cell(interval.high));
+  }
+  table.add_row(std::move(cells));
+}
+
+}  // namespace
+
+FitReport survival_report(const std::vector<SurvivalCurve>& curves,
+                          const std::optional<LogRankTest>& test,
+                          const SurvivalReportOptions& options) {
+  FitReport report;
+  report.model = "km";
+  report.tables = {group_table(curves, options), times_table(curves, options)};
+  report.details = {all_points(curves, options)};
+  std::size_t rows = 0;
+  for (const SurvivalCurve& curve : curves) {
+    rows += curve.rows;
+    for (Condition condition : curve.conditions) {
+      if (condition.column.empty() && !curve.group.empty()) {
+        condition.column = curve.group;
+      }
+      report.conditions.push_back(std::move(condition));
+    }
+  }
+  Record summary("summary", "Rows and test");
+  summary.integer("n", "rows", rows).integer("groups", "groups", curves.size());
+  if (test) {
+    summary.number("statistic", "chi-squared", test->chi_squared)
+        .integer("df", "df", test->df)
+        .p("p.value", "p", test->p_value)
+        .number("rho", "rho", test->rho);
+    report.tables.push_back(test_table(*test));
+    std::vector<std::string> names;
+    for (const LogRankGroup& group : test->groups) {
+      names.push_back(group.group);
+    }
+    report.details.push_back(matrix_table(
+        "logrank_vcov", "Covariance of observed less expected", names, test->covariance));
+    report.conditions.insert(
+        report.conditions.end(), test->conditions.begin(), test->conditions.end());
+  }
+  report.summary = std::move(summary).table();
+  return report;
+}
+
+void add_incidence(const std::vector<IncidenceCurves>& curves,
+                   const SurvivalReportOptions& options,
+                   FitReport& report) {
+  double last = 0.0;
+  for (const IncidenceCurves& group : curves) {
+    last = group.time.empty() ? last : std::max(last, group.time.back());
+  }
+  Table shown;
+  shown.name = "incidence";
+  shown.title = "Cumulative incidence by cause (Aalen-Johansen)";
+  shown.columns = incidence_columns();
+  Table all = shown;
+  all.name = "incidence_curve";
+  for (const IncidenceCurves& group : curves) {
+    for (const IncidenceCurve& curve : group.causes) {
+      for (const double time : shown_times(options.times, last)) {
+        add_incidence_row(group, curve, time, group.index_at(time), options, shown);
+      }
+      for (std::size_t i = 0; i < group.time.size(); ++i) {
+        add_incidence_row(group, curve, group.time[i], i, options, all);
+      }
+    }
+    report.conditions.insert(
+        report.conditions.end(), group.conditions.begin(), group.conditions.end());
+  }
+  report.tables.push_back(std::move(shown));
+  report.details.push_back(std::move(all));
+}
+
+}  // namespace tcert

@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// Kaplan-Meier curves, log-rank test and cumulative incidence as tables.
+
+#include <optional>
+#include <vector>
+
+#include "analysis/cumulative_incidence.hpp"
+#include "analysis/log_rank.hpp"
+#include "analysis/survival_curve.hpp"
+#include "reports/fit/fit_report.hpp"
+
+namespace tcert {
+
+struct SurvivalReportOptions {
+  IntervalScale scale = IntervalScale::log;
+  double level = 0.95;
+  std::vector<double> times;  ///< At which the curves are shown; empty: five up to the last.
+};
+
+/// Events and medians by group, the curves at `times`, every point as a detail, the test if there
+/// are groups to compare.
+[[nodiscard]] FitReport survival_report(const std::vector<SurvivalCurve>& curves,
+                                        const std::optional<LogRankTest>& test,
+                                        const SurvivalReportOptions& options);
+
+/// Adds the cumulative incidence of each cause at `times`, and every point as a detail.
+void add_incidence(const std::vector<IncidenceCurves>& curves,
+                   const SurvivalReportOptions& options,
+                   FitReport& report);
+
+}  // namespace tcert

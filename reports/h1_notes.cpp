@@ -1,0 +1,119 @@
+#include "reports/h1_notes.hpp"
+
+#include <algorithm>
+
+#include "reports/table.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr std::size_t kFewClusters = 30;
+
+std::string panel_note(const H1Table& h1, const H1Panel& panel) {
+  std::string note;
+  if (panel.kind == H1PanelKind::paper) {
+    note = "Paper panel: features as they are, " + std::to_string(panel.trials) + " trials";
+    if (panel.ended_in_window && panel.failures_ended_in_window) {
+      note += "; " + std::to_string(*panel.ended_in_window) + " of them end inside their window (" +
+              std::to_string(*panel.failures_ended_in_window) +
+              " failures), which then contains the outcome";
+    }
+  } else {
+    note = "Landmark panel: the time window alone, " + std::to_string(panel.trials) +
+           " trials, times from " + significant(h1.options.landmark_s, 4) +
+           " s; excluded: " + std::to_string(panel.ended_by_landmark) +
+           " that end before the landmark, " + std::to_string(panel.still_at_landmark) +
+           " that stand still at it. Conclusions are drawn from this panel";
+  }
+  if (panel.complete < panel.trials) {
+    note += "; " + std::to_string(panel.trials - panel.complete) +
+            " without a complete row are left out of every line";
+    for (const auto& [column, count] : panel.missing) {
+      note += ", " + column + " missing in " + std::to_string(count);
+    }
+  }
+  return note + ".";
+}
+
+std::string cluster_note(const H1Table& h1) {
+  const std::string& cluster = h1.options.cluster;
+  if (cluster.empty()) {
+    return "Trials are taken as independent: no cluster was named.";
+  }
+  std::string note = "Clusters: column '" + cluster +
+                     "'. Resamples draw whole clusters, the tests and robust variances use them";
+  const bool few = std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
+    return panel.clusters < kFewClusters;
+  });
+  return note + (few ? "; with fewer than 30 of them intervals tend to be too narrow." : ".");
+}
+
+std::string model_note() {
+  return "'rivals together' is gained on by the predictor alone; 'rivals + ...' gains over the "
+         "rivals together. Models are scored by their fixed part on the trials they were fitted "
+         "to, "
+         "and re-fitted in each resample; out of fold they score clusters that they have not "
+         "seen. ";
+}
+
+void add_conditions(const H1Table& h1, std::vector<std::string>& notes) {
+  for (const H1Panel& panel : h1.panels) {
+    for (const Condition& condition : panel.conditions) {
+      notes.push_back(std::string(to_string(panel.kind)) + " panel: " + to_string(condition) + ".");
+    }
+    for (const H1Row& row : panel.rows) {
+      for (const Condition& condition : row.conditions) {
+        notes.push_back(std::string(to_string(panel.kind)) + " panel, " + row.name + ": " +
+                        to_string(condition) + ".");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> h1_success_notes(const H1Table& h1) {
+  std::vector<std::string> notes;
+  for (const H1Panel& panel : h1.panels) {
+    notes.push_back(panel_note(h1, panel));
+  }
+  notes.push_back(cluster_note(h1));
+  notes.push_back(
+      "AUC: Pr(a success outranks a failure) in the a-priori direction, ties one half. Gain: AUC "
+      "of "
+      "the predictor less that of the rival, on the same resamples (" +
+      std::to_string(h1.options.replicates) + ", seed " + std::to_string(h1.options.seed) +
+      "). p: clustered DeLong (Obuchowski 1997), two-sided; Holm over the rivals in AUC and in C.");
+  notes.push_back(
+      model_note() +
+      "Their p is the likelihood-ratio test of the logistic model, trials independent.");
+  notes.push_back("Out of fold: mean within " + std::to_string(h1.options.folds) +
+                  " folds of whole clusters, weighted by comparable pairs.");
+  if (h1.outcome_missing > 0) {
+    notes.push_back(std::to_string(h1.outcome_missing) +
+                    " trials without an outcome are left out.");
+  }
+  add_conditions(h1, notes);
+  return notes;
+}
+
+std::vector<std::string> h1_time_notes(const H1Table& h1) {
+  std::string limits;
+  for (const H1Panel& panel : h1.panels) {
+    limits += (limits.empty() ? "" : ", ") + significant(panel.limit_s, 6) + " s (" +
+              std::string(to_string(panel.kind)) + ")";
+  }
+  return {
+      "C: Pr(the better value goes with earlier egress), Harrell's, failures censored when they "
+      "fail; p by its clustered jackknife. Time is column '" +
+          h1.options.time + "'; the event is egress.",
+      "HR: hazard ratio of egress per standard deviation (column SD) towards the better side, Cox "
+      "with Efron ties, cluster-robust; above 1 is sooner. At limit: failures stay at risk to " +
+          limits + ". Stratified: by '" + h1.options.strata + "', failures censored.",
+      model_note() +
+          "For C the model is a Cox model; its p is the likelihood-ratio test, trials "
+          "independent. The HR of 'rivals + ...' is the predictor's, rivals held fixed.",
+      "Clusters, panels and conditions: see the table of success."};
+}
+
+}  // namespace tcert

@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// What stands below the tables of H1: who is in a panel, how each number is made.
+
+#include <string>
+#include <vector>
+
+#include "analysis/h1/hypothesis_h1.hpp"
+
+namespace tcert {
+
+[[nodiscard]] std::vector<std::string> h1_success_notes(const H1Table& h1);
+[[nodiscard]] std::vector<std::string> h1_time_notes(const H1Table& h1);
+
+}  // namespace tcert
