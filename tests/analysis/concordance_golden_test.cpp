@@ -13,7 +13,7 @@
 
 #include "analysis/concordance.hpp"
 #include "analysis/cox.hpp"
-#include "support/survival_golden.hpp"
+#include "analysis/survival_golden.hpp"
 #include "support/worst.hpp"
 
 namespace tcert {

@@ -13,7 +13,7 @@
 
 #include "analysis/log_rank.hpp"
 #include "analysis/survival_curve.hpp"
-#include "support/survival_golden.hpp"
+#include "analysis/survival_golden.hpp"
 #include "support/worst.hpp"
 
 namespace tcert {

@@ -1,4 +1,4 @@
-#include "support/survival_golden.hpp"
+#include "analysis/survival_golden.hpp"
 
 #include <cmath>
 #include <fstream>

@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/workdir.hpp"
+
+namespace tcert {
+namespace {
+
+using nlohmann::json;
+using test_support::ProcessResult;
+using test_support::to_string;
+using test_support::Workdir;
+
+/// Twenty-four trials on six days, hand-made: overlapping outcomes, ties in time and predictor.
+constexpr const char* kTrials =
+    "day,light,x,z,success,time_s,end\n"
+    "a,dim,1.0,3,1,12,goal\na,dark,0.2,1,0,30,wedged\na,dim,0.7,2,1,15,goal\na,dark,0.9,4,1,14,"
+    "goal\n"
+    "b,dim,0.4,5,0,22,wedged\nb,dark,0.5,1,1,19,goal\nb,dim,1.3,2,1,11,goal\nb,dark,0.1,3,0,30,"
+    "timeout\n"
+    "c,dim,0.8,4,1,14,goal\nc,dark,1.1,1,1,12,goal\nc,dim,0.3,2,0,25,wedged\nc,dark,0.6,5,1,18,"
+    "goal\n"
+    "d,dim,0.9,3,0,30,timeout\nd,dark,0.4,2,1,21,goal\nd,dim,1.2,1,1,13,goal\nd,dark,0.2,4,0,28,"
+    "wedged\n"
+    "e,dim,0.6,2,1,17,goal\ne,dark,0.8,3,1,16,goal\ne,dim,0.5,1,0,30,timeout\ne,dark,1.0,5,1,15,"
+    "goal\n"
+    "f,dim,0.7,4,1,16,goal\nf,dark,0.3,2,1,23,goal\nf,dim,1.1,3,1,12,goal\nf,dark,0.5,1,0,27,"
+    "wedged\n";
+
+class Fit : public ::testing::Test {
+ protected:
+  void SetUp() override { work_.write("t.csv", kTrials); }
+
+  ProcessResult fit(const std::string& kind,
+                    const std::string& formula,
+                    std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return work_.run(arguments);
+  }
+
+  json document(const std::string& kind,
+                const std::string& formula,
+                std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--format", "json"});
+    const ProcessResult run = fit(kind, formula, more);
+    EXPECT_EQ(run.exit_code, 0) << to_string(run);
+    return json::parse(run.out);
+  }
+
+  Workdir work_{TCERT_BINARY};
+};
+
+TEST_F(Fit, GlmPrintsOneDocumentWithBroomsNames) {
+  const json glm = document("glm", "success ~ x + light");
+  EXPECT_EQ(glm["model"], "glm");
+  EXPECT_EQ(glm["formula"], "success ~ x + light");
+  EXPECT_EQ(glm["n"], 24);
+  ASSERT_EQ(glm["coefficients"].size(), 3U);
+  const json& x = glm["coefficients"][1];
+  for (const char* key : {"term",
+                          "estimate",
+                          "std.error",
+                          "statistic",
+                          "p.value",
+                          "conf.low",
+                          "conf.high",
+                          "profile.low",
+                          "profile.high"}) {
+    EXPECT_TRUE(x.contains(key)) << key;
+  }
+  EXPECT_EQ(x["term"], "x");
+  EXPECT_GT(x["estimate"].get<double>(), 0.0);
+  EXPECT_EQ(glm["summary"]["termination"], "converged");
+  EXPECT_EQ(glm["vcov"].size(), 3U);
+  EXPECT_TRUE(glm["conditions"].empty());
+}
+
+TEST_F(Fit, CoxTakesStrataClustersResidualsAndCurves) {
+  const json cox =
+      document("cox",
+               "Surv(time_s, success) ~ x + z + strata(light)",
+               {"--cluster", "day", "--residuals", "martingale,dfbeta", "--curves", "1,2"});
+  EXPECT_EQ(cox["summary"]["clusters"], 6);
+  EXPECT_EQ(cox["summary"]["variance"], "robust");
+  EXPECT_FALSE(cox["coefficients"][0]["robust.se"].is_null());
+  EXPECT_EQ(cox["martingale"].size(), 24U);
+  EXPECT_EQ(cox["dfbeta"].size(), 24U);
+  EXPECT_EQ(cox["zph"].back()["term"], "GLOBAL");
+  EXPECT_FALSE(cox["curves"].empty());
+  EXPECT_FALSE(cox["basehaz"].empty());
+  // Twenty-four rows on six days: said, not hidden.
+  EXPECT_EQ(cox["conditions"][0]["name"], "few_clusters");
+}
+
+TEST_F(Fit, KmComparesGroupsAndCauses) {
+  const json km =
+      document("km", "Surv(time_s, success) ~ light", {"--cause", "end", "--times", "20"});
+  EXPECT_EQ(km["groups"].size(), 2U);
+  EXPECT_EQ(km["groups"][0]["strata"], "light=dark");
+  EXPECT_EQ(km["times"].size(), 2U);
+  EXPECT_EQ(km["summary"]["df"], 1);
+  EXPECT_FALSE(km["incidence"].empty());
+}
+
+TEST_F(Fit, RocAndConcordanceCompareAndBootstrapByCluster) {
+  const json roc =
+      document("roc",
+               "success ~ x + I(-z)",
+               {"--cluster", "day", "--bootstrap", "200", "--partial", "specificity:0.5:1"});
+  EXPECT_EQ(roc["auc"].size(), 2U);
+  EXPECT_EQ(roc["differences"].size(), 1U);
+  EXPECT_EQ(roc["bootstrap"].size(), 3U);
+  EXPECT_FALSE(roc["auc"][0]["partial.area"].is_null());
+  EXPECT_EQ(roc["bootstrap"][0]["estimate"], roc["auc"][0]["estimate"]);
+  const json c = document("concordance",
+                          "Surv(time_s, success) ~ x + z",
+                          {"--reverse", "--cluster", "day", "--bootstrap", "200"});
+  EXPECT_GT(c["concordance"][0]["estimate"].get<double>(), 0.8);
+  EXPECT_EQ(c["bootstrap"][0]["estimate"], c["concordance"][0]["estimate"]);
+  const json forward = document("concordance", "Surv(time_s, success) ~ x");
+  EXPECT_NEAR(forward["concordance"][0]["estimate"].get<double>(),
+              1.0 - c["concordance"][0]["estimate"].get<double>(),
+              1e-15);
+}
+
+TEST_F(Fit, OtherFormatsShowTheMainTableOrTheChosenOne) {
+  const ProcessResult csv = fit("glm", "success ~ x", {"--format", "csv"});
+  EXPECT_EQ(csv.out.substr(0, csv.out.find('\n')),
+            "term,estimate,std.error,statistic,p.value,conf.low,conf.high,profile.low,profile.high,"
+            "odds.ratio,kind");
+  const ProcessResult tex = fit("glm", "success ~ x", {"--format", "tex", "--table", "drop1"});
+  EXPECT_NE(tex.out.find("\\toprule"), std::string::npos);
+  const ProcessResult wrong = fit("glm", "success ~ x", {"--table", "zph"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("expected one of summary, coefficients, drop1, vcov"), std::string::npos)
+      << wrong.err;
+}
+
+TEST_F(Fit, ThreadsDoNotChangeAByte) {
+  std::string first;
+  for (const char* threads : {"1", "2"}) {
+    const ProcessResult run = fit(
+        "roc", "success ~ x + z", {"--bootstrap", "500", "--threads", threads, "--format", "json"});
+    first = first.empty() ? run.out : first;
+    EXPECT_EQ(run.out, first);
+  }
+}
+
+TEST_F(Fit, SaysWhatIsWrongWithTheCall) {
+  const auto expect_usage = [&](const ProcessResult& run, const std::string& text) {
+    EXPECT_EQ(run.exit_code, 2) << to_string(run);
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+  };
+  expect_usage(fit("coxx", "y ~ x"),
+               "unknown kind 'coxx', expected glm, cox, km, roc or concordance");
+  expect_usage(fit("glm", "succes ~ x"), "no column 'succes' in t.csv; did you mean 'success'?");
+  expect_usage(fit("glm", "success x"), "unexpected 'x' at character 9");
+  expect_usage(fit("cox", "Surv(time_s, success) ~ x", {"--ties", "efrom"}),
+               "--ties: found 'efrom', expected one of efron, breslow, exact");
+  expect_usage(fit("cox", "Surv(time_s, success) ~ x", {"--ties", "exact", "--cluster", "day"}),
+               "--ties exact goes without");
+  expect_usage(fit("glm", "success ~ light", {"--ref", "light=dusk"}),
+               "column 'light' has no level 'dusk', only dark, dim");
+  EXPECT_EQ(work_.run({"fit", "glm", "--data", "no.csv", "--formula", "y ~ x"}).exit_code, 66);
+}
+
+TEST_F(Fit, SaysWhatIsWrongWithTheData) {
+  const auto expect_bad = [&](const std::string& csv,
+                              const std::string& kind,
+                              const std::string& formula,
+                              const std::string& condition) {
+    work_.write("t.csv", csv);
+    const ProcessResult run = fit(kind, formula, {"--format", "json"});
+    EXPECT_EQ(run.exit_code, 65) << to_string(run);
+    const json document = json::parse(run.out);
+    bool found = false;
+    for (const json& one : document["conditions"]) {
+      found = found || one["name"] == condition;
+    }
+    EXPECT_TRUE(found) << condition << "\n" << run.out;
+    EXPECT_NE(run.err.find("tcert fit: error: "), std::string::npos) << run.err;
+  };
+  expect_bad("x,y\n1,0\n2,0\n3,1\n4,1\n", "glm", "y ~ x", "complete_separation");
+  expect_bad("x,y\n1,1\n2,1\n3,1\n", "glm", "y ~ x", "one_class");
+  expect_bad("x,y\n1,1\n2,2\n3,0\n", "glm", "y ~ x", "not_binary");
+  expect_bad("x,y\n1,1\nInf,0\n3,0\n", "glm", "y ~ x", "infinite_value");
+  expect_bad("x,y\n", "glm", "y ~ x", "no_rows");
+  expect_bad("x,t,s\n1,2,0\n2,3,0\n", "cox", "Surv(t, s) ~ x", "no_events");
+  expect_bad("x,t,s\n1,-2,0\n2,3,1\n", "cox", "Surv(t, s) ~ x", "time_not_positive");
+  expect_bad("x,t,s\n1,2,1\n2,3,2\n", "concordance", "Surv(t, s) ~ x", "not_binary");
+  expect_bad("x,y\n1,1\n2,1\n", "roc", "y ~ x", "one_class");
+  expect_bad("g,t,s\na,2,1\na,3,1\n", "km", "Surv(t, s) ~ g", "one_group");
+}
+
+}  // namespace
+}  // namespace tcert
