@@ -14,7 +14,7 @@
 #include "analysis/concordance.hpp"
 #include "analysis/cox.hpp"
 #include "analysis/survival_golden.hpp"
-#include "support/worst.hpp"
+#include "analysis/worst.hpp"
 
 namespace tcert {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "analysis/survival_curve.hpp"
 #include "datasets/random.hpp"
-#include "support/worst.hpp"
+#include "analysis/worst.hpp"
 
 namespace tcert {
 namespace {

@@ -14,7 +14,7 @@
 #include "analysis/log_rank.hpp"
 #include "analysis/survival_curve.hpp"
 #include "analysis/survival_golden.hpp"
-#include "support/worst.hpp"
+#include "analysis/worst.hpp"
 
 namespace tcert {
 namespace {

@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "support/survival_golden.hpp"
+#include "analysis/survival_golden.hpp"
 
 namespace tcert::test_support {
 
