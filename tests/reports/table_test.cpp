@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -137,15 +138,30 @@ TEST(Table, AlignsCharactersNotBytes) {
   EXPECT_EQ(render(table, TableFormat::text), "t\n\nβ      b\n---  ---\nααα    1\nabc    2\n");
 }
 
+TEST(Table, PrintsLatexThatCompiles) {
+  const std::string tex = render(small_table(), TableFormat::latex);
+  EXPECT_NE(tex.find("\\begin{tabular}{lrrrr}"), std::string::npos) << tex;
+  EXPECT_NE(tex.find("TC\\_early & 660 & 0.10 & 0.781 [0.700, 0.850] & $<$0.001 \\\\\n"),
+            std::string::npos)
+      << tex;
+}
+
+TEST(Table, PrintsSignificantDigitsWhereTheColumnSaysSo) {
+  EXPECT_EQ(significant(0.00012345678, 4), "0.0001235");
+  EXPECT_EQ(significant(1234567.0, 4), "1.235e+06");
+  EXPECT_EQ(significant(std::nan(""), 4), "NA");
+}
+
 TEST(TableFormatWords, ReadBack) {
   for (const TableFormat format : {TableFormat::text,
                                    TableFormat::markdown,
                                    TableFormat::csv,
                                    TableFormat::json,
-                                   TableFormat::jsonl}) {
+                                   TableFormat::jsonl,
+                                   TableFormat::latex}) {
     EXPECT_EQ(table_format_from(to_string(format)), format);
   }
-  EXPECT_FALSE(table_format_from("tex").has_value());
+  EXPECT_FALSE(table_format_from("latex").has_value());
 }
 
 TEST(Fixed, HasNoNegativeZero) {
