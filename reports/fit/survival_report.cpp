@@ -160,6 +160,14 @@ std::vector<Column> incidence_columns() {
           number_column("conf.high", "high")};
 }
 
+/// Weight at risk just before `time`.
+double at_risk_before(const IncidenceCurves& curves, double time) {
+  const auto next = std::lower_bound(curves.time.begin(), curves.time.end(), time);
+  return next == curves.time.end()
+             ? 0.0
+             : curves.at_risk[static_cast<std::size_t>(next - curves.time.begin())];
+}
+
 /// The state after point `at`; before the first point nothing has happened.
 void add_incidence_row(const IncidenceCurves& curves,
                        const IncidenceCurve& curve,
@@ -172,7 +180,7 @@ void add_incidence_row(const IncidenceCurves& curves,
   std::vector<TableCell> cells{name_of(curves.group),
                                curve.cause,
                                number_cell(time),
-                               before ? TableCell{} : number_cell(curves.at_risk[at]),
+                               number_cell(at_risk_before(curves, time)),
                                number_cell(p),
                                before ? TableCell{} : number_cell(curve.std_error[at])};
   if (before || p == 0.0) {
