@@ -413,21 +413,35 @@ quartile_of <- function(x) {
   factor(paste0("Q", 1 + rowSums(outer(x, cuts, ">"))), paste0("Q", 1:4))
 }
 
+# survfit takes no notice of cluster here, so its influences are summed within clusters by hand.
 incidence_of <- function(d, rows) {
   outcome <- d$cause[rows]
   cluster <- d$cluster[rows]
   id <- seq_along(cluster)
-  survfit(outcome ~ 1, id = id, cluster = cluster, conf.type = "log-log", conf.int = d$level)
+  fit <- survfit(outcome ~ 1, id = id, influence = TRUE)
+  u <- fit$influence.pstate
+  u <- u[, dim(u)[2] - length(fit$time) + seq_along(fit$time), , drop = FALSE]
+  fit$std.err <- apply(u, 2:3, function(v) sqrt(sum(rowsum(v, cluster)^2)))
+  fit
 }
 
-check_incidence_cells <- function(name, where, found, points, state) {
+# On the scale of log(-log p), as the tool prints them; NA where p or its error is 0.
+log_log_ends <- function(p, se, level) {
+  z <- qnorm((1 + level) / 2)
+  at <- function(sign) ifelse(p > 0 & p < 1, exp(-exp(log(-log(p)) + sign * z * se / (p * log(p)))), NA)
+  c(at(-1), at(1))
+}
+
+check_incidence_cells <- function(name, where, found, points, state, level) {
   at <- match(state, points$states)
   cells_of <- function(part) if (is.null(dim(points[[part]]))) points[[part]] else
     points[[part]][, at]
   check(paste(name, "estimate"), where, found$estimate, cells_of("pstate"))
   check(paste(name, "SE"), where, found$std.error, cells_of("std.err"))
+  ends <- log_log_ends(cells_of("pstate"), cells_of("std.err"), level)
+  swapped <- matrix(ends, ncol = 2)
   check(paste(name, "CI"), where, c(found$conf.low, found$conf.high),
-        c(cells_of("lower"), cells_of("upper")))
+        c(pmin(swapped[, 1], swapped[, 2]), pmax(swapped[, 1], swapped[, 2])))
   check(paste(name, "n.risk"), where, found$n.risk, points$n.risk[, 1])
 }
 
@@ -443,10 +457,10 @@ check_incidence <- function(d, result) {
       shown <- pick(result$h1_incidence)
       curve <- pick(result$h1_incidence_curve)
       check_incidence_cells("incidence", where, shown,
-                            summary(fit, times = shown$time, extend = TRUE), state)
+                            summary(fit, times = shown$time, extend = TRUE), state, d$level)
       every <- summary(fit, times = fit$time, censored = TRUE)
       check("incidence curve time", where, curve$time, every$time)
-      check_incidence_cells("incidence curve", where, curve, every, state)
+      check_incidence_cells("incidence curve", where, curve, every, state, d$level)
     }
   }
 }
