@@ -345,11 +345,27 @@ check_likelihood_ratios <- function(d, h1, time) {
         c(NA, lrt_p(fits[[1]]$loglik[2], fits[[2]]$loglik[2])))
 }
 
+# coxph stops where the log-likelihood does not change any more; its score may still be 1e-5, which
+# shows in a p-value. Newton steps from there, until the score is rounding.
+at_optimum <- function(formula, fit, cluster, steps = 3) {
+  environment(formula)$cluster <- cluster
+  stay <- coxph.control(iter.max = 0)
+  for (step in seq_len(steps)) {
+    score <- colSums(as.matrix(residuals(fit, type = "score")))
+    start <- coef(fit) + drop(fit$naive.var %*% score)
+    environment(formula)$start <- start
+    fit <- suppressWarnings(coxph(formula, cluster = cluster, ties = "efron", init = start,
+                                  control = stay))
+  }
+  fit
+}
+
 # Ratio, interval and p of the first column of `x`.
 hazard_ratio <- function(x, outcome, d, stratified = FALSE) {
   formula <- if (stratified) outcome ~ x + strata(d$strata) else outcome ~ x
   environment(formula) <- environment()
-  fit <- coxph(formula, cluster = d$cluster, ties = "efron", control = exact_cox)
+  fit <- at_optimum(formula, coxph(formula, cluster = d$cluster, ties = "efron", control = exact_cox),
+                    d$cluster)
   beta <- coef(fit)[[1]]
   se <- sqrt(fit$var[1, 1])
   z <- qnorm((1 + d$level) / 2)
@@ -414,34 +430,34 @@ quartile_of <- function(x) {
 }
 
 # survfit takes no notice of cluster here, so its influences are summed within clusters by hand.
+# survival 3.5-3 ignores `cluster` where there are several end points, so the clustered errors are made
+# of its influence values, as its own unclustered ones are.
 incidence_of <- function(d, rows) {
   outcome <- d$cause[rows]
-  cluster <- d$cluster[rows]
-  id <- seq_along(cluster)
+  id <- seq_len(sum(rows))
   fit <- survfit(outcome ~ 1, id = id, influence = TRUE)
-  u <- fit$influence.pstate
-  u <- u[, dim(u)[2] - length(fit$time) + seq_along(fit$time), , drop = FALSE]
-  fit$std.err <- apply(u, 2:3, function(v) sqrt(sum(rowsum(v, cluster)^2)))
+  influence <- fit$influence.pstate
+  without_start <- dim(influence)[2] - length(fit$time) + seq_along(fit$time)
+  influence <- influence[, without_start, , drop = FALSE]
+  fit$std.err <- apply(influence, 2:3, function(v) sqrt(sum(rowsum(v, d$cluster[rows])^2)))
+  fit$influence.pstate <- NULL
   fit
 }
 
-# On the scale of log(-log p), as the tool prints them; NA where p or its error is 0.
-log_log_ends <- function(p, se, level) {
-  z <- qnorm((1 + level) / 2)
-  at <- function(sign) ifelse(p > 0 & p < 1, exp(-exp(log(-log(p)) + sign * z * se / (p * log(p)))), NA)
-  c(at(-1), at(1))
+# On the scale log(-log p), where 0 and 1 have no interval.
+log_log <- function(p, se, level) {
+  inside <- ifelse(p > 0 & p < 1, p, NA)
+  half <- qnorm((1 + level) / 2) * se / (inside * log(inside))
+  c(exp(-exp(log(-log(inside)) - half)), exp(-exp(log(-log(inside)) + half)))
 }
 
 check_incidence_cells <- function(name, where, found, points, state, level) {
   at <- match(state, points$states)
-  cells_of <- function(part) if (is.null(dim(points[[part]]))) points[[part]] else
-    points[[part]][, at]
-  check(paste(name, "estimate"), where, found$estimate, cells_of("pstate"))
-  check(paste(name, "SE"), where, found$std.error, cells_of("std.err"))
-  ends <- log_log_ends(cells_of("pstate"), cells_of("std.err"), level)
-  swapped <- matrix(ends, ncol = 2)
-  check(paste(name, "CI"), where, c(found$conf.low, found$conf.high),
-        c(pmin(swapped[, 1], swapped[, 2]), pmax(swapped[, 1], swapped[, 2])))
+  p <- as.matrix(points$pstate)[, at]
+  se <- as.matrix(points$std.err)[, at]
+  check(paste(name, "estimate"), where, found$estimate, p)
+  check(paste(name, "SE"), where, found$std.error, se)
+  check(paste(name, "CI"), where, c(found$conf.low, found$conf.high), log_log(p, se, level))
   check(paste(name, "n.risk"), where, found$n.risk, points$n.risk[, 1])
 }
 
@@ -458,7 +474,7 @@ check_incidence <- function(d, result) {
       curve <- pick(result$h1_incidence_curve)
       check_incidence_cells("incidence", where, shown,
                             summary(fit, times = shown$time, extend = TRUE), state, d$level)
-      every <- summary(fit, times = fit$time, censored = TRUE)
+      every <- fit
       check("incidence curve time", where, curve$time, every$time)
       check_incidence_cells("incidence curve", where, curve, every, state, d$level)
     }

@@ -221,7 +221,7 @@ void add_times(const std::vector<double>& time,
   }
   snap_times(outcome);
   const double longest = time.empty() ? 0.0 : *std::max_element(time.begin(), time.end());
-  panel.limit_s = std::max(options.limit_s.value_or(longest), longest);
+  panel.limit_s = options.limit_s.value_or(longest);
   std::vector<std::uint8_t> failed(data.success.size());
   std::transform(data.success.begin(), data.success.end(), failed.begin(), [](std::uint8_t s) {
     return static_cast<std::uint8_t>(s == 0 ? 1 : 0);
