@@ -1,0 +1,142 @@
+# R's side of scripts/compare_with_r, which calls it:
+#
+#     Rscript compare_with_r.R JOB FILE [REPLICATES]   prints one line of results, as the program does
+#     Rscript compare_with_r.R table RESULTS           prints the tables of all results
+#
+# A job is warmed up on the first rows, collects garbage, and is timed by the wall clock, once and
+# again until half a second has passed; data are read before. The peak is the resident memory from
+# after the reading on, the data included.
+suppressPackageStartupMessages({ library(survival); library(boot); library(pROC) })
+
+cox_formula <- Surv(time, success) ~ x1 + x2 + x3 + x4 + lighting
+
+# Coefficient of x1 and its standard error, robust if there are clusters.
+cox <- function(formula, ties) function(data, replicates) {
+  fit <- coxph(formula, data, ties = ties)
+  c(coef(fit)[["x1"]], sqrt(vcov(fit)["x1", "x1"]))
+}
+concordance_of_x1 <- function(data, replicates) {
+  fit <- concordance(Surv(time, success) ~ x1, data, reverse = TRUE)
+  c(coef(fit)[[1]], sqrt(vcov(fit))[[1]])
+}
+# Survival in bright light just after 10 s and its standard error.
+kaplan_meier <- function(data, replicates) {
+  curve <- survfit(Surv(time, success) ~ lighting, data)[1]
+  at <- max(which(curve$time <= 10 + 1e-9))
+  c(curve$surv[at], curve$surv[at] * curve$std.err[at])
+}
+log_rank <- function(data, replicates) {
+  test <- survdiff(Surv(time, success) ~ lighting, data)
+  c(test$chisq, length(test$n) - 1)
+}
+
+auc_by_proc <- function(data, score) {
+  as.numeric(auc(roc(data$success, data[[score]], levels = c(0, 1), direction = "<", quiet = TRUE)))
+}
+auc_by_ranks <- function(data, score) {
+  one <- data$success == 1
+  n1 <- as.numeric(sum(one))
+  (sum(rank(data[[score]])[one]) - n1 * (n1 + 1) / 2) / (n1 * (length(one) - n1))
+}
+c_by_concordance <- function(data, score) {
+  coef(concordance(reformulate(score, "Surv(time, success)"), data, reverse = TRUE))[[1]]
+}
+# The part of concordance() that counts, without its formula and its variance.
+c_by_concordancefit <- function(data, score) {
+  concordancefit(Surv(data$time, data$success), data[[score]], reverse = TRUE, std.err = FALSE)$concordance
+}
+
+jackknife <- function(data, statistic) {
+  n <- nrow(data)
+  left_out <- vapply(seq_len(n), function(i) statistic(data, seq_len(n)[-i]), 0)
+  (n - 1) * (mean(left_out) - left_out)
+}
+# Ends of the BCa interval of the difference between x1 and x2. boot.ci takes its acceleration from
+# a regression on the replicates unless it is given values of the jackknife, as ours has them.
+bca <- function(measure, by_jackknife) function(data, replicates) {
+  data <- data[c("x1", "x2", "success", "time")]
+  difference <- function(d, i) { d <- d[i, ]; measure(d, "x1") - measure(d, "x2") }
+  set.seed(1)
+  result <- boot(data, difference, R = replicates)
+  interval <- if (by_jackknife) boot.ci(result, type = "bca", L = jackknife(data, difference))
+              else boot.ci(result, type = "bca")
+  interval$bca[4:5]
+}
+
+jobs <- list(
+  cox_efron = cox(cox_formula, "efron"),
+  cox_efron_cluster = cox(update(cox_formula, . ~ . + cluster(day)), "efron"),
+  cox_breslow = cox(cox_formula, "breslow"),
+  concordance = concordance_of_x1,
+  kaplan_meier = kaplan_meier,
+  log_rank = log_rank,
+  auc_bca_proc = bca(auc_by_proc, FALSE),
+  auc_bca_ranks = bca(auc_by_ranks, FALSE),
+  auc_bca_ranks_jackknife = bca(auc_by_ranks, TRUE),
+  c_bca_concordance = bca(c_by_concordance, FALSE),
+  c_bca_concordancefit_jackknife = bca(c_by_concordancefit, TRUE))
+
+reset_peak_memory <- function() try(cat("5", file = "/proc/self/clear_refs"), silent = TRUE)
+peak_megabytes <- function() {
+  line <- grep("^VmHWM:", readLines("/proc/self/status"), value = TRUE)
+  as.numeric(gsub("[^0-9]", "", line)) / 1024
+}
+# Seconds of every repetition.
+timed <- function(work) {
+  seconds <- numeric(0)
+  while (sum(seconds) < 0.5) seconds <- c(seconds, system.time(work(), gcFirst = TRUE)[["elapsed"]])
+  seconds
+}
+run_job <- function(name, path, replicates) {
+  job <- jobs[[name]]
+  if (is.null(job)) stop("no job ", name, "; there are: ", paste(names(jobs), collapse = " "))
+  data <- read.csv(path, colClasses = c("integer", rep("character", 2), rep("numeric", 3), rep("integer", 2), "numeric"))
+  if (!grepl("bca", name)) invisible(job(head(data, 600), 0))
+  invisible(gc())
+  reset_peak_memory()
+  seconds <- timed(function() numbers <<- job(data, replicates))
+  cat(sprintf("R,%s,%d,1,%.6g,%.1f,%.7g,%.7g\n", name, nrow(data), median(seconds), peak_megabytes(), numbers[1], numbers[2]))
+}
+
+medians <- function(results) {
+  key <- with(results, paste(side, job, rows, threads))
+  do.call(rbind, lapply(split(results, factor(key, unique(key))), function(runs) {
+    runs$runs <- nrow(runs)
+    runs[1, c("seconds", "peak_mb")] <- c(median(runs$seconds), median(runs$peak_mb))
+    runs[1, ]
+  }))
+}
+# Every R job beside the job of ours that it is a way to do, on the same number of rows; ours that R
+# does not do, alone.
+beside <- function(all) {
+  of_r <- all[all$side == "R", ]
+  of_r$ours <- sub("_(proc|ranks|concordance)(fit)?(_jackknife)?$", "", of_r$job)
+  rows <- merge(of_r, all[all$side == "ours", ], by.x = c("ours", "rows"), by.y = c("job", "rows"), suffixes = c("_r", ""), sort = FALSE)
+  data.frame(
+    job = rows$job, rows = rows$rows, threads = rows$threads,
+    ours_s = signif(rows$seconds, 3), r_s = signif(rows$seconds_r, 3), ratio_s = signif(rows$seconds_r / rows$seconds, 3),
+    ours_mb = round(rows$peak_mb), r_mb = round(rows$peak_mb_r), ratio_mb = signif(rows$peak_mb_r / rows$peak_mb, 3),
+    runs = paste(rows$runs, rows$runs_r, sep = "+"),
+    ours_result = sprintf("%.6g %.6g", rows$first, rows$second), r_result = sprintf("%.6g %.6g", rows$first_r, rows$second_r))
+}
+growth <- function(all) {
+  own <- all[all$side == "ours" & all$threads == 1 & !grepl("bca", all$job), ]
+  own <- own[order(own$job, own$rows), ]
+  data.frame(job = own$job, rows = own$rows, seconds = signif(own$seconds, 3),
+             ns_per_row = round(1e9 * own$seconds / own$rows), peak_mb = round(own$peak_mb), runs = own$runs)
+}
+print_tables <- function(path) {
+  options(width = 220)
+  all <- medians(read.csv(path))
+  cat("Seconds and peak memory, medians; ratios are R over ours. Threads are ours, R has one.\n")
+  print(beside(all), row.names = FALSE)
+  cat("\nGrowth of ours, one thread.\n")
+  print(growth(all), row.names = FALSE)
+}
+
+arguments <- commandArgs(TRUE)
+if (length(arguments) == 2 && arguments[1] == "table") {
+  print_tables(arguments[2])
+} else if (length(arguments) %in% 2:3) {
+  run_job(arguments[1], arguments[2], if (length(arguments) == 3) as.integer(arguments[3]) else 10000L)
+} else stop("usage: Rscript compare_with_r.R JOB FILE [REPLICATES] | table RESULTS")
