@@ -1,11 +1,9 @@
 #include "analysis/chi_square.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace tcert {
 
@@ -20,11 +18,5 @@ ChiSquareTest chi_square_test(double statistic, std::size_t df) {
   }
   return test;
 }
-
-double two_sided_quantile(double level) {
-  return std::numbers::sqrt2 * boost::math::erf_inv(level);
-}
-
-double two_sided_p(double z) { return std::erfc(std::abs(z) / std::numbers::sqrt2); }
 
 }  // namespace tcert

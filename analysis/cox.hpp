@@ -55,7 +55,8 @@ struct CoxOptions {
   /// Robust variance. By default if there are clusters or a weight is not a whole number, as in R.
   std::optional<bool> robust;
 
-  /// False: coefficients, log-likelihoods and linear predictors alone, for refits.
+  /// False: `beta`, log-likelihoods and linear predictors alone, for refits; `coefficients` is
+  /// empty.
   bool inference = true;
 
   std::size_t iterations = 60;

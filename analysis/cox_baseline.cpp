@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "analysis/cox_hazard_steps.hpp"
+#include "analysis/normal.hpp"
 
 namespace tcert {
 namespace {
@@ -123,7 +124,7 @@ std::vector<CoxCurve> cox_curves(const CoxData& data,
   const Eigen::VectorXd beta = fit.beta.cwiseProduct(rows.scale);
   const HazardSteps steps = hazard_steps(rows, beta, fit.ties);
   const Eigen::MatrixXd variance = scaled_variance(rows, fit);
-  const double factor = two_sided_quantile(fit.level);
+  const double factor = normal_factor(fit.level);
   std::vector<CoxCurve> curves;
   const std::vector<TimeGrid> grids = time_grids(data, rows.sets);
   for (std::size_t s = 0; s < grids.size(); ++s) {

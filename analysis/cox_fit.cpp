@@ -7,6 +7,7 @@
 #include "analysis/cox.hpp"
 #include "analysis/cox_newton.hpp"
 #include "analysis/cox_robust.hpp"
+#include "analysis/normal.hpp"
 
 namespace tcert {
 namespace {
@@ -219,7 +220,7 @@ void add_robust_variance(const CoxData& data,
 }
 
 void add_coefficients(const CoxData& data, CoxFit& fit) {
-  const double factor = two_sided_quantile(fit.level);
+  const double factor = normal_factor(fit.level);
   for (std::size_t j = 0; j < data.columns.size(); ++j) {
     const auto at = static_cast<Eigen::Index>(j);
     CoxCoefficient coefficient;
@@ -235,7 +236,7 @@ void add_coefficients(const CoxData& data, CoxFit& fit) {
       const std::optional<double> se = fit.robust ? coefficient.robust_se : coefficient.model_se;
       if (se && *se > 0.0) {
         coefficient.z = estimate / *se;
-        coefficient.p_value = two_sided_p(*coefficient.z);
+        coefficient.p_value = normal_p_value(*coefficient.z, Alternative::two_sided);
         coefficient.interval =
             Interval{estimate - factor * *se, estimate + factor * *se, fit.level};
       }

@@ -8,7 +8,7 @@ namespace tcert {
 TieSums tie_sums(double others, double events, std::size_t d, Ties ties) noexcept {
   TieSums sums;
   if (ties != Ties::efron || d == 1) {
-    const double count = static_cast<double>(d);
+    const auto count = static_cast<double>(d);
     const double inverse = 1.0 / (others + events);
     sums.log_z = count * std::log(others + events);
     sums.a1 = sums.b1 = count * inverse;

@@ -33,8 +33,8 @@ struct ProportionalityTests {
   TimeTransform transform = TimeTransform::km;
   std::vector<ProportionalityTest> parts;  ///< Terms or columns that have a coefficient.
   ChiSquareTest global;                    ///< Of all of them.
-  Conditions conditions;  ///< not_proportional for a part, or for none in particular, with p below
-                          ///< 0.05; error no_events, collinear_column if there is no test.
+  Conditions conditions;  ///< not_proportional for each part, and without a column for the global
+                          ///< test, with p below 0.05; the fit's if it has no estimate.
 };
 
 /// `by_term`: one test a term, else one a column. \pre `fit` is the fit to `data`, without an
