@@ -1,10 +1,9 @@
 #include "analysis/h1/joint_statistic.hpp"
 
-#include <memory>
 #include <vector>
 
 #include "analysis/auc_statistic.hpp"
-#include "analysis/concordance_replicates.hpp"
+#include "analysis/concordance_statistic.hpp"
 
 namespace tcert {
 namespace {
@@ -17,23 +16,12 @@ std::vector<Score> scores_of(const H1Data& data) {
   return scores;
 }
 
-Statistic concordances(const H1Data& data) {
-  auto replicates = std::make_shared<std::vector<ConcordanceReplicates>>();
+std::vector<Predictor> predictors_of(const H1Data& data) {
+  std::vector<Predictor> predictors;
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
-    replicates->emplace_back(*data.censored, data.timed(k));
+    predictors.push_back(data.timed(k));
   }
-  Statistic statistic;
-  statistic.rows = data.rows();
-  statistic.values = replicates->size();
-  statistic.make_kernel = [replicates]() -> StatisticKernel {
-    return [replicates, scratch = ConcordanceReplicates::Scratch{}](
-               std::span<const std::uint32_t> multiplicity, std::span<double> values) mutable {
-      for (std::size_t k = 0; k < replicates->size(); ++k) {
-        values[k] = (*replicates)[k].c(multiplicity, scratch);
-      }
-    };
-  };
-  return statistic;
+  return predictors;
 }
 
 /// AUCs, or Cs, of the models.
@@ -63,7 +51,7 @@ Statistic joint_statistic(const H1Data& data, const H1Layout& layout, const H1Mo
     parts.push_back(of_models(data, models, &H1Model::auc));
   }
   if (layout.has_time) {
-    parts.push_back(concordances(data));
+    parts.push_back(concordance_statistic(*data.censored, predictors_of(data)));
     if (layout.models > 0) {
       parts.push_back(of_models(data, models, &H1Model::c));
     }

@@ -1,9 +1,7 @@
 #include <array>
-#include <memory>
 
-#include "analysis/bootstrap.hpp"
 #include "analysis/concordance.hpp"
-#include "analysis/concordance_replicates.hpp"
+#include "analysis/concordance_statistic.hpp"
 #include "cli/fit/bootstrap_of_rows.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/concordance_report.hpp"
@@ -20,27 +18,6 @@ SurvivalOutcome outcome_of(const ModelFrame& frame) {
     return uncensored(numbers->values);
   }
   throw FormulaError("'" + frame.response + "': C needs Surv() or a number as the outcome");
-}
-
-Statistic concordance_statistic(const SurvivalOutcome& outcome,
-                                const std::vector<Predictor>& predictors,
-                                const Factor* strata) {
-  auto all = std::make_shared<std::vector<ConcordanceReplicates>>();
-  for (const Predictor& predictor : predictors) {
-    all->emplace_back(outcome, predictor, strata);
-  }
-  Statistic statistic;
-  statistic.rows = outcome.rows();
-  statistic.values = all->size();
-  statistic.make_kernel = [all]() -> StatisticKernel {
-    return [all, scratch = ConcordanceReplicates::Scratch{}](
-               std::span<const std::uint32_t> multiplicity, std::span<double> values) mutable {
-      for (std::size_t k = 0; k < all->size(); ++k) {
-        values[k] = (*all)[k].c(multiplicity, scratch);
-      }
-    };
-  };
-  return statistic;
 }
 
 }  // namespace
@@ -72,8 +49,10 @@ FitReport fit_concordance(const FitRequest& request) {
   FitReport report = concordance_report(concordance(outcome, predictors, options));
   if (request.options.replicates > 0 && !has_error(report.conditions)) {
     require_plain_bootstrap(request, options.pair_weight == PairWeight::equal);
-    add_bootstrap(
-        request, columns.names, concordance_statistic(outcome, predictors, options.strata), report);
+    add_bootstrap(request,
+                  columns.names,
+                  concordance_statistic(outcome, predictors, {}, options.strata),
+                  report);
   }
   return report;
 }
