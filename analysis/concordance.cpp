@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -330,10 +331,9 @@ void compare(std::span<const std::span<const double>> dfbeta,
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = i; j < k; ++j) {
       if (result.estimates[i].variance && result.estimates[j].variance) {
-        const auto row = static_cast<Eigen::Index>(i);
-        const auto column = static_cast<Eigen::Index>(j);
-        result.covariance(row, column) = dot(dfbeta[i], dfbeta[j]);
-        result.covariance(column, row) = result.covariance(row, column);
+        const double covariance = dot(dfbeta[i], dfbeta[j]);
+        result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = covariance;
+        result.covariance(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = covariance;
       }
       if (j > i) {
         result.differences.push_back(

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 #include "analysis/influence_sums.hpp"
@@ -27,21 +26,21 @@ struct Rows {
 /// Risk sets, added up from the last time so that the smallest are the most exact.
 void fill_risk_sets(const Rows& rows, std::vector<SurvivalPoint>& points) {
   const auto& [start, stop, event] = *rows.outcome;
-  std::size_t distinct = 0;
-  for (std::size_t k = 0; k < rows.stops.size(); ++k) {
-    distinct += (k == 0 || stop[rows.stops[k]] != stop[rows.stops[k - 1]]) ? 1 : 0;
+  points.reserve(rows.stops.size());  // its pages are not touched before they are used
+  for (const std::uint32_t row : rows.stops) {
+    if (points.empty() || points.back().time != stop[row]) {
+      points.emplace_back().time = stop[row];
+    }
+    (event[row] != 0 ? points.back().events : points.back().censored) += rows.weight(row);
   }
-  points.resize(distinct);
+  if (points.size() < points.capacity() / 2) {
+    points.shrink_to_fit();
+  }
   double later_stops = 0.0;
   double later_starts = 0.0;
   std::size_t entered = rows.starts.size();
-  for (std::size_t last = rows.stops.size(); last > 0;) {
-    SurvivalPoint& point = points[--distinct];
-    point.time = stop[rows.stops[last - 1]];
-    for (; last > 0 && stop[rows.stops[last - 1]] == point.time; --last) {
-      const std::uint32_t row = rows.stops[last - 1];
-      (event[row] != 0 ? point.events : point.censored) += rows.weight(row);
-    }
+  for (std::size_t k = points.size(); k-- > 0;) {
+    SurvivalPoint& point = points[k];
     for (; entered > 0 && start[rows.starts[entered - 1]] >= point.time; --entered) {
       later_starts += rows.weight(rows.starts[entered - 1]);
     }
@@ -136,7 +135,10 @@ class CurveWalk {
     }
     std::size_t last = stopped_;
     std::size_t events = 0;
-    for (; last < rows_->stops.size() && stop[rows_->stops[last]] == point.time; ++last) {
+    const bool needs_rows =
+        rows_->robust || rows_->options->hazard == HazardEstimate::fleming_harrington;
+    for (; needs_rows && last < rows_->stops.size() && stop[rows_->stops[last]] == point.time;
+         ++last) {
       events += event[rows_->stops[last]];
     }
     if (point.events > 0.0) {

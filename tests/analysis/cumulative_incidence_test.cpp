@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "analysis/survival_curve.hpp"
-#include "datasets/random.hpp"
 #include "analysis/worst.hpp"
+#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {
