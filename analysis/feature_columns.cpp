@@ -1,5 +1,4 @@
 #include <array>
-#include <type_traits>
 
 #include "analysis/feature_table.hpp"
 
@@ -13,20 +12,10 @@ std::optional<double> get(const Features& features) {
 }
 
 template <auto kMember>
-void set(Features& features, std::optional<double> value) {
-  auto& member = features.*kMember;
-  using Value = typename std::remove_reference_t<decltype(member)>::value_type;
-  member.reset();
-  if (value) {
-    member = static_cast<Value>(*value);
-  }
-}
-
-template <auto kMember>
 constexpr FeatureColumn column(std::string_view name,
                                std::string_view unit,
                                std::string_view meaning) {
-  return {name, unit, meaning, &get<kMember>, &set<kMember>};
+  return {name, unit, meaning, &get<kMember>};
 }
 
 constexpr auto kColumns = std::to_array<FeatureColumn>({

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "datasets/nearest_name.hpp"
 #include "datasets/trial_table.hpp"
 #include "reports/series.hpp"
 
@@ -55,8 +56,9 @@ Table features_table(const Bundle& bundle) {
   table.columns.push_back({"median_loop_latency_ms", "latency", "ms", ColumnKind::number});
   for (const std::string& name : bundle.extra_columns) {
     // A column of the log that is called like a feature must not shadow it.
-    const bool taken = std::any_of(
-        table.columns.begin(), table.columns.end(), [&](const auto& c) { return c.name == name; });
+    const bool taken = std::any_of(table.columns.begin(), table.columns.end(), [&](const auto& c) {
+      return case_folded(c.name) == case_folded(name);
+    });
     table.columns.push_back(text_column(taken ? "trials_" + name : name, name));
   }
   return table;
