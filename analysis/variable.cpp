@@ -125,7 +125,7 @@ class Evaluation {
   }
 
  private:
-  const DataColumn& find(const std::string& name) const {
+  [[nodiscard]] const DataColumn& find(const std::string& name) const {
     const DataColumn* const found = table_.find(name);
     if (found == nullptr) {
       const auto nearest = nearest_name(name, table_.header);
@@ -141,7 +141,7 @@ class Evaluation {
     }
   }
 
-  Variable column(const std::string& name) const {
+  [[nodiscard]] Variable column(const std::string& name) const {
     const DataColumn& data = find(name);
     if (!data.is_text) {
       return {Variable::Kind::number, data.numbers, {}};
@@ -314,11 +314,15 @@ Factor crossed(const std::vector<Factor>& factors, const std::string& separator)
 
   Factor cross;
   for (std::uint64_t one : distinct) {
-    std::string name;
-    for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor) {
-      const std::string& level = factor->levels[one % factor->levels.size()];
-      name = name.empty() ? level : level + separator + name;
-      one /= factor->levels.size();
+    std::vector<std::uint64_t> codes(factors.size());
+    for (std::size_t k = factors.size(); k > 0; --k) {
+      codes[k - 1] = one % factors[k - 1].levels.size();
+      one /= factors[k - 1].levels.size();
+    }
+    std::string name = factors.front().levels[codes.front()];
+    for (std::size_t k = 1; k < factors.size(); ++k) {
+      name += separator;
+      name += factors[k].levels[codes[k]];
     }
     cross.levels.push_back(std::move(name));
   }

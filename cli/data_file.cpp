@@ -98,7 +98,10 @@ std::vector<double> numbers_of(const std::string& option, const std::string& lis
     const char* const end = word.data() + word.size();
     const auto read = std::from_chars(word.data(), end, value);
     if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(value)) {
-      throw UsageError("--" + option + ": found '" + word + "', expected numbers, comma between");
+      std::string problem = "--" + option + ": found '";
+      problem += word;
+      problem += "', expected numbers, comma between";
+      throw UsageError(problem);
     }
     numbers.push_back(value);
   }
@@ -106,13 +109,15 @@ std::vector<double> numbers_of(const std::string& option, const std::string& lis
 }
 
 struct ThreadLimit::State {
+  explicit State(std::size_t threads)
+      : control(tbb::global_control::max_allowed_parallelism, threads) {}
+
   tbb::global_control control;
 };
 
 ThreadLimit::ThreadLimit(std::int64_t threads) {
   if (threads > 0) {
-    state_.reset(new State{tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                               static_cast<std::size_t>(threads))});
+    state_ = std::make_unique<State>(static_cast<std::size_t>(threads));
   }
 }
 

@@ -47,7 +47,7 @@ std::string escaped(std::string_view text) {
 
 /// A cell whose minus signs are signs, not hyphens.
 std::string cell_text(const TableCell& cell, const Column& column) {
-  const std::string text = escaped(printed(cell, column));
+  std::string text = escaped(printed(cell, column));
   if (column.kind == ColumnKind::text) {
     return text;
   }

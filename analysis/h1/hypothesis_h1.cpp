@@ -88,7 +88,7 @@ void bootstrap_rows(const H1Data& data,
 
   for (std::size_t r = 0; r < panel.rows.size(); ++r) {
     H1Row& row = panel.rows[r];
-    take(bootstrap_estimate(result, layout.auc(r), options.level), "AUC", row.auc, row);
+    take(bootstrap_estimate(result, H1Layout::auc(r), options.level), "AUC", row.auc, row);
     if (layout.has_time) {
       take(bootstrap_estimate(result, layout.c(r), options.level), "C", row.c, row);
     }
@@ -96,8 +96,10 @@ void bootstrap_rows(const H1Data& data,
       const auto gain = [&](std::size_t better, std::size_t than) {
         return bootstrap_estimate(paired_difference(result, plan, better, than), 0, options.level);
       };
-      take(
-          gain(layout.auc(pair->better), layout.auc(pair->than)), "gain of AUC", row.auc_gain, row);
+      take(gain(H1Layout::auc(pair->better), H1Layout::auc(pair->than)),
+           "gain of AUC",
+           row.auc_gain,
+           row);
       if (layout.has_time) {
         take(gain(layout.c(pair->better), layout.c(pair->than)), "gain of C", row.c_gain, row);
       }

@@ -18,7 +18,7 @@ struct H1Layout {
   bool has_time = false;
 
   [[nodiscard]] std::size_t scored() const noexcept { return predictors + models; }
-  [[nodiscard]] std::size_t auc(std::size_t row) const noexcept { return row; }
+  [[nodiscard]] static std::size_t auc(std::size_t row) noexcept { return row; }
   [[nodiscard]] std::size_t c(std::size_t row) const noexcept { return scored() + row; }
   [[nodiscard]] std::size_t values() const noexcept { return has_time ? 2 * scored() : scored(); }
 };

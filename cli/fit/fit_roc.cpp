@@ -54,6 +54,7 @@ FitReport fit_roc(const FitRequest& request) {
     options.cluster = frame.cluster->codes;
   }
   std::vector<RocCurve> curves;
+  curves.reserve(scores.size());
   for (const Score& score : scores) {
     curves.push_back(roc_curve(score.values, success, score.higher));
   }
