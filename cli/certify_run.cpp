@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "analysis/study.hpp"
+#include "analysis/trials/study.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"

@@ -3,7 +3,7 @@
 /// Features of certified trials as the table that a hypothesis is tested on: what features.csv
 /// would read back as.
 
-#include "analysis/study_tables.hpp"
+#include "analysis/trials/study_tables.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/data_table.hpp"
 #include "reports/table.hpp"

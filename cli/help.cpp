@@ -1,7 +1,7 @@
 #include <array>
 #include <cstddef>
 
-#include "analysis/parameters.hpp"
+#include "analysis/trials/parameters.hpp"
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/options.hpp"

@@ -1,5 +1,5 @@
-#include "analysis/expression.hpp"
 #include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/model/expression.hpp"
 #include "cli/certify_run.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"

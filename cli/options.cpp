@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "analysis/parameters.hpp"
+#include "analysis/trials/parameters.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
 #include "datasets/csv_write.hpp"

@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "analysis/h1/hypothesis_h1.hpp"
-#include "analysis/study_tables.hpp"
+#include "analysis/trials/study_tables.hpp"
 #include "cli/certify_run.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/study.hpp"
-#include "analysis/study_tables.hpp"
+#include "analysis/trials/study.hpp"
+#include "analysis/trials/study_tables.hpp"
 #include "datasets/bundle.hpp"
 #include "reports/table.hpp"
 

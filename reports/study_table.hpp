@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "analysis/study_tables.hpp"
+#include "analysis/trials/study_tables.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

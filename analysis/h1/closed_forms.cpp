@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "analysis/chi_square.hpp"
-#include "analysis/concordance.hpp"
-#include "analysis/cox.hpp"
-#include "analysis/roc.hpp"
+#include "analysis/basics/chi_square.hpp"
+#include "analysis/concordance/concordance.hpp"
+#include "analysis/cox/cox.hpp"
+#include "analysis/roc/roc.hpp"
 
 namespace tcert {
 namespace {

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/bootstrap_difference.hpp"
+#include "analysis/basics/holm.hpp"
 #include "analysis/h1/closed_forms.hpp"
 #include "analysis/h1/incidence_by_quartile.hpp"
 #include "analysis/h1/joint_statistic.hpp"
 #include "analysis/h1/model_scores.hpp"
 #include "analysis/h1/out_of_fold.hpp"
 #include "analysis/h1/panel_data.hpp"
-#include "analysis/holm.hpp"
+#include "analysis/resampling/bootstrap_difference.hpp"
 
 namespace tcert {
 namespace {

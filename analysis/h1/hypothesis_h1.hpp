@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/bootstrap.hpp"
-#include "analysis/condition.hpp"
-#include "analysis/cumulative_incidence.hpp"
-#include "analysis/interval.hpp"
-#include "analysis/placements.hpp"
+#include "analysis/basics/condition.hpp"
+#include "analysis/basics/interval.hpp"
+#include "analysis/resampling/bootstrap.hpp"
+#include "analysis/roc/placements.hpp"
+#include "analysis/survival/cumulative_incidence.hpp"
 #include "datasets/data_table.hpp"
 
 namespace tcert {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "analysis/quantile.hpp"
+#include "analysis/basics/quantile.hpp"
 
 namespace tcert {
 namespace {

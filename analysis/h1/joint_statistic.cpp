@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "analysis/auc_statistic.hpp"
-#include "analysis/concordance_statistic.hpp"
+#include "analysis/concordance/concordance_statistic.hpp"
+#include "analysis/roc/auc_statistic.hpp"
 
 namespace tcert {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "analysis/h1/model_scores.hpp"
 #include "analysis/h1/panel_data.hpp"
-#include "analysis/statistic.hpp"
+#include "analysis/resampling/statistic.hpp"
 
 namespace tcert {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
-#include "analysis/auc_statistic.hpp"
-#include "analysis/concordance_replicates.hpp"
+#include "analysis/concordance/concordance_replicates.hpp"
+#include "analysis/roc/auc_statistic.hpp"
 
 namespace tcert {
 namespace {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/cox.hpp"
+#include "analysis/cox/cox.hpp"
 #include "analysis/h1/panel_data.hpp"
-#include "analysis/logistic.hpp"
-#include "analysis/logistic_refit.hpp"
+#include "analysis/logistic/logistic.hpp"
+#include "analysis/logistic/logistic_refit.hpp"
 
 namespace tcert {
 

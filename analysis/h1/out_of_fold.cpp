@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "analysis/cross_validation.hpp"
+#include "analysis/resampling/cross_validation.hpp"
 
 namespace tcert {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/failures_at_limit.hpp"
-#include "analysis/quantile.hpp"
-#include "analysis/variable.hpp"
+#include "analysis/basics/quantile.hpp"
+#include "analysis/model/variable.hpp"
+#include "analysis/survival/failures_at_limit.hpp"
 
 namespace tcert {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/concordance.hpp"
+#include "analysis/concordance/concordance.hpp"
 #include "analysis/h1/hypothesis_h1.hpp"
-#include "analysis/roc.hpp"
-#include "analysis/survival_outcome.hpp"
+#include "analysis/roc/roc.hpp"
+#include "analysis/survival/survival_outcome.hpp"
 #include "datasets/factor.hpp"
 
 namespace tcert {

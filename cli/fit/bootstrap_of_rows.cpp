@@ -1,6 +1,6 @@
 #include "cli/fit/bootstrap_of_rows.hpp"
 
-#include "analysis/bootstrap_difference.hpp"
+#include "analysis/resampling/bootstrap_difference.hpp"
 #include "cli/errors.hpp"
 #include "reports/fit/bootstrap_table.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistic.hpp"
+#include "analysis/resampling/statistic.hpp"
 #include "cli/fit/fit.hpp"
 
 namespace tcert::cli {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/formula.hpp"
-#include "analysis/model_frame.hpp"
+#include "analysis/model/formula.hpp"
+#include "analysis/model/model_frame.hpp"
 #include "cli/options.hpp"
 #include "reports/fit/fit_report.hpp"
 

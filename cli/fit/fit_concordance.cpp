@@ -1,7 +1,7 @@
 #include <array>
 
-#include "analysis/concordance.hpp"
-#include "analysis/concordance_statistic.hpp"
+#include "analysis/concordance/concordance.hpp"
+#include "analysis/concordance/concordance_statistic.hpp"
 #include "cli/fit/bootstrap_of_rows.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/concordance_report.hpp"

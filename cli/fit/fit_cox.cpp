@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
 
-#include "analysis/concordance.hpp"
-#include "analysis/cox.hpp"
-#include "analysis/cox_baseline.hpp"
-#include "analysis/cox_residuals.hpp"
-#include "analysis/cox_terms.hpp"
-#include "analysis/cox_zph.hpp"
+#include "analysis/concordance/concordance.hpp"
+#include "analysis/cox/cox.hpp"
+#include "analysis/cox/cox_baseline.hpp"
+#include "analysis/cox/cox_residuals.hpp"
+#include "analysis/cox/cox_terms.hpp"
+#include "analysis/cox/cox_zph.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"

@@ -1,6 +1,6 @@
-#include "analysis/logistic.hpp"
-#include "analysis/logistic_drop.hpp"
-#include "analysis/logistic_profile.hpp"
+#include "analysis/logistic/logistic.hpp"
+#include "analysis/logistic/logistic_drop.hpp"
+#include "analysis/logistic/logistic_profile.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/logistic_report.hpp"
 

@@ -1,9 +1,9 @@
 #include <array>
 
-#include "analysis/cumulative_incidence.hpp"
-#include "analysis/log_rank.hpp"
-#include "analysis/survival_curve.hpp"
-#include "analysis/variable.hpp"
+#include "analysis/model/variable.hpp"
+#include "analysis/survival/cumulative_incidence.hpp"
+#include "analysis/survival/log_rank.hpp"
+#include "analysis/survival/survival_curve.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/survival_report.hpp"

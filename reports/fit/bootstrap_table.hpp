@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "analysis/bootstrap.hpp"
+#include "analysis/resampling/bootstrap.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

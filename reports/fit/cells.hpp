@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/interval.hpp"
+#include "analysis/basics/interval.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/concordance.hpp"
+#include "analysis/concordance/concordance.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/concordance.hpp"
-#include "analysis/cox.hpp"
-#include "analysis/cox_baseline.hpp"
-#include "analysis/cox_residuals.hpp"
-#include "analysis/cox_terms.hpp"
-#include "analysis/cox_zph.hpp"
+#include "analysis/concordance/concordance.hpp"
+#include "analysis/cox/cox.hpp"
+#include "analysis/cox/cox_baseline.hpp"
+#include "analysis/cox/cox_residuals.hpp"
+#include "analysis/cox/cox_terms.hpp"
+#include "analysis/cox/cox_zph.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

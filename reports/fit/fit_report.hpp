@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/condition.hpp"
+#include "analysis/basics/condition.hpp"
 #include "reports/manifest.hpp"
 #include "reports/table.hpp"
 

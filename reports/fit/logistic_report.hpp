@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/logistic.hpp"
-#include "analysis/logistic_drop.hpp"
+#include "analysis/logistic/logistic.hpp"
+#include "analysis/logistic/logistic_drop.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/roc.hpp"
-#include "analysis/roc_curve.hpp"
+#include "analysis/roc/roc.hpp"
+#include "analysis/roc/roc_curve.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/cumulative_incidence.hpp"
-#include "analysis/log_rank.hpp"
-#include "analysis/survival_curve.hpp"
+#include "analysis/survival/cumulative_incidence.hpp"
+#include "analysis/survival/log_rank.hpp"
+#include "analysis/survival/survival_curve.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

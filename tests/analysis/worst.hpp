@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "analysis/survival_golden.hpp"
+#include "analysis/survival/survival_golden.hpp"
 
 namespace tcert::test_support {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/auc_statistic.hpp"
-#include "analysis/bootstrap.hpp"
+#include "analysis/resampling/bootstrap.hpp"
+#include "analysis/roc/auc_statistic.hpp"
 #include "datasets/random.hpp"
 
 namespace tcert {

@@ -30,15 +30,15 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/auc_statistic.hpp"
-#include "analysis/bootstrap.hpp"
-#include "analysis/concordance.hpp"
-#include "analysis/concordance_statistic.hpp"
-#include "analysis/cox.hpp"
-#include "analysis/formula.hpp"
-#include "analysis/log_rank.hpp"
-#include "analysis/model_frame.hpp"
-#include "analysis/survival_curve.hpp"
+#include "analysis/concordance/concordance.hpp"
+#include "analysis/concordance/concordance_statistic.hpp"
+#include "analysis/cox/cox.hpp"
+#include "analysis/model/formula.hpp"
+#include "analysis/model/model_frame.hpp"
+#include "analysis/resampling/bootstrap.hpp"
+#include "analysis/roc/auc_statistic.hpp"
+#include "analysis/survival/log_rank.hpp"
+#include "analysis/survival/survival_curve.hpp"
 #include "datasets/random.hpp"
 #include "support/data_table.hpp"
 

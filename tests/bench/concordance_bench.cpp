@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/concordance.hpp"
-#include "analysis/concordance_replicates.hpp"
+#include "analysis/concordance/concordance.hpp"
+#include "analysis/concordance/concordance_replicates.hpp"
 #include "datasets/random.hpp"
 #include "support/allocations.hpp"
 

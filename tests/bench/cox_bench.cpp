@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <random>
 
-#include "analysis/cox.hpp"
-#include "analysis/cox_residuals.hpp"
-#include "analysis/cox_zph.hpp"
+#include "analysis/cox/cox.hpp"
+#include "analysis/cox/cox_residuals.hpp"
+#include "analysis/cox/cox_zph.hpp"
 
 namespace tcert {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/logistic.hpp"
-#include "analysis/logistic_refit.hpp"
+#include "analysis/logistic/logistic.hpp"
+#include "analysis/logistic/logistic_refit.hpp"
 #include "datasets/random.hpp"
 
 namespace tcert {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/cumulative_incidence.hpp"
-#include "analysis/log_rank.hpp"
-#include "analysis/survival_curve.hpp"
+#include "analysis/survival/cumulative_incidence.hpp"
+#include "analysis/survival/log_rank.hpp"
+#include "analysis/survival/survival_curve.hpp"
 #include "datasets/random.hpp"
 
 namespace {

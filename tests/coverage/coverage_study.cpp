@@ -8,10 +8,10 @@
 #include <cmath>
 #include <optional>
 
-#include "analysis/auc_statistic.hpp"
-#include "analysis/bootstrap.hpp"
-#include "analysis/normal.hpp"
-#include "analysis/roc.hpp"
+#include "analysis/basics/normal.hpp"
+#include "analysis/resampling/bootstrap.hpp"
+#include "analysis/roc/auc_statistic.hpp"
+#include "analysis/roc/roc.hpp"
 #include "datasets/random.hpp"
 
 namespace tcert::coverage {

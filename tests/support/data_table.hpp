@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/model_frame.hpp"
+#include "analysis/model/model_frame.hpp"
 #include "datasets/data_table.hpp"
 
 namespace tcert::test_support {

@@ -1,0 +1,180 @@
+#include "analysis/basics/condition.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tcert {
+namespace {
+
+struct Entry {
+  ConditionKind kind;
+  std::string_view name;
+  std::string_view words;
+  std::string_view advice;
+};
+
+constexpr auto kEntries = std::to_array<Entry>({
+    {ConditionKind::no_rows, "no_rows", "no complete row", "check the columns for missing values"},
+    {ConditionKind::too_few_rows,
+     "too_few_rows",
+     "too few rows",
+     "collect more or use fewer terms"},
+    {ConditionKind::missing_rows, "missing_rows", "rows with a missing value are left out", ""},
+    {ConditionKind::infinite_value,
+     "infinite_value",
+     "an infinite value",
+     "make the cell NA or correct it"},
+    {ConditionKind::not_binary,
+     "not_binary",
+     "neither 0 nor 1",
+     "write 'column == value' for the value that counts as 1"},
+    {ConditionKind::time_not_positive,
+     "time_not_positive",
+     "a time that is not above 0",
+     "correct the cell or leave the row out"},
+    {ConditionKind::start_not_before_stop,
+     "start_not_before_stop",
+     "a start that is not before its stop",
+     "correct the cells or leave the row out"},
+    {ConditionKind::bad_weight,
+     "bad_weight",
+     "a weight that cannot be used",
+     "weights are above 0"},
+    {ConditionKind::one_class,
+     "one_class",
+     "all outcomes are the same",
+     "nothing can be told apart; use rows with both outcomes"},
+    {ConditionKind::rare_class,
+     "rare_class",
+     "a class of a single row",
+     "there is an estimate but no variance"},
+    {ConditionKind::no_events, "no_events", "no event", "check the status column"},
+    {ConditionKind::one_group, "one_group", "a single group", "nothing can be compared"},
+    {ConditionKind::few_clusters,
+     "few_clusters",
+     "fewer than 30 clusters",
+     "cluster-robust intervals tend to be too narrow"},
+    {ConditionKind::one_cluster,
+     "one_cluster",
+     "a single cluster",
+     "there is no variance between clusters; choose another --cluster"},
+    {ConditionKind::constant_column,
+     "constant_column",
+     "a constant column",
+     "leave the term out; its coefficient is NA"},
+    {ConditionKind::collinear_column,
+     "collinear_column",
+     "a column that the ones before it determine",
+     "leave the term out; its coefficient is NA"},
+    {ConditionKind::complete_separation,
+     "complete_separation",
+     "complete separation",
+     "no finite estimate; merge levels, leave the term out or use a penalised fit"},
+    {ConditionKind::quasi_separation,
+     "quasi_separation",
+     "quasi-complete separation",
+     "no finite estimate; merge levels, leave the term out or use a penalised fit"},
+    {ConditionKind::monotone_likelihood,
+     "monotone_likelihood",
+     "the likelihood rises without end",
+     "no finite estimate; merge levels or leave the term out"},
+    {ConditionKind::not_converged,
+     "not_converged",
+     "the fit did not converge",
+     "rescale the columns or simplify the model; the numbers are not estimates"},
+    {ConditionKind::all_tied, "all_tied", "all values tied", "the predictor says nothing"},
+    {ConditionKind::separated,
+     "separated",
+     "perfectly separated",
+     "a variance of 0 is no certainty; use the bootstrap or more rows"},
+    {ConditionKind::same_ranking, "same_ranking", "both predictors rank alike", ""},
+    {ConditionKind::zero_variance, "zero_variance", "a difference without variance", "no test"},
+    {ConditionKind::no_comparable_pairs,
+     "no_comparable_pairs",
+     "no pair of rows can be compared",
+     "C needs events at different times"},
+    {ConditionKind::not_proportional,
+     "not_proportional",
+     "hazards are not proportional",
+     "stratify, or report the effect over time"},
+    {ConditionKind::below_diagonal,
+     "below_diagonal",
+     "the curve lies below the diagonal",
+     "check the predictor's direction; the corrected area is NA"},
+    {ConditionKind::failed_replicates,
+     "failed_replicates",
+     "replicates without a value are left out",
+     "the interval is conditional on the others"},
+    {ConditionKind::constant_replicates,
+     "constant_replicates",
+     "all replicates are equal",
+     "there is no interval"},
+    {ConditionKind::endpoint_out_of_range,
+     "endpoint_out_of_range",
+     "an endpoint lies beyond the replicates",
+     "use more replicates"},
+    {ConditionKind::infinite_bias,
+     "infinite_bias",
+     "all replicates lie on one side of the estimate",
+     "there is no BCa interval; use more replicates"},
+    {ConditionKind::no_acceleration,
+     "no_acceleration",
+     "the jackknife gives no acceleration",
+     "there is no BCa interval; read the percentile one with care"},
+    {ConditionKind::one_class_fold, "one_class_fold", "a fold with one class", "it is left out"},
+});
+
+const Entry& entry_of(ConditionKind kind) noexcept {
+  const auto* const found = std::find_if(
+      kEntries.begin(), kEntries.end(), [&](const Entry& e) { return e.kind == kind; });
+  return found == kEntries.end() ? kEntries[0] : *found;
+}
+
+}  // namespace
+
+std::string_view name_of(ConditionKind kind) noexcept { return entry_of(kind).name; }
+std::string_view words(ConditionKind kind) noexcept { return entry_of(kind).words; }
+std::string_view advice(ConditionKind kind) noexcept { return entry_of(kind).advice; }
+
+std::string_view to_string(ConditionSeverity severity) noexcept {
+  switch (severity) {
+    case ConditionSeverity::note:
+      return "note";
+    case ConditionSeverity::warning:
+      return "warning";
+    case ConditionSeverity::error:
+      return "error";
+  }
+  return "";
+}
+
+std::string to_string(const Condition& condition) {
+  std::string line(to_string(condition.severity));
+  line += ": ";
+  if (!condition.column.empty()) {
+    line += "column '" + condition.column + "': ";
+  }
+  line += words(condition.kind);
+  if (!condition.detail.empty()) {
+    line += ": " + condition.detail;
+  }
+  if (!advice(condition.kind).empty()) {
+    line += "; ";
+    line += advice(condition.kind);
+  }
+  return line;
+}
+
+bool has(std::span<const Condition> conditions, ConditionKind kind) noexcept {
+  return std::any_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
+    return condition.kind == kind;
+  });
+}
+
+bool has_error(std::span<const Condition> conditions) noexcept {
+  return std::any_of(conditions.begin(), conditions.end(), [](const Condition& condition) {
+    return condition.severity == ConditionSeverity::error;
+  });
+}
+
+}  // namespace tcert

@@ -1,0 +1,418 @@
+#include "analysis/concordance/concordance.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace tcert {
+namespace {
+
+constexpr std::size_t kFewClusters = 30;
+
+/// What an estimate is made of, on complete rows.
+struct Columns {
+  const SurvivalOutcome* outcome = nullptr;
+  std::vector<std::span<const double>> predictors;
+  std::span<const double> weights;  ///< Empty if there are none; so the others.
+  std::span<const std::uint32_t> strata;
+  std::span<const std::uint32_t> cluster;
+};
+
+/// Copies of the columns' complete rows.
+struct Copies {
+  SurvivalOutcome outcome;
+  std::vector<std::vector<double>> predictors;
+  std::vector<double> weights;
+  std::vector<std::uint32_t> strata;
+  std::vector<std::uint32_t> cluster;
+};
+
+template <typename T>
+std::vector<T> pick(std::span<const T> column, std::span<const std::size_t> rows) {
+  std::vector<T> result;
+  if (!column.empty()) {
+    result.reserve(rows.size());
+    for (const std::size_t row : rows) {
+      result.push_back(column[row]);
+    }
+  }
+  return result;
+}
+
+Copies copy_rows(const Columns& columns, std::span<const std::size_t> rows) {
+  Copies copies;
+  copies.outcome.start = pick(std::span<const double>(columns.outcome->start), rows);
+  copies.outcome.stop = pick(std::span<const double>(columns.outcome->stop), rows);
+  copies.outcome.event = pick(std::span<const std::uint8_t>(columns.outcome->event), rows);
+  for (const std::span<const double> values : columns.predictors) {
+    copies.predictors.push_back(pick(values, rows));
+  }
+  copies.weights = pick(columns.weights, rows);
+  copies.strata = pick(columns.strata, rows);
+  copies.cluster = pick(columns.cluster, rows);
+  return copies;
+}
+
+Columns columns_of(const Copies& copies) {
+  return {&copies.outcome,
+          {copies.predictors.begin(), copies.predictors.end()},
+          copies.weights,
+          copies.strata,
+          copies.cluster};
+}
+
+Columns columns_of(const SurvivalOutcome& outcome,
+                   std::span<const Predictor> predictors,
+                   const ConcordanceOptions& options) {
+  Columns columns;
+  columns.outcome = &outcome;
+  for (const Predictor& predictor : predictors) {
+    columns.predictors.push_back(predictor.values);
+  }
+  columns.weights = options.weights;
+  if (options.strata != nullptr) {
+    columns.strata = options.strata->codes;
+  }
+  if (options.cluster != nullptr) {
+    columns.cluster = options.cluster->codes;
+  }
+  return columns;
+}
+
+void check(const SurvivalOutcome& outcome,
+           std::span<const Predictor> predictors,
+           const ConcordanceOptions& options) {
+  if (!(options.level > 0.0 && options.level < 1.0)) {
+    throw std::invalid_argument("concordance: level must be in (0, 1)");
+  }
+  const std::size_t n = outcome.rows();
+  const auto wrong = [n](std::size_t size) { return size != n; };
+  if (wrong(outcome.event.size()) || (outcome.left_truncated() && wrong(outcome.start.size())) ||
+      (!options.weights.empty() && wrong(options.weights.size())) ||
+      (options.strata != nullptr && wrong(options.strata->rows())) ||
+      (options.cluster != nullptr && wrong(options.cluster->rows())) ||
+      std::any_of(predictors.begin(), predictors.end(), [&](const Predictor& predictor) {
+        return wrong(predictor.values.size());
+      })) {
+    throw std::invalid_argument("concordance: columns of different length");
+  }
+  if (options.cluster != nullptr) {
+    const std::size_t levels = options.cluster->levels.size();
+    const auto& codes = options.cluster->codes;
+    if (std::any_of(codes.begin(), codes.end(), [&](auto code) { return code >= levels; })) {
+      throw std::invalid_argument("concordance: a cluster is missing");
+    }
+  }
+}
+
+bool is_complete(const Columns& columns, std::size_t row) {
+  return std::none_of(columns.predictors.begin(),
+                      columns.predictors.end(),
+                      [row](std::span<const double> values) { return std::isnan(values[row]); });
+}
+
+/// Empty if every row is complete.
+std::vector<std::size_t> complete_rows_of(const Columns& columns) {
+  const std::size_t n = columns.outcome->rows();
+  std::size_t complete = 0;
+  while (complete < n && is_complete(columns, complete)) {
+    ++complete;
+  }
+  std::vector<std::size_t> rows;
+  if (complete == n) {
+    return rows;
+  }
+  rows.resize(complete);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  for (std::size_t row = complete + 1; row < n; ++row) {
+    if (is_complete(columns, row)) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+/// R's ymin: early times become one.
+void raise_times(SurvivalOutcome& outcome, double earliest) {
+  for (std::size_t row = 0; row < outcome.rows(); ++row) {
+    if (outcome.stop[row] < earliest) {
+      if (outcome.event[row] == 0) {
+        throw std::invalid_argument("concordance: a row is censored before the earliest time");
+      }
+      outcome.stop[row] = earliest;
+    }
+  }
+}
+
+/// A risk set that everybody enters at the same time is that of rows without a start.
+bool has_common_start(const SurvivalOutcome& outcome) {
+  const auto& start = outcome.start;
+  return !start.empty() &&
+         std::all_of(start.begin(), start.end(), [&](double s) { return s == start[0]; }) &&
+         std::all_of(
+             outcome.stop.begin(), outcome.stop.end(), [&](double s) { return s > start[0]; });
+}
+
+void turn_over(ConcordancePairs& pairs) {
+  const auto swap_sides = [](ConcordanceCounts& counts) {
+    std::swap(counts.concordant, counts.discordant);
+  };
+  std::for_each(pairs.by_stratum.begin(), pairs.by_stratum.end(), swap_sides);
+  for (RowPairs& row : pairs.rows) {
+    row.net = -row.net;
+  }
+}
+
+/// Change of C by a row's weight, to first order.
+std::vector<double> dfbetas(const ConcordanceCounts& counts,
+                            std::span<const RowPairs> rows,
+                            std::span<const double> weights) {
+  const double comparable = counts.comparable();
+  const double somers_d = (counts.concordant - counts.discordant) / comparable;
+  std::vector<double> result(rows.size());
+  for (std::size_t row = 0; row < result.size(); ++row) {
+    const double weight = weights.empty() ? 1.0 : weights[row];
+    result[row] = 0.5 * weight * (rows[row].net - somers_d * rows[row].comparable) / comparable;
+  }
+  return result;
+}
+
+Condition condition(ConditionKind kind, ConditionSeverity severity, std::string column = {}) {
+  return {kind, severity, std::move(column), {}};
+}
+
+void name_conditions(std::span<const double> values, ConcordanceEstimate& estimate) {
+  if (!(estimate.counts.comparable() > 0.0)) {
+    estimate.conditions.push_back(
+        condition(ConditionKind::no_comparable_pairs, ConditionSeverity::error, estimate.name));
+    return;
+  }
+  if (std::all_of(values.begin(), values.end(), [&](double v) { return v == values[0]; })) {
+    estimate.conditions.push_back(
+        condition(ConditionKind::all_tied, ConditionSeverity::warning, estimate.name));
+  }
+  // Removing rows leaves rounding in counts that would be 0 if weights are not whole.
+  constexpr double kRounding = 1e-12;
+  const double c = concordance_index(estimate.counts);
+  if (c < kRounding || c > 1.0 - kRounding) {
+    estimate.conditions.push_back(
+        condition(ConditionKind::separated, ConditionSeverity::warning, estimate.name));
+  }
+}
+
+/// dfbetas added up by cluster.
+std::vector<double> by_cluster(std::span<const double> dfbeta,
+                               std::span<const std::uint32_t> cluster,
+                               std::size_t levels) {
+  std::vector<double> sums(levels, 0.0);
+  for (std::size_t row = 0; row < dfbeta.size(); ++row) {
+    sums[cluster[row]] += dfbeta[row];
+  }
+  return sums;
+}
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// Two-sided standard normal quantile: 1.96 for level 0.95.
+double normal_factor(double level) { return std::numbers::sqrt2 * boost::math::erf_inv(level); }
+
+ConcordanceDifference difference_of(const ConcordanceEstimate& first,
+                                    const ConcordanceEstimate& second,
+                                    std::span<const double> first_dfbeta,
+                                    std::span<const double> second_dfbeta,
+                                    double level) {
+  ConcordanceDifference result;
+  if (!first.c || !second.c) {
+    return result;
+  }
+  const double difference = *first.c - *second.c;
+  result.difference = difference;
+  if (!first.variance || !second.variance) {
+    return result;
+  }
+  // The squares of the differences, not var(a) + var(b) - 2 cov(a, b), which cancels.
+  double variance = 0.0;
+  for (std::size_t k = 0; k < first_dfbeta.size(); ++k) {
+    variance += (first_dfbeta[k] - second_dfbeta[k]) * (first_dfbeta[k] - second_dfbeta[k]);
+  }
+  const double half = normal_factor(level) * std::sqrt(variance);
+  result.variance = variance;
+  result.std_error = std::sqrt(variance);
+  result.interval = Interval{difference - half, difference + half, level};
+  if (variance > 0.0) {
+    const double z = difference / std::sqrt(variance);
+    result.z = z;
+    result.p_value = std::erfc(std::abs(z) / std::numbers::sqrt2);
+  } else if (difference == 0.0) {
+    result.conditions.push_back(condition(ConditionKind::same_ranking, ConditionSeverity::note));
+    result.z = 0.0;
+    result.p_value = 1.0;
+  } else {
+    result.conditions.push_back(
+        condition(ConditionKind::zero_variance, ConditionSeverity::warning));
+  }
+  return result;
+}
+
+std::size_t count_clusters(std::span<const std::uint32_t> cluster, std::size_t levels) {
+  std::vector<bool> seen(levels, false);
+  for (const std::uint32_t code : cluster) {
+    seen[code] = true;
+  }
+  return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+}
+
+void name_row_conditions(std::size_t rows, bool clustered, ConcordanceResult& result) {
+  if (result.missing > 0) {
+    result.conditions.push_back({ConditionKind::missing_rows,
+                                 ConditionSeverity::note,
+                                 {},
+                                 std::to_string(result.missing) + " rows left out"});
+  }
+  if (rows == 0) {
+    result.conditions.push_back(condition(ConditionKind::no_rows, ConditionSeverity::error));
+    return;
+  }
+  if (rows == 1) {
+    result.conditions.push_back(condition(ConditionKind::too_few_rows, ConditionSeverity::error));
+  }
+  if (result.events == 0) {
+    result.conditions.push_back(condition(ConditionKind::no_events, ConditionSeverity::error));
+  }
+  if (clustered && result.clusters == 1) {
+    result.conditions.push_back(condition(ConditionKind::one_cluster, ConditionSeverity::warning));
+  } else if (clustered && result.clusters < kFewClusters) {
+    result.conditions.push_back(condition(ConditionKind::few_clusters, ConditionSeverity::note));
+  }
+}
+
+ConcordanceEstimate estimate_of(const ConcordanceRows& rows,
+                                const Predictor& predictor,
+                                std::span<const double> values) {
+  ConcordancePairs pairs = concordance_pairs(rows, values);
+  if (predictor.larger == LargerMeans::shorter_time) {
+    turn_over(pairs);
+  }
+  ConcordanceEstimate estimate;
+  estimate.name = predictor.name;
+  estimate.counts = pairs.total();
+  estimate.by_stratum = std::move(pairs.by_stratum);
+  name_conditions(values, estimate);
+  const double comparable = estimate.counts.comparable();
+  if (comparable > 0.0) {
+    estimate.c = concordance_index(estimate.counts);
+    estimate.null_variance = pairs.score_variance / (4.0 * comparable * comparable);
+    estimate.dfbeta = dfbetas(estimate.counts, pairs.rows, rows.weight);
+  }
+  return estimate;
+}
+
+void set_variance(double variance, double level, ConcordanceEstimate& estimate) {
+  const double half = normal_factor(level) * std::sqrt(variance);
+  estimate.variance = variance;
+  estimate.std_error = std::sqrt(variance);
+  estimate.interval =
+      Interval{std::max(0.0, *estimate.c - half), std::min(1.0, *estimate.c + half), level};
+}
+
+void compare(std::span<const std::span<const double>> dfbeta,
+             double level,
+             ConcordanceResult& result) {
+  const std::size_t k = result.estimates.size();
+  const auto size = static_cast<Eigen::Index>(k);
+  result.covariance.setConstant(size, size, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = i; j < k; ++j) {
+      if (result.estimates[i].variance && result.estimates[j].variance) {
+        const double covariance = dot(dfbeta[i], dfbeta[j]);
+        result.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = covariance;
+        result.covariance(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = covariance;
+      }
+      if (j > i) {
+        result.differences.push_back(
+            difference_of(result.estimates[i], result.estimates[j], dfbeta[i], dfbeta[j], level));
+        result.differences.back().first = i;
+        result.differences.back().second = j;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+SurvivalOutcome uncensored(std::span<const double> values) {
+  SurvivalOutcome outcome;
+  outcome.stop.assign(values.begin(), values.end());
+  outcome.event.assign(values.size(), 1);
+  snap_times(outcome);
+  return outcome;
+}
+
+ConcordanceResult concordance(const SurvivalOutcome& outcome,
+                              std::span<const Predictor> predictors,
+                              const ConcordanceOptions& options) {
+  check(outcome, predictors, options);
+  Columns columns = columns_of(outcome, predictors, options);
+  ConcordanceResult result;
+  result.rows = complete_rows_of(columns);
+  Copies copies;
+  const bool all = result.rows.empty() && (outcome.rows() == 0 || is_complete(columns, 0));
+  if (!all) {
+    result.missing = outcome.rows() - result.rows.size();
+    copies = copy_rows(columns, result.rows);
+    columns = columns_of(copies);
+  }
+  SurvivalOutcome adjusted;
+  if (options.earliest || has_common_start(*columns.outcome)) {
+    adjusted = *columns.outcome;
+    if (has_common_start(adjusted)) {
+      adjusted.start.clear();
+    }
+    if (options.earliest) {
+      raise_times(adjusted, *options.earliest);
+    }
+    columns.outcome = &adjusted;
+  }
+
+  const std::size_t strata = options.strata == nullptr ? 1 : options.strata->levels.size();
+  const std::size_t clusters = options.cluster == nullptr ? 0 : options.cluster->levels.size();
+  const auto& events = columns.outcome->event;
+  result.events = static_cast<std::size_t>(std::count(events.begin(), events.end(), 1));
+  result.clusters = count_clusters(columns.cluster, clusters);
+  name_row_conditions(columns.outcome->rows(), options.cluster != nullptr, result);
+
+  const TimeOrder order = time_order(*columns.outcome, columns.strata, strata);
+  ConcordanceRows rows{&order, columns.outcome, columns.weights, options.pair_weight};
+  rows.last_event = options.latest.value_or(rows.last_event);
+  std::vector<std::vector<double>> clustered;
+  const bool has_variance = options.cluster == nullptr || result.clusters > 1;
+  for (std::size_t i = 0; i < predictors.size(); ++i) {
+    result.estimates.push_back(estimate_of(rows, predictors[i], columns.predictors[i]));
+    ConcordanceEstimate& estimate = result.estimates.back();
+    if (options.cluster != nullptr) {
+      clustered.push_back(by_cluster(estimate.dfbeta, columns.cluster, clusters));
+    }
+    const std::vector<double>& dfbeta =
+        options.cluster != nullptr ? clustered.back() : estimate.dfbeta;
+    if (estimate.c && has_variance) {
+      set_variance(dot(dfbeta, dfbeta), options.level, estimate);
+    }
+  }
+  std::vector<std::span<const double>> dfbeta(clustered.begin(), clustered.end());
+  if (options.cluster == nullptr) {
+    for (const ConcordanceEstimate& estimate : result.estimates) {
+      dfbeta.emplace_back(estimate.dfbeta);
+    }
+  }
+  compare(dfbeta, options.level, result);
+  return result;
+}
+
+}  // namespace tcert

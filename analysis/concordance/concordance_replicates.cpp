@@ -1,0 +1,128 @@
+#include "analysis/concordance/concordance_replicates.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/basics/dense_ranks.hpp"
+#include "analysis/basics/time_order.hpp"
+
+namespace tcert {
+namespace {
+
+bool common_start(const SurvivalOutcome& outcome) {
+  return std::all_of(outcome.start.begin(), outcome.start.end(), [&](double start) {
+    return start == outcome.start[0];
+  });
+}
+
+}  // namespace
+
+ConcordanceReplicates::ConcordanceReplicates(const SurvivalOutcome& outcome,
+                                             const Predictor& predictor,
+                                             const Factor* strata)
+    : larger_(predictor.larger), rows_(outcome.rows()) {
+  const std::size_t groups = strata == nullptr ? 1 : strata->levels.size();
+  const TimeOrder order =
+      time_order(outcome,
+                 strata == nullptr ? std::span<const std::uint32_t>{} : std::span(strata->codes),
+                 groups);
+  const DenseRanks ranks = dense_ranks(predictor.values, order);
+  const bool truncated = outcome.left_truncated() && !common_start(outcome);
+  visits_.reserve((truncated ? 3 : 2) * rows_ + groups);
+  for (std::size_t group = 0; group < groups; ++group) {
+    if (group > 0) {
+      visits_.push_back({0, 0, Step::next_stratum});
+    }
+    distinct_ = std::max(distinct_, ranks.distinct[group]);
+    add_stratum(outcome,
+                order.stops_of(group),
+                truncated ? order.starts_of(group) : std::span<const std::uint32_t>{},
+                ranks.rank);
+  }
+}
+
+void ConcordanceReplicates::add_stratum(const SurvivalOutcome& outcome,
+                                        std::span<const std::uint32_t> by_stop,
+                                        std::span<const std::uint32_t> by_start,
+                                        std::span<const std::uint32_t> ranks) {
+  const auto visit = [&](std::uint32_t row, Step step) {
+    visits_.push_back({row, ranks[row], step});
+  };
+  std::size_t entered = by_start.size();  // starts before the present time
+  for (std::size_t last = by_stop.size(); last > 0;) {
+    const double time = outcome.stop[by_stop[last - 1]];
+    std::size_t first = last;
+    while (first > 0 && outcome.stop[by_stop[first - 1]] == time) {
+      --first;
+    }
+    std::size_t events_end = first;
+    while (events_end < last && outcome.event[by_stop[events_end]] != 0) {
+      ++events_end;
+    }
+    for (std::size_t k = events_end; k < last; ++k) {
+      visit(by_stop[k], Step::enter);
+    }
+    if (events_end > first) {
+      for (; entered > 0 && outcome.start[by_start[entered - 1]] >= time; --entered) {
+        visit(by_start[entered - 1], Step::leave);
+      }
+    }
+    for (std::size_t k = first; k < events_end; ++k) {
+      visit(by_stop[k], Step::compare);
+    }
+    for (std::size_t k = first; k < events_end; ++k) {
+      visit(by_stop[k], Step::enter);
+    }
+    last = first;
+  }
+}
+
+ConcordanceReplicates::Counts ConcordanceReplicates::counts(
+    std::span<const std::uint32_t> multiplicity, Scratch& scratch) const {
+  if (multiplicity.size() != rows_) {
+    throw std::invalid_argument("concordance: a multiplicity per row is needed");
+  }
+  const auto clear = [&] {
+    scratch.at_risk.reset(distinct_);
+    scratch.of_rank.assign(distinct_, 0);
+  };
+  clear();
+  Counts counts;
+  for (const Visit& visit : visits_) {
+    if (visit.step == Step::next_stratum) {
+      clear();
+      continue;
+    }
+    const std::uint32_t times = multiplicity[visit.row];
+    if (times == 0) {
+      continue;
+    }
+    if (visit.step == Step::compare) {
+      const std::uint64_t below = scratch.at_risk.before(visit.rank);
+      const std::uint64_t tied = scratch.of_rank[visit.rank];
+      counts.discordant += times * below;
+      counts.tied_x += times * tied;
+      counts.concordant += times * (scratch.at_risk.total() - below - tied);
+    } else {
+      // Unsigned arithmetic wraps, so that taking away is adding the complement.
+      const std::uint32_t change = visit.step == Step::enter ? times : 0U - times;
+      scratch.at_risk.add(visit.rank, change);
+      scratch.of_rank[visit.rank] += change;
+    }
+  }
+  if (larger_ == LargerMeans::shorter_time) {
+    std::swap(counts.concordant, counts.discordant);
+  }
+  return counts;
+}
+
+double ConcordanceReplicates::c(std::span<const std::uint32_t> multiplicity,
+                                Scratch& scratch) const {
+  const Counts pairs = counts(multiplicity, scratch);
+  return concordance_index({static_cast<double>(pairs.concordant),
+                            static_cast<double>(pairs.discordant),
+                            static_cast<double>(pairs.tied_x)});
+}
+
+}  // namespace tcert

@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// Baseline hazards of a Cox model and predicted survival curves, as R's `basehaz(centered =
+/// FALSE)` and `survfit.coxph` have them: Breslow's estimate, Efron's with Efron ties.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/cox/cox.hpp"
+
+namespace tcert {
+
+/// Of one stratum, at each distinct time at which a row of it stops.
+struct BaselineHazard {
+  std::string stratum;  ///< Its level; empty without strata.
+  std::vector<double> time;
+  std::vector<double> hazard;  ///< Cumulative, of a row with x = 0 and offset 0.
+};
+
+/// One a stratum that has rows. \pre `fit` is the fit to `data`, without an error. A column that
+/// runs to infinity enters with its last iterate. O(n (log n + p)).
+[[nodiscard]] std::vector<BaselineHazard> cox_baseline(const CoxData& data, const CoxFit& fit);
+
+/// The curve of one new row in one stratum, at the times of its baseline hazard.
+struct CoxCurve {
+  std::string stratum;
+  std::size_t row = 0;  ///< Of the new rows.
+  std::vector<double> time;
+  std::vector<double> survival;
+  std::vector<double>
+      std_err;  ///< Of `survival`; as R's, it uses the robust variance for beta alone.
+  std::vector<double> lower;  ///< On the log scale; NaN where survival is 0.
+  std::vector<double> upper;  ///< At most 1.
+};
+
+/// For every stratum all rows of `design` (k x p, columns as in `data`), with `offset` (k) if the
+/// model has one. std_err, lower and upper are NaN if a coefficient runs to infinity.
+/// O(n (log n + p) + k T p^2). \throws std::invalid_argument if the sizes differ.
+[[nodiscard]] std::vector<CoxCurve> cox_curves(const CoxData& data,
+                                               const CoxFit& fit,
+                                               const Eigen::MatrixXd& design,
+                                               const Eigen::VectorXd& offset = {});
+
+}  // namespace tcert

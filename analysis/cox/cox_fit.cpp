@@ -1,0 +1,339 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/basics/normal.hpp"
+#include "analysis/cox/cox.hpp"
+#include "analysis/cox/cox_newton.hpp"
+#include "analysis/cox/cox_robust.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr std::size_t kFewClusters = 30;
+
+void require(bool holds, const char* message) {
+  if (!holds) {
+    throw std::invalid_argument(message);
+  }
+}
+
+void check_shape(const CoxData& data) {
+  const std::size_t n = data.rows();
+  const auto rows = static_cast<Eigen::Index>(n);
+  const SurvivalOutcome& outcome = data.outcome;
+  require(outcome.event.size() == n && (outcome.start.empty() || outcome.start.size() == n),
+          "Cox model: start, stop and event differ in length");
+  require(data.design.rows() == rows, "Cox model: design and outcome differ in rows");
+  const auto columns = static_cast<std::size_t>(data.design.cols());
+  require(data.columns.size() == columns, "Cox model: as many names as columns");
+  require(!data.offset || data.offset->size() == rows, "Cox model: offset differs in rows");
+  require(!data.weights || data.weights->size() == rows, "Cox model: weights differ in rows");
+  require(!data.strata || data.strata->rows() == n, "Cox model: strata differ in rows");
+  require(!data.cluster || data.cluster->rows() == n, "Cox model: clusters differ in rows");
+}
+
+bool whole(const Eigen::VectorXd& weights) {
+  return (weights.array() == weights.array().floor()).all();
+}
+
+bool is_robust(const CoxData& data, const CoxOptions& options) {
+  return options.robust.value_or(data.cluster.has_value() ||
+                                 (data.weights && !whole(*data.weights)));
+}
+
+void check_options(const CoxData& data, const CoxOptions& options) {
+  require(options.level > 0.0 && options.level < 1.0, "Cox model: level must be in (0, 1)");
+  if (options.ties == Ties::exact) {
+    require(!data.weights || (data.weights->array() == 1.0).all(),
+            "Cox model: exact ties cannot be joined with weights");
+    require(!is_robust(data, options),
+            "Cox model: exact ties cannot be joined with robust or cluster variance");
+  }
+}
+
+void add(CoxFit& fit,
+         ConditionKind kind,
+         ConditionSeverity severity,
+         std::string column = {},
+         std::string detail = {}) {
+  fit.conditions.push_back({kind, severity, std::move(column), std::move(detail)});
+}
+
+/// Errors of the rows; true if there is something to fit.
+bool rows_can_be_fitted(const CoxData& data, CoxFit& fit) {
+  constexpr auto kError = ConditionSeverity::error;
+  if (fit.rows == 0) {
+    add(fit, ConditionKind::no_rows, kError);
+    return false;
+  }
+  for (Eigen::Index j = 0; j < data.design.cols(); ++j) {
+    if (!data.design.col(j).allFinite()) {
+      add(fit, ConditionKind::infinite_value, kError, data.columns[static_cast<std::size_t>(j)]);
+    }
+  }
+  if (data.offset && !data.offset->allFinite()) {
+    add(fit, ConditionKind::infinite_value, kError, "offset");
+  }
+  if (data.weights && !(data.weights->allFinite() && (data.weights->array() > 0.0).all())) {
+    add(fit, ConditionKind::bad_weight, kError);
+  }
+  if (fit.events == 0) {
+    add(fit, ConditionKind::no_events, kError);
+  }
+  if (fit.rows == 1) {
+    add(fit, ConditionKind::too_few_rows, kError, {}, "a single row");
+  }
+  return !has_error(fit.conditions);
+}
+
+/// As coxph centres: not at all for columns of -1, 0 and 1; the exact and left-truncated fits do
+/// not weight.
+Eigen::VectorXd centring_means(const CoxData& data, const CoxRows& rows, Ties ties) {
+  Eigen::VectorXd means = rows.centre;
+  const bool weighted = ties != Ties::exact && !data.outcome.left_truncated();
+  for (Eigen::Index j = 0; j < means.size(); ++j) {
+    const auto column = data.design.col(j).array();
+    if ((column == 0.0 || column == 1.0 || column == -1.0).all()) {
+      means(j) = 0.0;
+    } else if (!weighted && data.weights) {
+      means(j) = column.mean();
+    }
+  }
+  return means;
+}
+
+std::size_t distinct_clusters(const Factor& cluster) {
+  std::vector<char> seen(cluster.levels.size(), 0);
+  std::size_t count = 0;
+  for (const std::uint32_t code : cluster.codes) {
+    count += seen[code] == 0 ? 1U : 0U;
+    seen[code] = 1;
+  }
+  return count;
+}
+
+void name_columns(const CoxData& data, const CoxMaximum& maximum, CoxFit& fit) {
+  constexpr auto kWarning = ConditionSeverity::warning;
+  for (std::size_t j = 0; j < maximum.columns.size(); ++j) {
+    const auto column = data.design.col(static_cast<Eigen::Index>(j)).array();
+    switch (maximum.columns[j]) {
+      case ColumnState::estimated:
+        break;
+      case ColumnState::constant:
+        add(fit,
+            ConditionKind::constant_column,
+            kWarning,
+            data.columns[j],
+            (column == column(0)).all() ? "" : "within every set of rows at risk");
+        break;
+      case ColumnState::collinear:
+        add(fit, ConditionKind::collinear_column, kWarning, data.columns[j]);
+        break;
+      case ColumnState::infinite:
+        add(fit,
+            ConditionKind::monotone_likelihood,
+            kWarning,
+            data.columns[j],
+            fit.beta(static_cast<Eigen::Index>(j)) > 0.0 ? "its coefficient runs to +infinity"
+                                                         : "its coefficient runs to -infinity");
+        break;
+    }
+  }
+  if (fit.summary.termination == CoxTermination::iteration_limit) {
+    add(fit, ConditionKind::not_converged, kWarning);
+  }
+}
+
+/// u' matrix^-1 u.
+double quadratic_form(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& u) {
+  const Eigen::VectorXd solution = matrix.ldlt().solve(u);
+  return u.dot(solution);
+}
+
+/// \pre `fit.vcov` is still that of the scaled columns: the same quadratic forms, well conditioned.
+void add_tests(const CoxMaximum& maximum, CoxFit& fit) {
+  const std::vector<Eigen::Index> ranked = ranked_columns(maximum.columns);
+  fit.likelihood_ratio = chi_square_test(2.0 * (*fit.loglik - *fit.loglik_null), fit.df);
+  if (ranked.empty()) {
+    fit.score = fit.wald = chi_square_test(0.0, 0);
+    return;
+  }
+  const Eigen::VectorXd score = maximum.null.score(ranked);
+  const Eigen::MatrixXd information = maximum.null.information(ranked, ranked);
+  fit.score = chi_square_test(quadratic_form(information, score), fit.df);
+  const Eigen::MatrixXd variance = fit.vcov(ranked, ranked);
+  if (variance.allFinite()) {
+    const Eigen::VectorXd beta = maximum.beta(ranked);
+    fit.wald = chi_square_test(quadratic_form(variance, beta), fit.df);
+  }
+}
+
+void add_robust_variance(const CoxData& data,
+                         const CoxRows& rows,
+                         const CoxMaximum& maximum,
+                         const Eigen::MatrixXd& inverse,
+                         CoxFit& fit) {
+  const Factor* const cluster = data.cluster ? &*data.cluster : nullptr;
+  if (cluster != nullptr) {
+    fit.clusters = distinct_clusters(*cluster);
+    if (fit.clusters < 2) {
+      add(fit, ConditionKind::one_cluster, ConditionSeverity::warning);
+      fit.vcov.setConstant(std::nan(""));
+      return;
+    }
+    if (fit.clusters < kFewClusters) {
+      add(fit,
+          ConditionKind::few_clusters,
+          ConditionSeverity::note,
+          {},
+          std::to_string(fit.clusters) + " clusters");
+    }
+  }
+  const std::vector<Eigen::Index> ranked = ranked_columns(maximum.columns);
+  const ClusterScores scores = cluster_scores(rows, maximum.beta, fit.ties, cluster);
+  std::vector<Eigen::Index> known;
+  for (const Eigen::Index j : ranked) {
+    if (!std::isnan(inverse(j, j))) {
+      known.push_back(j);
+    }
+  }
+  fit.vcov.setConstant(std::nan(""));
+  if (!known.empty()) {
+    const Eigen::MatrixXd bread = inverse(known, known);
+    const Eigen::MatrixXd filling = scores.products(known, known);
+    const Eigen::MatrixXd sandwich = bread * filling * bread;
+    fit.vcov(known, known) = sandwich;
+  }
+  if (!ranked.empty()) {
+    const ClusterScores null =
+        cluster_scores(rows, Eigen::VectorXd::Zero(maximum.beta.size()), fit.ties, cluster);
+    const Eigen::MatrixXd products = null.products(ranked, ranked);
+    const Eigen::VectorXd total = null.total(ranked);
+    // Fewer clusters than columns leave no variance in some direction.
+    if (fit.clusters == 0 || fit.clusters > ranked.size()) {
+      fit.robust_score = chi_square_test(quadratic_form(products, total), fit.df);
+    }
+  }
+}
+
+void add_coefficients(const CoxData& data, CoxFit& fit) {
+  const double factor = normal_factor(fit.level);
+  for (std::size_t j = 0; j < data.columns.size(); ++j) {
+    const auto at = static_cast<Eigen::Index>(j);
+    CoxCoefficient coefficient;
+    coefficient.column = data.columns[j];
+    if (!std::isnan(fit.model_vcov(at, at))) {
+      const double estimate = fit.beta(at);
+      coefficient.estimate = estimate;
+      coefficient.hazard_ratio = std::exp(estimate);
+      coefficient.model_se = std::sqrt(fit.model_vcov(at, at));
+      if (fit.robust && !std::isnan(fit.vcov(at, at))) {
+        coefficient.robust_se = std::sqrt(fit.vcov(at, at));
+      }
+      const std::optional<double> se = fit.robust ? coefficient.robust_se : coefficient.model_se;
+      if (se && *se > 0.0) {
+        coefficient.z = estimate / *se;
+        coefficient.p_value = normal_p_value(*coefficient.z, Alternative::two_sided);
+        coefficient.interval =
+            Interval{estimate - factor * *se, estimate + factor * *se, fit.level};
+      }
+    }
+    fit.coefficients.push_back(std::move(coefficient));
+  }
+}
+
+/// The names alone, for a fit that has nothing to say about them.
+void add_empty_coefficients(const CoxData& data, CoxFit& fit) {
+  for (const std::string& column : data.columns) {
+    CoxCoefficient coefficient;
+    coefficient.column = column;
+    fit.coefficients.push_back(std::move(coefficient));
+  }
+}
+
+void add_inference(const CoxData& data,
+                   const CoxRows& rows,
+                   const CoxMaximum& maximum,
+                   CoxFit& fit) {
+  const Eigen::MatrixXd inverse = inverse_information(maximum);
+  fit.vcov = inverse;
+  if (fit.robust) {
+    add_robust_variance(data, rows, maximum, inverse, fit);
+  }
+  add_tests(maximum, fit);
+  const Eigen::VectorXd unit = rows.scale.cwiseInverse();
+  fit.model_vcov = unit.asDiagonal() * inverse * unit.asDiagonal();
+  fit.vcov = unit.asDiagonal() * fit.vcov * unit.asDiagonal();
+  add_coefficients(data, fit);
+  const auto df = static_cast<double>(fit.df);
+  fit.aic = -2.0 * *fit.loglik + 2.0 * df;
+  fit.bic = -2.0 * *fit.loglik + df * std::log(static_cast<double>(fit.events));
+}
+
+}  // namespace
+
+std::string_view to_string(Ties ties) noexcept {
+  switch (ties) {
+    case Ties::efron:
+      return "efron";
+    case Ties::breslow:
+      return "breslow";
+    case Ties::exact:
+      return "exact";
+  }
+  return "";
+}
+
+std::string_view to_string(CoxTermination termination) noexcept {
+  switch (termination) {
+    case CoxTermination::converged:
+      return "converged";
+    case CoxTermination::monotone:
+      return "monotone likelihood";
+    case CoxTermination::iteration_limit:
+      return "iteration limit";
+    case CoxTermination::no_fit:
+      return "no fit";
+  }
+  return "";
+}
+
+CoxFit fit_cox(const CoxData& data, const CoxOptions& options) {
+  check_shape(data);
+  check_options(data, options);
+  CoxFit fit;
+  fit.ties = options.ties;
+  fit.robust = is_robust(data, options);
+  fit.level = options.level;
+  fit.rows = data.rows();
+  fit.events = static_cast<std::size_t>(
+      std::count(data.outcome.event.begin(), data.outcome.event.end(), std::uint8_t{1}));
+  if (!rows_can_be_fitted(data, fit)) {
+    add_empty_coefficients(data, fit);
+    return fit;
+  }
+
+  const CoxRows rows = cox_rows(data);
+  const CoxMaximum maximum = maximise(rows, options);
+  fit.summary = maximum.summary;
+  fit.df = ranked_columns(maximum.columns).size();
+  fit.beta = maximum.beta.cwiseQuotient(rows.scale);
+  fit.means = centring_means(data, rows, options.ties);
+  fit.loglik_null = maximum.null.loglik;
+  fit.loglik = maximum.fitted.loglik;
+  fit.linear_predictors = data.design * fit.beta;
+  fit.linear_predictors.array() -= fit.means.dot(fit.beta);
+  if (data.offset) {
+    fit.linear_predictors.array() += data.offset->array() - data.offset->mean();
+  }
+  name_columns(data, maximum, fit);
+  if (options.inference) {
+    add_inference(data, rows, maximum, fit);
+  }
+  return fit;
+}
+
+}  // namespace tcert

@@ -1,0 +1,203 @@
+#include "analysis/cox/cox_newton.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tcert {
+namespace {
+
+constexpr std::size_t kHalvings = 40;
+constexpr std::size_t kStalled = 4;       ///< Steps without gain before the fit is judged.
+constexpr double kRunaway = 1e-3;         ///< A step as large, without gain, is no rounding.
+constexpr double kLimitTolerance = 1e-6;  ///< Information left in the limit, of that at 0.
+
+/// Cholesky pivots of `information` in the given order; a column whose pivot is at most
+/// tolerance x reference is skipped. Returns the columns that stay.
+std::vector<Eigen::Index> independent_columns(Eigen::MatrixXd information,
+                                              const std::vector<Eigen::Index>& order,
+                                              const Eigen::VectorXd& reference,
+                                              double tolerance) {
+  std::vector<Eigen::Index> kept;
+  for (const Eigen::Index j : order) {
+    const double pivot = information(j, j);
+    if (!(pivot > tolerance * reference(j))) {
+      continue;
+    }
+    kept.push_back(j);
+    const Eigen::VectorXd column = information.col(j);
+    information.noalias() -= column * column.transpose() / pivot;
+  }
+  return kept;
+}
+
+std::vector<ColumnState> column_states(const CoxRows& rows,
+                                       const CoxDerivatives& null,
+                                       double tolerance) {
+  const auto p = static_cast<Eigen::Index>(rows.columns);
+  double events = 0.0;
+  for (std::size_t t = 0; t < rows.sets.times(); ++t) {
+    for (std::size_t place = rows.sets.events_begin[t]; place < rows.sets.begin[t + 1]; ++place) {
+      events += rows.weight_of(place);
+    }
+  }
+  std::vector<ColumnState> states(rows.columns, ColumnState::collinear);
+  std::vector<Eigen::Index> varying;
+  for (Eigen::Index j = 0; j < p; ++j) {
+    // A scaled column has a variance of 1 or more, so about that much information per event.
+    if (null.information(j, j) > tolerance * events) {
+      varying.push_back(j);
+    } else {
+      states[static_cast<std::size_t>(j)] = ColumnState::constant;
+    }
+  }
+  for (const Eigen::Index j :
+       independent_columns(null.information, varying, null.information.diagonal(), tolerance)) {
+    states[static_cast<std::size_t>(j)] = ColumnState::estimated;
+  }
+  return states;
+}
+
+/// Solves information step = score for the `kept` columns; 0 for the others.
+Eigen::VectorXd newton_step(const CoxDerivatives& at, const std::vector<Eigen::Index>& kept) {
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(at.score.size());
+  if (!kept.empty()) {
+    const Eigen::VectorXd score = at.score(kept);
+    const Eigen::MatrixXd information = at.information(kept, kept);
+    const Eigen::VectorXd solution = information.ldlt().solve(score);
+    step(kept) = solution;
+  }
+  return step;
+}
+
+double relative_size(const Eigen::VectorXd& step, const Eigen::VectorXd& beta) {
+  return step.size() == 0 ? 0.0 : (step.array().abs() / (1.0 + beta.array().abs())).maxCoeff();
+}
+
+void judge_stalled(const CoxRows& rows, const Eigen::VectorXd& step, CoxMaximum& maximum) {
+  if (maximum.summary.last_step <= kRunaway) {
+    maximum.summary.termination = CoxTermination::converged;
+    return;
+  }
+  const double largest = step.cwiseAbs().maxCoeff();
+  Eigen::VectorXd direction = step;
+  for (Eigen::Index j = 0; j < step.size(); ++j) {
+    if (std::abs(step(j)) <= kRunaway * largest) {
+      direction(j) = 0.0;
+    }
+  }
+  if (!is_monotone(rows, direction)) {
+    maximum.summary.termination = CoxTermination::iteration_limit;
+    return;
+  }
+  maximum.summary.termination = CoxTermination::monotone;
+  for (Eigen::Index j = 0; j < step.size(); ++j) {
+    if (direction(j) != 0.0) {
+      maximum.columns[static_cast<std::size_t>(j)] = ColumnState::infinite;
+    }
+  }
+}
+
+/// Moves by `step`, halved until the log-likelihood does not fall; false if it always does.
+bool climb(const CoxRows& rows, Ties ties, Eigen::VectorXd step, CoxMaximum& maximum) {
+  const double slack = 1e-13 * std::abs(maximum.fitted.loglik);
+  for (std::size_t halving = 0; halving < kHalvings; ++halving) {
+    const Eigen::VectorXd beta = maximum.beta + step;
+    CoxDerivatives next = cox_derivatives(rows, beta, ties);
+    if (std::isfinite(next.loglik) && next.score.allFinite() && next.information.allFinite() &&
+        next.loglik >= maximum.fitted.loglik - slack) {
+      maximum.beta = beta;
+      maximum.fitted = std::move(next);
+      return true;
+    }
+    step *= 0.5;
+  }
+  return false;
+}
+
+}  // namespace
+
+CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
+  CoxMaximum maximum;
+  maximum.beta = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.columns));
+  maximum.null = cox_derivatives(rows, maximum.beta, options.ties);
+  maximum.fitted = maximum.null;
+  maximum.columns = column_states(rows, maximum.null, options.rank_tolerance);
+  const std::vector<Eigen::Index> kept = ranked_columns(maximum.columns);
+
+  CoxSummary& summary = maximum.summary;
+  summary.termination = CoxTermination::iteration_limit;
+  summary.loglik_tolerance = options.loglik_tolerance;
+  summary.step_tolerance = options.step_tolerance;
+  summary.rank_tolerance = options.rank_tolerance;
+  Eigen::VectorXd step = newton_step(maximum.null, kept);
+  std::size_t stalled = 0;
+  bool level = kept.empty();
+  while (true) {
+    summary.last_step = relative_size(step, maximum.beta);
+    if (level && summary.last_step <= options.step_tolerance) {
+      summary.termination = CoxTermination::converged;
+      break;
+    }
+    stalled = level ? stalled + 1 : 0;
+    if (stalled == kStalled) {
+      judge_stalled(rows, step, maximum);
+      break;
+    }
+    if (summary.iterations == options.iterations) {
+      break;
+    }
+    ++summary.iterations;
+    const double before = maximum.fitted.loglik;
+    if (!climb(rows, options.ties, step, maximum)) {
+      judge_stalled(rows, step, maximum);
+      break;
+    }
+    level = std::abs(maximum.fitted.loglik - before) <=
+            options.loglik_tolerance * std::max(1.0, std::abs(before));
+    step = newton_step(maximum.fitted, kept);
+  }
+  summary.gradient_norm = kept.empty() ? 0.0 : maximum.fitted.score(kept).cwiseAbs().maxCoeff();
+  return maximum;
+}
+
+std::vector<Eigen::Index> ranked_columns(const std::vector<ColumnState>& columns) {
+  std::vector<Eigen::Index> ranked;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (columns[j] == ColumnState::estimated || columns[j] == ColumnState::infinite) {
+      ranked.push_back(static_cast<Eigen::Index>(j));
+    }
+  }
+  return ranked;
+}
+
+Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
+  const Eigen::Index p = maximum.beta.size();
+  std::vector<Eigen::Index> kept = ranked_columns(maximum.columns);
+  if (maximum.summary.termination == CoxTermination::monotone) {
+    // Finite columns first, so that it is the infinite ones whose pivots vanish.
+    std::stable_partition(kept.begin(), kept.end(), [&](Eigen::Index j) {
+      return maximum.columns[static_cast<std::size_t>(j)] != ColumnState::infinite;
+    });
+    kept = independent_columns(
+        maximum.fitted.information, kept, maximum.null.information.diagonal(), kLimitTolerance);
+  }
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Constant(p, p, std::nan(""));
+  if (!kept.empty()) {
+    const Eigen::MatrixXd information = maximum.fitted.information(kept, kept);
+    const auto size = static_cast<Eigen::Index>(kept.size());
+    const Eigen::MatrixXd solution =
+        information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+    inverse(kept, kept) = solution;
+  }
+  for (Eigen::Index j = 0; j < p; ++j) {
+    if (maximum.columns[static_cast<std::size_t>(j)] == ColumnState::infinite) {
+      inverse.row(j).setConstant(std::nan(""));
+      inverse.col(j).setConstant(std::nan(""));
+    }
+  }
+  return inverse;
+}
+
+}  // namespace tcert

@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// Functions of time for the test of proportional hazards.
+
+#include <vector>
+
+#include "analysis/cox/cox_zph.hpp"
+#include "analysis/survival/survival_outcome.hpp"
+
+namespace tcert {
+
+/// g at each row's `stop`, minus its mean over the rows with an event. \pre some event. O(n log n).
+[[nodiscard]] std::vector<double> transformed_times(const SurvivalOutcome& outcome,
+                                                    TimeTransform transform);
+
+}  // namespace tcert

@@ -1,0 +1,395 @@
+#include "analysis/logistic/logistic.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/logistic/logistic_problem.hpp"
+#include "analysis/logistic/separation_words.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+void check_lengths(const LogisticInput& input, const LogisticOptions& options) {
+  const Eigen::Index rows = input.design.rows();
+  const auto fits = [&](const Eigen::VectorXd& v) { return v.size() == 0 || v.size() == rows; };
+  const auto columns = static_cast<std::size_t>(input.design.cols());
+  if (input.successes.size() != rows || !fits(input.trials) || !fits(input.weights) ||
+      !fits(input.offset) || input.columns.size() != columns || input.term_of.size() != columns ||
+      (input.cluster && input.cluster->rows() != static_cast<std::size_t>(rows))) {
+    throw std::invalid_argument("logistic regression: lengths differ");
+  }
+  if (!(options.level > 0.0 && options.level < 1.0)) {
+    throw std::invalid_argument("logistic regression: level must be in (0, 1)");
+  }
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double trials = input.trials.size() > 0 ? input.trials[i] : 1.0;
+    if (!(input.successes[i] >= 0.0 && input.successes[i] <= trials)) {
+      throw std::invalid_argument("logistic regression: successes must be in [0, trials]");
+    }
+  }
+}
+
+Condition error(ConditionKind kind, std::string column, std::string detail) {
+  return {kind, ConditionSeverity::error, std::move(column), std::move(detail)};
+}
+
+/// Values that no arithmetic can use.
+void add_value_conditions(const LogisticInput& input, Conditions& conditions) {
+  for (Eigen::Index j = 0; j < input.design.cols(); ++j) {
+    if (!input.design.col(j).allFinite()) {
+      conditions.push_back(
+          error(ConditionKind::infinite_value, input.columns[static_cast<std::size_t>(j)], ""));
+    }
+  }
+  if (!input.offset.allFinite()) {
+    conditions.push_back(error(ConditionKind::infinite_value, "offset", ""));
+  }
+  if (!input.weights.allFinite() || (input.weights.array() < 0.0).any()) {
+    conditions.push_back(error(ConditionKind::bad_weight, "", "negative or infinite"));
+  }
+}
+
+void add_outcome_conditions(const LogisticInput& input,
+                            const LogisticProblem& problem,
+                            Conditions& conditions) {
+  const double successes = problem.rows.successes.sum();
+  const bool none = (problem.rows.successes.array() == 0.0).all();
+  const bool all = (problem.rows.successes.array() == problem.rows.trials.array()).all();
+  if (problem.size() == 0) {
+    conditions.push_back(error(ConditionKind::no_rows, "", ""));
+  } else if (none || all) {
+    conditions.push_back(
+        error(ConditionKind::one_class,
+              input.response,
+              fmt::format("{} of {} are successes", successes, problem.rows.trials.sum())));
+  } else if (problem.space.rank() == problem.size() && !problem.space.dropped.empty()) {
+    conditions.push_back(
+        error(ConditionKind::too_few_rows,
+              "",
+              fmt::format("{} for {} coefficients", problem.size(), input.columns.size())));
+  }
+}
+
+bool has_intercept(const LogisticInput& input) {
+  return std::find(input.term_of.begin(), input.term_of.end(), 0U) != input.term_of.end();
+}
+
+void add_rank_conditions(const LogisticInput& input,
+                         const LogisticProblem& problem,
+                         Conditions& conditions) {
+  for (const std::size_t j : problem.space.dropped) {
+    const Eigen::VectorXd values = input.design(problem.used, static_cast<Eigen::Index>(j));
+    const bool constant = (values.array() == values[0]).all();
+    const auto kind = constant ? ConditionKind::constant_column : ConditionKind::collinear_column;
+    const bool known =
+        std::any_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
+          return condition.kind == kind && condition.column == input.columns[j];
+        });
+    if (!known) {
+      conditions.push_back({kind,
+                            ConditionSeverity::warning,
+                            input.columns[j],
+                            constant ? fmt::format("it is {} in every row", values[0]) : ""});
+    }
+  }
+}
+
+/// Of the model of the intercept and the offset alone; empty if that does not converge.
+std::optional<double> null_log_likelihood(const LogisticInput& input,
+                                          const LogisticProblem& problem,
+                                          const NewtonOptions& options) {
+  const Eigen::Index columns = has_intercept(input) ? 1 : 0;
+  const double height = 1.0 / std::sqrt(static_cast<double>(problem.size()));
+  const Eigen::MatrixXd design = Eigen::MatrixXd::Constant(problem.size(), columns, height);
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(columns);
+  if (columns > 0 && problem.rows.offset.size() == 0) {
+    const double successes = problem.rows.successes.sum();
+    start[0] = std::log(successes / (problem.rows.trials.sum() - successes)) / height;
+  }
+  const NewtonResult result = maximise_binomial(design, problem.rows, start, std::nullopt, options);
+  return result.converged() ? std::optional(result.at.log_likelihood) : std::nullopt;
+}
+
+/// Sum over clusters of the outer products of their scores, along the basis.
+Eigen::MatrixXd score_products(const LogisticInput& input,
+                               const LogisticProblem& problem,
+                               const Eigen::VectorXd& coefficients,
+                               std::size_t& clusters) {
+  const Eigen::MatrixXd& basis = problem.space.basis;
+  Eigen::VectorXd eta = basis * coefficients;
+  if (problem.rows.offset.size() > 0) {
+    eta += problem.rows.offset;
+  }
+  const auto groups =
+      input.cluster ? static_cast<Eigen::Index>(input.cluster->levels.size()) : problem.size();
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(basis.cols(), groups);
+  std::vector<bool> seen(static_cast<std::size_t>(groups), false);
+  for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+    const auto row = static_cast<std::size_t>(problem.used[static_cast<std::size_t>(i)]);
+    const Eigen::Index group =
+        input.cluster ? static_cast<Eigen::Index>(input.cluster->codes[row]) : i;
+    const double residual =
+        problem.rows.successes[i] - problem.rows.trials[i] * inverse_logit(eta[i]);
+    scores.col(group) += residual * basis.row(i).transpose();
+    seen[static_cast<std::size_t>(group)] = true;
+  }
+  clusters = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+  return scores * scores.transpose();
+}
+
+void add_cluster_conditions(const LogisticInput& input, LogisticFit& fit) {
+  if (!input.cluster || fit.variance != CoefficientVariance::robust) {
+    return;
+  }
+  if (fit.clusters == 1) {
+    fit.conditions.push_back(
+        {ConditionKind::one_cluster, ConditionSeverity::warning, "", "no robust variance"});
+  } else if (fit.clusters < 30) {
+    fit.conditions.push_back({ConditionKind::few_clusters,
+                              ConditionSeverity::note,
+                              "",
+                              fmt::format("{} clusters", fit.clusters)});
+  }
+}
+
+/// Covariance of the coefficients along the basis.
+Eigen::MatrixXd basis_covariance(const LogisticInput& input,
+                                 const LogisticProblem& problem,
+                                 const NewtonResult& newton,
+                                 LogisticFit& fit) {
+  const Eigen::Index rank = problem.space.rank();
+  const Eigen::MatrixXd inverse =
+      newton.at.information.llt().solve(Eigen::MatrixXd::Identity(rank, rank));
+  if (fit.variance == CoefficientVariance::model) {
+    return inverse;
+  }
+  const Eigen::MatrixXd products =
+      score_products(input, problem, newton.coefficients, fit.clusters);
+  if (fit.clusters < 2) {
+    return Eigen::MatrixXd::Constant(rank, rank, kNan);
+  }
+  return inverse * products * inverse;
+}
+
+void set_estimate(LogisticCoefficient& coefficient,
+                  double estimate,
+                  double variance,
+                  double level) {
+  coefficient.kind = CoefficientKind::finite;
+  coefficient.estimate = estimate;
+  if (!(variance > 0.0)) {
+    return;
+  }
+  const double error = std::sqrt(variance);
+  const double half = two_sided_normal_quantile(level) * error;
+  coefficient.standard_error = error;
+  coefficient.z = estimate / error;
+  coefficient.p_value = std::erfc(std::abs(*coefficient.z) / std::numbers::sqrt2);
+  coefficient.interval = Interval{estimate - half, estimate + half, level};
+}
+
+/// Per kept column of the limit's problem: no dropped one can take its place.
+std::vector<bool> determined(const LogisticProblem& problem) {
+  const OrthonormalBasis& space = problem.space;
+  std::vector<bool> result(space.kept.size(), true);
+  for (Eigen::Index k = 0; k < space.combination.rows(); ++k) {
+    for (Eigen::Index d = 0; d < space.combination.cols(); ++d) {
+      // On the scale of the column's own norm along the basis, so that units do not matter.
+      const double share = space.combination(k, d) * space.triangle.col(k).norm();
+      const double whole =
+          (space.triangle.triangularView<Eigen::Upper>() * space.combination.col(d)).norm();
+      if (std::abs(share) > 1e-8 * whole) {
+        result[static_cast<std::size_t>(k)] = false;
+      }
+    }
+  }
+  return result;
+}
+
+/// Estimates of the problem that was solved; `names[k]` is the input's column of its column k.
+void add_estimates(const LogisticInput& input,
+                   const LogisticProblem& problem,
+                   const NewtonResult& newton,
+                   const std::vector<std::size_t>& names,
+                   LogisticFit& fit) {
+  const Eigen::MatrixXd back = inverse_triangle(problem.space);
+  const Eigen::VectorXd estimates = back * newton.coefficients;
+  const Eigen::MatrixXd covariance =
+      back * basis_covariance(input, problem, newton, fit) * back.transpose();
+  const std::vector<bool> known = fit.separation == Separation::none
+                                      ? std::vector<bool>(problem.space.kept.size(), true)
+                                      : determined(problem);
+  for (std::size_t a = 0; a < known.size(); ++a) {
+    if (!known[a]) {
+      continue;
+    }
+    const std::size_t column = names[problem.space.kept[a]];
+    const auto row = static_cast<Eigen::Index>(a);
+    set_estimate(fit.coefficients[column], estimates[row], covariance(row, row), fit.options.level);
+    for (std::size_t b = 0; b < known.size(); ++b) {
+      if (known[b]) {
+        fit.covariance(static_cast<Eigen::Index>(column),
+                       static_cast<Eigen::Index>(names[problem.space.kept[b]])) =
+            covariance(row, static_cast<Eigen::Index>(b));
+      }
+    }
+  }
+}
+
+void add_separation(const LogisticInput& input, const LogisticProblem& problem, LogisticFit& fit) {
+  const Eigen::MatrixXd back = inverse_triangle(problem.space);
+  const std::vector<Signs> signs = recession_signs(
+      problem.space.basis, problem.rows.successes, problem.rows.trials, back.transpose());
+  const bool complete = fit.separation == Separation::complete;
+  for (std::size_t k = 0; k < problem.space.kept.size(); ++k) {
+    LogisticCoefficient& coefficient = fit.coefficients[problem.space.kept[k]];
+    if (coefficient.kind == CoefficientKind::finite) {
+      continue;
+    }
+    const bool both = signs[k].positive == signs[k].negative;
+    coefficient.kind = both                ? CoefficientKind::diverging
+                       : signs[k].positive ? CoefficientKind::plus_infinity
+                                           : CoefficientKind::minus_infinity;
+    fit.conditions.push_back(
+        {complete ? ConditionKind::complete_separation : ConditionKind::quasi_separation,
+         complete ? ConditionSeverity::error : ConditionSeverity::warning,
+         coefficient.column,
+         fmt::format("the estimate {}, {}",
+                     both                ? "is not finite"
+                     : signs[k].positive ? "is +infinity"
+                                         : "is -infinity",
+                     separation_words(input, problem.used, problem.space.kept[k]))});
+  }
+}
+
+/// Fitted probabilities of every input row from coefficients that determine all of them.
+Eigen::VectorXd fitted_of(const LogisticInput& input,
+                          const LogisticProblem& problem,
+                          const NewtonResult& newton,
+                          const std::vector<std::size_t>& names) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(input.design.cols());
+  const Eigen::VectorXd estimates = inverse_triangle(problem.space) * newton.coefficients;
+  for (std::size_t k = 0; k < problem.space.kept.size(); ++k) {
+    all[static_cast<Eigen::Index>(names[problem.space.kept[k]])] =
+        estimates[static_cast<Eigen::Index>(k)];
+  }
+  Eigen::VectorXd eta = input.design * all;
+  if (input.offset.size() > 0) {
+    eta += input.offset;
+  }
+  return eta.unaryExpr([](double value) { return inverse_logit(value); });
+}
+
+/// The limits of the rows that are told apart; rows outside the problem are not determined.
+void set_limits(const LogisticProblem& problem,
+                const std::vector<bool>& overlaps,
+                Eigen::VectorXd& fitted) {
+  const Eigen::VectorXd finite = fitted;
+  fitted.setConstant(kNan);
+  for (std::size_t i = 0; i < overlaps.size(); ++i) {
+    const Eigen::Index row = problem.used[i];
+    const bool success = problem.rows.successes[static_cast<Eigen::Index>(i)] > 0.0;
+    fitted[row] = overlaps[i] ? finite[row] : (success ? 1.0 : 0.0);
+  }
+}
+
+void add_likelihoods(const LogisticInput& input,
+                     const LogisticProblem& problem,
+                     double log_likelihood,
+                     LogisticFit& fit) {
+  fit.log_likelihood = log_likelihood + problem.log_coefficients;
+  fit.deviance = 2.0 * (problem.saturated - log_likelihood);
+  if (const auto null = null_log_likelihood(input, problem, fit.options.newton)) {
+    fit.null_deviance = 2.0 * (problem.saturated - *null);
+  }
+  if (fit.separation == Separation::none) {
+    const auto parameters = static_cast<double>(fit.rank);
+    fit.aic = -2.0 * *fit.log_likelihood + 2.0 * parameters;
+    fit.bic = -2.0 * *fit.log_likelihood + std::log(static_cast<double>(fit.rows)) * parameters;
+  }
+}
+
+void add_solution(const LogisticInput& input, const LogisticProblem& problem, LogisticFit& fit) {
+  const LogisticMaximum maximum = maximum_of(input, problem, fit.options.newton);
+  const NewtonResult& newton = maximum.newton;
+  const LogisticProblem& solved = maximum.solved(problem);
+  fit.separation = maximum.separation.kind;
+  fit.termination = newton.termination;
+  fit.iterations = newton.iterations;
+  fit.last_step = newton.last_step;
+  fit.gradient_norm = newton.at.gradient.norm();
+  if (!newton.converged()) {
+    fit.conditions.push_back(error(ConditionKind::not_converged,
+                                   "",
+                                   fmt::format("{} after {} iterations, gradient {:.2g}",
+                                               to_string(newton.termination),
+                                               newton.iterations,
+                                               fit.gradient_norm)));
+    return;
+  }
+  const bool separated = fit.separation != Separation::none;
+  std::vector<std::size_t> names = problem.space.kept;
+  if (!separated) {
+    names.resize(input.columns.size());
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      names[j] = j;
+    }
+  }
+  add_estimates(input, solved, newton, names, fit);
+  add_likelihoods(input, problem, newton.at.log_likelihood, fit);
+  fit.fitted = fitted_of(input, solved, newton, names);
+  if (separated) {
+    set_limits(problem, maximum.separation.overlaps, fit.fitted);
+    add_separation(input, problem, fit);
+  }
+  add_cluster_conditions(input, fit);
+}
+
+}  // namespace
+
+LogisticFit fit_logistic(const LogisticInput& input, const LogisticOptions& options) {
+  LogisticFit fit;
+  fit.options = options;
+  fit.variance = options.variance;
+  fit.conditions = input.conditions;
+  for (const std::string& column : input.columns) {
+    LogisticCoefficient coefficient;
+    coefficient.column = column;
+    fit.coefficients.push_back(std::move(coefficient));
+  }
+  const Eigen::Index columns = input.design.cols();
+  fit.covariance = Eigen::MatrixXd::Constant(columns, columns, kNan);
+  if (has_error(fit.conditions)) {
+    return fit;
+  }
+  check_lengths(input, options);
+  add_value_conditions(input, fit.conditions);
+  if (has_error(fit.conditions)) {
+    return fit;
+  }
+  const LogisticProblem problem = logistic_problem(input);
+  fit.rows = static_cast<std::size_t>(problem.size());
+  fit.rank = static_cast<std::size_t>(problem.space.rank());
+  fit.df_residual = fit.rows - fit.rank;
+  add_outcome_conditions(input, problem, fit.conditions);
+  if (problem.size() > 0) {
+    add_rank_conditions(input, problem, fit.conditions);
+    for (const std::size_t j : problem.space.dropped) {
+      fit.coefficients[j].kind = CoefficientKind::not_estimable;
+    }
+  }
+  if (!has_error(fit.conditions)) {
+    add_solution(input, problem, fit);
+  }
+  return fit;
+}
+
+}  // namespace tcert

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// Likelihood-ratio tests of the terms of a logistic regression, each against the model without it.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/logistic/logistic.hpp"
+
+namespace tcert {
+
+/// One term that is left out.
+struct DroppedTerm {
+  std::string term;
+  std::size_t df = 0;                 ///< By how much the rank falls; 0 if the others replace it.
+  std::optional<double> deviance;     ///< Without the term; under separation its infimum.
+  std::optional<double> aic;          ///< Without the term. Empty under separation.
+  std::optional<double> chi_squared;  ///< Twice the drop of the log-likelihood.
+  std::optional<double> p_value;      ///< Empty if df is 0.
+};
+
+/// Terms that no other term contains, in the order of the formula, as `drop1(test = "Chisq")`.
+/// Empty if the whole model has no estimate. Under separation the likelihoods are suprema, which
+/// exist; the test is then as good as its chi-squared distribution. \throws std::invalid_argument
+/// as `fit_logistic`. One fit a term.
+[[nodiscard]] std::vector<DroppedTerm> drop_terms(const LogisticInput& input,
+                                                  const NewtonOptions& options = {});
+
+}  // namespace tcert

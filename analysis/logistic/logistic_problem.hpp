@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// A logistic regression made ready to be solved, and its maximum: what the fit, its profile and
+/// its tests share.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "analysis/logistic/binomial_newton.hpp"
+#include "analysis/logistic/logistic.hpp"
+#include "analysis/logistic/orthonormal_basis.hpp"
+#include "analysis/logistic/separation.hpp"
+
+namespace tcert {
+
+/// The rows with trials and weight, over an orthonormal basis of the design.
+struct LogisticProblem {
+  std::vector<Eigen::Index> used;  ///< Rows of the input.
+  OrthonormalBasis space;
+  BinomialRows rows;  ///< Weights multiplied in.
+  double log_coefficients = 0.0;
+  double saturated = 0.0;
+
+  [[nodiscard]] Eigen::Index size() const noexcept { return space.basis.rows(); }
+};
+
+[[nodiscard]] LogisticProblem logistic_problem(const LogisticInput& input);
+
+/// The maximum, or under separation the supremum.
+struct LogisticMaximum {
+  NewtonResult newton;  ///< Of the whole problem, or of `limit` under separation.
+  SeparationResult separation;
+  LogisticProblem limit;  ///< Under separation: the rows that overlap; its columns count among
+                          ///< the kept ones of the whole problem.
+
+  /// The problem that `newton` solved.
+  [[nodiscard]] const LogisticProblem& solved(const LogisticProblem& problem) const noexcept {
+    return separation.kind == Separation::none ? problem : limit;
+  }
+};
+
+[[nodiscard]] LogisticMaximum maximum_of(const LogisticInput& input,
+                                         const LogisticProblem& problem,
+                                         const NewtonOptions& options);
+
+/// Row k: what the k-th kept coefficient is of the coefficients along the basis.
+[[nodiscard]] Eigen::MatrixXd inverse_triangle(const OrthonormalBasis& space);
+
+/// 1.96 for 0.95.
+[[nodiscard]] double two_sided_normal_quantile(double level);
+
+}  // namespace tcert

@@ -1,0 +1,109 @@
+#include "analysis/model/design_matrix.hpp"
+
+#include <algorithm>
+
+namespace tcert {
+namespace {
+
+/// The columns of one variable within one term.
+struct Block {
+  std::vector<Eigen::VectorXd> columns;
+  std::vector<std::string> names;
+};
+
+const NamedVariable& find(const std::vector<NamedVariable>& variables, const Expression& wanted) {
+  return *std::find_if(variables.begin(), variables.end(), [&](const NamedVariable& one) {
+    return one.expression == wanted;
+  });
+}
+
+Block number_block(const NamedVariable& variable) {
+  const std::vector<double>& x = variable.value.numbers;
+  const bool truth = variable.value.kind == Variable::Kind::truth;
+  return {{Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()))},
+          {to_string(variable.expression) + (truth ? "TRUE" : "")}};
+}
+
+Block factor_block(const NamedVariable& variable, bool all_levels) {
+  const Factor& factor = variable.value.factor;
+  Block block;
+  for (std::size_t level = all_levels ? 0 : 1; level < factor.levels.size(); ++level) {
+    Eigen::VectorXd column(static_cast<Eigen::Index>(factor.rows()));
+    for (std::size_t row = 0; row < factor.rows(); ++row) {
+      column[static_cast<Eigen::Index>(row)] = factor.codes[row] == level ? 1.0 : 0.0;
+    }
+    block.columns.push_back(std::move(column));
+    block.names.push_back(to_string(variable.expression) + factor.levels[level]);
+  }
+  return block;
+}
+
+/// All products of a column of `a` and one of `b`; those of `a` vary fastest.
+Block product(const Block& a, const Block& b) {
+  if (a.names.empty()) {
+    return b;
+  }
+  Block all;
+  for (std::size_t j = 0; j < b.names.size(); ++j) {
+    for (std::size_t i = 0; i < a.names.size(); ++i) {
+      all.columns.emplace_back(a.columns[i].cwiseProduct(b.columns[j]));
+      all.names.push_back(a.names[i] + ":" + b.names[j]);
+    }
+  }
+  return all;
+}
+
+bool margin_is_in_model(const Formula& formula, const Term& term, const Expression& variable) {
+  Term margin;
+  std::copy_if(term.variables.begin(),
+               term.variables.end(),
+               std::back_inserter(margin.variables),
+               [&](const Expression& one) { return !(one == variable); });
+  return margin.variables.empty() ||
+         std::any_of(formula.terms.begin(), formula.terms.end(), [&](const Term& one) {
+           return same_term(one, margin);
+         });
+}
+
+}  // namespace
+
+DesignMatrix design_matrix(const Formula& formula,
+                           const std::vector<NamedVariable>& variables,
+                           std::size_t rows) {
+  const auto n = static_cast<Eigen::Index>(rows);
+  DesignMatrix design;
+  std::vector<Eigen::VectorXd> columns;
+  if (formula.intercept) {
+    columns.emplace_back(Eigen::VectorXd::Ones(n));
+    design.columns.emplace_back("(Intercept)");
+    design.term_of.push_back(0);
+  }
+  bool needs_all_levels = !formula.intercept;
+  for (std::size_t t = 0; t < formula.terms.size(); ++t) {
+    const Term& term = formula.terms[t];
+    Block block;
+    for (const Expression& expression : term.variables) {
+      const NamedVariable& variable = find(variables, expression);
+      if (variable.value.kind != Variable::Kind::factor) {
+        block = product(block, number_block(variable));
+        continue;
+      }
+      const bool all = needs_all_levels || !margin_is_in_model(formula, term, expression);
+      needs_all_levels = false;
+      block = product(block, factor_block(variable, all));
+    }
+    for (std::size_t k = 0; k < block.names.size(); ++k) {
+      columns.push_back(std::move(block.columns[k]));
+      design.columns.push_back(std::move(block.names[k]));
+      design.term_of.push_back(t + 1);
+    }
+  }
+  design.values.resize(n, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    design.values.col(static_cast<Eigen::Index>(k)) = columns[k];
+    columns[k].resize(0);
+  }
+  return design;
+}
+
+}  // namespace tcert

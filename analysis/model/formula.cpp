@@ -1,0 +1,290 @@
+#include "analysis/model/formula.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tcert {
+namespace {
+
+using Terms = std::vector<Term>;
+
+bool holds(const Term& term, const Expression& variable) {
+  return std::find(term.variables.begin(), term.variables.end(), variable) != term.variables.end();
+}
+
+bool holds(const Terms& terms, const Term& wanted) {
+  return std::any_of(
+      terms.begin(), terms.end(), [&](const Term& term) { return same_term(term, wanted); });
+}
+
+void add(Terms& terms, const Term& term) {
+  if (!holds(terms, term)) {
+    terms.push_back(term);
+  }
+}
+
+void remove(Terms& terms, const Terms& unwanted) {
+  std::erase_if(terms, [&](const Term& term) { return holds(unwanted, term); });
+}
+
+Term joined(const Term& a, const Term& b) {
+  Term both = a;
+  for (const Expression& variable : b.variables) {
+    if (!holds(both, variable)) {
+      both.variables.push_back(variable);
+    }
+  }
+  return both;
+}
+
+Terms interactions(const Terms& a, const Terms& b) {
+  Terms all;
+  for (const Term& left : a) {
+    for (const Term& right : b) {
+      add(all, joined(left, right));
+    }
+  }
+  return all;
+}
+
+Terms united(Terms a, const Terms& b) {
+  for (const Term& term : b) {
+    add(a, term);
+  }
+  return a;
+}
+
+/// Turns the right-hand side into terms; what is no term goes into the formula itself.
+class Expansion {
+ public:
+  explicit Expansion(Formula& formula) : formula_(formula) {}
+
+  Terms terms_of(const Expression& side) {
+    if (side.kind == Expression::Kind::number) {
+      take_intercept(side, true);
+      return {};
+    }
+    if (side.kind != Expression::Kind::call) {
+      return variable(side);
+    }
+    if (side.name == "(") {
+      return in_parentheses(side);
+    }
+    if (side.arguments.size() == 2) {
+      if (side.name == "+") {
+        Terms left = terms_of(side.arguments[0]);
+        return united(std::move(left), terms_of(side.arguments[1]));
+      }
+      if (side.name == "-") {
+        return difference(side);
+      }
+      if (side.name == "*" || side.name == ":" || side.name == "/") {
+        return product(side);
+      }
+      if (side.name == "^") {
+        return power(side);
+      }
+    }
+    if (side.arguments.size() == 1 && (side.name == "+" || side.name == "-")) {
+      return signed_term(side);
+    }
+    return special_or_variable(side);
+  }
+
+  /// Every variable, in the order in which the text names them.
+  [[nodiscard]] const std::vector<Expression>& seen() const noexcept { return seen_; }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw FormulaError("formula '" + formula_.text + "': " + problem);
+  }
+
+  void take_intercept(const Expression& number, bool added) {
+    if (number.value != 0.0 && number.value != 1.0) {
+      fail("a number on the right-hand side is 0 or 1; arithmetic goes into I()");
+    }
+    formula_.intercept = (number.value == 1.0) == added;
+  }
+
+  Terms in_parentheses(const Expression& group) {
+    const Expression& inside = group.arguments.front();
+    if (!inside.is_call("|")) {
+      return terms_of(inside);
+    }
+    const Expression& effect = inside.arguments.front();
+    if (effect.kind != Expression::Kind::number || effect.value != 1.0) {
+      fail("random effects are intercepts: write (1 | group)");
+    }
+    take_random_group(inside.arguments.back());
+    return {};
+  }
+
+  void take_random_group(const Expression& group) {
+    if (!group.is_call("/")) {
+      formula_.random_groups.push_back(group);
+      return;
+    }
+    take_random_group(group.arguments[0]);
+    formula_.random_groups.push_back(
+        {Expression::Kind::call, 0.0, ":", {group.arguments[1], formula_.random_groups.back()}});
+  }
+
+  Terms difference(const Expression& side) {
+    Terms left = terms_of(side.arguments[0]);
+    const Expression& right = side.arguments[1];
+    if (right.kind == Expression::Kind::number) {
+      take_intercept(right, false);
+      return left;
+    }
+    remove(left, terms_of(right));
+    return left;
+  }
+
+  Terms signed_term(const Expression& side) {
+    const Expression& term = side.arguments[0];
+    if (term.kind == Expression::Kind::number) {
+      take_intercept(term, side.name == "+");
+      return {};
+    }
+    if (side.name == "-") {
+      fail("nothing to take '" + to_string(term) + "' from; for -x write I(-x)");
+    }
+    return terms_of(term);
+  }
+
+  Terms product(const Expression& side) {
+    const Terms left = terms_of(side.arguments[0]);
+    const Terms right = terms_of(side.arguments[1]);
+    if (left.empty() || right.empty()) {
+      fail("'" + to_string(side) + "' is no product of terms; arithmetic goes into I()");
+    }
+    if (side.name == ":") {
+      return interactions(left, right);
+    }
+    if (side.name == "*") {
+      return united(united(left, right), interactions(left, right));
+    }
+    Term all;
+    for (const Term& term : left) {
+      all = joined(all, term);
+    }
+    return united(left, interactions({all}, right));
+  }
+
+  Terms power(const Expression& side) {
+    const Expression& exponent = side.arguments[1];
+    const bool whole = exponent.kind == Expression::Kind::number &&
+                       exponent.value == std::floor(exponent.value) && exponent.value >= 1.0 &&
+                       exponent.value <= 8.0;
+    if (!whole) {
+      fail("a power of terms is a whole number up to 8; arithmetic goes into I()");
+    }
+    const Terms base = terms_of(side.arguments[0]);
+    Terms all = base;
+    for (int i = 1; i < static_cast<int>(exponent.value); ++i) {
+      all = united(all, interactions(all, base));
+    }
+    return all;
+  }
+
+  Terms special_or_variable(const Expression& call) {
+    if (call.name == "offset" || call.name == "cluster") {
+      if (call.arguments.size() != 1) {
+        fail(call.name + "() takes one argument");
+      }
+      (call.name == "offset" ? formula_.offsets : formula_.clusters)
+          .push_back(call.arguments.front());
+      return {};
+    }
+    if (call.name == "strata") {
+      formula_.strata.insert(formula_.strata.end(), call.arguments.begin(), call.arguments.end());
+      return {};
+    }
+    if (call.name == "Surv" || call.name == "cbind" || call.name == "~" || call.name == "|") {
+      fail("'" + to_string(call) + "' cannot stand on the right-hand side");
+    }
+    return variable(call);
+  }
+
+  Terms variable(const Expression& expression) {
+    if (std::find(seen_.begin(), seen_.end(), expression) == seen_.end()) {
+      seen_.push_back(expression);
+    }
+    return {Term{{expression}}};
+  }
+
+  Formula& formula_;
+  std::vector<Expression> seen_;
+};
+
+/// Variables within a term by first appearance in the formula; terms by order.
+void sort_as_r_does(Terms& terms, const std::vector<Expression>& seen) {
+  const auto place = [&](const Expression& variable) {
+    return std::find(seen.begin(), seen.end(), variable);
+  };
+  for (Term& term : terms) {
+    std::sort(term.variables.begin(),
+              term.variables.end(),
+              [&](const Expression& a, const Expression& b) { return place(a) < place(b); });
+  }
+  std::stable_sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) {
+    return a.variables.size() < b.variables.size();
+  });
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\n");
+  const auto last = text.find_last_not_of(" \t\n");
+  return first == std::string_view::npos ? std::string_view{}
+                                         : text.substr(first, last - first + 1);
+}
+
+}  // namespace
+
+std::string Term::name() const {
+  std::string name;
+  for (const Expression& variable : variables) {
+    name += (name.empty() ? "" : ":") + to_string(variable);
+  }
+  return name;
+}
+
+bool same_term(const Term& a, const Term& b) {
+  return a.variables.size() == b.variables.size() &&
+         std::all_of(a.variables.begin(), a.variables.end(), [&](const Expression& variable) {
+           return holds(b, variable);
+         });
+}
+
+std::vector<std::string> Formula::columns() const {
+  std::vector<std::string> names;
+  collect_columns(response, names);
+  for (const Term& term : terms) {
+    for (const Expression& variable : term.variables) {
+      collect_columns(variable, names);
+    }
+  }
+  for (const auto* list : {&offsets, &strata, &clusters, &random_groups}) {
+    for (const Expression& expression : *list) {
+      collect_columns(expression, names);
+    }
+  }
+  return names;
+}
+
+Formula parse_formula(std::string_view text) {
+  Formula formula;
+  formula.text = trimmed(text);
+  const Expression whole = parse_expression(formula.text);
+  if (!whole.is_call("~") || whole.arguments.size() != 2) {
+    throw FormulaError("formula '" + formula.text +
+                       "': expected outcome ~ terms, for instance success ~ x1 + x2");
+  }
+  formula.response = whole.arguments[0];
+  Expansion expansion(formula);
+  formula.terms = expansion.terms_of(whole.arguments[1]);
+  sort_as_r_does(formula.terms, expansion.seen());
+  return formula;
+}
+
+}  // namespace tcert

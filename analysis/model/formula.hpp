@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// R's model formulas, the subset that the estimators here take.
+///
+///     success ~ x1 + x2:lighting + a*b + I(x^2) + log(x) + scale(x) + factor(day) + offset(o)
+///     cbind(k, n - k) ~ factor(period) + (1 | herd)
+///     Surv(time, status == 2) ~ age + strata(sex) + cluster(inst)
+///     Surv(start, stop, event) ~ x
+///
+/// `+ 0` and `- 1` drop the intercept, `- term` a term, `a/b` is a + a:b, `(a + b)^2` all terms of
+/// up to two variables. There is no `.` and no `%in%`.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/model/expression.hpp"
+
+namespace tcert {
+
+/// One term of the right-hand side: variables joined by ':'.
+struct Term {
+  std::vector<Expression> variables;  ///< By their first appearance in the formula.
+
+  [[nodiscard]] std::string name() const;  ///< "x1:lighting".
+};
+
+/// True if they hold the same variables, in any order.
+[[nodiscard]] bool same_term(const Term& a, const Term& b);
+
+struct Formula {
+  std::string text;  ///< As given, outer blanks removed.
+  Expression response;
+  bool intercept = true;
+  std::vector<Term> terms;                ///< Main effects first, then by order, as R sorts them.
+  std::vector<Expression> offsets;        ///< Arguments of offset().
+  std::vector<Expression> strata;         ///< Arguments of strata().
+  std::vector<Expression> clusters;       ///< Arguments of cluster().
+  std::vector<Expression> random_groups;  ///< g of each (1 | g); of (1 | a/b): a and b:a.
+
+  /// Names of all columns that it uses, each once, in order of appearance.
+  [[nodiscard]] std::vector<std::string> columns() const;
+};
+
+/// \throws FormulaError.
+[[nodiscard]] Formula parse_formula(std::string_view text);
+
+}  // namespace tcert

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// What a model frame says about its rows. Internal to model_frame.cpp.
+
+#include <string>
+#include <vector>
+
+#include "analysis/model/model_frame.hpp"
+
+namespace tcert {
+
+/// A note of the rows left out, or an error if none is left.
+void add_missing_conditions(ModelFrame& frame);
+
+/// Errors in `frame.conditions`, with the first row (of the table, counted from 1) and how many.
+void check_finite(const std::vector<double>& values, const std::string& column, ModelFrame& frame);
+void check_binary(const std::vector<double>& values, const std::string& column, ModelFrame& frame);
+void check_weights(const std::vector<double>& values, const std::string& column, ModelFrame& frame);
+
+/// Times are finite and above 0, starts before their stops.
+void check_times(const SurvivalOutcome& survival, const std::string& column, ModelFrame& frame);
+
+/// Starts still lie before their stops when times that differ by rounding have been made equal.
+void check_snapped(const SurvivalOutcome& survival, const std::string& column, ModelFrame& frame);
+
+/// Successes and failures are whole and not negative.
+void check_counts(ModelFrame& frame);
+
+}  // namespace tcert

@@ -1,0 +1,324 @@
+#include "analysis/model/model_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/model/design_matrix.hpp"
+#include "analysis/model/frame_checks.hpp"
+
+namespace tcert {
+namespace {
+
+/// Everything that the formula and the options name, evaluated on all rows of the table.
+class FrameBuilder {
+ public:
+  FrameBuilder(const Formula& formula, const DataTable& table, const FrameOptions& options)
+      : formula_(formula), table_(table), options_(options) {}
+
+  ModelFrame build() {
+    frame_.formula = formula_.text;
+    frame_.response = to_string(formula_.response);
+    evaluate_all();
+    find_complete_rows();
+    take_outcome();
+    take_right_side();
+    take_the_rest();
+    return std::move(frame_);
+  }
+
+ private:
+  struct Used {
+    std::string name;
+    Variable value;
+  };
+
+  const Variable& use(std::vector<Used>& list, const Expression& expression) {
+    list.push_back({to_string(expression), evaluate(expression, table_, options_.reference)});
+    return list.back().value;
+  }
+
+  void use_column(std::vector<Used>& list, const std::string& column) {
+    if (!column.empty()) {
+      use_factor(list, {Expression::Kind::column, 0.0, column, {}});
+    }
+  }
+
+  void use_factor(std::vector<Used>& list, const Expression& expression) {
+    list.push_back(
+        {to_string(expression), {Variable::Kind::factor, {}, evaluate_factor(expression, table_)}});
+  }
+
+  void evaluate_all() {
+    const Expression& response = formula_.response;
+    const bool composed = response.is_call("Surv") || response.is_call("cbind");
+    if (composed) {
+      for (const Expression& argument : response.arguments) {
+        use(outcome_, argument);
+      }
+    } else {
+      use(outcome_, response);
+    }
+    for (const Term& term : formula_.terms) {
+      for (const Expression& expression : term.variables) {
+        const bool known = std::any_of(right_.begin(), right_.end(), [&](const NamedVariable& one) {
+          return one.expression == expression;
+        });
+        if (!known) {
+          right_.push_back({expression, evaluate(expression, table_, options_.reference)});
+        }
+      }
+    }
+    for (const Expression& offset : formula_.offsets) {
+      use(offsets_, offset);
+    }
+    for (const Expression& strata : formula_.strata) {
+      strata_are_text_ =
+          strata_are_text_ && evaluate(strata, table_).kind == Variable::Kind::factor;
+      use_factor(strata_, strata);
+    }
+    use_column(strata_, options_.strata);
+    if (formula_.clusters.size() + (options_.cluster.empty() ? 0 : 1) > 1) {
+      throw FormulaError("formula '" + formula_.text + "': one cluster at the most");
+    }
+    for (const Expression& cluster : formula_.clusters) {
+      use_factor(clusters_, cluster);
+    }
+    use_column(clusters_, options_.cluster);
+    for (const Expression& group : formula_.random_groups) {
+      use_factor(groups_, group);
+    }
+    if (!options_.weights.empty()) {
+      use(weights_, {Expression::Kind::column, 0.0, options_.weights, {}});
+    }
+  }
+
+  void mark(const std::string& name, const Variable& value, std::vector<bool>& complete) {
+    std::size_t missing = 0;
+    for (std::size_t row = 0; row < table_.rows; ++row) {
+      if (value.is_missing(row)) {
+        complete[row] = false;
+        ++missing;
+      }
+    }
+    if (missing > 0) {
+      frame_.missing.emplace_back(name, missing);
+    }
+  }
+
+  void find_complete_rows() {
+    std::vector<bool> complete(table_.rows, true);
+    for (const auto* list : {&outcome_, &offsets_, &strata_, &clusters_, &groups_, &weights_}) {
+      for (const Used& used : *list) {
+        mark(used.name, used.value, complete);
+      }
+    }
+    for (const NamedVariable& variable : right_) {
+      mark(to_string(variable.expression), variable.value, complete);
+    }
+    for (std::size_t row = 0; row < table_.rows; ++row) {
+      if (complete[row]) {
+        frame_.rows.push_back(row);
+      }
+    }
+    frame_.dropped = table_.rows - frame_.rows.size();
+    add_missing_conditions(frame_);
+  }
+
+  [[nodiscard]] std::vector<double> kept(const Variable& value) const {
+    std::vector<double> numbers;
+    numbers.reserve(frame_.rows.size());
+    for (const std::size_t row : frame_.rows) {
+      numbers.push_back(value.numbers[row]);
+    }
+    return numbers;
+  }
+
+  /// A factor of two levels as 0 and 1.
+  [[nodiscard]] std::vector<double> kept_outcome(const Used& used) const {
+    if (used.value.kind != Variable::Kind::factor) {
+      return kept(used.value);
+    }
+    const Factor factor = on_rows(used.value.factor, frame_.rows);
+    if (factor.levels.size() > 2) {
+      throw FormulaError("'" + used.name + "' has " + std::to_string(factor.levels.size()) +
+                         " levels; an outcome has two: write " + used.name + " == \"" +
+                         factor.levels.back() + "\"");
+    }
+    return {factor.codes.begin(), factor.codes.end()};
+  }
+
+  void take_outcome() {
+    const Expression& response = formula_.response;
+    if (response.is_call("Surv")) {
+      take_survival();
+    } else if (response.is_call("cbind")) {
+      if (outcome_.size() != 2) {
+        throw FormulaError("'" + frame_.response + "': cbind(successes, failures)");
+      }
+      CountOutcome counts{kept_outcome(outcome_[0]), kept_outcome(outcome_[1])};
+      for (std::size_t i = 0; i < counts.trials.size(); ++i) {
+        counts.trials[i] += counts.successes[i];
+      }
+      frame_.outcome = std::move(counts);
+      check_counts(frame_);
+    } else {
+      NumberOutcome numbers{kept_outcome(outcome_[0])};
+      check_finite(numbers.values, frame_.response, frame_);
+      frame_.outcome = std::move(numbers);
+    }
+  }
+
+  void take_survival() {
+    if (outcome_.size() != 2 && outcome_.size() != 3) {
+      throw FormulaError("'" + frame_.response +
+                         "': Surv(time, event) or Surv(start, stop, event)");
+    }
+    SurvivalOutcome survival;
+    const Used& time = outcome_[outcome_.size() - 2];
+    const Used& status = outcome_.back();
+    survival.stop = kept_outcome(time);
+    if (outcome_.size() == 3) {
+      survival.start = kept_outcome(outcome_.front());
+    }
+    const std::vector<double> events = kept_outcome(status);
+    check_binary(events, status.name, frame_);
+    survival.event.reserve(events.size());
+    for (const double event : events) {
+      survival.event.push_back(event == 1.0 ? 1 : 0);
+    }
+    check_times(survival, time.name, frame_);
+    if (!has_error(frame_.conditions)) {
+      snap_times(survival);
+      check_snapped(survival, time.name, frame_);
+    }
+    frame_.outcome = std::move(survival);
+  }
+
+  void take_right_side() {
+    for (NamedVariable& variable : right_) {
+      Variable& value = variable.value;
+      if (value.kind == Variable::Kind::factor) {
+        value.factor = on_rows(value.factor, frame_.rows);
+      } else {
+        value.numbers = kept(value);
+        if (!options_.allow_infinite) {
+          check_finite(value.numbers, to_string(variable.expression), frame_);
+        }
+      }
+    }
+    for (const Term& term : formula_.terms) {
+      frame_.terms.push_back(term.name());
+    }
+    if (options_.right_side == RightSide::groups) {
+      take_groups();
+      return;
+    }
+    DesignMatrix design = design_matrix(formula_, right_, frame_.rows.size());
+    frame_.design = std::move(design.values);
+    frame_.columns = std::move(design.columns);
+    frame_.term_of = std::move(design.term_of);
+  }
+
+  void take_groups() {
+    std::vector<Factor> factors;
+    for (const NamedVariable& variable : right_) {
+      factors.push_back(evaluate_factor(variable.expression, table_));
+      name_levels(factors.back(), to_string(variable.expression));
+    }
+    if (factors.empty()) {
+      frame_.groups = Factor{std::vector<std::uint32_t>(frame_.rows.size(), 0), {"all"}};
+    } else {
+      frame_.groups = on_rows(crossed(factors, ", "), frame_.rows);
+    }
+  }
+
+  static void name_levels(Factor& factor, const std::string& name) {
+    for (std::string& level : factor.levels) {
+      level.insert(0, name + "=");
+    }
+  }
+
+  void take_strata() {
+    if (strata_.empty()) {
+      return;
+    }
+    std::vector<Factor> factors;
+    for (const Used& used : strata_) {
+      factors.push_back(used.value.factor);
+      if (!strata_are_text_ || strata_.size() > 1) {
+        name_levels(factors.back(), used.name);
+      }
+    }
+    frame_.strata = on_rows(crossed(factors, ", "), frame_.rows);
+  }
+
+  void take_the_rest() {
+    take_strata();
+    if (!clusters_.empty()) {
+      frame_.cluster = on_rows(clusters_.front().value.factor, frame_.rows);
+    }
+    for (const Used& group : groups_) {
+      frame_.random_groups.emplace_back(group.name, on_rows(group.value.factor, frame_.rows));
+    }
+    for (const Used& offset : offsets_) {
+      const std::vector<double> values = kept(offset.value);
+      check_finite(values, offset.name, frame_);
+      const Eigen::Map<const Eigen::VectorXd> column(values.data(),
+                                                     static_cast<Eigen::Index>(values.size()));
+      frame_.offset = frame_.offset ? Eigen::VectorXd(*frame_.offset + column) : column;
+    }
+    if (!weights_.empty()) {
+      const std::vector<double> values = kept(weights_.front().value);
+      check_weights(values, weights_.front().name, frame_);
+      frame_.weights = Eigen::Map<const Eigen::VectorXd>(values.data(),
+                                                         static_cast<Eigen::Index>(values.size()));
+    }
+  }
+
+  const Formula& formula_;
+  const DataTable& table_;
+  const FrameOptions& options_;
+  ModelFrame frame_;
+  std::vector<Used> outcome_, offsets_, strata_, clusters_, groups_, weights_;
+  std::vector<NamedVariable> right_;
+  bool strata_are_text_ = true;
+};
+
+void add_column(std::vector<std::string>& columns, const std::string& name) {
+  if (!name.empty() && std::find(columns.begin(), columns.end(), name) == columns.end()) {
+    columns.push_back(name);
+  }
+}
+
+}  // namespace
+
+ModelFrame model_frame(const Formula& formula,
+                       const DataTable& table,
+                       const FrameOptions& options) {
+  return FrameBuilder(formula, table, options).build();
+}
+
+std::vector<std::string> columns_of(const Formula& formula, const FrameOptions& options) {
+  std::vector<std::string> columns = formula.columns();
+  add_column(columns, options.weights);
+  add_column(columns, options.cluster);
+  add_column(columns, options.strata);
+  return columns;
+}
+
+void require_binary(ModelFrame& frame) {
+  if (std::holds_alternative<SurvivalOutcome>(frame.outcome)) {
+    throw FormulaError("'" + frame.response + "': needs an outcome of 0 and 1, not Surv()");
+  }
+  const auto* const numbers = std::get_if<NumberOutcome>(&frame.outcome);
+  if (numbers == nullptr) {
+    return;
+  }
+  check_binary(numbers->values, frame.response, frame);
+  CountOutcome counts;
+  counts.successes = numbers->values;
+  counts.trials.assign(counts.successes.size(), 1.0);
+  frame.outcome = std::move(counts);
+}
+
+}  // namespace tcert

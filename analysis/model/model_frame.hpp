@@ -1,0 +1,90 @@
+#pragma once
+/// \file
+/// A formula evaluated on a table: outcome, design matrix, strata, clusters, on complete rows.
+/// Checked against R's `model.frame` and `model.matrix` with treatment contrasts.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "analysis/basics/condition.hpp"
+#include "analysis/model/formula.hpp"
+#include "analysis/model/variable.hpp"
+#include "analysis/survival/survival_outcome.hpp"
+#include "datasets/data_table.hpp"
+#include "datasets/factor.hpp"
+
+namespace tcert {
+
+enum class RightSide {
+  design,  ///< Columns of a linear predictor.
+  groups,  ///< Groups to compare: the cross of all terms.
+};
+
+struct FrameOptions {
+  References reference;
+  std::string weights;  ///< Column of case weights; empty for none.
+  std::string cluster;  ///< Column of the cluster, instead of cluster() in the formula.
+  std::string strata;   ///< Column of the strata, beside strata() in the formula.
+  RightSide right_side = RightSide::design;
+  bool allow_infinite = false;  ///< Of predictors, where only ranks count.
+};
+
+/// Successes out of trials, one row each; a 0/1 outcome has trials of 1.
+struct CountOutcome {
+  std::vector<double> successes;
+  std::vector<double> trials;
+};
+
+/// A plain number as the outcome.
+struct NumberOutcome {
+  std::vector<double> values;
+};
+
+struct ModelFrame {
+  std::string formula;
+  std::string response;  ///< As R prints it: "Surv(time, status == 2)".
+  std::variant<NumberOutcome, CountOutcome, SurvivalOutcome> outcome;
+
+  Eigen::MatrixXd design;            ///< rows x columns; the intercept first if there is one.
+  std::vector<std::string> columns;  ///< R's names: "(Intercept)", "lightingdim", "x1:lightingdim".
+  std::vector<std::size_t> term_of;  ///< Per column: index into `terms` + 1; 0 is the intercept.
+  std::vector<std::string> terms;    ///< "x1", "lighting", "x1:lighting".
+  std::optional<Factor> groups;      ///< For RightSide::groups: "sex=1, ph.ecog=0"; or "all".
+
+  std::optional<Eigen::VectorXd> offset;
+  std::optional<Eigen::VectorXd> weights;
+  std::optional<Factor> strata;  ///< Levels "bright" of one text, else "sex=1, arm=A".
+  std::optional<Factor> cluster;
+  std::vector<std::pair<std::string, Factor>> random_groups;
+
+  std::vector<std::size_t> rows;  ///< Of the table, 0-based, those that are complete.
+  std::size_t dropped = 0;        ///< Rows left out.
+  std::vector<std::pair<std::string, std::size_t>> missing;  ///< Per variable: rows without it.
+  Conditions conditions;  ///< Of the rows: missing, infinite, times, weights. An error leaves the
+                          ///< frame without meaning.
+
+  [[nodiscard]] std::size_t size() const noexcept { return rows.size(); }
+};
+
+/// Evaluates `formula` on `table`. The kind of outcome follows the response: Surv() -> survival
+/// with snapped times, cbind() -> counts, anything else -> numbers (a text column or factor() of
+/// two levels is 0 and 1 in level order). \throws FormulaError if a column is not in the table
+/// (with the nearest name) or a variable cannot be evaluated (log of a text column).
+[[nodiscard]] ModelFrame model_frame(const Formula& formula,
+                                     const DataTable& table,
+                                     const FrameOptions& options = {});
+
+/// Columns of the data that a model with these options uses: what is to be read.
+[[nodiscard]] std::vector<std::string> columns_of(const Formula& formula,
+                                                  const FrameOptions& options);
+
+/// Makes a 0/1 number outcome one of counts; any other value is an error condition that names the
+/// response. A count outcome stays. \throws FormulaError for a survival outcome.
+void require_binary(ModelFrame& frame);
+
+}  // namespace tcert

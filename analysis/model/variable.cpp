@@ -1,0 +1,359 @@
+#include "analysis/model/variable.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "datasets/csv_write.hpp"
+#include "datasets/nearest_name.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Function {
+  std::string_view name;
+  double (*value)(double);
+};
+
+constexpr std::array<Function, 9> kFunctions{{{"log", [](double x) { return std::log(x); }},
+                                              {"log2", [](double x) { return std::log2(x); }},
+                                              {"log10", [](double x) { return std::log10(x); }},
+                                              {"log1p", [](double x) { return std::log1p(x); }},
+                                              {"exp", [](double x) { return std::exp(x); }},
+                                              {"sqrt", [](double x) { return std::sqrt(x); }},
+                                              {"abs", [](double x) { return std::abs(x); }},
+                                              {"I", [](double x) { return x; }},
+                                              {"as.numeric", [](double x) { return x; }}}};
+
+struct Arithmetic {
+  std::string_view sign;
+  double (*value)(double, double);
+  bool is_comparison;
+};
+
+constexpr std::array<Arithmetic, 11> kArithmetic{{
+    {"+", [](double a, double b) { return a + b; }, false},
+    {"-", [](double a, double b) { return a - b; }, false},
+    {"*", [](double a, double b) { return a * b; }, false},
+    {"/", [](double a, double b) { return a / b; }, false},
+    {"^", [](double a, double b) { return b == 2.0 ? a * a : std::pow(a, b); }, false},
+    {"==", [](double a, double b) { return a == b ? 1.0 : 0.0; }, true},
+    {"!=", [](double a, double b) { return a != b ? 1.0 : 0.0; }, true},
+    {"<", [](double a, double b) { return a < b ? 1.0 : 0.0; }, true},
+    {"<=", [](double a, double b) { return a <= b ? 1.0 : 0.0; }, true},
+    {">", [](double a, double b) { return a > b ? 1.0 : 0.0; }, true},
+    {">=", [](double a, double b) { return a >= b ? 1.0 : 0.0; }, true},
+}};
+
+template <class Table>
+auto find_by(const Table& table, std::string_view name) {
+  const auto found = std::find_if(table.begin(), table.end(), [&](const auto& one) {
+    if constexpr (requires { one.sign; }) {
+      return one.sign == name;
+    } else {
+      return one.name == name;
+    }
+  });
+  return found == table.end() ? nullptr : &*found;
+}
+
+/// Levels by value; -0 and 0 are one.
+Factor levels_by_value(const std::vector<double>& numbers) {
+  std::vector<double> distinct;
+  std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(distinct), [](double x) {
+    return !std::isnan(x);
+  });
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  Factor factor;
+  for (const double value : distinct) {
+    factor.levels.emplace_back();
+    append_number(factor.levels.back(), value == 0.0 ? 0.0 : value);
+  }
+  factor.codes.reserve(numbers.size());
+  for (const double x : numbers) {
+    factor.codes.push_back(
+        std::isnan(x)
+            ? Factor::kMissing
+            : static_cast<std::uint32_t>(std::lower_bound(distinct.begin(), distinct.end(), x) -
+                                         distinct.begin()));
+  }
+  return factor;
+}
+
+void put_first(Factor& factor, const std::string& level, const std::string& column) {
+  const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
+  if (found == factor.levels.end()) {
+    std::string known;
+    for (const std::string& one : factor.levels) {
+      known += (known.empty() ? "" : ", ") + one;
+    }
+    throw FormulaError("column '" + column + "' has no level '" + level + "', only " + known);
+  }
+  const auto chosen = static_cast<std::uint32_t>(found - factor.levels.begin());
+  std::rotate(factor.levels.begin(), found, found + 1);
+  for (std::uint32_t& code : factor.codes) {
+    if (code != Factor::kMissing && code <= chosen) {
+      code = code == chosen ? 0 : code + 1;
+    }
+  }
+}
+
+class Evaluation {
+ public:
+  Evaluation(const DataTable& table, const References& references)
+      : table_(table), references_(references) {}
+
+  Variable value(const Expression& expression) {
+    switch (expression.kind) {
+      case Expression::Kind::number:
+        return {Variable::Kind::number, std::vector<double>(table_.rows, expression.value), {}};
+      case Expression::Kind::text:
+        throw FormulaError("a text is only compared with a column: column == \"" + expression.name +
+                           "\"");
+      case Expression::Kind::column:
+        return column(expression.name);
+      case Expression::Kind::call:
+        return call(expression);
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] const DataColumn& find(const std::string& name) const {
+    const DataColumn* const found = table_.find(name);
+    if (found == nullptr) {
+      const auto nearest = nearest_name(name, table_.header);
+      throw FormulaError("no column '" + name + "' in " + table_.file +
+                         (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+    }
+    return *found;
+  }
+
+  void apply_reference(const std::string& column, Factor& factor) const {
+    if (const auto level = references_.find(column); level != references_.end()) {
+      put_first(factor, level->second, column);
+    }
+  }
+
+  [[nodiscard]] Variable column(const std::string& name) const {
+    const DataColumn& data = find(name);
+    if (!data.is_text) {
+      return {Variable::Kind::number, data.numbers, {}};
+    }
+    Variable variable{Variable::Kind::factor, {}, data.text};
+    apply_reference(name, variable.factor);
+    return variable;
+  }
+
+  std::vector<double> numbers(const Expression& expression, const Expression& of) {
+    Variable variable = value(expression);
+    if (variable.kind == Variable::Kind::factor) {
+      throw FormulaError("'" + to_string(of) + "' needs numbers, but '" + to_string(expression) +
+                         "' holds text");
+    }
+    return std::move(variable.numbers);
+  }
+
+  Variable call(const Expression& call) {
+    if (call.arguments.size() == 1) {
+      const Expression& only = call.arguments.front();
+      if (call.name == "(") {
+        return value(only);
+      }
+      if (call.name == "factor" || call.name == "as.factor") {
+        return factor(only);
+      }
+      if (call.name == "scale") {
+        return scaled(call);
+      }
+      if (call.name == "-" || call.name == "+") {
+        std::vector<double> x = numbers(only, call);
+        for (double& one : x) {
+          one = call.name == "-" ? -one : one;
+        }
+        return {Variable::Kind::number, std::move(x), {}};
+      }
+      if (const Function* const function = find_by(kFunctions, call.name)) {
+        return applied(call, *function);
+      }
+    }
+    if (call.arguments.size() == 2) {
+      if (const Arithmetic* const arithmetic = find_by(kArithmetic, call.name)) {
+        return combined(call, *arithmetic);
+      }
+    }
+    if (call.name == ":") {
+      return {Variable::Kind::factor,
+              {},
+              crossed({factor(call.arguments[0]).factor, factor(call.arguments[1]).factor}, ":")};
+    }
+    throw FormulaError("'" + to_string(call) +
+                       "' is not known here; known: log, log2, log10, log1p, exp, sqrt, abs, I, "
+                       "scale, factor, as.numeric and arithmetic");
+  }
+
+  Variable factor(const Expression& argument) {
+    Variable variable = value(argument);
+    if (variable.kind != Variable::Kind::factor) {
+      variable.factor = levels_by_value(variable.numbers);
+      variable.numbers = {};
+      variable.kind = Variable::Kind::factor;
+      if (argument.kind == Expression::Kind::column) {
+        apply_reference(argument.name, variable.factor);
+      }
+    }
+    return variable;
+  }
+
+  Variable applied(const Expression& call, const Function& function) {
+    if (call.name == "I") {
+      return value(call.arguments.front());
+    }
+    std::vector<double> x = numbers(call.arguments.front(), call);
+    std::transform(x.begin(), x.end(), x.begin(), function.value);
+    return {Variable::Kind::number, std::move(x), {}};
+  }
+
+  Variable scaled(const Expression& call) {
+    std::vector<double> x = numbers(call.arguments.front(), call);
+    double sum = 0.0;
+    double known = 0.0;
+    for (const double one : x) {
+      sum += std::isnan(one) ? 0.0 : one;
+      known += std::isnan(one) ? 0.0 : 1.0;
+    }
+    const double mean = sum / known;
+    double squares = 0.0;
+    for (const double one : x) {
+      squares += std::isnan(one) ? 0.0 : (one - mean) * (one - mean);
+    }
+    const double sd = std::sqrt(squares / (known - 1.0));
+    for (double& one : x) {
+      one = (one - mean) / sd;
+    }
+    return {Variable::Kind::number, std::move(x), {}};
+  }
+
+  /// A factor compared with a text.
+  Variable compared(const Expression& call, const Expression& subject, const std::string& text) {
+    if (call.name != "==" && call.name != "!=") {
+      throw FormulaError("'" + to_string(call) + "': texts are equal or not, nothing else");
+    }
+    const Variable names = factor(subject);
+    Variable result{Variable::Kind::truth, std::vector<double>(table_.rows, kNaN), {}};
+    for (std::size_t row = 0; row < table_.rows; ++row) {
+      if (!names.is_missing(row)) {
+        const bool equal = names.factor.levels[names.factor.codes[row]] == text;
+        result.numbers[row] = equal == (call.name == "==") ? 1.0 : 0.0;
+      }
+    }
+    return result;
+  }
+
+  Variable combined(const Expression& call, const Arithmetic& arithmetic) {
+    const Expression& left = call.arguments[0];
+    const Expression& right = call.arguments[1];
+    if (right.kind == Expression::Kind::text) {
+      return compared(call, left, right.name);
+    }
+    std::vector<double> a = numbers(left, call);
+    const std::vector<double> b = numbers(right, call);
+    for (std::size_t row = 0; row < a.size(); ++row) {
+      const bool missing = std::isnan(a[row]) || std::isnan(b[row]);
+      a[row] = missing ? kNaN : arithmetic.value(a[row], b[row]);
+    }
+    return {arithmetic.is_comparison ? Variable::Kind::truth : Variable::Kind::number,
+            std::move(a),
+            {}};
+  }
+
+  const DataTable& table_;
+  const References& references_;
+};
+
+}  // namespace
+
+Variable evaluate(const Expression& expression,
+                  const DataTable& table,
+                  const References& references) {
+  return Evaluation(table, references).value(expression);
+}
+
+Factor evaluate_factor(const Expression& expression, const DataTable& table) {
+  const Expression as_factor{Expression::Kind::call, 0.0, "factor", {expression}};
+  return evaluate(as_factor, table).factor;
+}
+
+Factor crossed(const std::vector<Factor>& factors, const std::string& separator) {
+  if (factors.size() == 1) {
+    return factors.front();
+  }
+  const std::size_t rows = factors.front().rows();
+  std::vector<std::uint64_t> key(rows, 0);
+  std::vector<bool> missing(rows, false);
+  for (const Factor& factor : factors) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      missing[row] = missing[row] || factor.codes[row] == Factor::kMissing;
+      key[row] = key[row] * factor.levels.size() + (missing[row] ? 0 : factor.codes[row]);
+    }
+  }
+  std::vector<std::uint64_t> distinct;
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (!missing[row]) {
+      distinct.push_back(key[row]);
+    }
+  }
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+
+  Factor cross;
+  for (std::uint64_t one : distinct) {
+    std::vector<std::uint64_t> codes(factors.size());
+    for (std::size_t k = factors.size(); k > 0; --k) {
+      codes[k - 1] = one % factors[k - 1].levels.size();
+      one /= factors[k - 1].levels.size();
+    }
+    std::string name = factors.front().levels[codes.front()];
+    for (std::size_t k = 1; k < factors.size(); ++k) {
+      name += separator;
+      name += factors[k].levels[codes[k]];
+    }
+    cross.levels.push_back(std::move(name));
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto at = std::lower_bound(distinct.begin(), distinct.end(), key[row]);
+    cross.codes.push_back(missing[row] ? Factor::kMissing
+                                       : static_cast<std::uint32_t>(at - distinct.begin()));
+  }
+  return cross;
+}
+
+Factor on_rows(const Factor& factor, const std::vector<std::size_t>& rows) {
+  std::vector<std::uint32_t> new_code(factor.levels.size(), Factor::kMissing);
+  for (const std::size_t row : rows) {
+    if (factor.codes[row] != Factor::kMissing) {
+      new_code[factor.codes[row]] = 0;
+    }
+  }
+  Factor kept;
+  for (std::size_t level = 0; level < new_code.size(); ++level) {
+    if (new_code[level] != Factor::kMissing) {
+      new_code[level] = static_cast<std::uint32_t>(kept.levels.size());
+      kept.levels.push_back(factor.levels[level]);
+    }
+  }
+  kept.codes.reserve(rows.size());
+  for (const std::size_t row : rows) {
+    const std::uint32_t code = factor.codes[row];
+    kept.codes.push_back(code == Factor::kMissing ? code : new_code[code]);
+  }
+  return kept;
+}
+
+}  // namespace tcert

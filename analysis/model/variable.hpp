@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// The value of an expression on every row of a table.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analysis/model/expression.hpp"
+#include "datasets/data_table.hpp"
+#include "datasets/factor.hpp"
+
+namespace tcert {
+
+/// Numbers (NaN is missing), truth values (numbers that are 0 or 1, shown as TRUE), or a factor.
+struct Variable {
+  enum class Kind { number, truth, factor };
+
+  Kind kind = Kind::number;
+  std::vector<double> numbers;  ///< Of a number or a truth value.
+  Factor factor;                ///< Of a factor.
+
+  [[nodiscard]] bool is_missing(std::size_t row) const noexcept {
+    return kind == Kind::factor ? factor.codes[row] == Factor::kMissing
+                                : numbers[row] != numbers[row];
+  }
+};
+
+/// Reference level by column: it becomes the first level.
+using References = std::map<std::string, std::string>;
+
+/// Arithmetic (+ - * / ^), comparison, log, log2, log10, log1p, exp, sqrt, abs, I, scale, factor
+/// and as.numeric. A text column is a factor; factor() of numbers sorts its levels by value.
+/// scale() uses the mean and standard deviation (n - 1) of the rows where its argument is known, as
+/// R does before it leaves rows out. O(rows) a call, O(rows log levels) for a factor. \throws
+/// FormulaError if a column is not there (with the nearest name), a function is not known, or an
+/// argument is of the wrong kind.
+[[nodiscard]] Variable evaluate(const Expression& expression,
+                                const DataTable& table,
+                                const References& references = {});
+
+/// The same as a factor: numbers become levels by value.
+[[nodiscard]] Factor evaluate_factor(const Expression& expression, const DataTable& table);
+
+/// The cross of several factors, the first varying slowest, only levels that occur; a row where one
+/// is missing is missing. Level names are joined by `separator`.
+[[nodiscard]] Factor crossed(const std::vector<Factor>& factors, const std::string& separator);
+
+/// The factor on these rows, without the levels that no longer occur.
+[[nodiscard]] Factor on_rows(const Factor& factor, const std::vector<std::size_t>& rows);
+
+}  // namespace tcert

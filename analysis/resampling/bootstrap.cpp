@@ -1,0 +1,82 @@
+#include "analysis/resampling/bootstrap.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/resampling/jackknife.hpp"
+
+namespace tcert {
+namespace {
+
+std::vector<double> observed_values(const Statistic& statistic) {
+  std::vector<double> values(statistic.values);
+  statistic.make_kernel()(std::vector<std::uint32_t>(statistic.rows, 1), values);
+  return values;
+}
+
+void replicate(const Statistic& statistic,
+               const ResamplingPlan& plan,
+               const BootstrapOptions& options,
+               std::vector<std::vector<double>>& out) {
+  using Range = tbb::blocked_range<std::size_t>;
+  // Coarse grains: a kernel and its memory are made for each.
+  const std::size_t grain = 1 + options.replicates / 64;
+  tbb::parallel_for(Range(0, options.replicates, grain), [&](const Range& range) {
+    const StatisticKernel kernel = statistic.make_kernel();
+    std::vector<std::uint32_t> units(plan.units());
+    std::vector<std::uint32_t> multiplicity(plan.rows());
+    std::vector<double> values(statistic.values);
+    for (std::size_t r = range.begin(); r < range.end(); ++r) {
+      plan.draw(options.seed, options.analysis, r, units, multiplicity);
+      kernel(multiplicity, values);
+      for (std::size_t value = 0; value < values.size(); ++value) {
+        out[value][r] = values[value];
+      }
+    }
+  });
+}
+
+}  // namespace
+
+BootstrapResult bootstrap(const Statistic& statistic,
+                          const ResamplingPlan& plan,
+                          const BootstrapOptions& options) {
+  if (options.replicates == 0) {
+    throw std::invalid_argument("bootstrap: no replicates");
+  }
+  BootstrapResult result;
+  result.left_out = leave_one_out(statistic, plan);
+  result.observed = observed_values(statistic);
+  result.replicates.assign(statistic.values, std::vector<double>(options.replicates));
+  replicate(statistic, plan, options, result.replicates);
+  for (std::size_t value = 0; value < statistic.values; ++value) {
+    result.acceleration.push_back(
+        acceleration(jackknife_influence(plan, result.observed[value], result.left_out[value])));
+  }
+  return result;
+}
+
+BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
+                                     std::size_t value,
+                                     double level,
+                                     BootstrapMethod method) {
+  if (value >= result.observed.size()) {
+    throw std::invalid_argument("bootstrap: a value that is not there");
+  }
+  const BootstrapDistribution distribution =
+      bootstrap_distribution(result.replicates[value], result.observed[value]);
+  BootstrapInterval interval =
+      bootstrap_interval(distribution, method, result.acceleration[value], level);
+  BootstrapEstimate estimate;
+  estimate.observed = distribution.observed;
+  estimate.bias = distribution.mean - distribution.observed;
+  estimate.standard_error = distribution.standard_deviation;
+  estimate.interval = interval.interval;
+  estimate.conditions = std::move(interval.conditions);
+  return estimate;
+}
+
+}  // namespace tcert

@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// The nonparametric bootstrap of rows or of whole clusters.
+/// Checked against R's `boot::boot` and `boot.ci`.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "analysis/resampling/bootstrap_interval.hpp"
+#include "analysis/resampling/resampling_plan.hpp"
+#include "analysis/resampling/statistic.hpp"
+
+namespace tcert {
+
+struct BootstrapOptions {
+  std::size_t replicates = 9999;  ///< Up to 10^6 or so: they are kept, 8 bytes each and value.
+  std::uint64_t seed = 1;
+  std::uint32_t analysis = 0;  ///< Which stream of the seed: analyses must not share draws.
+};
+
+/// Values of a statistic on the data, on every resample and without every unit. Index 0 is the
+/// statistic's first value.
+struct BootstrapResult {
+  std::vector<double> observed;
+  std::vector<std::vector<double>> replicates;      ///< [value][replicate]; NaN where it failed.
+  std::vector<std::vector<double>> left_out;        ///< [value][unit].
+  std::vector<std::optional<double>> acceleration;  ///< From the jackknife, not centred.
+};
+
+/// Replicate r is the statistic on draw (seed, analysis, r) of `plan`, so results are the same
+/// bytes for any number of threads, and those of fewer replicates are the beginning of those of
+/// more. All values come from the same resamples: a difference of two of them is paired.
+/// \throws std::invalid_argument if the rows differ or there are no replicates.
+[[nodiscard]] BootstrapResult bootstrap(const Statistic& statistic,
+                                        const ResamplingPlan& plan,
+                                        const BootstrapOptions& options = {});
+
+/// What a table prints of one value.
+struct BootstrapEstimate {
+  double observed = 0.0;  ///< NaN if the data give none.
+  double bias = 0.0;      ///< Mean of the replicates minus observed.
+  double standard_error = 0.0;
+  std::optional<Interval> interval;
+  Conditions conditions;
+};
+
+/// Value number `value` with its interval. \throws std::invalid_argument if there is no such value
+/// or `level` is not in (0, 1).
+[[nodiscard]] BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
+                                                   std::size_t value,
+                                                   double level = 0.95,
+                                                   BootstrapMethod method = BootstrapMethod::bca);
+
+}  // namespace tcert

@@ -1,0 +1,180 @@
+#include "analysis/resampling/bootstrap_interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "analysis/basics/normal.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+struct Endpoint {
+  double value = 0.0;
+  double rank = 0.0;
+};
+
+/// Quantile `alpha` of the rising, non-empty `sorted`.
+Endpoint endpoint(std::span<const double> sorted, double alpha) {
+  const auto count = static_cast<double>(sorted.size());
+  const double rank = (count + 1.0) * alpha;
+  const double whole = std::trunc(rank);
+  if (whole < 1.0) {
+    return {sorted.front(), rank};
+  }
+  if (whole >= count) {
+    return {sorted.back(), rank};
+  }
+  const auto k = static_cast<std::size_t>(whole);
+  const double below = sorted[k - 1];
+  if (whole == rank) {
+    return {below, rank};
+  }
+  const double z_below = normal_quantile(whole / (count + 1.0));
+  const double z_above = normal_quantile((whole + 1.0) / (count + 1.0));
+  const double part = (normal_quantile(alpha) - z_below) / (z_above - z_below);
+  return {below + part * (sorted[k] - below), rank};
+}
+
+void add(Conditions& conditions,
+         ConditionKind kind,
+         ConditionSeverity severity,
+         std::string detail = "") {
+  conditions.push_back({kind, severity, "", std::move(detail)});
+}
+
+/// Conditions of the replicates; true if an interval can be made of them.
+bool usable(const BootstrapDistribution& distribution, Conditions& conditions) {
+  const std::size_t finite = distribution.sorted.size();
+  if (std::isnan(distribution.observed)) {
+    add(conditions,
+        ConditionKind::failed_replicates,
+        ConditionSeverity::error,
+        "the data themselves give no value");
+    return false;
+  }
+  if (distribution.failed > 0) {
+    add(conditions,
+        ConditionKind::failed_replicates,
+        finite == 0 ? ConditionSeverity::warning : ConditionSeverity::note,
+        std::to_string(distribution.failed) + " of " +
+            std::to_string(distribution.failed + finite));
+  }
+  if (finite == 0) {
+    return false;
+  }
+  if (distribution.sorted.front() == distribution.sorted.back()) {
+    add(conditions, ConditionKind::constant_replicates, ConditionSeverity::warning);
+    return false;
+  }
+  return true;
+}
+
+/// The two levels of the BCa interval; conditions say why there are none.
+std::optional<std::pair<double, double>> bca_levels(const BootstrapDistribution& distribution,
+                                                    std::optional<double> acceleration,
+                                                    double level,
+                                                    Conditions& conditions) {
+  const double w = normal_quantile(static_cast<double>(distribution.below) /
+                                   static_cast<double>(distribution.sorted.size()));
+  if (!std::isfinite(w)) {
+    add(conditions, ConditionKind::infinite_bias, ConditionSeverity::warning);
+    return std::nullopt;
+  }
+  if (!acceleration) {
+    add(conditions, ConditionKind::no_acceleration, ConditionSeverity::warning);
+    return std::nullopt;
+  }
+  const auto adjusted = [&](double alpha) {
+    const double z = w + normal_quantile(alpha);
+    const double scale = 1.0 - *acceleration * z;
+    return scale > 0.0 ? normal_cdf(w + z / scale) : kNan;
+  };
+  const double low = adjusted((1.0 - level) / 2.0);
+  const double high = adjusted((1.0 + level) / 2.0);
+  if (std::isnan(low) || std::isnan(high)) {
+    add(conditions,
+        ConditionKind::no_acceleration,
+        ConditionSeverity::warning,
+        "it is too large for this level");
+    return std::nullopt;
+  }
+  return std::pair(low, high);
+}
+
+}  // namespace
+
+BootstrapDistribution bootstrap_distribution(std::span<const double> replicates, double observed) {
+  BootstrapDistribution result;
+  result.observed = observed;
+  result.sorted.reserve(replicates.size());
+  for (const double t : replicates) {
+    if (std::isfinite(t)) {
+      result.sorted.push_back(t);
+      result.below += t < observed ? 1 : 0;
+      result.equal += t == observed ? 1 : 0;
+    }
+  }
+  result.failed = replicates.size() - result.sorted.size();
+  const auto count = static_cast<double>(result.sorted.size());
+  result.mean = std::accumulate(result.sorted.begin(), result.sorted.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double t : result.sorted) {
+    squares += (t - result.mean) * (t - result.mean);
+  }
+  result.standard_deviation = std::sqrt(squares / (count - 1.0));
+  std::sort(result.sorted.begin(), result.sorted.end());
+  return result;
+}
+
+BootstrapInterval bootstrap_interval(const BootstrapDistribution& distribution,
+                                     BootstrapMethod method,
+                                     std::optional<double> acceleration,
+                                     double level) {
+  if (!(level > 0.0 && level < 1.0)) {
+    throw std::invalid_argument("bootstrap: level must be in (0, 1)");
+  }
+  BootstrapInterval result;
+  result.low_rank = result.high_rank = kNan;
+  if (!usable(distribution, result.conditions)) {
+    return result;
+  }
+  const double t0 = distribution.observed;
+  if (method == BootstrapMethod::normal) {
+    const double centre = t0 - (distribution.mean - t0);
+    const double half = normal_factor(level) * distribution.standard_deviation;
+    result.interval = Interval{centre - half, centre + half, level};
+    return result;
+  }
+  std::pair<double, double> levels{(1.0 - level) / 2.0, (1.0 + level) / 2.0};
+  if (method == BootstrapMethod::bca) {
+    const auto adjusted = bca_levels(distribution, acceleration, level, result.conditions);
+    if (!adjusted) {
+      return result;
+    }
+    levels = *adjusted;
+  }
+  const Endpoint low = endpoint(distribution.sorted, levels.first);
+  const Endpoint high = endpoint(distribution.sorted, levels.second);
+  result.low_rank = low.rank;
+  result.high_rank = high.rank;
+  const auto count = static_cast<double>(distribution.sorted.size());
+  if (std::min(low.rank, high.rank) < 1.0 || std::max(low.rank, high.rank) > count) {
+    add(result.conditions,
+        ConditionKind::endpoint_out_of_range,
+        ConditionSeverity::note,
+        "of " + std::to_string(distribution.sorted.size()));
+  }
+  result.interval = method == BootstrapMethod::basic
+                        ? Interval{2.0 * t0 - high.value, 2.0 * t0 - low.value, level}
+                        : Interval{low.value, high.value, level};
+  return result;
+}
+
+}  // namespace tcert

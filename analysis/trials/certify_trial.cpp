@@ -1,0 +1,18 @@
+#include "analysis/trials/certify_trial.hpp"
+
+#include <cstddef>
+
+namespace tcert {
+
+TrialSeries certify_trial(Certifier& certifier, const TickTable& ticks) {
+  certifier.reset();
+  TrialSeries series;
+  series.ticks.reserve(ticks.size());
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    series.ticks.push_back(certifier.update(ticks[i]));
+  }
+  series.bottleneck = certifier.bottleneck();
+  return series;
+}
+
+}  // namespace tcert

@@ -1,0 +1,49 @@
+#include <array>
+
+#include "analysis/trials/feature_table.hpp"
+
+namespace tcert {
+namespace {
+
+template <auto kMember>
+std::optional<double> get(const Features& features) {
+  const auto& value = features.*kMember;
+  return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
+}
+
+template <auto kMember>
+constexpr FeatureColumn column(std::string_view name,
+                               std::string_view unit,
+                               std::string_view meaning) {
+  return {name, unit, meaning, &get<kMember>};
+}
+
+constexpr auto kColumns = std::to_array<FeatureColumn>({
+    column<&Features::tc_early>("tc_early", "m", "early certificate margin, worse of the windows"),
+    column<&Features::contacts_per_m>("contacts_per_m", "1/m", "contacts begun per metre"),
+    column<&Features::dwell>("dwell", "", "share of time standing still"),
+    column<&Features::bend_variance>("bend_variance", "rad^2", "mean variance of the rays"),
+    column<&Features::tc_landmark>("tc_landmark", "m", "tc_early of the time window alone"),
+    column<&Features::contacts_per_m_landmark>(
+        "contacts_per_m_landmark", "1/m", "contacts_per_m of the time window alone"),
+    column<&Features::dwell_landmark>("dwell_landmark", "", "dwell of the time window alone"),
+    column<&Features::bend_variance_landmark>(
+        "bend_variance_landmark", "rad^2", "bend_variance of the time window alone"),
+    column<&Features::ticks>("ticks", "", "ticks of the log"),
+    column<&Features::ticks_early>("ticks_early", "", "usable ticks in the poorer early window"),
+    column<&Features::ticks_landmark>("ticks_landmark", "", "usable ticks in the time window"),
+    column<&Features::end_s>("end_s", "s", "time of the last tick"),
+    column<&Features::travel_m>("travel_m", "m", "distance travelled by the last tick"),
+    column<&Features::window_end_s>("window_end_s", "s", "time at which the last window closed"),
+    column<&Features::still_at_landmark>(
+        "still_at_landmark", "", "1 if standing still when the time window closed"),
+    column<&Features::issued>("issued", "", "1 if a certificate was issued"),
+    column<&Features::issued_s>("issued_s", "s", "time at which it was issued"),
+    column<&Features::certificate_m>("certificate_m", "m", "final certificate T_t"),
+});
+
+}  // namespace
+
+std::span<const FeatureColumn> feature_columns() noexcept { return kColumns; }
+
+}  // namespace tcert

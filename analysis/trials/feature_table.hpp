@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// A trial with what its early window shows, and the columns that hold it in a table.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "analysis/trials/features.hpp"
+#include "datasets/bundle.hpp"
+
+namespace tcert {
+
+struct FeatureRow {
+  TrialRow trial;
+  Features features;
+};
+
+/// A column of the table that is a feature. Truth values are 0 and 1.
+struct FeatureColumn {
+  std::string_view name;
+  std::string_view unit;  ///< Empty for a pure number.
+  std::string_view meaning;
+  std::optional<double> (*get)(const Features& features);
+};
+
+/// All features, in the order of the file's columns.
+[[nodiscard]] std::span<const FeatureColumn> feature_columns() noexcept;
+
+}  // namespace tcert

@@ -1,0 +1,57 @@
+#include "analysis/trials/parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "datasets/nearest_name.hpp"
+
+namespace tcert {
+
+std::string_view to_string(Stage stage) noexcept {
+  constexpr std::array<std::string_view, 3> kWords = {"resample", "certify", "features"};
+  return kWords[static_cast<std::size_t>(stage)];
+}
+
+void set_parameter(ParameterSet& parameters, std::string_view key, std::string_view value) {
+  const auto table = parameter_table();
+  const auto info = std::find_if(
+      table.begin(), table.end(), [&](const ParameterInfo& one) { return one.key == key; });
+  if (info == table.end()) {
+    std::vector<std::string> keys;
+    for (const ParameterInfo& one : table) {
+      keys.emplace_back(one.key);
+    }
+    const auto nearest = nearest_name(key, keys);
+    throw std::invalid_argument("unknown parameter '" + std::string(key) + "'" +
+                                (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+  }
+  if (!info->set(parameters, value)) {
+    throw std::invalid_argument(std::string(key) + ": found '" + std::string(value) +
+                                "', expected " + info->accepts);
+  }
+}
+
+void validate(const ParameterSet& parameters) {
+  validate(parameters.certificate);
+  validate(parameters.speed_law);
+  validate(parameters.early_window);
+  if (parameters.resample.median_samples % 2 == 0) {
+    throw std::invalid_argument("median_samples is " +
+                                std::to_string(parameters.resample.median_samples) +
+                                "; it must be odd");
+  }
+}
+
+Robot with_overrides(Robot robot, const RobotOverrides& overrides) {
+  robot.body_width_m = overrides.body_width_m.value_or(robot.body_width_m);
+  robot.min_turn_radius_m = overrides.min_turn_radius_m.value_or(robot.min_turn_radius_m);
+  robot.tracking_buffer_m = overrides.tracking_buffer_m.value_or(robot.tracking_buffer_m);
+  robot.curvature_buffer_per_m =
+      overrides.curvature_buffer_per_m.value_or(robot.curvature_buffer_per_m);
+  return robot;
+}
+
+}  // namespace tcert

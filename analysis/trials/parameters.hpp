@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// Every parameter of the way from a log to its features, in one table: the same names in config
+/// files, on the command line, in bundle.json and in the manifest.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tcert/parameters.hpp>
+#include <tcert/robot.hpp>
+#include <tcert/speed_law.hpp>
+
+#include "analysis/trials/features.hpp"
+#include "datasets/trial_reader.hpp"
+
+namespace tcert {
+
+/// Values that take the place of those in a bundle's robot.
+struct RobotOverrides {
+  std::optional<double> body_width_m;
+  std::optional<double> min_turn_radius_m;
+  std::optional<double> tracking_buffer_m;
+  std::optional<double> curvature_buffer_per_m;
+};
+
+struct ParameterSet {
+  ResampleOptions resample;
+  RobotOverrides robot;
+  CertificateParameters certificate;
+  SpeedLaw speed_law;
+  EarlyWindowOptions early_window;
+};
+
+/// The first step of the way from log to result that another value changes; all later ones follow.
+enum class Stage {
+  resample,  ///< Log to ticks.
+  certify,   ///< Ticks to series.
+  features,  ///< Series to features.
+};
+
+[[nodiscard]] std::string_view to_string(Stage stage) noexcept;
+
+struct ParameterInfo {
+  std::string_view key;
+  std::string_view unit;  ///< Empty if it has none.
+  std::string_view doc;   ///< One sentence that says when to change it.
+  Stage stage = Stage::certify;
+  std::string accepts;  ///< "a number above 0", "path, contact, contact_literal or none".
+  /// Value as text that `set` reads back to the same bits; empty for an override that is not set.
+  std::function<std::string(const ParameterSet&)> get;
+  /// False, and nothing changed, if the text is not what the parameter accepts.
+  std::function<bool(ParameterSet&, std::string_view)> set;
+};
+
+/// Sorted by stage and topic, as they are to be listed.
+[[nodiscard]] std::span<const ParameterInfo> parameter_table();
+
+/// Sets one parameter from text. \throws std::invalid_argument naming the nearest known key, or the
+/// value found and what is accepted.
+void set_parameter(ParameterSet& parameters, std::string_view key, std::string_view value);
+
+/// Checks what one parameter alone cannot show. \throws std::invalid_argument naming the parameter.
+void validate(const ParameterSet& parameters);
+
+/// The bundle's robot with the overrides in place.
+[[nodiscard]] Robot with_overrides(Robot robot, const RobotOverrides& overrides);
+
+}  // namespace tcert

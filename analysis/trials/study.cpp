@@ -1,0 +1,65 @@
+#include "analysis/trials/study.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <utility>
+
+namespace tcert {
+namespace {
+
+std::vector<double> latencies_of(const TrialLog& log) { return log.control.loop_latency_ms; }
+
+std::vector<double> speeds_of(const TrialLog& log) {
+  return log.merged ? log.merged->speed_cmd_mps : log.control.speed_cmd_mps;
+}
+
+/// As certify_trial, keeping the margin of every ray at every tick.
+std::vector<double> ray_margins_of(Certifier& certifier, const TickTable& ticks) {
+  certifier.reset();
+  std::vector<double> margins;
+  margins.reserve(ticks.size() * ticks.rays);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    certifier.update(ticks[i]);
+    const auto now = certifier.ray_margins();
+    margins.insert(margins.end(), now.begin(), now.end());
+  }
+  return margins;
+}
+
+}  // namespace
+
+void study_trials(const Bundle& bundle,
+                  std::span<const std::size_t> trials,
+                  const ParameterSet& parameters,
+                  const StudyOptions& options,
+                  const TrialWork& work) {
+  validate(parameters);
+  const Robot robot = with_overrides(bundle.info.robot, parameters.robot);
+  const auto make = [&] { return Certifier(robot, bundle.info.course, parameters.certificate); };
+  // Made here once so that parameters out of range are reported before any trial is read.
+  (void)make();
+  tbb::enumerable_thread_specific<Certifier> certifiers(make);
+  in_order(trials.size(), options.threads, [&](std::size_t i) {
+    StudiedTrial trial;
+    trial.row = &bundle.trials[trials[i]];
+    TrialResult read = read_trial(bundle, *trial.row, options.read);
+    trial.diagnostics = std::move(read.diagnostics);
+    trial.rejected = !read.log.has_value();
+    if (read.log) {
+      trial.log_bytes = read.log->bytes;
+      trial.speed_cmd_mps = speeds_of(*read.log);
+      trial.loop_latency_ms = latencies_of(*read.log);
+      trial.ticks = resample(*read.log, parameters.resample);
+      Certifier& certifier = certifiers.local();
+      trial.series = certify_trial(certifier, trial.ticks);
+      if (options.ray_margins) {
+        trial.ray_margins = ray_margins_of(certifier, trial.ticks);
+      }
+      trial.features =
+          early_features(robot, trial.ticks, trial.series.ticks, parameters.early_window);
+    }
+    return work(std::move(trial));
+  });
+}
+
+}  // namespace tcert

@@ -1,0 +1,148 @@
+#include "analysis/trials/study_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace tcert {
+namespace {
+
+constexpr std::array<std::string_view, 9> kPaperOrder = {
+    "CB-V", "M1", "M2", "M3", "TD*Lite", "TVFH", "Dark", "Indoor", "Outdoor"};
+
+struct PublishedSpeed {
+  std::string_view name;
+  double speed_mps = 0.0;
+};
+
+constexpr std::array kPublishedSpeeds = {PublishedSpeed{"CB-V", 0.19},
+                                         PublishedSpeed{"TD*Lite", 0.18},
+                                         PublishedSpeed{"M1", 0.175},
+                                         PublishedSpeed{"TVFH", 0.17},
+                                         PublishedSpeed{"M3", 0.135},
+                                         PublishedSpeed{"M2", 0.12},
+                                         PublishedSpeed{"Indoor", 0.175},
+                                         PublishedSpeed{"Outdoor", 0.148},
+                                         PublishedSpeed{"Dark", 0.136}};
+
+std::size_t rank_of(std::string_view name) noexcept {
+  return static_cast<std::size_t>(std::find(kPaperOrder.begin(), kPaperOrder.end(), name) -
+                                  kPaperOrder.begin());
+}
+
+bool before(const std::string& a, const std::string& b) noexcept {
+  const std::size_t rank_a = rank_of(a);
+  const std::size_t rank_b = rank_of(b);
+  return rank_a != rank_b ? rank_a < rank_b : a < b;
+}
+
+std::optional<double> known_median(const std::vector<double>& samples) {
+  Tally tally;
+  tally.add(samples);
+  return tally.median();
+}
+
+}  // namespace
+
+TrialRecord summarise(StudiedTrial&& trial) {
+  TrialRecord summary{{*trial.row, trial.features},
+                      known_median(trial.speed_cmd_mps),
+                      known_median(trial.loop_latency_ms),
+                      std::move(trial.speed_cmd_mps),
+                      std::move(trial.loop_latency_ms)};
+  return summary;
+}
+
+void Tally::add(std::span<const double> samples) {
+  for (const double sample : samples) {
+    if (!std::isnan(sample)) {
+      ++counts_[sample];
+      ++total_;
+    }
+  }
+}
+
+void Tally::add(const Tally& other) {
+  for (const auto& [value, count] : other.counts_) {
+    counts_[value] += count;
+  }
+  total_ += other.total_;
+}
+
+std::optional<double> Tally::median() const {
+  if (total_ == 0) {
+    return std::nullopt;
+  }
+  // The samples at the 0-based ranks (n - 1) / 2 and n / 2; the same one if n is odd.
+  std::uint64_t below = 0;
+  std::optional<double> lower;
+  for (const auto& [value, count] : counts_) {
+    below += count;
+    if (!lower && below > (total_ - 1) / 2) {
+      lower = value;
+    }
+    if (below > total_ / 2) {
+      return std::midpoint(*lower, value);
+    }
+  }
+  return lower;
+}
+
+bool StudyRecord::PaperOrder::operator()(const Key& a, const Key& b) const noexcept {
+  return a.first != b.first ? before(a.first, b.first) : before(a.second, b.second);
+}
+
+void StudyRecord::add(TrialRecord&& trial) {
+  const TrialRow& row = trial.row.trial;
+  StudyGroup& cell = cells_[{row.algorithm, row.lighting}];
+  cell.algorithm = row.algorithm;
+  cell.lighting = row.lighting;
+  ++cell.trials;
+  cell.known += row.success.has_value() ? 1 : 0;
+  cell.successes += row.success.value_or(false) ? 1 : 0;
+  cell.speed_cmd_mps.add(trial.speed_cmd_mps);
+  cell.loop_latency_ms.add(trial.loop_latency_ms);
+  rows_.push_back(std::move(trial.row));
+}
+
+std::vector<StudyGroup> StudyRecord::by_cell() const {
+  std::vector<StudyGroup> groups;
+  for (const auto& [key, cell] : cells_) {
+    groups.push_back(cell);
+  }
+  return groups;
+}
+
+std::vector<StudyGroup> StudyRecord::by_algorithm() const { return merged(true); }
+std::vector<StudyGroup> StudyRecord::by_lighting() const { return merged(false); }
+
+std::vector<StudyGroup> StudyRecord::merged(bool by_algorithm) const {
+  Groups merged;
+  for (const auto& [key, cell] : cells_) {
+    const Key wider = by_algorithm ? Key{cell.algorithm, ""} : Key{"", cell.lighting};
+    StudyGroup& group = merged[wider];
+    group.algorithm = wider.first;
+    group.lighting = wider.second;
+    group.trials += cell.trials;
+    group.known += cell.known;
+    group.successes += cell.successes;
+    group.speed_cmd_mps.add(cell.speed_cmd_mps);
+    group.loop_latency_ms.add(cell.loop_latency_ms);
+  }
+  std::vector<StudyGroup> groups;
+  for (auto& [key, group] : merged) {
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+std::optional<double> published_speed_mps(std::string_view name) noexcept {
+  const auto* const found = std::find_if(
+      kPublishedSpeeds.begin(), kPublishedSpeeds.end(), [&](const PublishedSpeed& one) {
+        return one.name == name;
+      });
+  return found == kPublishedSpeeds.end() ? std::nullopt : std::optional(found->speed_mps);
+}
+
+}  // namespace tcert

@@ -1,0 +1,139 @@
+#include "analysis/h1/hypothesis_h1.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "analysis/model/expression.hpp"
+#include "analysis/roc/roc.hpp"
+#include "datasets/random.hpp"
+#include "support/data_table.hpp"
+
+namespace tcert {
+namespace {
+
+using test_support::table_of;
+
+/// Trials on `days` days; a larger tc makes success likelier and sooner, noise does nothing.
+std::string trials_csv(int days, int per_day, const std::string& header_tail = "") {
+  RandomStream random(7, 1, 0);
+  std::string csv =
+      "day,algorithm,success,time_s,tc_early,noise,end_s,window_end_s,still_at_landmark,tc_"
+      "landmark" +
+      header_tail + "\n";
+  for (int day = 0; day < days; ++day) {
+    for (int k = 0; k < per_day; ++k) {
+      const double tc = random.normal();
+      const bool success = random.uniform() < 1.0 / (1.0 + std::exp(-1.0 - tc));
+      const double time =
+          success ? 30.0 + 20.0 * random.uniform() - 5.0 * tc : 10.0 + 80.0 * random.uniform();
+      csv += "d" + std::to_string(day) + "," + (k % 2 == 0 ? "A" : "B") + "," +
+             (success ? "1" : "0") + "," + std::to_string(time) + "," + std::to_string(tc) + "," +
+             std::to_string(random.normal()) + "," + std::to_string(time) + ",12," +
+             (k == 3 ? "1" : "0") + "," + std::to_string(tc) + "\n";
+    }
+  }
+  return csv;
+}
+
+H1Options options_for(const std::string& rival = "noise") {
+  H1Options options;
+  options.predictors = {{"tc_early", HigherMeans::success, "tc_landmark"},
+                        {rival, HigherMeans::failure, ""}};
+  options.replicates = 200;
+  return options;
+}
+
+TEST(HypothesisH1, ScoresEveryRowByClusters) {
+  const H1Table h1 = hypothesis_h1(table_of(trials_csv(12, 20)), options_for());
+  ASSERT_EQ(h1.panels.size(), 1U);  // The rival has no landmark column.
+  const H1Panel& panel = h1.panels.front();
+  EXPECT_EQ(panel.complete, 240U);
+  EXPECT_EQ(panel.clusters, 12U);
+  ASSERT_EQ(panel.rows.size(), 4U);
+  const H1Row& tc = panel.rows[0];
+  EXPECT_GT(tc.auc.value.value(), 0.65);
+  EXPECT_LT(tc.auc.bca.value().low, *tc.auc.value);
+  EXPECT_GT(tc.auc.bca.value().high, *tc.auc.value);
+  EXPECT_GT(tc.censored.ratio.value(), 1.0);
+  EXPECT_GT(tc.at_limit.ratio.value(), 1.0);
+  EXPECT_GT(tc.stratified.ratio.value(), 1.0);
+  const H1Row& noise = panel.rows[1];
+  EXPECT_NEAR(noise.auc_gain.value.value(), *tc.auc.value - *noise.auc.value, 1e-15);
+  EXPECT_NEAR(noise.c_gain.value.value(), *tc.c.value - *noise.c.value, 1e-15);
+  // Two tests in the family: the smaller p doubles.
+  EXPECT_NEAR(
+      std::min(*noise.auc_holm, *noise.c_holm), 2.0 * std::min(*noise.auc_p, *noise.c_p), 1e-15);
+  EXPECT_EQ(panel.rows[2].kind, H1RowKind::together);
+  EXPECT_FALSE(panel.rows[2].censored.ratio.has_value());
+  EXPECT_EQ(panel.rows[3].kind, H1RowKind::added);
+  EXPECT_LT(panel.rows[3].auc_p.value(), 0.001);
+  EXPECT_GT(panel.rows[3].auc_gain.value.value(), 0.0);
+  EXPECT_EQ(panel.folds.size(), 12U);
+}
+
+TEST(HypothesisH1, TheLandmarkPanelExcludesAndCounts) {
+  H1Options options = options_for();
+  options.always_landmark = true;
+  const H1Table h1 = hypothesis_h1(table_of(trials_csv(12, 20)), options);
+  ASSERT_EQ(h1.panels.size(), 2U);
+  const H1Panel& paper = h1.panels[0];
+  const H1Panel& landmark = h1.panels[1];
+  EXPECT_GT(paper.ended_in_window.value(), 0U);
+  EXPECT_GT(landmark.ended_by_landmark, 0U);
+  EXPECT_GT(landmark.still_at_landmark, 0U);
+  EXPECT_EQ(landmark.trials + landmark.ended_by_landmark + landmark.still_at_landmark, 240U);
+  EXPECT_EQ(landmark.rows[0].name, "tc_landmark");
+  EXPECT_EQ(landmark.rows[1].name, "noise");
+}
+
+TEST(HypothesisH1, AMissingPredictorLeavesItsTrialOutOfEveryRow) {
+  std::string csv = trials_csv(12, 20);
+  csv += "d0,A,1,33,NA,0.5,33,12,0,NA\nd0,B,NA,33,0.1,0.5,33,12,0,0.1\n";
+  const H1Table h1 = hypothesis_h1(table_of(csv), options_for());
+  EXPECT_EQ(h1.outcome_missing, 1U);
+  EXPECT_EQ(h1.panels[0].trials, 241U);
+  EXPECT_EQ(h1.panels[0].complete, 240U);
+  EXPECT_EQ(h1.panels[0].rows[0].missing, 1U);
+  EXPECT_EQ(h1.panels[0].rows[1].missing, 0U);
+}
+
+TEST(HypothesisH1, WithoutTimesThereIsNoC) {
+  H1Options options = options_for();
+  options.time = "no_such";
+  const H1Table h1 = hypothesis_h1(table_of(trials_csv(6, 20)), options);
+  EXPECT_FALSE(h1.panels[0].has_time);
+  EXPECT_FALSE(h1.panels[0].rows[0].c.value.has_value());
+  EXPECT_FALSE(h1.panels[0].rows[0].censored.ratio.has_value());
+  EXPECT_TRUE(h1.panels[0].rows[0].auc.value.has_value());
+}
+
+TEST(HypothesisH1, NamesWhatCannotBeScored) {
+  const std::string header = "day,algorithm,success,time_s,tc_early,noise\n";
+  const H1Table one_class =
+      hypothesis_h1(table_of(header + "a,A,1,3,1,2\nb,A,1,4,2,1\n"), options_for());
+  EXPECT_TRUE(has(one_class.panels[0].conditions, ConditionKind::one_class));
+  const H1Table one_day =
+      hypothesis_h1(table_of(header + "a,A,1,3,1,2\na,A,0,4,2,1\n"), options_for());
+  EXPECT_TRUE(has(one_day.panels[0].conditions, ConditionKind::one_cluster));
+  const H1Table none = hypothesis_h1(table_of(header + "a,A,1,3,NA,2\n"), options_for());
+  EXPECT_TRUE(has(none.panels[0].conditions, ConditionKind::no_rows));
+  EXPECT_THROW(static_cast<void>(hypothesis_h1(table_of(header + "a,A,2,3,1,2\n"), options_for())),
+               FormulaError);
+  EXPECT_THROW(
+      static_cast<void>(hypothesis_h1(table_of(header + "a,A,1,3,1,2\n"), options_for("nois"))),
+      FormulaError);
+}
+
+TEST(HypothesisH1, ARowOfItsOwnIsACluster) {
+  H1Options options = options_for();
+  options.cluster = "";
+  const H1Table h1 = hypothesis_h1(table_of(trials_csv(4, 20)), options);
+  EXPECT_EQ(h1.panels[0].clusters, 80U);
+  const H1CaseRow& plain = h1.panels[0].case_level[0];
+  EXPECT_NEAR(plain.auc.std_error.value(), h1.panels[0].rows[0].auc.std_error.value(), 1e-14);
+}
+
+}  // namespace
+}  // namespace tcert

@@ -1,0 +1,100 @@
+#include "analysis/model/formula.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace tcert {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names terms_of(const std::string& text) {
+  Names names;
+  for (const Term& term : parse_formula(text).terms) {
+    names.push_back(term.name());
+  }
+  return names;
+}
+
+std::string problem_of(const std::string& text) {
+  try {
+    static_cast<void>(parse_formula(text));
+  } catch (const FormulaError& error) {
+    return error.what();
+  }
+  return "no problem";
+}
+
+TEST(Formula, ExpandsTermsInRsOrder) {
+  EXPECT_EQ(terms_of("y ~ a*b"), (Names{"a", "b", "a:b"}));
+  EXPECT_EQ(terms_of("y ~ a:b + a"), (Names{"a", "a:b"}));
+  EXPECT_EQ(terms_of("y ~ b:a + a"), (Names{"a", "b:a"}));
+  EXPECT_EQ(terms_of("y ~ a*b*c"), (Names{"a", "b", "c", "a:b", "a:c", "b:c", "a:b:c"}));
+  EXPECT_EQ(terms_of("y ~ (a + b):c"), (Names{"a:c", "b:c"}));
+  EXPECT_EQ(terms_of("y ~ a/b"), (Names{"a", "a:b"}));
+  EXPECT_EQ(terms_of("y ~ (a + b + c)^2 - a:b"), (Names{"a", "b", "c", "a:c", "b:c"}));
+  EXPECT_EQ(terms_of("y ~ a + a + b - a"), (Names{"b"}));
+  EXPECT_EQ(terms_of("y ~ x1 * lighting + x2"), (Names{"x1", "lighting", "x2", "x1:lighting"}));
+}
+
+TEST(Formula, KeepsCallsAsVariables) {
+  EXPECT_EQ(terms_of("y ~ I(x^2) + log( x ) + scale(x) + factor(day) + I(-x) + I(a/b - 1.5)"),
+            (Names{"I(x^2)", "log(x)", "scale(x)", "factor(day)", "I(-x)", "I(a/b - 1.5)"}));
+  EXPECT_EQ(to_string(parse_formula("Surv(time,status==2)~ph.ecog").response),
+            "Surv(time, status == 2)");
+  EXPECT_EQ(to_string(parse_formula("cbind(k, n-k) ~ `odd name`").response), "cbind(k, n - k)");
+  EXPECT_EQ(terms_of("y ~ `odd name`"), (Names{"odd name"}));
+}
+
+TEST(Formula, InterceptGoesAndComes) {
+  EXPECT_TRUE(parse_formula("y ~ x").intercept);
+  EXPECT_TRUE(parse_formula("y ~ 1").intercept);
+  EXPECT_FALSE(parse_formula("y ~ x - 1").intercept);
+  EXPECT_FALSE(parse_formula("y ~ 0 + x").intercept);
+  EXPECT_FALSE(parse_formula("y ~ -1 + x").intercept);
+  EXPECT_TRUE(parse_formula("y ~ 0 + x + 1").intercept);
+}
+
+TEST(Formula, TakesSpecialsOut) {
+  const Formula formula = parse_formula(
+      "Surv(start, stop, event) ~ x + offset(o) + strata(s, t) + cluster(id) + (1 | day/run)");
+  ASSERT_EQ(formula.terms.size(), 1U);
+  EXPECT_EQ(to_string(formula.offsets.at(0)), "o");
+  EXPECT_EQ(formula.strata.size(), 2U);
+  EXPECT_EQ(to_string(formula.clusters.at(0)), "id");
+  ASSERT_EQ(formula.random_groups.size(), 2U);
+  EXPECT_EQ(to_string(formula.random_groups[0]), "day");
+  EXPECT_EQ(to_string(formula.random_groups[1]), "run:day");
+  EXPECT_EQ(formula.columns(),
+            (Names{"start", "stop", "event", "x", "o", "s", "t", "id", "day", "run"}));
+}
+
+TEST(Formula, ReadsNumbersByRsPrecedence) {
+  const Expression power = parse_expression("-x^2");
+  EXPECT_TRUE(power.is_call("-"));
+  EXPECT_EQ(to_string(parse_expression("a - b - c").arguments[0]), "a - b");
+  EXPECT_EQ(to_string(parse_expression("a^b^c").arguments[1]), "b^c");
+  EXPECT_EQ(parse_expression("1e-3").value, 1e-3);
+  EXPECT_EQ(parse_expression(".5").value, 0.5);
+  EXPECT_EQ(parse_expression("light == 'Dark'").arguments[1].name, "Dark");
+}
+
+TEST(Formula, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(problem_of("success"),
+            "formula 'success': expected outcome ~ terms, for instance success ~ x1 + x2");
+  EXPECT_EQ(problem_of("y ~ x +"), "formula 'y ~ x +': it ends too early at character 8");
+  EXPECT_EQ(problem_of("y ~ x ; z"), "formula 'y ~ x ; z': unexpected ';' at character 7");
+  EXPECT_EQ(problem_of("y ~ log(x"), "formula 'y ~ log(x': expected ',' or ')' at character 10");
+  EXPECT_EQ(problem_of("y ~ (x | day)"),
+            "formula 'y ~ (x | day)': random effects are intercepts: write (1 | group)");
+  EXPECT_EQ(problem_of("y ~ -x"), "formula 'y ~ -x': nothing to take 'x' from; for -x write I(-x)");
+  EXPECT_EQ(
+      problem_of("y ~ 2*x"),
+      "formula 'y ~ 2*x': a number on the right-hand side is 0 or 1; arithmetic goes into I()");
+  EXPECT_NE(problem_of(std::string(5000, '(')), "no problem");
+}
+
+}  // namespace
+}  // namespace tcert

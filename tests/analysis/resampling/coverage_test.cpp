@@ -1,0 +1,49 @@
+// A small part of the coverage study: that its truth is true and its table sane.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "analysis/roc/roc.hpp"
+#include "coverage/coverage_study.hpp"
+
+namespace tcert {
+namespace {
+
+TEST(CoverageStudy, KnowsItsTruth) {
+  // One trial a day: 200,000 independent trials.
+  const coverage::Study study = coverage::simulate({"", 200000, 1, 0.5}, 3, 1, 0);
+  const std::vector<double> outcome(study.success.begin(), study.success.end());
+  const AucEstimate first = auc(study.first, outcome, HigherMeans::success);
+  const AucEstimate second = auc(study.second, outcome, HigherMeans::success);
+  EXPECT_NEAR(coverage::true_auc(coverage::kFirstCorrelation),
+              first.auc.value(),
+              4.0 * std::sqrt(first.variance.value()));
+  EXPECT_NEAR(coverage::true_auc(coverage::kSecondCorrelation),
+              second.auc.value(),
+              4.0 * std::sqrt(second.variance.value()));
+  EXPECT_NEAR(static_cast<double>(first.failures) / 200000.0, coverage::kFailureShare, 0.003);
+  EXPECT_NEAR(coverage::true_auc(0.0), 0.5, 1e-12);
+}
+
+TEST(CoverageStudy, SeesThatTrialsOfADayAreNotIndependent) {
+  coverage::Options options;
+  options.data_sets = 60;
+  options.replicates = 199;
+  const std::vector<coverage::Coverage> rows = coverage::run({"icc", 22, 30, 0.5}, 2, options);
+  ASSERT_EQ(rows.size(), 12U);
+  for (const coverage::Coverage& row : rows) {
+    EXPECT_EQ(row.intervals + row.missing, 60U);
+    EXPECT_EQ(row.missing, 0U) << row.method;
+    EXPECT_GT(row.mean_width, 0.0);
+  }
+  // The clustered intervals are wider and cover more.
+  EXPECT_GT(rows[1].mean_width, 1.2 * rows[0].mean_width);
+  EXPECT_GT(rows[5].mean_width, 1.2 * rows[3].mean_width);
+  EXPECT_GE(rows[1].covered, rows[0].covered);
+  EXPECT_GE(rows[1].covered, 0.8);
+}
+
+}  // namespace
+}  // namespace tcert

@@ -1,0 +1,99 @@
+#include "analysis/trials/study_tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "analysis/basics/quantile.hpp"
+#include "datasets/random.hpp"
+
+namespace tcert {
+namespace {
+
+TrialRecord trial(const char* algorithm,
+                  const char* lighting,
+                  std::optional<bool> success,
+                  std::vector<double> speeds) {
+  TrialRecord record;
+  record.row.trial.algorithm = algorithm;
+  record.row.trial.lighting = lighting;
+  record.row.trial.success = success;
+  record.speed_cmd_mps = std::move(speeds);
+  return record;
+}
+
+TEST(Tally, HasTheMedianOfItsSamples) {
+  EXPECT_FALSE(Tally().median().has_value());
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomStream random(seed, 1, 0);
+    std::vector<double> samples(1 + random.below(9));
+    for (double& sample : samples) {
+      sample = random.below(4);  // few values, so that they tie
+    }
+    Tally whole;
+    whole.add(samples);
+    Tally merged;
+    Tally rest;
+    const std::size_t cut = random.below(static_cast<std::uint32_t>(samples.size()));
+    merged.add(std::span(samples).first(cut));
+    rest.add(std::span(samples).subspan(cut));
+    merged.add(rest);
+    EXPECT_EQ(whole.median(), median(samples));
+    EXPECT_EQ(merged.median(), median(samples));
+  }
+}
+
+TEST(Tally, LeavesOutWhatIsMissing) {
+  Tally tally;
+  tally.add(std::array{std::numeric_limits<double>::quiet_NaN(), 2.0, 4.0});
+  EXPECT_EQ(tally.median(), 3.0);
+}
+
+TEST(StudyRecord, PoolsSamplesSoThatALongTrialWeighsMore) {
+  StudyRecord study;
+  study.add(trial("M1", "Dark", true, {0.1}));
+  study.add(trial("M1", "Indoor", true, {0.2, 0.2, 0.2}));
+  const auto groups = study.by_algorithm();
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_EQ(groups[0].trials, 2U);
+  EXPECT_EQ(groups[0].speed_cmd_mps.median(), 0.2);
+  EXPECT_FALSE(groups[0].loop_latency_ms.median().has_value());
+}
+
+TEST(StudyRecord, CountsKnownOutcomesOnly) {
+  StudyRecord study;
+  study.add(trial("M1", "Dark", true, {}));
+  study.add(trial("M1", "Dark", false, {}));
+  study.add(trial("M1", "Dark", std::nullopt, {}));
+  const auto cells = study.by_cell();
+  ASSERT_EQ(cells.size(), 1U);
+  EXPECT_EQ(cells[0].trials, 3U);
+  EXPECT_EQ(cells[0].known, 2U);
+  EXPECT_EQ(cells[0].successes, 1U);
+  EXPECT_EQ(study.rows().size(), 3U);
+}
+
+TEST(StudyRecord, ListsThePapersGroupsFirst) {
+  StudyRecord study;
+  for (const char* algorithm : {"another", "TVFH", "CB-V", "a-new-one", "M1"}) {
+    study.add(trial(algorithm, "Outdoor", true, {}));
+    study.add(trial(algorithm, "Dark", true, {}));
+  }
+  std::vector<std::string> names;
+  for (const StudyGroup& group : study.by_algorithm()) {
+    names.push_back(group.algorithm);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"CB-V", "M1", "TVFH", "a-new-one", "another"}));
+  EXPECT_EQ(study.by_lighting().front().lighting, "Dark");
+  EXPECT_EQ(study.by_cell().size(), 10U);
+}
+
+TEST(PublishedSpeed, IsKnownForThePapersNamesOnly) {
+  EXPECT_EQ(published_speed_mps("M2"), 0.12);
+  EXPECT_FALSE(published_speed_mps("").has_value());
+}
+
+}  // namespace
+}  // namespace tcert
