@@ -63,7 +63,9 @@ GuardedTick Guards::update(const Tick& tick, const CertifiedTick& certified) noe
   now.triggers |= now.force_n > now.force_limit_n ? guard_force : 0U;
   now.triggers |= now.robust_margin_m > parameters_.replan_margin_m ? 0U : guard_replan;
   now.triggers |= std::isinf(now.tracking_error_m) ? guard_no_bound : 0U;
-  if (parameters_.mode == GuardMode::act && now.triggers != 0) {
+  const bool acting = parameters_.mode == GuardMode::act ||
+                      (parameters_.mode == GuardMode::by_law && law_.kind == SpeedLawKind::clip);
+  if (acting && now.triggers != 0) {
     now.speed_mps = 0.0;
   }
   command(now, tick.time_ns);

@@ -13,12 +13,13 @@ namespace tcert {
 
 /// What G2 and G3 do when they trip.
 enum class GuardMode : std::uint8_t {
-  act,    ///< Forward speed 0.
-  watch,  ///< They are stated and nothing else: the speed is the speed law's.
+  by_law,  ///< As the paper has them: act under the clip law (5), watch under squash (3.5).
+  act,     ///< Forward speed 0.
+  watch,   ///< They are stated and nothing else: the speed is the speed law's.
 };
 
 struct GuardParameters {
-  GuardMode mode = GuardMode::act;
+  GuardMode mode = GuardMode::by_law;
   double replan_margin_m = 0.005;  ///< epsilon_replan of G3.
   double min_force_n = 5.0;        ///< F_min of G2: allowed without any margin; > 0.
   double force_per_m = 50.0;       ///< k_F of G2; >= 0.

@@ -89,6 +89,15 @@ TEST(Guards, WatchingChangesNoSpeed) {
   EXPECT_NEAR(watched.speed_mps, 0.08 + 0.14 * 0.1, 1e-15);
 }
 
+TEST(Guards, ByTheLawClipActsAndSquashWatches) {
+  Loop clip(kClip);
+  Loop squash(kSquash);
+  EXPECT_TRUE(clip.step(0.3, 0.0).halted());
+  const GuardedTick watched = squash.step(0.3, 0.0);
+  EXPECT_EQ(watched.triggers, guard_replan);
+  EXPECT_FALSE(watched.halted());
+}
+
 TEST(Guards, TheForceLimitGrowsWithTheMargin) {
   Loop loop(kClip, {GuardMode::act, 0.005, 5.0, 50.0, 0.0});
   // F_max = 5 + 50 * 0.04 = 7 N.
