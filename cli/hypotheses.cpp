@@ -5,6 +5,7 @@
 #include "cli/errors.hpp"
 #include "cli/feature_data.hpp"
 #include "cli/h1_options.hpp"
+#include "cli/h3.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -28,17 +29,23 @@ A table needs the columns of --success and of the predictors. 'column:smaller' a
 --baselines means that smaller values speak for success. Without --features' own landmark columns
 (tc_landmark, ...) there is one panel, unless --landmark is given.
 
-json has every number, incidences by quartile of the predictor, closed-form errors and folds; csv has
+h3: does gating the speed by the margin recover the lead of the camera baseline without losing
+successes? Every trial is replayed at each speed law and beta; rates of advance, gain, share of the
+gap, successes lost and retained, stalls, the Pareto front; by lighting.
+
+For h1 json has every number, incidences by quartile of the predictor, closed-form errors and folds; csv has
 the table of success, or that of --table: h1, h1_time, h1_case_level, h1_incidence, h1_closed_form,
 h1_folds.
 
 Usage: tcert hypotheses h1 (BUNDLE | --features FILE) [options]
+       tcert hypotheses h3 (BUNDLE | --replays FILE) [options]
 
 Example:
   tcert hypotheses h1 corpus
   tcert hypotheses h1 --features results/features.csv --format md --output tables/h1.md
   tcert hypotheses h1 --features barn.csv --predictor m1 --baselines m2,m3:smaller --cluster world \
     --strata planner --time time_s
+  tcert hypotheses h3 corpus --betas 5,10,20
 
 Cost: that of 'tcert certify' for a bundle; some seconds per 1,000 trials and 2,000 resamples.
 )";
@@ -49,14 +56,15 @@ struct Study {
   int exit_code = exit_done;
 };
 
-CommandLine command_line(HypothesesOptions& o) {
+CommandLine command_line(HypothesesOptions& o, H3CommandOptions& h3) {
   CommandLine line{"hypotheses",
                    kText,
                    uses_parameters | uses_output | uses_format | uses_seed | uses_threads |
                        uses_trials | uses_logs,
                    po::options_description("Options"),
-                   {{"a hypothesis: h1", &o.hypothesis}, {"BUNDLE", &o.bundle, false}}};
+                   {{"a hypothesis: h1 or h3", &o.hypothesis}, {"BUNDLE", &o.bundle, false}}};
   add_h1_options(line.own, o);
+  add_h3_options(line.own, h3);
   return line;
 }
 
@@ -88,12 +96,19 @@ Study study_of_bundle(const HypothesesOptions& options, const CommonOptions& com
 
 int run(Arguments arguments) {
   HypothesesOptions options;
+  H3CommandOptions h3_options;
   CommonOptions common;
-  if (!parse(command_line(options), common, arguments)) {
+  if (!parse(command_line(options, h3_options), common, arguments)) {
     return exit_done;
   }
+  if (options.hypothesis == "h3") {
+    return run_h3(
+        h3_options,
+        {options.bundle, options.cluster, options.table, options.level, options.replicates},
+        common);
+  }
   if (options.hypothesis != "h1") {
-    throw UsageError("unknown hypothesis '" + options.hypothesis + "', expected h1");
+    throw UsageError("unknown hypothesis '" + options.hypothesis + "', expected h1 or h3");
   }
   if (options.bundle.empty() == options.features.empty()) {
     throw UsageError("needs either BUNDLE or --features FILE");
@@ -122,6 +137,6 @@ int run(Arguments arguments) {
 
 }  // namespace
 
-const Command kHypotheses = {"hypotheses", "test a hypothesis of the paper: h1", run};
+const Command kHypotheses = {"hypotheses", "test a hypothesis of the paper: h1, h3", run};
 
 }  // namespace tcert::cli

@@ -1,7 +1,8 @@
 #!/usr/bin/env Rscript
-# Recomputes in R every deterministic cell of the H1 tables and lists those that differ.
+# Recomputes in R every deterministic cell of the H1 or H3 tables and lists those that differ.
 #
 #   Rscript scripts/check_hypotheses.R TCERT FEATURES.csv [options of `tcert hypotheses h1`...]
+#   Rscript scripts/check_hypotheses.R h3 TCERT REPLAY.csv [options of `tcert hypotheses h3`...]
 #
 # Needs the packages survival, pROC and jsonlite. Of the tool's answer only the numbers to be checked,
 # the options it says it used, the folds and the times of the incidence table are read; all else
@@ -542,4 +543,10 @@ main <- function(arguments) {
   report()
 }
 
-main(commandArgs(trailingOnly = TRUE))
+arguments <- commandArgs(trailingOnly = TRUE)
+if (arguments[1] == "h3") {
+  source(file.path(dirname(this_file), "check_h3.R"))
+  check_h3(arguments[2], arguments[3], arguments[-(1:3)])
+} else {
+  main(arguments)
+}
