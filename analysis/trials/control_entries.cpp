@@ -5,7 +5,7 @@ namespace {
 
 void add_speed_law(ParameterEntries& table) {
   const auto group = &ParameterSet::speed_law;
-  constexpr Stage kStage = Stage::certify;
+  constexpr Stage kStage = Stage::control;
   table.push_back(word({"speed_law",
                         "",
                         kStage,
