@@ -39,7 +39,8 @@ struct ParameterSet {
   ReplayOptions replay;
 };
 
-/// The first step of the way from log to result that another value changes; all later ones follow.
+/// The first step of the way from log to result that another value changes. Features and control
+/// both follow from the series, neither from the other.
 enum class Stage {
   resample,  ///< Log to ticks.
   certify,   ///< Ticks to series.
