@@ -34,7 +34,7 @@ Usage: tcert replay BUNDLE [options]
 
 Example:
   tcert replay corpus --output replays
-  tcert replay corpus --trials 't00000*' --laws clip --betas 10 --replan --set guards=watch
+  tcert replay corpus --trials 't00000*' --laws clip --betas 10 --replan --set guard_mode=watch
 
 Cost: that of 'tcert certify', and about as much again with --replan.
 )";

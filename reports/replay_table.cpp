@@ -170,7 +170,7 @@ Table ReplayTotals::table() const {
       "kept: successes without a stall and within the trial limit. A replay can only lose "
       "successes; it cannot see failures that speed would cause.",
       "margin, G2, G3: times that the speed law, the force guard and the replan guard began to "
-      "trip; they halt or are only stated, as the parameter 'guards' says."};
+      "trip; they halt or are only stated, as the parameter 'guard_mode' says."};
   return table;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "analysis/basics/normal.hpp"
@@ -21,12 +20,30 @@ double softplus(double eta) { return std::max(eta, 0.0) + std::log1p(std::exp(-s
 class Drop {
  public:
   Drop(std::span<const double> x, std::span<const std::uint8_t> success, double point, double slope)
-      : x_(x), success_(success), slope_(slope), highest_(at(point, slope).value) {}
+      : x_(x), success_(success), slope_(slope), highest_(at(point, slope).value) {
+    // The limit of the likelihood far from the data: a constant chance.
+    const auto n = static_cast<double>(x.size());
+    double successes = 0.0;
+    for (const std::uint8_t one : success) {
+      successes += one;
+    }
+    level_ = successes * std::log(successes / n) + (n - successes) * std::log1p(-successes / n);
+  }
+
+  /// Twice the drop far from the data, less `target`: of the test that the slope is 0.
+  [[nodiscard]] double beyond_at_infinity(double target) const {
+    return 2.0 * (highest_ - level_) - target;
+  }
 
   /// Twice the drop at x0, less `target`.
   [[nodiscard]] double beyond(double x0, double target) const {
+    // The slope of the estimate is a bad start far from its point, where it overflows.
     double beta = slope_;
     Likelihood now = at(x0, beta);
+    if (const Likelihood level = at(x0, 0.0); !(now.value > level.value)) {
+      beta = 0.0;
+      now = level;
+    }
     for (int step = 0; step < kMaxSteps; ++step) {
       const double move = now.gradient / now.information;
       Likelihood next;
@@ -73,6 +90,7 @@ class Drop {
   std::span<const std::uint8_t> success_;
   double slope_;
   double highest_;
+  double level_ = 0.0;
 };
 
 /// Where the drop passes the target between a point inside and one outside.
@@ -87,17 +105,21 @@ double end_between(const Drop& drop, double inside, double outside, double targe
   return inside;
 }
 
-/// An end of a bounded set, by steps that double; empty if the drop stays below the target.
-std::optional<double> bounded_end(const Drop& drop, double point, double step, double target) {
-  double inside = point;
-  for (int i = 0; i < 60; ++i) {
-    const double outside = point + step * std::exp2(i);
-    if (drop.beyond(outside, target) > 0.0) {
-      return end_between(drop, inside, outside, target);
-    }
-    inside = outside;
+/// From a point that is `outside` or not, the first one by doubling steps that is the other.
+double first_change(const Drop& drop, double from, double step, double target, bool outside) {
+  double at = from + step;
+  for (int i = 1; i < 60 && (drop.beyond(at, target) > 0.0) == outside; ++i) {
+    at = from + step * std::exp2(i);
   }
-  return std::nullopt;
+  return at;
+}
+
+ConfidenceSet bounded_set(const Drop& drop, double point, double scale, double target) {
+  const double low = first_change(drop, point, -scale, target, false);
+  const double high = first_change(drop, point, scale, target, false);
+  return {ConfidenceSetKind::bounded,
+          end_between(drop, point, low, target),
+          end_between(drop, point, high, target)};
 }
 
 /// Of a set without bounds: what it leaves out, if anything, found on a grid that reaches far.
@@ -108,14 +130,18 @@ ConfidenceSet unbounded_set(const Drop& drop, double point, double scale, double
     grid.push_back(point + scale * std::tan(std::numbers::pi * (i / double{kGrid} - 0.5)));
   }
   const auto outside = [&](double x0) { return drop.beyond(x0, target) > 0.0; };
-  const auto first = std::find_if(grid.begin(), grid.end(), outside);
-  if (first == grid.end() || first == grid.begin() || outside(grid.back())) {
+  const auto some = std::find_if(grid.begin(), grid.end(), outside);
+  if (some == grid.end()) {
     return {ConfidenceSetKind::whole_line, 0.0, 0.0};
   }
-  const auto last = std::find_if(grid.rbegin(), grid.rend(), outside).base();
+  const auto last = std::find_if(grid.rbegin(), grid.rend(), outside).base() - 1;
+  const double before =
+      some == grid.begin() ? first_change(drop, *some, -scale, target, true) : *(some - 1);
+  const double after =
+      last + 1 == grid.end() ? first_change(drop, *last, scale, target, true) : *(last + 1);
   return {ConfidenceSetKind::two_rays,
-          end_between(drop, *(first - 1), *first, target),
-          end_between(drop, *last, *(last - 1), target)};
+          end_between(drop, before, *some, target),
+          end_between(drop, after, *last, target)};
 }
 
 }  // namespace
@@ -129,12 +155,8 @@ ConfidenceSet profile_point_set(std::span<const double> x,
   const double z = normal_factor(level);
   const double target = z * z;
   const Drop drop(x, success, point, slope);
-  const auto low = bounded_end(drop, point, -scale, target);
-  const auto high = bounded_end(drop, point, scale, target);
-  if (low && high) {
-    return {ConfidenceSetKind::bounded, *low, *high};
-  }
-  return unbounded_set(drop, point, scale, target);
+  return drop.beyond_at_infinity(target) > 0.0 ? bounded_set(drop, point, scale, target)
+                                               : unbounded_set(drop, point, scale, target);
 }
 
 }  // namespace tcert

@@ -44,7 +44,7 @@ void add_speed_law(ParameterEntries& table) {
 void add_guards(ParameterEntries& table) {
   const auto group = &ParameterSet::guards;
   constexpr Stage kStage = Stage::control;
-  table.push_back(word({"guards",
+  table.push_back(word({"guard_mode",
                         "",
                         kStage,
                         "What G2 and G3 do when they trip: act halts forward motion, watch only "

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Every parameter of the way from a log to its features and replays, in one table: the same names in config
-/// files, on the command line, in bundle.json and in the manifest.
+/// Every parameter of the way from a log to its features and replays, in one table: the same names
+/// in config files, on the command line, in bundle.json and in the manifest.
 
 #include <functional>
 #include <optional>

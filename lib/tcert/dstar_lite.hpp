@@ -74,7 +74,9 @@ class DStarLite {
   struct Key {
     PathCost first = kBlocked;
     PathCost second = kBlocked;
-    friend auto operator<=>(const Key&, const Key&) = default;
+    friend bool operator<(const Key& a, const Key& b) noexcept {
+      return a.first != b.first ? a.first < b.first : a.second < b.second;
+    }
   };
 
   [[nodiscard]] PathCost distance_between(std::uint32_t a, std::uint32_t b) const noexcept;
