@@ -218,7 +218,8 @@ void add_conditions(const H2Table& h2, FitReport& report) {
 Table h2_level_table(const H2Table& h2) {
   Table table;
   table.name = "h2";
-  table.title = "H2: the early certificate margin by " + h2.options.trials.group;
+  table.title =
+      "H2: " + h2.options.trials.predictors.front().column + " by " + h2.options.trials.group;
   table.n = static_cast<std::int64_t>(h2.trials);
   table.columns = {text_column("panel", "panel"),
                    text_column("group", h2.options.trials.group),

@@ -42,6 +42,15 @@ glm_at_optimum <- function(x, y, cluster) {
   list(coef = start, var = bread %*% meat %*% bread)
 }
 
+# A group in which an effect runs to infinity has none: R says so by an error or by an absurd value.
+or_na <- function(expected, size) {
+  value <- tryCatch(suppressWarnings(expected), error = function(e) rep(NA_real_, size))
+  if (anyNA(value) || any(!is.finite(value)) || (size == 4 && abs(log(value[1])) > 30)) {
+    return(rep(NA_real_, size))
+  }
+  value
+}
+
 odds_ratio <- function(e) {
   fit <- glm_at_optimum(e$scaled, e$y, e$cluster)
   se <- sqrt(fit$var[2, 2])
@@ -67,14 +76,15 @@ check_level <- function(d, level, h2, forms) {
   check("H2 AUC", where, h2$auc, auc)
   check("H2 AUC clustered SE", where, forms$auc_std_error, se)
   check("H2 AUC clustered CI", where, c(forms$auc_low, forms$auc_high), wald(auc, se, d$level))
-  check_ratio("or", "or_p", where, h2, forms, odds_ratio(e))
+  check_ratio("or", "or_p", where, h2, forms, or_na(odds_ratio(e), 4))
   if (is.null(d$censored)) return(invisible())
   fit <- c_of(e$x, e$censored, e$cluster)
   check("H2 C", where, h2$c, fit$concordance)
+  if (is.na(fit$concordance)) fit$var <- NA  # R says 0.
   check("H2 C clustered SE", where, forms$c_std_error, sqrt(fit$var))
   check("H2 C clustered CI", where, c(forms$c_low, forms$c_high),
         wald(fit$concordance, sqrt(fit$var), d$level))
-  ratio <- function(...) hazard_ratio(e$scaled, ...)
+  ratio <- function(...) or_na(hazard_ratio(e$scaled, ...), 4)
   check_ratio("hr_censored", "hr_censored_p", where, h2, forms, ratio(e$censored, e))
   check_ratio("hr_at_limit", "hr_at_limit_p", where, h2, forms, ratio(e$at_limit, e))
   check_ratio("hr_stratified", "hr_stratified_p", where, h2, forms,
@@ -141,6 +151,11 @@ check_pairs <- function(where, found, groups, pairs, margin) {
 
 check_equality <- function(d, quantity, levels, groups, result) {
   where <- paste(d$name, quantity)
+  if (anyNA(groups$values) || anyNA(groups$covariance)) {
+    rows <- sum(unlist(result$h2_equality["panel"]) == d$name & unlist(result$h2_equality["quantity"]) == quantity)
+    check("H2 rows without a joint covariance", where, rows, 0)
+    return(invisible())
+  }
   pick <- function(table) table[table$panel == d$name & table$quantity == quantity, , drop = FALSE]
   pairs <- combn(length(levels), 2)
   margin <- result$summary$margin
@@ -180,9 +195,10 @@ inform_of_permutation <- function(d, levels, found, permutations = 300) {
       auc_by_ranks(d$x[in_group, 1], d$y[in_group])
     })))
   })
+  ranges <- ranges[!is.na(ranges)]  # A small group may get one class.
   cat(sprintf("%s, max - min of AUC expected if equal: tool %.4f, R %.4f: %s (not counted)\n", d$name,
               found$range_expected, mean(ranges),
-              if (abs(found$range_expected - mean(ranges)) < 4 * sd(ranges) / sqrt(permutations))
+              if (abs(found$range_expected - mean(ranges)) < 4 * sd(ranges) / sqrt(length(ranges)))
                 "within error" else "NOT within error"))
 }
 

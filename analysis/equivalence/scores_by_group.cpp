@@ -35,10 +35,7 @@ Conditions without_few_clusters(Conditions conditions) {
 /// Distinct codes of these rows, rising: what a compact code of the rows stands for.
 std::vector<std::uint32_t> clusters_of(const std::vector<std::uint32_t>& cluster,
                                        const std::vector<std::size_t>& rows) {
-  std::vector<std::uint32_t> codes;
-  for (const std::size_t row : rows) {
-    codes.push_back(cluster[row]);
-  }
+  std::vector<std::uint32_t> codes = chosen(cluster, rows);
   std::sort(codes.begin(), codes.end());
   codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
   return codes;

@@ -36,18 +36,19 @@ void add_penalty(const Eigen::MatrixXd& design,
   const Eigen::Index columns = design.cols();
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(columns * columns, columns);
   Eigen::MatrixXd second = Eigen::MatrixXd::Zero(columns, columns);
+  Eigen::VectorXd eta = Eigen::VectorXd::Zero(kBlock);
+  Eigen::VectorXd correction = Eigen::VectorXd::Zero(kBlock);
+  Eigen::VectorXd by_second = Eigen::VectorXd::Zero(kBlock);
+  Eigen::VectorXd by_first = Eigen::VectorXd::Zero(kBlock);
   for (Eigen::Index first = 0; first < design.rows(); first += kBlock) {
     const Eigen::Index size = std::min(kBlock, design.rows() - first);
-    const Eigen::MatrixXd block = design.middleRows(first, size);
-    Eigen::VectorXd eta = block * coefficients;
+    const auto block = design.middleRows(first, size);
+    eta.head(size).noalias() = block * coefficients;
     if (rows.offset.size() > 0) {
-      eta += rows.offset.segment(first, size);
+      eta.head(size) += rows.offset.segment(first, size);
     }
     // Rows z_i = L^-1 x_i, so that q_i = |z_i|^2.
     const Eigen::MatrixXd whitened = cholesky.matrixL().solve(block.transpose()).transpose();
-    Eigen::VectorXd correction(size);
-    Eigen::VectorXd by_second(size);
-    Eigen::VectorXd by_first(size);
     for (Eigen::Index i = 0; i < size; ++i) {
       const Weight weight = weight_of(eta[i], rows.trials[first + i]);
       const double q = whitened.row(i).squaredNorm();
@@ -55,10 +56,10 @@ void add_penalty(const Eigen::MatrixXd& design,
       by_second[i] = weight.second * q;
       by_first[i] = weight.first;
     }
-    result.gradient.noalias() += block.transpose() * correction;
-    second.noalias() += block.transpose() * by_second.asDiagonal() * block;
+    result.gradient.noalias() += block.transpose() * correction.head(size);
+    second.noalias() += block.transpose() * by_second.head(size).asDiagonal() * block;
     for (Eigen::Index r = 0; r < columns; ++r) {
-      const Eigen::VectorXd scale = by_first.cwiseProduct(block.col(r));
+      const Eigen::VectorXd scale = by_first.head(size).cwiseProduct(block.col(r));
       const Eigen::MatrixXd part = whitened.transpose() * scale.asDiagonal() * whitened;
       products.col(r) += part.reshaped();
     }
@@ -78,14 +79,13 @@ FirthLikelihood firth_likelihood(const Eigen::MatrixXd& design,
   result.information = plain.information;
   result.curvature = plain.information;
   const Eigen::LLT<Eigen::MatrixXd> cholesky(plain.information);
-  const Eigen::MatrixXd factor = cholesky.matrixLLT();
-  const bool invertible = cholesky.info() == Eigen::Success &&
-                          (design.cols() == 0 || (factor.diagonal().array() > 0.0).all());
+  const Eigen::VectorXd pivots = Eigen::MatrixXd(cholesky.matrixLLT()).diagonal();
+  const bool invertible = cholesky.info() == Eigen::Success && (pivots.array() > 0.0).all();
   if (!invertible || !std::isfinite(plain.log_likelihood)) {
     result.value = -std::numeric_limits<double>::infinity();
     return result;
   }
-  result.value = plain.log_likelihood + factor.diagonal().array().log().sum();
+  result.value = plain.log_likelihood + pivots.array().log().sum();
   add_penalty(design, rows, coefficients, cholesky, result);
   return result;
 }
