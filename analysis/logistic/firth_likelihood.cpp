@@ -56,9 +56,9 @@ void add_penalty(const Eigen::MatrixXd& design,
       by_second[i] = weight.second * q;
       by_first[i] = weight.first;
     }
-    result.gradient.noalias() += block.transpose() * correction.head(size);
     second.noalias() += block.transpose() * by_second.head(size).asDiagonal() * block;
     for (Eigen::Index r = 0; r < columns; ++r) {
+      result.gradient[r] += block.col(r).dot(correction.head(size));
       const Eigen::VectorXd scale = by_first.head(size).cwiseProduct(block.col(r));
       const Eigen::MatrixXd part = whitened.transpose() * scale.asDiagonal() * whitened;
       products.col(r) += part.reshaped();
