@@ -25,18 +25,6 @@ std::vector<std::string> variables_of(std::string_view term) {
   return variables;
 }
 
-bool is_contained(const std::vector<std::string>& terms, std::size_t term) {
-  const std::vector<std::string> small = variables_of(terms[term]);
-  for (std::size_t other = 0; other < terms.size(); ++other) {
-    const std::vector<std::string> large = variables_of(terms[other]);
-    if (other != term && large.size() > small.size() &&
-        std::includes(large.begin(), large.end(), small.begin(), small.end())) {
-      return true;
-    }
-  }
-  return false;
-}
-
 LogisticInput without(const LogisticInput& input, std::size_t term) {
   LogisticInput reduced = input;
   std::vector<Eigen::Index> columns;
@@ -82,6 +70,18 @@ DroppedTerm dropped(const LogisticInput& input,
 
 }  // namespace
 
+bool contained_in_another(const std::vector<std::string>& terms, std::size_t term) {
+  const std::vector<std::string> small = variables_of(terms[term]);
+  for (std::size_t other = 0; other < terms.size(); ++other) {
+    const std::vector<std::string> large = variables_of(terms[other]);
+    if (other != term && large.size() > small.size() &&
+        std::includes(large.begin(), large.end(), small.begin(), small.end())) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::vector<DroppedTerm> drop_terms(const LogisticInput& input, const NewtonOptions& options) {
   LogisticOptions whole_options;
   whole_options.newton = options;
@@ -91,7 +91,7 @@ std::vector<DroppedTerm> drop_terms(const LogisticInput& input, const NewtonOpti
     return result;
   }
   for (std::size_t term = 0; term < input.terms.size(); ++term) {
-    if (!is_contained(input.terms, term)) {
+    if (!contained_in_another(input.terms, term)) {
       result.push_back(dropped(input, term, whole, options));
     }
   }

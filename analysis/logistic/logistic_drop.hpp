@@ -28,4 +28,7 @@ struct DroppedTerm {
 [[nodiscard]] std::vector<DroppedTerm> drop_terms(const LogisticInput& input,
                                                   const NewtonOptions& options = {});
 
+/// True if another term holds all variables of `terms[term]`: alone it then has no meaning.
+[[nodiscard]] bool contained_in_another(const std::vector<std::string>& terms, std::size_t term);
+
 }  // namespace tcert

@@ -17,6 +17,7 @@ constexpr std::string_view kText =
 
 KIND is one of
   glm          logistic regression           success ~ x1 + lighting, cbind(k, n - k) ~ x
+  calibration  agreement of probabilities    success ~ x1 + lighting: fitted out of fold
   cox          proportional hazards          Surv(time, success) ~ x1 + strata(algorithm)
   km           Kaplan-Meier and log-rank     Surv(time, success) ~ lighting
   roc          AUC and ROC curve             success ~ x1 + x2: larger values speak for 1
@@ -34,7 +35,9 @@ Usage: tcert fit KIND --data FILE --formula FORMULA [options]
 
 Example:
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --cluster day
+  tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --firth
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
+  tcert fit calibration --data features.csv --formula 'success ~ tc_early' --cluster day
   tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --times 60,120
   tcert fit roc --data features.csv --formula 'success ~ tc_early + I(-dwell)' --cluster day
   tcert fit concordance --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --reverse
@@ -54,10 +57,10 @@ struct Kind {
   bool allow_infinite;  ///< Only ranks count.
 };
 
-constexpr std::array<Kind, 5> kKinds{{{"glm", fit_glm, RightSide::design, false},
+constexpr std::array<Kind, 6> kKinds{{{"glm", fit_glm, RightSide::design, false},
+                                      {"calibration", fit_calibration, RightSide::design, false},
                                       {"cox", fit_cox_model, RightSide::design, false},
                                       {"km", fit_km, RightSide::groups, false},
-
                                       {"roc", fit_roc, RightSide::design, true},
                                       {"concordance", fit_concordance, RightSide::design, true}}};
 
@@ -99,6 +102,15 @@ CommandLine command_line(FitOptions& o) {
       text(o.curves, "ROWS"),
       "cox: predicted survival of these rows of the table, counted from 1, comma between");
   add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
+  add("firth",
+      po::bool_switch(&o.firth),
+      "glm: Firth's penalty: finite estimates under separation, less bias in small samples");
+  add("folds",
+      po::value(&o.folds)->value_name("K")->default_value(o.folds),
+      "calibration: of the cross-validation, of whole clusters");
+  add("predicted",
+      text(o.predicted, "COLUMN"),
+      "calibration: a column of given probabilities, with the formula 'outcome ~ COLUMN'");
   add("interval",
       text(o.interval, "WORD")->default_value(o.interval),
       "km: log, log-log, plain, logit or arcsin");
@@ -133,7 +145,8 @@ const Kind& kind_of(const std::string& name) {
     }
     known.emplace_back(kind.name);
   }
-  throw UsageError("unknown kind '" + name + "', expected glm, cox, km, roc or concordance" +
+  throw UsageError("unknown kind '" + name +
+                   "', expected glm, calibration, cox, km, roc or concordance" +
                    did_you_mean(name, known));
 }
 
@@ -179,6 +192,7 @@ void check(const FitOptions& options) {
   if (!(options.level > 0.0 && options.level < 1.0)) {
     throw UsageError("--level: expected a value between 0 and 1");
   }
+  require_range("folds", static_cast<double>(options.folds), 2, 1000);
   require_range("bootstrap", static_cast<double>(options.replicates), 0, 1e6);
 }
 
@@ -253,6 +267,7 @@ std::size_t choice(const std::string& option,
   throw UsageError("--" + option + ": found '" + word + "', expected one of " + known);
 }
 
-const Command kFit = {"fit", "fit a model to any table: glm, cox, km, roc, concordance", run};
+const Command kFit = {
+    "fit", "fit a model to any table: glm, calibration, cox, km, roc, concordance", run};
 
 }  // namespace tcert::cli

@@ -7,24 +7,6 @@
 namespace tcert {
 namespace {
 
-std::string_view word(CoefficientKind kind) {
-  switch (kind) {
-    case CoefficientKind::finite:
-      return "finite";
-    case CoefficientKind::not_estimable:
-      return "not estimable";
-    case CoefficientKind::plus_infinity:
-      return "+infinity";
-    case CoefficientKind::minus_infinity:
-      return "-infinity";
-    case CoefficientKind::diverging:
-      return "diverging";
-    case CoefficientKind::unknown:
-      return "unknown";
-  }
-  return "";
-}
-
 std::optional<double> odds(const std::optional<double>& log_odds) {
   return log_odds ? std::optional(std::exp(*log_odds)) : std::nullopt;
 }
@@ -59,8 +41,7 @@ Table coefficient_table(const LogisticFit& fit,
                    low_cell(profile),
                    high_cell(profile),
                    number_cell(odds(one.estimate)),
-                   one.kind == CoefficientKind::finite ? TableCell{std::string()}
-                                                       : TableCell{std::string(word(one.kind))}});
+                   std::string(word_of(one.kind))});
   }
   return table;
 }
@@ -91,6 +72,24 @@ std::optional<double> df_null(const LogisticFit& fit) {
 }
 
 }  // namespace
+
+std::string_view word_of(CoefficientKind kind) noexcept {
+  switch (kind) {
+    case CoefficientKind::finite:
+      return "";
+    case CoefficientKind::not_estimable:
+      return "not estimable";
+    case CoefficientKind::plus_infinity:
+      return "+infinity";
+    case CoefficientKind::minus_infinity:
+      return "-infinity";
+    case CoefficientKind::diverging:
+      return "diverging";
+    case CoefficientKind::unknown:
+      return "unknown";
+  }
+  return "";
+}
 
 FitReport logistic_report(const LogisticFit& fit,
                           const std::vector<std::optional<Interval>>& profiles,
