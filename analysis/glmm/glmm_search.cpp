@@ -1,0 +1,90 @@
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "analysis/glmm/glmm_maximum.hpp"
+
+namespace tcert {
+namespace {
+
+/// Minus the log-likelihood at origin + metric * x.
+class Deviance final : public ceres::FirstOrderFunction {
+ public:
+  Deviance(MixedLikelihood& likelihood,
+           Eigen::VectorXd origin,
+           Eigen::MatrixXd metric,
+           int& evaluations)
+      : likelihood_(likelihood),
+        origin_(std::move(origin)),
+        metric_(std::move(metric)),
+        evaluations_(evaluations) {}
+
+  bool Evaluate(const double* x, double* cost, double* gradient) const override {
+    const Eigen::Map<const Eigen::VectorXd> at(x, metric_.cols());
+    LikelihoodPoint point;
+    ++evaluations_;
+    const bool possible =
+        likelihood_.evaluate(origin_ + metric_ * at,
+                             gradient == nullptr ? Derivatives::none : Derivatives::gradient,
+                             point);
+    if (!possible || !std::isfinite(point.value)) {
+      return false;
+    }
+    *cost = -point.value;
+    if (gradient != nullptr) {
+      Eigen::Map<Eigen::VectorXd>(gradient, metric_.cols()) = -metric_.transpose() * point.gradient;
+    }
+    return true;
+  }
+  [[nodiscard]] int NumParameters() const override { return static_cast<int>(metric_.cols()); }
+
+ private:
+  MixedLikelihood& likelihood_;
+  Eigen::VectorXd origin_;
+  Eigen::MatrixXd metric_;
+  int& evaluations_;
+};
+
+/// Directions along which a step of 1 is about one standard error, as far as the curvature at one
+/// point can tell.
+Eigen::MatrixXd metric_of(const Eigen::MatrixXd& hessian) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian);
+  const Eigen::VectorXd size = solver.eigenvalues().cwiseAbs();
+  const double least = 1e-3 * size.maxCoeff();
+  const Eigen::VectorXd scale = size.unaryExpr(
+      [least](double value) { return 1.0 / std::sqrt(std::max(value, std::max(least, 1e-8))); });
+  return solver.eigenvectors() * scale.asDiagonal();
+}
+
+}  // namespace
+
+Eigen::VectorXd search_maximum(MixedLikelihood& likelihood,
+                               const Eigen::VectorXd& start,
+                               double gradient_tolerance,
+                               int& iterations,
+                               int& evaluations) {
+  LikelihoodPoint point;
+  ++evaluations;
+  if (!likelihood.evaluate(start, Derivatives::hessian, point) || !point.hessian.allFinite() ||
+      !point.gradient.allFinite()) {
+    return start;
+  }
+  const Eigen::MatrixXd metric = metric_of(point.hessian);
+  const ceres::GradientProblem problem(new Deviance(likelihood, start, metric, evaluations));
+  ceres::GradientProblemSolver::Options options;
+  options.line_search_direction_type = ceres::BFGS;
+  options.line_search_type = ceres::WOLFE;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = 100;
+  options.gradient_tolerance = gradient_tolerance;
+  options.function_tolerance = 1e-12;
+  ceres::GradientProblemSolver::Summary summary;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(start.size());
+  ceres::Solve(options, problem, x.data(), &summary);
+  iterations += static_cast<int>(summary.iterations.size());
+  return x.allFinite() ? Eigen::VectorXd(start + metric * x) : start;
+}
+
+}  // namespace tcert
