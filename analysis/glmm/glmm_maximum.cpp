@@ -104,6 +104,12 @@ std::string_view to_string(GlmmTermination termination) noexcept {
   return "";
 }
 
+bool is_concave(const Eigen::MatrixXd& hessian) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian, Eigen::EigenvaluesOnly);
+  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
+  return solver.eigenvalues().maxCoeff() <= 1e-10 * largest;
+}
+
 GlmmMaximum newton_maximum(MixedLikelihood& likelihood,
                            const Eigen::VectorXd& start,
                            const std::optional<Eigen::MatrixXd>& subspace,

@@ -43,4 +43,7 @@ struct GlmmMaximum {
                                          const std::optional<Eigen::MatrixXd>& subspace,
                                          const GlmmOptions& options);
 
+/// No eigenvalue is above rounding.
+[[nodiscard]] bool is_concave(const Eigen::MatrixXd& hessian);
+
 }  // namespace tcert

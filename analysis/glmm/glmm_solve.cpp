@@ -1,5 +1,6 @@
 #include "analysis/glmm/glmm_solve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,6 +32,18 @@ void take_better(GlmmMaximum&& other, GlmmMaximum& maximum) {
   maximum.evaluations = evaluations;
 }
 
+/// The columns of the identity whose place is not `fixed`.
+Eigen::MatrixXd free_directions(const std::vector<bool>& fixed) {
+  const auto size = static_cast<Eigen::Index>(fixed.size());
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index j = 0; j < size; ++j) {
+    if (!fixed[static_cast<std::size_t>(j)]) {
+      kept.push_back(j);
+    }
+  }
+  return Eigen::MatrixXd::Identity(size, size)(Eigen::all, kept);
+}
+
 /// The likelihood is even in each column of a factor, so that 0 is a stationary value of a diagonal
 /// that stands alone: where the optimum lies there it is reached by setting it.
 void settle_on_boundary(const GlmmProblem& problem,
@@ -38,13 +51,20 @@ void settle_on_boundary(const GlmmProblem& problem,
                         const GlmmOptions& options,
                         GlmmMaximum& maximum) {
   Eigen::VectorXd settled = maximum.parameters;
+  std::vector<bool> fixed(static_cast<std::size_t>(settled.size()), false);
   for (const Eigen::Index place : diagonal_places(problem)) {
     if (std::abs(settled[place]) < kSmallTheta) {
       settled[place] = 0.0;
+      fixed[static_cast<std::size_t>(place)] = true;
     }
   }
-  if (maximum.converged() && settled != maximum.parameters) {
-    take_better(newton_maximum(likelihood, settled, std::nullopt, options), maximum);
+  const bool any = std::find(fixed.begin(), fixed.end(), true) != fixed.end();
+  if (!maximum.converged() || !any) {
+    return;
+  }
+  GlmmMaximum at = newton_maximum(likelihood, settled, free_directions(fixed), options);
+  if (at.converged() && is_concave(at.at.hessian)) {
+    take_better(std::move(at), maximum);
   }
 }
 
@@ -98,8 +118,8 @@ GlmmMaximum solve(const GlmmProblem& problem, int quadrature, const GlmmOptions&
       search_maximum(*laplace, start_of(problem, kStartTheta), tolerance, iterations, evaluations);
   const std::unique_ptr<MixedLikelihood> likelihood = problem.likelihood(quadrature);
   GlmmMaximum maximum = newton_maximum(*likelihood, near, std::nullopt, options);
-  settle_on_boundary(problem, *likelihood, options, maximum);
   compare_with_plain(problem, *likelihood, options, maximum);
+  settle_on_boundary(problem, *likelihood, options, maximum);
   maximum.iterations += iterations;
   maximum.evaluations += evaluations;
   if (maximum.at.hessian.size() > 0) {
