@@ -1,7 +1,6 @@
 #include "analysis/concordance/concordance.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,154 +8,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/basics/normal.hpp"
+#include "analysis/concordance/concordance_columns.hpp"
+
 namespace tcert {
 namespace {
 
 constexpr std::size_t kFewClusters = 30;
-
-/// What an estimate is made of, on complete rows.
-struct Columns {
-  const SurvivalOutcome* outcome = nullptr;
-  std::vector<std::span<const double>> predictors;
-  std::span<const double> weights;  ///< Empty if there are none; so the others.
-  std::span<const std::uint32_t> strata;
-  std::span<const std::uint32_t> cluster;
-};
-
-/// Copies of the columns' complete rows.
-struct Copies {
-  SurvivalOutcome outcome;
-  std::vector<std::vector<double>> predictors;
-  std::vector<double> weights;
-  std::vector<std::uint32_t> strata;
-  std::vector<std::uint32_t> cluster;
-};
-
-template <typename T>
-std::vector<T> pick(std::span<const T> column, std::span<const std::size_t> rows) {
-  std::vector<T> result;
-  if (!column.empty()) {
-    result.reserve(rows.size());
-    for (const std::size_t row : rows) {
-      result.push_back(column[row]);
-    }
-  }
-  return result;
-}
-
-Copies copy_rows(const Columns& columns, std::span<const std::size_t> rows) {
-  Copies copies;
-  copies.outcome.start = pick(std::span<const double>(columns.outcome->start), rows);
-  copies.outcome.stop = pick(std::span<const double>(columns.outcome->stop), rows);
-  copies.outcome.event = pick(std::span<const std::uint8_t>(columns.outcome->event), rows);
-  for (const std::span<const double> values : columns.predictors) {
-    copies.predictors.push_back(pick(values, rows));
-  }
-  copies.weights = pick(columns.weights, rows);
-  copies.strata = pick(columns.strata, rows);
-  copies.cluster = pick(columns.cluster, rows);
-  return copies;
-}
-
-Columns columns_of(const Copies& copies) {
-  return {&copies.outcome,
-          {copies.predictors.begin(), copies.predictors.end()},
-          copies.weights,
-          copies.strata,
-          copies.cluster};
-}
-
-Columns columns_of(const SurvivalOutcome& outcome,
-                   std::span<const Predictor> predictors,
-                   const ConcordanceOptions& options) {
-  Columns columns;
-  columns.outcome = &outcome;
-  for (const Predictor& predictor : predictors) {
-    columns.predictors.push_back(predictor.values);
-  }
-  columns.weights = options.weights;
-  if (options.strata != nullptr) {
-    columns.strata = options.strata->codes;
-  }
-  if (options.cluster != nullptr) {
-    columns.cluster = options.cluster->codes;
-  }
-  return columns;
-}
-
-void check(const SurvivalOutcome& outcome,
-           std::span<const Predictor> predictors,
-           const ConcordanceOptions& options) {
-  if (!(options.level > 0.0 && options.level < 1.0)) {
-    throw std::invalid_argument("concordance: level must be in (0, 1)");
-  }
-  const std::size_t n = outcome.rows();
-  const auto wrong = [n](std::size_t size) { return size != n; };
-  if (wrong(outcome.event.size()) || (outcome.left_truncated() && wrong(outcome.start.size())) ||
-      (!options.weights.empty() && wrong(options.weights.size())) ||
-      (options.strata != nullptr && wrong(options.strata->rows())) ||
-      (options.cluster != nullptr && wrong(options.cluster->rows())) ||
-      std::any_of(predictors.begin(), predictors.end(), [&](const Predictor& predictor) {
-        return wrong(predictor.values.size());
-      })) {
-    throw std::invalid_argument("concordance: columns of different length");
-  }
-  if (options.cluster != nullptr) {
-    const std::size_t levels = options.cluster->levels.size();
-    const auto& codes = options.cluster->codes;
-    if (std::any_of(codes.begin(), codes.end(), [&](auto code) { return code >= levels; })) {
-      throw std::invalid_argument("concordance: a cluster is missing");
-    }
-  }
-}
-
-bool is_complete(const Columns& columns, std::size_t row) {
-  return std::none_of(columns.predictors.begin(),
-                      columns.predictors.end(),
-                      [row](std::span<const double> values) { return std::isnan(values[row]); });
-}
-
-/// Empty if every row is complete.
-std::vector<std::size_t> complete_rows_of(const Columns& columns) {
-  const std::size_t n = columns.outcome->rows();
-  std::size_t complete = 0;
-  while (complete < n && is_complete(columns, complete)) {
-    ++complete;
-  }
-  std::vector<std::size_t> rows;
-  if (complete == n) {
-    return rows;
-  }
-  rows.resize(complete);
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  for (std::size_t row = complete + 1; row < n; ++row) {
-    if (is_complete(columns, row)) {
-      rows.push_back(row);
-    }
-  }
-  return rows;
-}
-
-/// R's ymin: early times become one.
-void raise_times(SurvivalOutcome& outcome, double earliest) {
-  for (std::size_t row = 0; row < outcome.rows(); ++row) {
-    if (outcome.stop[row] < earliest) {
-      if (outcome.event[row] == 0) {
-        throw std::invalid_argument("concordance: a row is censored before the earliest time");
-      }
-      outcome.stop[row] = earliest;
-    }
-  }
-}
-
-/// A risk set that everybody enters at the same time is that of rows without a start.
-bool has_common_start(const SurvivalOutcome& outcome) {
-  const auto& start = outcome.start;
-  return !start.empty() &&
-         std::all_of(start.begin(), start.end(), [&](double s) { return s == start[0]; }) &&
-         std::all_of(
-             outcome.stop.begin(), outcome.stop.end(), [&](double s) { return s > start[0]; });
-}
 
 void turn_over(ConcordancePairs& pairs) {
   const auto swap_sides = [](ConcordanceCounts& counts) {
@@ -219,9 +77,6 @@ std::vector<double> by_cluster(std::span<const double> dfbeta,
 double dot(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
-
-/// Two-sided standard normal quantile: 1.96 for level 0.95.
-double normal_factor(double level) { return std::numbers::sqrt2 * boost::math::erf_inv(level); }
 
 ConcordanceDifference difference_of(const ConcordanceEstimate& first,
                                     const ConcordanceEstimate& second,
@@ -358,46 +213,27 @@ SurvivalOutcome uncensored(std::span<const double> values) {
 ConcordanceResult concordance(const SurvivalOutcome& outcome,
                               std::span<const Predictor> predictors,
                               const ConcordanceOptions& options) {
-  check(outcome, predictors, options);
-  Columns columns = columns_of(outcome, predictors, options);
+  const ConcordanceColumns columns(outcome, predictors, options);
   ConcordanceResult result;
-  result.rows = complete_rows_of(columns);
-  Copies copies;
-  const bool all = result.rows.empty() && (outcome.rows() == 0 || is_complete(columns, 0));
-  if (!all) {
-    result.missing = outcome.rows() - result.rows.size();
-    copies = copy_rows(columns, result.rows);
-    columns = columns_of(copies);
-  }
-  SurvivalOutcome adjusted;
-  if (options.earliest || has_common_start(*columns.outcome)) {
-    adjusted = *columns.outcome;
-    if (has_common_start(adjusted)) {
-      adjusted.start.clear();
-    }
-    if (options.earliest) {
-      raise_times(adjusted, *options.earliest);
-    }
-    columns.outcome = &adjusted;
-  }
-
+  result.missing = columns.missing();
+  result.rows = columns.rows();
   const std::size_t strata = options.strata == nullptr ? 1 : options.strata->levels.size();
   const std::size_t clusters = options.cluster == nullptr ? 0 : options.cluster->levels.size();
-  const auto& events = columns.outcome->event;
+  const auto& events = columns.outcome().event;
   result.events = static_cast<std::size_t>(std::count(events.begin(), events.end(), 1));
-  result.clusters = count_clusters(columns.cluster, clusters);
-  name_row_conditions(columns.outcome->rows(), options.cluster != nullptr, result);
+  result.clusters = count_clusters(columns.cluster(), clusters);
+  name_row_conditions(columns.outcome().rows(), options.cluster != nullptr, result);
 
-  const TimeOrder order = time_order(*columns.outcome, columns.strata, strata);
-  ConcordanceRows rows{&order, columns.outcome, columns.weights, options.pair_weight};
+  const TimeOrder order = time_order(columns.outcome(), columns.strata(), strata);
+  ConcordanceRows rows{&order, &columns.outcome(), columns.weights(), options.pair_weight};
   rows.last_event = options.latest.value_or(rows.last_event);
   std::vector<std::vector<double>> clustered;
   const bool has_variance = options.cluster == nullptr || result.clusters > 1;
   for (std::size_t i = 0; i < predictors.size(); ++i) {
-    result.estimates.push_back(estimate_of(rows, predictors[i], columns.predictors[i]));
+    result.estimates.push_back(estimate_of(rows, predictors[i], columns.predictor(i)));
     ConcordanceEstimate& estimate = result.estimates.back();
     if (options.cluster != nullptr) {
-      clustered.push_back(by_cluster(estimate.dfbeta, columns.cluster, clusters));
+      clustered.push_back(by_cluster(estimate.dfbeta, columns.cluster(), clusters));
     }
     const std::vector<double>& dfbeta =
         options.cluster != nullptr ? clustered.back() : estimate.dfbeta;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/basics/normal.hpp"
 #include "analysis/logistic/logistic_problem.hpp"
 #include "analysis/logistic/separation_words.hpp"
 
@@ -189,7 +190,7 @@ void set_estimate(LogisticCoefficient& coefficient,
     return;
   }
   const double error = std::sqrt(variance);
-  const double half = two_sided_normal_quantile(level) * error;
+  const double half = normal_factor(level) * error;
   coefficient.standard_error = error;
   coefficient.z = estimate / error;
   coefficient.p_value = std::erfc(std::abs(*coefficient.z) / std::numbers::sqrt2);

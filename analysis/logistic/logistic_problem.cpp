@@ -1,8 +1,6 @@
 #include "analysis/logistic/logistic_problem.hpp"
 
 #include <Eigen/Cholesky>
-#include <boost/math/special_functions/erf.hpp>
-#include <numbers>
 
 namespace tcert {
 namespace {
@@ -120,10 +118,6 @@ Eigen::MatrixXd inverse_triangle(const OrthonormalBasis& space) {
     space.triangle.triangularView<Eigen::Upper>().solveInPlace(inverse);
   }
   return inverse;
-}
-
-double two_sided_normal_quantile(double level) {
-  return std::numbers::sqrt2 * boost::math::erf_inv(level);
 }
 
 }  // namespace tcert

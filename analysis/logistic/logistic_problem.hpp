@@ -46,7 +46,4 @@ struct LogisticMaximum {
 /// Row k: what the k-th kept coefficient is of the coefficients along the basis.
 [[nodiscard]] Eigen::MatrixXd inverse_triangle(const OrthonormalBasis& space);
 
-/// 1.96 for 0.95.
-[[nodiscard]] double two_sided_normal_quantile(double level);
-
 }  // namespace tcert

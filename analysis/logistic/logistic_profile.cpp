@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/basics/normal.hpp"
 #include "analysis/logistic/logistic_problem.hpp"
 
 namespace tcert {
@@ -104,7 +105,7 @@ std::vector<std::optional<Interval>> profile_intervals(const LogisticInput& inpu
   const NewtonResult newton = maximum_of(input, problem, options.newton).newton;
   const Eigen::MatrixXd back = inverse_triangle(problem.space);
   const Eigen::LLT<Eigen::MatrixXd> information(newton.at.information);
-  const double target = two_sided_normal_quantile(options.level);
+  const double target = normal_factor(options.level);
   for (std::size_t k = 0; k < problem.space.kept.size(); ++k) {
     const Eigen::VectorXd functional = back.row(static_cast<Eigen::Index>(k)).transpose();
     const double error = std::sqrt(functional.dot(information.solve(functional)));

@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "analysis/basics/normal.hpp"
+#include "analysis/concordance/concordance.hpp"
+#include "analysis/concordance/concordance_statistic.hpp"
 #include "analysis/resampling/bootstrap.hpp"
 #include "analysis/roc/auc_statistic.hpp"
 #include "analysis/roc/roc.hpp"
@@ -18,54 +20,92 @@ namespace tcert::coverage {
 namespace {
 
 constexpr std::size_t kMethods = 6;
-constexpr std::array<const char*, kMethods> kMethodNames{"delong_plain",
-                                                         "delong_clustered",
+constexpr std::array<const char*, kMethods> kMethodNames{"analytic_plain",
+                                                         "analytic_clustered",
                                                          "percentile_trials",
                                                          "bca_trials",
                                                          "percentile_days",
                                                          "bca_days"};
+constexpr std::size_t kQuantities = 4;
+constexpr std::array<const char*, kQuantities> kQuantityNames{"auc", "delta_auc", "c", "delta_c"};
+/// Where the quantities are among the values of the joined statistic: each of its parts has the
+/// first predictor, the second, the difference.
+constexpr std::array<std::size_t, kQuantities> kValueOf{0, 2, 3, 5};
 
-/// Intervals of the AUC and of the difference by every method, and the estimates.
+/// Intervals of every quantity by every method, and the estimates.
 struct Intervals {
-  std::array<std::array<std::optional<Interval>, kMethods>, 2> by_quantity;
-  std::array<double, 2> estimate{};
+  std::array<std::array<std::optional<Interval>, kMethods>, kQuantities> by_quantity;
+  std::array<double, kQuantities> estimate{};
 };
+
+/// DeLong's intervals of the AUCs and the jackknife's of the Cs.
+void add_analytic(const Study& study,
+                  const std::vector<Score>& scores,
+                  const SurvivalOutcome& outcome,
+                  const std::vector<Predictor>& predictors,
+                  double level,
+                  bool clustered,
+                  Intervals& result) {
+  const std::size_t method = clustered ? 1 : 0;
+  const std::vector<double> success(study.success.begin(), study.success.end());
+  const std::span<const std::uint32_t> days =
+      clustered ? std::span<const std::uint32_t>(study.day) : std::span<const std::uint32_t>();
+  const JointAuc joint = joint_auc(scores, success, {level, days});
+  result.by_quantity[0][method] = joint.markers[0].interval;
+  result.by_quantity[1][method] = auc_contrast(joint, 0, 1).interval;
+  Factor day;
+  day.codes = study.day;
+  day.levels.resize(1 + static_cast<std::size_t>(study.day.back()));
+  ConcordanceOptions options;
+  options.level = level;
+  options.cluster = clustered ? &day : nullptr;
+  const ConcordanceResult c = concordance(outcome, predictors, options);
+  result.by_quantity[2][method] = c.estimates[0].interval;
+  result.by_quantity[3][method] = c.differences[0].interval;
+}
+
+void add_bootstrap(const Statistic& statistic,
+                   const ResamplingPlan& plan,
+                   const BootstrapOptions& options,
+                   double level,
+                   std::size_t method,
+                   Intervals& result) {
+  const BootstrapResult boot = bootstrap(statistic, plan, options);
+  for (std::size_t quantity = 0; quantity < kQuantities; ++quantity) {
+    const std::size_t value = kValueOf[quantity];
+    const BootstrapDistribution distribution =
+        bootstrap_distribution(boot.replicates[value], boot.observed[value]);
+    result.estimate[quantity] = boot.observed[value];
+    result.by_quantity[quantity][method] =
+        bootstrap_interval(distribution, BootstrapMethod::percentile, {}, level).interval;
+    result.by_quantity[quantity][method + 1] =
+        bootstrap_interval(distribution, BootstrapMethod::bca, boot.acceleration[value], level)
+            .interval;
+  }
+}
 
 Intervals intervals_of(const Study& study, const Options& options, std::uint64_t index) {
   const std::vector<Score> scores{{study.first, HigherMeans::success},
                                   {study.second, HigherMeans::success}};
-  const std::vector<double> outcome(study.success.begin(), study.success.end());
+  const std::vector<Predictor> predictors{{"first", study.first, LargerMeans::shorter_time},
+                                          {"second", study.second, LargerMeans::shorter_time}};
+  const SurvivalOutcome outcome{{}, study.time, study.success};
   Intervals result;
   for (const bool clustered : {false, true}) {
-    const JointAuc joint = joint_auc(
-        scores,
-        outcome,
-        {options.level,
-         clustered ? std::span<const std::uint32_t>(study.day) : std::span<const std::uint32_t>()});
-    const std::size_t method = clustered ? 1 : 0;
-    result.by_quantity[0][method] = joint.markers[0].interval;
-    result.by_quantity[1][method] = auc_contrast(joint, 0, 1).interval;
+    add_analytic(study, scores, outcome, predictors, options.level, clustered, result);
   }
-  const Statistic statistic = auc_statistic(scores, study.success, {{0, 1}});
+  const Statistic statistic = joined({auc_statistic(scores, study.success, {{0, 1}}),
+                                      concordance_statistic(outcome, predictors, {{0, 1}})});
   for (const bool clustered : {false, true}) {
     const ResamplingPlan plan = clustered ? ResamplingPlan::of_clusters(study.day)
                                           : ResamplingPlan::of_rows(study.success.size());
     // Every data set resamples by its own stream.
-    const BootstrapResult boot = bootstrap(
-        statistic, plan, {options.replicates, options.seed + index, clustered ? 101U : 100U});
-    for (const std::size_t quantity : {0U, 1U}) {
-      const std::size_t value = quantity == 0 ? 0 : 2;
-      const BootstrapDistribution distribution =
-          bootstrap_distribution(boot.replicates[value], boot.observed[value]);
-      result.estimate[quantity] = boot.observed[value];
-      const std::size_t method = clustered ? 4 : 2;
-      result.by_quantity[quantity][method] =
-          bootstrap_interval(distribution, BootstrapMethod::percentile, {}, options.level).interval;
-      result.by_quantity[quantity][method + 1] =
-          bootstrap_interval(
-              distribution, BootstrapMethod::bca, boot.acceleration[value], options.level)
-              .interval;
-    }
+    add_bootstrap(statistic,
+                  plan,
+                  {options.replicates, options.seed + index, clustered ? 101U : 100U},
+                  options.level,
+                  clustered ? 4 : 2,
+                  result);
   }
   return result;
 }
@@ -75,7 +115,7 @@ Coverage summary(const std::vector<Intervals>& all,
                  std::size_t method,
                  double truth) {
   Coverage result;
-  result.quantity = quantity == 0 ? "auc" : "delta_auc";
+  result.quantity = kQuantityNames[quantity];
   result.method = kMethodNames[method];
   result.truth = truth;
   double covered = 0.0;
@@ -96,6 +136,33 @@ Coverage summary(const std::vector<Intervals>& all,
   result.monte_carlo_se = std::sqrt(result.covered * (1.0 - result.covered) / count);
   result.mean_width = width / count;
   return result;
+}
+
+/// Pr(x of the higher ability > x of the lower) over independent abilities, the higher above the
+/// threshold of failure and the lower below what `lower_end` says: given both, the difference of
+/// the predictors is normal.
+template <typename LowerEnd>
+double mean_over_pairs(double correlation, LowerEnd lower_end) {
+  const double threshold = normal_quantile(kFailureShare);
+  const double scale = correlation / std::sqrt(2.0 * (1.0 - correlation * correlation));
+  const auto density = [](double x) { return std::exp(-0.5 * x * x); };
+  // Midpoints: the integrand is smooth and the tails beyond 9 are below 1e-18.
+  constexpr int kPanels = 1500;
+  constexpr double kReach = 9.0;
+  const double step = (kReach - threshold) / kPanels;
+  double sum = 0.0;
+  double weight = 0.0;
+  for (int j = 0; j < kPanels; ++j) {
+    const double higher = threshold + (j + 0.5) * step;
+    const double step_lower = (lower_end(higher, threshold) + kReach) / kPanels;
+    for (int i = 0; i < kPanels; ++i) {
+      const double lower = -kReach + (i + 0.5) * step_lower;
+      const double w = density(lower) * density(higher) * step_lower;
+      sum += w * normal_cdf(scale * (higher - lower));
+      weight += w;
+    }
+  }
+  return sum / weight;
 }
 
 }  // namespace
@@ -120,7 +187,9 @@ Study simulate(const Scenario& scenario,
       const double ability = day_ability + own * random.normal();
       const double first = day_first + own * random.normal();
       const double second = day_second + own * random.normal();
-      study.success.push_back(ability > threshold ? 1 : 0);
+      const bool success = ability > threshold;
+      study.success.push_back(success ? 1 : 0);
+      study.time.push_back(success ? 60.0 - 5.0 * ability : 120.0);
       study.first.push_back(predictor(kFirstCorrelation, ability, first));
       study.second.push_back(predictor(kSecondCorrelation, ability, second));
       study.day.push_back(day);
@@ -130,26 +199,11 @@ Study simulate(const Scenario& scenario,
 }
 
 double true_auc(double correlation) {
-  const double threshold = normal_quantile(kFailureShare);
-  const double scale = correlation / std::sqrt(2.0 * (1.0 - correlation * correlation));
-  const auto density = [](double x) { return std::exp(-0.5 * x * x); };
-  // Midpoints: the integrand is smooth and the tails beyond 9 are below 1e-18.
-  constexpr int kPanels = 1500;
-  constexpr double kReach = 9.0;
-  const double step_failure = (threshold + kReach) / kPanels;
-  const double step_success = (kReach - threshold) / kPanels;
-  double sum = 0.0;
-  double weight = 0.0;
-  for (int i = 0; i < kPanels; ++i) {
-    const double failure = -kReach + (i + 0.5) * step_failure;
-    for (int j = 0; j < kPanels; ++j) {
-      const double success = threshold + (j + 0.5) * step_success;
-      const double w = density(failure) * density(success);
-      sum += w * normal_cdf(scale * (success - failure));
-      weight += w;
-    }
-  }
-  return sum / weight;
+  return mean_over_pairs(correlation, [](double, double threshold) { return threshold; });
+}
+
+double true_c(double correlation) {
+  return mean_over_pairs(correlation, [](double higher, double) { return higher; });
 }
 
 std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const Options& options) {
@@ -160,12 +214,16 @@ std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const 
       all[index] = intervals_of(simulate(scenario, options.seed, stream, index), options, index);
     }
   });
-  const double first = true_auc(kFirstCorrelation);
-  const double second = true_auc(kSecondCorrelation);
+  const double first_auc = true_auc(kFirstCorrelation);
+  const double first_c = true_c(kFirstCorrelation);
+  const std::array<double, kQuantities> truth{first_auc,
+                                              first_auc - true_auc(kSecondCorrelation),
+                                              first_c,
+                                              first_c - true_c(kSecondCorrelation)};
   std::vector<Coverage> rows;
-  for (const std::size_t quantity : {0U, 1U}) {
+  for (std::size_t quantity = 0; quantity < kQuantities; ++quantity) {
     for (std::size_t method = 0; method < kMethods; ++method) {
-      rows.push_back(summary(all, quantity, method, quantity == 0 ? first : first - second));
+      rows.push_back(summary(all, quantity, method, truth[quantity]));
       rows.back().scenario = scenario.name;
     }
   }

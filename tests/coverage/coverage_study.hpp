@@ -1,5 +1,5 @@
 #pragma once
-// How often intervals of AUCs cover the truth, on simulated studies whose truth is known.
+// How often intervals of AUCs and Cs cover the truth, on simulated studies whose truth is known.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,8 @@ namespace tcert::coverage {
 /// Trials of days. A latent ability L of a trial, standard normal, decides its outcome: it fails
 /// below a threshold that 77 of 660 trials miss. Two predictors see it through noise:
 /// x_k = r_k L + sqrt(1 - r_k^2) N_k. L and every N_k have the within-day correlation `icc`, so
-/// days differ in their failures and in their predictors.
+/// days differ in their failures and in their predictors. A success takes the less time the abler
+/// the trial is; a failure is censored after all of them.
 struct Scenario {
   std::string name;
   std::size_t days = 22;
@@ -27,6 +28,7 @@ struct Study {
   std::vector<double> first;
   std::vector<double> second;
   std::vector<std::uint8_t> success;
+  std::vector<double> time;
   std::vector<std::uint32_t> day;
 };
 
@@ -40,6 +42,9 @@ Study simulate(const Scenario& scenario,
 /// abilities the difference of the predictors is normal.
 double true_auc(double correlation);
 
+/// Pr(x of the abler > x of the other) for trials of different days of which the abler succeeds.
+double true_c(double correlation);
+
 struct Options {
   std::size_t data_sets = 2000;
   std::size_t replicates = 1999;
@@ -50,7 +55,8 @@ struct Options {
 /// One interval method on one quantity.
 struct Coverage {
   std::string scenario;
-  std::string quantity;  ///< "auc" of the first predictor, "delta_auc" over the second.
+  std::string quantity;  ///< "auc", "c" of the first predictor; "delta_auc", "delta_c" over the
+                         ///< second.
   std::string method;
   double truth = 0.0;
   double mean_estimate = 0.0;  ///< Over the data sets: its distance to the truth is a bias.

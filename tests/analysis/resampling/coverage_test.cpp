@@ -5,7 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/concordance/concordance.hpp"
 #include "analysis/roc/roc.hpp"
+#include "analysis/survival/survival_outcome.hpp"
 #include "coverage/coverage_study.hpp"
 
 namespace tcert {
@@ -23,8 +25,19 @@ TEST(CoverageStudy, KnowsItsTruth) {
   EXPECT_NEAR(coverage::true_auc(coverage::kSecondCorrelation),
               second.auc.value(),
               4.0 * std::sqrt(second.variance.value()));
+  const SurvivalOutcome times{{}, study.time, study.success};
+  const std::vector<Predictor> predictors{{"", study.first, LargerMeans::shorter_time},
+                                          {"", study.second, LargerMeans::shorter_time}};
+  const ConcordanceResult c = concordance(times, predictors);
+  EXPECT_NEAR(coverage::true_c(coverage::kFirstCorrelation),
+              c.estimates[0].c.value(),
+              4.0 * c.estimates[0].std_error.value());
+  EXPECT_NEAR(coverage::true_c(coverage::kSecondCorrelation),
+              c.estimates[1].c.value(),
+              4.0 * c.estimates[1].std_error.value());
   EXPECT_NEAR(static_cast<double>(first.failures) / 200000.0, coverage::kFailureShare, 0.003);
   EXPECT_NEAR(coverage::true_auc(0.0), 0.5, 1e-12);
+  EXPECT_NEAR(coverage::true_c(0.0), 0.5, 1e-12);
 }
 
 TEST(CoverageStudy, SeesThatTrialsOfADayAreNotIndependent) {
@@ -32,7 +45,7 @@ TEST(CoverageStudy, SeesThatTrialsOfADayAreNotIndependent) {
   options.data_sets = 60;
   options.replicates = 199;
   const std::vector<coverage::Coverage> rows = coverage::run({"icc", 22, 30, 0.5}, 2, options);
-  ASSERT_EQ(rows.size(), 12U);
+  ASSERT_EQ(rows.size(), 24U);
   for (const coverage::Coverage& row : rows) {
     EXPECT_EQ(row.intervals + row.missing, 60U);
     EXPECT_EQ(row.missing, 0U) << row.method;
