@@ -26,11 +26,12 @@ struct GlmmMaximum {
 
 /// Parameters nearer to the maximum: quasi-Newton steps (BFGS with a Wolfe line search, Ceres) in
 /// the metric of the Hessian at `start`, until the gradient in standard errors is below
-/// `gradient_tolerance`. Where it cannot go on it returns what it has. Adds to `iterations` and
-/// `evaluations`.
+/// `gradient_tolerance`, or that at the start times `relative_tolerance`. Where it cannot go on it
+/// returns what it has. Adds to `iterations` and `evaluations`.
 [[nodiscard]] Eigen::VectorXd search_maximum(MixedLikelihood& likelihood,
                                              const Eigen::VectorXd& start,
                                              double gradient_tolerance,
+                                             double relative_tolerance,
                                              int& iterations,
                                              int& evaluations);
 

@@ -113,9 +113,13 @@ GlmmMaximum solve(const GlmmProblem& problem, int quadrature, const GlmmOptions&
   int iterations = 0;
   int evaluations = 0;
   const std::unique_ptr<MixedLikelihood> laplace = problem.likelihood(1);
-  const double tolerance = laplace->has_cheap_hessian() ? 0.05 : 1e-4;
-  const Eigen::VectorXd near =
-      search_maximum(*laplace, start_of(problem, kStartTheta), tolerance, iterations, evaluations);
+  const bool newton_is_cheap = laplace->has_cheap_hessian();
+  const Eigen::VectorXd near = search_maximum(*laplace,
+                                              start_of(problem, kStartTheta),
+                                              newton_is_cheap ? 0.05 : 1e-4,
+                                              newton_is_cheap ? 0.03 : 0.0,
+                                              iterations,
+                                              evaluations);
   const std::unique_ptr<MixedLikelihood> likelihood = problem.likelihood(quadrature);
   GlmmMaximum maximum = newton_maximum(*likelihood, near, std::nullopt, options);
   compare_with_plain(problem, *likelihood, options, maximum);
