@@ -26,9 +26,11 @@ enum class ConditionKind : std::uint8_t {
   one_class,   ///< All rows have the same outcome.
   rare_class,  ///< A class of a single row: an estimate, but no variance.
   no_events,
-  one_group,     ///< A grouping column with a single level.
-  few_clusters,  ///< Fewer than 30: cluster-robust numbers are too sure of themselves.
-  one_cluster,   ///< A single cluster: no variance.
+  one_group,          ///< A grouping column with a single level.
+  singleton_groups,   ///< As many levels as rows: what varies between them is not told from noise.
+  no_random_effects,  ///< A mixed model without (1 | group).
+  few_clusters,       ///< Fewer than 30: cluster-robust numbers are too sure of themselves.
+  one_cluster,        ///< A single cluster: no variance.
   // The columns of the model.
   constant_column,
   collinear_column,
@@ -38,6 +40,8 @@ enum class ConditionKind : std::uint8_t {
   monotone_likelihood,   ///< Cox: a coefficient runs to infinity.
   // The estimate.
   not_converged,
+  singular_fit,         ///< Mixed model: a variance between groups is 0, or a correlation is 1.
+  infinite_variance,    ///< Mixed model: a variance between groups runs to infinity.
   all_tied,             ///< The predictor is constant: 0.5, which says nothing.
   separated,            ///< AUC or C is 0 or 1: its variance 0 is misleading.
   same_ranking,         ///< Paired: both predictors rank every pair alike.

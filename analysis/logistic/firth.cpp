@@ -188,10 +188,7 @@ void add_tests(const LogisticInput& input,
                FirthFit& fit) {
   fit.likelihood_ratio =
       maximum.test(kept_columns(input, problem, [](std::size_t term) { return term != 0; }));
-  for (std::size_t t = 0; t < input.terms.size(); ++t) {
-    if (contained_in_another(input.terms, t)) {
-      continue;
-    }
+  for (const std::size_t t : droppable_terms(input.terms)) {
     const auto columns =
         kept_columns(input, problem, [t](std::size_t term) { return term == t + 1; });
     fit.terms.push_back({input.terms[t], columns.size(), maximum.test(columns)});

@@ -25,20 +25,16 @@ std::vector<std::string> variables_of(std::string_view term) {
   return variables;
 }
 
-LogisticInput without(const LogisticInput& input, std::size_t term) {
-  LogisticInput reduced = input;
-  std::vector<Eigen::Index> columns;
-  reduced.columns.clear();
-  reduced.term_of.clear();
-  for (std::size_t j = 0; j < input.columns.size(); ++j) {
-    if (input.term_of[j] != term + 1) {
-      columns.push_back(static_cast<Eigen::Index>(j));
-      reduced.columns.push_back(input.columns[j]);
-      reduced.term_of.push_back(input.term_of[j]);
+bool is_contained(const std::vector<std::string>& terms, std::size_t term) {
+  const std::vector<std::string> small = variables_of(terms[term]);
+  for (std::size_t other = 0; other < terms.size(); ++other) {
+    const std::vector<std::string> large = variables_of(terms[other]);
+    if (other != term && large.size() > small.size() &&
+        std::includes(large.begin(), large.end(), small.begin(), small.end())) {
+      return true;
     }
   }
-  reduced.design = input.design(Eigen::all, columns);
-  return reduced;
+  return false;
 }
 
 DroppedTerm dropped(const LogisticInput& input,
@@ -47,7 +43,7 @@ DroppedTerm dropped(const LogisticInput& input,
                     const NewtonOptions& options) {
   DroppedTerm result;
   result.term = input.terms[term];
-  const LogisticInput reduced = without(input, term);
+  const LogisticInput reduced = without_term(input, term);
   const LogisticProblem problem = logistic_problem(reduced);
   const LogisticMaximum maximum = maximum_of(reduced, problem, options);
   const auto rank = static_cast<std::size_t>(problem.space.rank());
@@ -70,16 +66,30 @@ DroppedTerm dropped(const LogisticInput& input,
 
 }  // namespace
 
-bool contained_in_another(const std::vector<std::string>& terms, std::size_t term) {
-  const std::vector<std::string> small = variables_of(terms[term]);
-  for (std::size_t other = 0; other < terms.size(); ++other) {
-    const std::vector<std::string> large = variables_of(terms[other]);
-    if (other != term && large.size() > small.size() &&
-        std::includes(large.begin(), large.end(), small.begin(), small.end())) {
-      return true;
+std::vector<std::size_t> droppable_terms(const std::vector<std::string>& terms) {
+  std::vector<std::size_t> droppable;
+  for (std::size_t term = 0; term < terms.size(); ++term) {
+    if (!is_contained(terms, term)) {
+      droppable.push_back(term);
     }
   }
-  return false;
+  return droppable;
+}
+
+LogisticInput without_term(const LogisticInput& input, std::size_t term) {
+  LogisticInput reduced = input;
+  std::vector<Eigen::Index> columns;
+  reduced.columns.clear();
+  reduced.term_of.clear();
+  for (std::size_t j = 0; j < input.columns.size(); ++j) {
+    if (input.term_of[j] != term + 1) {
+      columns.push_back(static_cast<Eigen::Index>(j));
+      reduced.columns.push_back(input.columns[j]);
+      reduced.term_of.push_back(input.term_of[j]);
+    }
+  }
+  reduced.design = input.design(Eigen::all, columns);
+  return reduced;
 }
 
 std::vector<DroppedTerm> drop_terms(const LogisticInput& input, const NewtonOptions& options) {
@@ -90,10 +100,8 @@ std::vector<DroppedTerm> drop_terms(const LogisticInput& input, const NewtonOpti
   if (!whole.deviance) {
     return result;
   }
-  for (std::size_t term = 0; term < input.terms.size(); ++term) {
-    if (!contained_in_another(input.terms, term)) {
-      result.push_back(dropped(input, term, whole, options));
-    }
+  for (const std::size_t term : droppable_terms(input.terms)) {
+    result.push_back(dropped(input, term, whole, options));
   }
   return result;
 }

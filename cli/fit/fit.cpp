@@ -17,6 +17,7 @@ constexpr std::string_view kText =
 
 KIND is one of
   glm          logistic regression           success ~ x1 + lighting, cbind(k, n - k) ~ x
+  glmm         logistic mixed model          success ~ x1 + (1 | day), (1 + x1 | day), (1 | day/run)
   calibration  agreement of probabilities    success ~ x1 + lighting: fitted out of fold
   cox          proportional hazards          Surv(time, success) ~ x1 + strata(algorithm)
   km           Kaplan-Meier and log-rank     Surv(time, success) ~ lighting
@@ -24,7 +25,8 @@ KIND is one of
   concordance  Harrell's C                   Surv(time, success) ~ x1: larger values, longer times
 
 Formulas take a + b, a:b, a*b, I(x^2), log(x), scale(x), factor(d), offset(o), Surv(time, event),
-Surv(start, stop, event), cbind(k, n - k), status == 2, strata(s), cluster(c). Factors are coded
+Surv(start, stop, event), cbind(k, n - k), status == 2, strata(s), cluster(c), and for glmm
+(1 | g), (1 + x | g), (1 + x || g), (1 | a/b). Factors are coded
 against their first level in byte order; --ref changes it. Rows with a missing value are left out
 and counted.
 
@@ -36,6 +38,7 @@ Usage: tcert fit KIND --data FILE --formula FORMULA [options]
 Example:
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --cluster day
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --firth
+  tcert fit glmm --data features.csv --formula 'success ~ tc_early + (1 | day)' --profile --drop1
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
   tcert fit calibration --data features.csv --formula 'success ~ tc_early' --cluster day
   tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --times 60,120
@@ -57,7 +60,8 @@ struct Kind {
   bool allow_infinite;  ///< Only ranks count.
 };
 
-constexpr std::array<Kind, 6> kKinds{{{"glm", fit_glm, RightSide::design, false},
+constexpr std::array<Kind, 7> kKinds{{{"glm", fit_glm, RightSide::design, false},
+                                      {"glmm", fit_mixed_model, RightSide::design, false},
                                       {"calibration", fit_calibration, RightSide::design, false},
                                       {"cox", fit_cox_model, RightSide::design, false},
                                       {"km", fit_km, RightSide::groups, false},
@@ -111,6 +115,11 @@ CommandLine command_line(FitOptions& o) {
   add("predicted",
       text(o.predicted, "COLUMN"),
       "calibration: a column of given probabilities, with the formula 'outcome ~ COLUMN'");
+  add("quadrature",
+      po::value(&o.quadrature)->value_name("N"),
+      "glmm: points per group, 1 (Laplace) to 100; 15 for a single random intercept, else 1");
+  add("profile", po::bool_switch(&o.profile), "glmm: profile intervals too");
+  add("drop1", po::bool_switch(&o.drop1), "glmm: likelihood-ratio test of each fixed term");
   add("interval",
       text(o.interval, "WORD")->default_value(o.interval),
       "km: log, log-log, plain, logit or arcsin");
@@ -146,7 +155,7 @@ const Kind& kind_of(const std::string& name) {
     known.emplace_back(kind.name);
   }
   throw UsageError("unknown kind '" + name +
-                   "', expected glm, calibration, cox, km, roc or concordance" +
+                   "', expected glm, glmm, calibration, cox, km, roc or concordance" +
                    did_you_mean(name, known));
 }
 
@@ -208,6 +217,10 @@ std::vector<std::string> wanted_columns(const Formula& formula,
 
 FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile& file) {
   const Formula formula = parse_formula(options.formula);
+  if (kind.fit != fit_mixed_model && !formula.random_terms.empty()) {
+    throw UsageError("fit " + options.kind + " has no random effects: (... | " +
+                     to_string(formula.random_terms.front().group) + ") needs fit glmm");
+  }
   const FrameOptions frame_option = frame_options(options, kind);
   const ModelFrame frame = model_frame(formula, file.table, frame_option);
   FitReport report = has_error(frame.conditions) ? without_estimate(options)
@@ -268,6 +281,6 @@ std::size_t choice(const std::string& option,
 }
 
 const Command kFit = {
-    "fit", "fit a model to any table: glm, calibration, cox, km, roc, concordance", run};
+    "fit", "fit a model to any table: glm, glmm, calibration, cox, km, roc, concordance", run};
 
 }  // namespace tcert::cli

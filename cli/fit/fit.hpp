@@ -37,6 +37,10 @@ struct FitOptions {
   // calibration
   std::int64_t folds = 5;
   std::string predicted;
+  // glmm
+  int quadrature = 0;  ///< 0: the model's own.
+  bool profile = false;
+  bool drop1 = false;
   // km
   std::string interval = "log";
   std::vector<double> times;
@@ -62,6 +66,7 @@ struct FitRequest {
 
 [[nodiscard]] FitReport fit_glm(const FitRequest& request);
 [[nodiscard]] FitReport fit_calibration(const FitRequest& request);
+[[nodiscard]] FitReport fit_mixed_model(const FitRequest& request);
 [[nodiscard]] FitReport fit_cox_model(const FitRequest& request);
 [[nodiscard]] FitReport fit_km(const FitRequest& request);
 [[nodiscard]] FitReport fit_roc(const FitRequest& request);

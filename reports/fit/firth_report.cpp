@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reports/fit/cells.hpp"
+#include "reports/fit/coefficient_words.hpp"
 #include "reports/fit/logistic_report.hpp"
 
 namespace tcert {
@@ -14,10 +15,6 @@ std::optional<double> statistic(const std::optional<ChiSquareTest>& test) {
 
 std::optional<double> p_value(const std::optional<ChiSquareTest>& test) {
   return test ? std::optional(test->p_value) : std::nullopt;
-}
-
-std::optional<double> odds(const std::optional<double>& log_odds) {
-  return log_odds ? std::optional(std::exp(*log_odds)) : std::nullopt;
 }
 
 Table coefficient_table(const FirthFit& fit) {
@@ -47,7 +44,7 @@ Table coefficient_table(const FirthFit& fit) {
                    low_cell(one.profile),
                    high_cell(one.profile),
                    number_cell(odds(one.estimate)),
-                   std::string(word_of(one.kind))});
+                   std::string(reason_without_estimate(one.kind))});
   }
   table.footnotes = {
       "chi-squared and p: penalised likelihood ratio, the coefficient at 0 under the penalty of "

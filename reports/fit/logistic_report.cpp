@@ -1,15 +1,10 @@
 #include "reports/fit/logistic_report.hpp"
 
-#include <cmath>
-
 #include "reports/fit/cells.hpp"
+#include "reports/fit/coefficient_words.hpp"
 
 namespace tcert {
 namespace {
-
-std::optional<double> odds(const std::optional<double>& log_odds) {
-  return log_odds ? std::optional(std::exp(*log_odds)) : std::nullopt;
-}
 
 Table coefficient_table(const LogisticFit& fit,
                         const std::vector<std::optional<Interval>>& profiles) {
@@ -41,28 +36,7 @@ Table coefficient_table(const LogisticFit& fit,
                    low_cell(profile),
                    high_cell(profile),
                    number_cell(odds(one.estimate)),
-                   std::string(word_of(one.kind))});
-  }
-  return table;
-}
-
-Table drop_table(const std::vector<DroppedTerm>& dropped) {
-  Table table;
-  table.name = "drop1";
-  table.title = "Likelihood-ratio test of each term";
-  table.columns = {text_column("term", "term"),
-                   integer_column("df", "df"),
-                   number_column("deviance", "deviance without"),
-                   number_column("AIC", "AIC without"),
-                   number_column("statistic", "chi-squared"),
-                   p_column()};
-  for (const DroppedTerm& one : dropped) {
-    table.add_row({one.term,
-                   integer_cell(one.df),
-                   number_cell(one.deviance),
-                   number_cell(one.aic),
-                   number_cell(one.chi_squared),
-                   p_cell(one.p_value)});
+                   std::string(reason_without_estimate(one.kind))});
   }
   return table;
 }
@@ -73,30 +47,12 @@ std::optional<double> df_null(const LogisticFit& fit) {
 
 }  // namespace
 
-std::string_view word_of(CoefficientKind kind) noexcept {
-  switch (kind) {
-    case CoefficientKind::finite:
-      return "";
-    case CoefficientKind::not_estimable:
-      return "not estimable";
-    case CoefficientKind::plus_infinity:
-      return "+infinity";
-    case CoefficientKind::minus_infinity:
-      return "-infinity";
-    case CoefficientKind::diverging:
-      return "diverging";
-    case CoefficientKind::unknown:
-      return "unknown";
-  }
-  return "";
-}
-
 FitReport logistic_report(const LogisticFit& fit,
                           const std::vector<std::optional<Interval>>& profiles,
                           const std::vector<DroppedTerm>& dropped) {
   FitReport report;
   report.model = "glm";
-  report.tables = {coefficient_table(fit, profiles), drop_table(dropped)};
+  report.tables = {coefficient_table(fit, profiles), drop_table(dropped, "deviance without")};
   Record summary("summary", "Fit");
   summary.integer("nobs", "rows", fit.rows)
       .integer("clusters", "clusters", fit.clusters)

@@ -3,7 +3,6 @@
 /// A logistic regression as tables, with broom's column names.
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "analysis/logistic/logistic.hpp"
@@ -16,8 +15,5 @@ namespace tcert {
 [[nodiscard]] FitReport logistic_report(const LogisticFit& fit,
                                         const std::vector<std::optional<Interval>>& profiles,
                                         const std::vector<DroppedTerm>& dropped);
-
-/// Why a coefficient has no estimate: "+infinity", "not estimable"; empty if it has one.
-[[nodiscard]] std::string_view word_of(CoefficientKind kind) noexcept;
 
 }  // namespace tcert

@@ -54,6 +54,59 @@ class Fit : public ::testing::Test {
   Workdir work_{TCERT_BINARY};
 };
 
+TEST_F(Fit, GlmmPrintsOneDocumentWithBroomsNames) {
+  const json glmm = document("glmm", "success ~ x + (1 | day)", {"--profile", "--drop1"});
+  EXPECT_EQ(glmm["model"], "glmm");
+  ASSERT_EQ(glmm["coefficients"].size(), 3U);
+  const json& x = glmm["coefficients"][1];
+  for (const char* key : {"effect",
+                          "group",
+                          "term",
+                          "estimate",
+                          "std.error",
+                          "statistic",
+                          "p.value",
+                          "conf.low",
+                          "conf.high",
+                          "profile.low",
+                          "profile.high",
+                          "odds.ratio"}) {
+    EXPECT_TRUE(x.contains(key)) << key;
+  }
+  EXPECT_EQ(x["effect"], "fixed");
+  EXPECT_TRUE(x["profile.low"].is_number());
+  const json& sd = glmm["coefficients"][2];
+  EXPECT_EQ(sd["effect"], "ran_pars");
+  EXPECT_EQ(sd["group"], "day");
+  EXPECT_EQ(sd["term"], "sd__(Intercept)");
+  EXPECT_TRUE(sd["estimate"].is_number());
+  EXPECT_EQ(glmm["summary"]["nAGQ"], 15);
+  EXPECT_EQ(glmm["summary"]["termination"], "converged");
+  EXPECT_LT(glmm["summary"]["gradient_norm"].get<double>(), 1e-8);
+  EXPECT_EQ(glmm["random"][0]["dropped"], "(Intercept)");
+  EXPECT_EQ(glmm["ran_vals"].size(), 6U);
+  EXPECT_EQ(glmm["drop1"][0]["term"], "x");
+  EXPECT_EQ(document("glmm", "success ~ x + (1 | day)", {"--quadrature", "1"})["summary"]["nAGQ"],
+            1);
+}
+
+TEST_F(Fit, GlmmNamesWhatItCannotFit) {
+  const ProcessResult none = fit("glmm", "success ~ x");
+  EXPECT_EQ(none.exit_code, 65) << to_string(none);
+  EXPECT_NE(none.err.find("no random effect; write + (1 | group)"), std::string::npos) << none.err;
+  const ProcessResult separated = fit("glmm", "success ~ I(x > 0.55) + z + (1 | day)");
+  EXPECT_EQ(separated.exit_code, 65) << to_string(separated);
+  EXPECT_NE(separated.err.find("I(x > 0.55)"), std::string::npos) << separated.err;
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"--quadrature", "101"}, {"--quadrature", "-1"}, {"--cluster", "day"}, {"--robust"}}) {
+    EXPECT_EQ(fit("glmm", "success ~ x + (1 | day)", more).exit_code, 2) << more[0];
+  }
+  EXPECT_EQ(fit("glmm", "success ~ x + (1 + x | day)", {"--quadrature", "5"}).exit_code, 2);
+  const ProcessResult glm = fit("glm", "success ~ x + (1 | day)");
+  EXPECT_EQ(glm.exit_code, 2);
+  EXPECT_NE(glm.err.find("needs fit glmm"), std::string::npos) << glm.err;
+}
+
 TEST_F(Fit, GlmPrintsOneDocumentWithBroomsNames) {
   const json glm = document("glm", "success ~ x + light");
   EXPECT_EQ(glm["model"], "glm");
