@@ -24,7 +24,8 @@ together and with the margin added, with bootstrap intervals and tests by whole 
 Twice: with the early window as the paper has it, and with the time window alone (landmark), from
 which conclusions are to be drawn.
 
-A table needs the columns of --success and of the predictors. 'column:smaller' after --predictor or in
+A table needs the columns of --success and of the predictors; others that are named must be there, and
+those that are usual may be absent or empty. 'column:smaller' after --predictor or in
 --baselines means that smaller values speak for success. Without --features' own landmark columns
 (tc_landmark, ...) there is one panel, unless --landmark is given.
 
@@ -104,7 +105,14 @@ int run(Arguments arguments) {
                                          : study_of_table(options, h1, common);
   FitReport result;
   try {
-    result = h1_report(hypothesis_h1(study.file.table, h1));
+    const H1Table tested = hypothesis_h1(study.file.table, h1);
+    for (const H1Panel& panel : tested.panels) {
+      for (const Condition& condition : panel.conditions) {
+        say("tcert hypotheses: " + std::string(to_string(panel.kind)) +
+            " panel: " + to_string(condition));
+      }
+    }
+    result = h1_report(tested);
   } catch (const FormulaError& error) {
     throw UsageError(error.what());
   }

@@ -36,6 +36,10 @@ constexpr auto kEntries = std::to_array<Entry>({
      "start_not_before_stop",
      "a start that is not before its stop",
      "correct the cells or leave the row out"},
+    {ConditionKind::beyond_limit,
+     "beyond_limit",
+     "times above the trial limit are censored there",
+     ""},
     {ConditionKind::bad_weight,
      "bad_weight",
      "a weight that cannot be used",
@@ -122,6 +126,10 @@ constexpr auto kEntries = std::to_array<Entry>({
      "the jackknife gives no acceleration",
      "there is no BCa interval; read the percentile one with care"},
     {ConditionKind::one_class_fold, "one_class_fold", "a fold with one class", "it is left out"},
+    {ConditionKind::fold_without_fit,
+     "fold_without_fit",
+     "a fold whose fit has no estimate",
+     "it is left out"},
 });
 
 const Entry& entry_of(ConditionKind kind) noexcept {

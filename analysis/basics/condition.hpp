@@ -20,7 +20,7 @@ enum class ConditionKind : std::uint8_t {
   not_binary,         ///< An outcome or status that is neither 0 nor 1.
   time_not_positive,  ///< A survival time that is not above 0.
   start_not_before_stop,
-  bad_weight,  ///< Negative, or fractional where a count is needed.
+  bad_weight,    ///< Negative, or fractional where a count is needed.
   // The outcome and the groups.
   one_class,   ///< All rows have the same outcome.
   rare_class,  ///< A class of a single row: an estimate, but no variance.
@@ -50,6 +50,9 @@ enum class ConditionKind : std::uint8_t {
   infinite_bias,          ///< All replicates lie on one side of the estimate: no BCa.
   no_acceleration,        ///< The jackknife has no spread or lacks a value: no BCa.
   one_class_fold,
+  fold_without_fit,  ///< The fit to the other folds has no estimate: left out.
+  // Trial limits.
+  beyond_limit,  ///< Times above the limit: censored there.
 };
 
 /// How far the numbers stand.

@@ -1,10 +1,12 @@
 #include "analysis/h1/closed_forms.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/basics/chi_square.hpp"
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/cox/cox.hpp"
+#include "analysis/model/variable.hpp"
 #include "analysis/roc/roc.hpp"
 
 namespace tcert {
@@ -107,26 +109,55 @@ void add_case_level(const H1Data& data, const H1Options& options, H1Panel& panel
   }
 }
 
-/// One column a standard deviation wide, rising towards the better side.
-double standard_deviation(const std::vector<double>& values) {
-  const Eigen::Map<const Eigen::VectorXd> x(values.data(),
-                                            static_cast<Eigen::Index>(values.size()));
-  return std::sqrt((x.array() - x.mean()).square().sum() / static_cast<double>(values.size() - 1));
-}
-
+/// One column a standard deviation wide, rising towards the better side; a constant one as it is.
 Eigen::VectorXd per_sd(const H1Data& data, std::size_t k) {
   const std::vector<double>& values = data.predictors[k];
   const double sign = data.higher[k] == HigherMeans::success ? 1.0 : -1.0;
   const Eigen::Map<const Eigen::VectorXd> x(values.data(),
                                             static_cast<Eigen::Index>(values.size()));
-  return x * (sign / standard_deviation(values));
+  const double sd = standard_deviation(values);
+  return x * (sd > 0.0 ? sign / sd : sign);
+}
+
+/// The rows whose stratum is known, with their strata.
+CoxData in_strata(const CoxData& cox, const H1Data& data, const H1Options& options, H1Row& row) {
+  std::vector<std::size_t> rows;
+  std::vector<Eigen::Index> indices;
+  for (std::size_t i = 0; i < data.rows(); ++i) {
+    if (data.strata->codes[i] != Factor::kMissing) {
+      rows.push_back(i);
+      indices.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  CoxData kept = cox;
+  kept.strata = data.strata;
+  if (rows.size() == data.rows()) {
+    return kept;
+  }
+  row.conditions.push_back(
+      {ConditionKind::missing_rows,
+       ConditionSeverity::note,
+       options.strata,
+       std::to_string(data.rows() - rows.size()) + " of the stratified hazard ratio"});
+  kept.outcome = {};
+  for (const std::size_t i : rows) {
+    kept.outcome.stop.push_back(cox.outcome.stop[i]);
+    kept.outcome.event.push_back(cox.outcome.event[i]);
+    if (cox.outcome.left_truncated()) {
+      kept.outcome.start.push_back(cox.outcome.start[i]);
+    }
+  }
+  kept.design = cox.design(indices, Eigen::all);
+  kept.strata = on_rows(*data.strata, rows);
+  kept.cluster = on_rows(*cox.cluster, rows);
+  return kept;
 }
 
 H1HazardRatio hazard_ratio(
     CoxData cox, const H1Data& data, const H1Options& options, bool stratified, H1Row& row) {
   cox.cluster = data.cluster;
   if (stratified) {
-    cox.strata = data.strata;
+    cox = in_strata(cox, data, options, row);
   }
   CoxOptions cox_options;
   cox_options.level = options.level;
@@ -140,7 +171,9 @@ H1HazardRatio hazard_ratio(
         std::exp(coefficient.interval->low), std::exp(coefficient.interval->high), options.level};
   }
   for (const Condition& condition : fit.conditions) {
-    if (condition.kind != ConditionKind::few_clusters) {
+    const bool known =
+        std::find(row.conditions.begin(), row.conditions.end(), condition) != row.conditions.end();
+    if (condition.kind != ConditionKind::few_clusters && !known) {
       row.conditions.push_back(condition);
     }
   }

@@ -24,8 +24,9 @@ struct H1Data {
   std::vector<std::string> names;
   std::optional<SurvivalOutcome> censored;  ///< Egress is the event; failures end when they fail.
   std::optional<SurvivalOutcome> at_limit;  ///< Failures stay at risk to the limit.
+  std::vector<std::uint8_t> cut;            ///< 1 where the trial limit ended the trial.
   Factor cluster;                           ///< Levels without a trial are gone.
-  std::optional<Factor> strata;
+  std::optional<Factor> strata;  ///< A code may be missing: only the stratified ratio needs them.
 
   [[nodiscard]] std::size_t rows() const noexcept { return success.size(); }
   [[nodiscard]] Score score(std::size_t predictor) const {
@@ -42,6 +43,9 @@ struct H1Data {
 
 /// Chooses the rows and counts what is left out, in `panel`. \throws FormulaError.
 [[nodiscard]] H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& panel);
+
+/// \throws FormulaError with the nearest name if a required column is absent.
+void require_columns(const DataTable& table, const H1Options& options);
 
 /// True if the table has the landmark column of every predictor.
 [[nodiscard]] bool has_landmark(const DataTable& table, const H1Options& options);
