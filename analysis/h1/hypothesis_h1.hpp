@@ -44,6 +44,7 @@ struct H1Options {
   double level = 0.95;
   std::size_t replicates = 2000;
   std::size_t folds = 5;
+  bool models = true;  ///< The rows of models and what is out of fold.
   std::uint64_t seed = 1;
   std::vector<std::string> required;  ///< Columns that may not be absent, though they could be.
 };
