@@ -17,7 +17,8 @@ constexpr std::size_t kStalled = 4;       ///< Steps without gain before the fit
 constexpr double kRunaway = 1e-3;         ///< A step as large, without gain, is no rounding.
 constexpr double kLimitTolerance = 1e-6;  ///< Information left in the limit, of that at 0.
 constexpr double kVanished = 1e-12;       ///< As little is no more than rounding: no step there.
-constexpr double kPart = 1e-6;            ///< Of a column's length: it is part of a direction.
+constexpr double kPart = 1e-3;            ///< Of a column's length: it is part of a lost direction.
+constexpr double kMoves = 1e-8;           ///< Of the largest: it is part of a certified direction.
 
 /// Cholesky pivots of `information` in the given order; a column whose pivot is at most
 /// tolerance x reference is skipped. Returns the columns that stay.
@@ -119,7 +120,7 @@ double relative_size(const Eigen::VectorXd& step, const Eigen::VectorXd& beta) {
   return step.size() == 0 ? 0.0 : (step.array().abs() / (1.0 + beta.array().abs())).maxCoeff();
 }
 
-/// Columns that have a part in a direction whose information is lost.
+/// Columns that have a part in the certified direction, or in one whose information is lost.
 void name_infinite(const Eigen::MatrixXd& basis,
                    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& share,
                    CoxMaximum& maximum) {
@@ -130,7 +131,8 @@ void name_infinite(const Eigen::MatrixXd& basis,
   const Eigen::MatrixXd directions = basis * share.eigenvectors().leftCols(lost);
   for (const Eigen::Index j : ranked_columns(maximum.columns)) {
     const double length = basis.row(j).norm();
-    if (directions.row(j).norm() > kPart * length) {
+    if (directions.row(j).norm() > kPart * length ||
+        std::abs(maximum.recession(j)) > kMoves * maximum.recession.cwiseAbs().maxCoeff()) {
       maximum.columns[static_cast<std::size_t>(j)] = ColumnState::infinite;
     }
   }
@@ -158,12 +160,15 @@ void judge(const CoxRows& rows,
   }
   const Eigen::VectorXd rest =
       newton_step(maximum.fitted, ranked_columns(maximum.columns), basis, kLimitTolerance);
-  if (least > kLimitTolerance || relative_size(rest, maximum.beta) > kRunaway) {
-    termination = CoxTermination::iteration_limit;
-    return;
-  }
   termination = CoxTermination::monotone;
   maximum.recession = *direction;
+  if (least > kLimitTolerance || relative_size(rest, maximum.beta) > kRunaway) {
+    // Rounding has stopped the fit before its limit: it has no numbers beside the infinite ones.
+    for (const Eigen::Index j : ranked_columns(maximum.columns)) {
+      maximum.columns[static_cast<std::size_t>(j)] = ColumnState::infinite;
+    }
+    return;
+  }
   name_infinite(basis, share, maximum);
 }
 

@@ -9,8 +9,8 @@
 namespace tcert {
 namespace {
 
-/// exp() of it leaves room for sums of 10^9 products of scaled columns.
-constexpr double kLargestExponent = 600.0;
+/// exp() of twice it leaves room: the information divides by squares of sums.
+constexpr double kLargestExponent = 300.0;
 
 void centre_and_scale(const CoxData& data, CoxRows& rows) {
   const Eigen::Index n = data.design.rows();

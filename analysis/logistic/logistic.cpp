@@ -222,7 +222,10 @@ void add_estimates(const LogisticInput& input,
                    const std::vector<std::size_t>& names,
                    LogisticFit& fit) {
   Eigen::MatrixXd back = inverse_triangle(problem.space);
-  const Eigen::VectorXd units = back.cwiseAbs().rowwise().maxCoeff();
+  Eigen::VectorXd units = Eigen::VectorXd::Ones(back.rows());
+  if (back.cols() > 0) {
+    units = back.cwiseAbs().rowwise().maxCoeff();
+  }
   back = units.cwiseInverse().asDiagonal() * back;
   const Eigen::VectorXd estimates = back * newton.coefficients;
   const Eigen::MatrixXd covariance =

@@ -149,7 +149,10 @@ TEST(CoxMonotone, SmallTablesAreDiagnosedExactly) {
                               }),
                   runs_away);
         if (ties == Ties::breslow && !rays.empty() && coefficient.estimate) {
-          EXPECT_NEAR(slope_of_limit(data, inside, j, *coefficient.estimate), 0.0, 1e-6);
+          // A row with a risk of exp(60) that leaves a set keeps 1e-32 of it there.
+          EXPECT_NEAR(slope_of_limit(data, inside, j, *coefficient.estimate),
+                      0.0,
+                      data.outcome.left_truncated() ? 1e-5 : 1e-6);
           EXPECT_LT(*coefficient.model_se, 1e3);
           ++beside;
         }
