@@ -1,5 +1,7 @@
 #include "cli/h1_options.hpp"
 
+#include <utility>
+
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
@@ -78,8 +80,8 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
       "start of the landmark panel; the time window of the features unless given");
   add("limit",
       text(o.limit, "S"),
-      "trial limit for failures that stay at risk; the longest time "
-      "unless given");
+      "trial limit: failures stay at risk to it, longer trials are censored there; the longest "
+      "time unless given");
   add("replicates",
       po::value(&o.replicates)->value_name("R")->default_value(o.replicates),
       "of the bootstrap; more for stable third digits");
@@ -111,6 +113,15 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   h1.time = options.time;
   h1.cluster = options.cluster;
   h1.strata = options.strata;
+  // A default may be absent; what was asked for may not.
+  const H1Options defaults;
+  for (const auto& [name, usual] : {std::pair(h1.time, defaults.time),
+                                    std::pair(h1.cluster, defaults.cluster),
+                                    std::pair(h1.strata, defaults.strata)}) {
+    if (!name.empty() && name != usual) {
+      h1.required.push_back(name);
+    }
+  }
   h1.landmark_s = effective_parameters({}, common).early_window.time_s;
   if (!options.landmark.empty()) {
     h1.landmark_s = number_of("landmark", options.landmark);

@@ -34,7 +34,8 @@ whether they are equivalent at a margin (two one-sided tests of all pairs, clust
 groups), the smallest margin that would do, the margin that had 80 % power, tests of difference and
 interaction. Panels and clusters as in h1.
 
-A table needs the columns of --success and of the predictors. 'column:smaller' after --predictor or in
+A table needs the columns of --success and of the predictors; others that are named must be there, and
+those that are usual may be absent or empty. 'column:smaller' after --predictor or in
 --baselines means that smaller values speak for success. Without --features' own landmark columns
 (tc_landmark, ...) there is one panel, unless --landmark is given.
 
@@ -105,6 +106,15 @@ Study study_of_bundle(const HypothesesOptions& options, const CommonOptions& com
   return study;
 }
 
+void say_conditions(const std::vector<H1Panel>& panels) {
+  for (const H1Panel& panel : panels) {
+    for (const Condition& condition : panel.conditions) {
+      say("tcert hypotheses: " + std::string(to_string(panel.kind)) +
+          " panel: " + to_string(condition));
+    }
+  }
+}
+
 /// What a hypothesis reads of a table, and what it says of it.
 struct Hypothesis {
   std::vector<std::string> columns;
@@ -114,8 +124,11 @@ struct Hypothesis {
 Hypothesis hypothesis_of(const HypothesesOptions& options, const CommonOptions& common) {
   if (options.hypothesis == "h1") {
     const H1Options h1 = h1_options(options, common);
-    return {columns_of(h1),
-            [h1](const DataTable& table) { return h1_report(hypothesis_h1(table, h1)); }};
+    return {columns_of(h1), [h1](const DataTable& table) {
+              const H1Table tested = hypothesis_h1(table, h1);
+              say_conditions(tested.panels);
+              return h1_report(tested);
+            }};
   }
   if (options.hypothesis == "h2") {
     const H2Options h2 = h2_options(options, common);

@@ -19,6 +19,10 @@ bool is_missing(std::string_view cell) noexcept {
   return cell.empty() || cell == "NA" || cell == "NaN" || cell == "nan";
 }
 
+bool is_truth_value(std::string_view cell) noexcept {
+  return cell == "TRUE" || cell == "true" || cell == "FALSE" || cell == "false";
+}
+
 /// The words that stand for a number; false for any other.
 bool word_value(std::string_view cell, double& value) noexcept {
   if (is_missing(cell)) {
@@ -89,6 +93,7 @@ struct FirstText {
   std::string cell;
   std::size_t texts = 0;
   std::size_t numbers = 0;
+  std::size_t truths = 0;  ///< Of the numbers.
 };
 
 constexpr std::size_t kSkipped = std::numeric_limits<std::size_t>::max();
@@ -111,7 +116,7 @@ Reading reading_of(const CsvHeader& header,
       continue;
     }
     reading.slot.push_back(reading.table.columns.size());
-    reading.table.columns.push_back({name, false, {}, {}});
+    reading.table.columns.push_back({name, false, {}, {}, false});
   }
   reading.first_text.resize(reading.table.columns.size());
   return reading;
@@ -133,6 +138,7 @@ void read_numbers(const Bytes& bytes,
     FirstText& text = reading.first_text[slot];
     if (reader.number(cell, row[slot])) {
       text.numbers += std::isnan(row[slot]) ? 0 : 1;
+      text.truths += (row[slot] == 0.0 || row[slot] == 1.0) && is_truth_value(cell) ? 1 : 0;
     } else {
       if (text.texts++ == 0) {
         text.cell = cell;
@@ -160,6 +166,10 @@ void read_numbers(const Bytes& bytes,
     ++reading.table.rows;
   };
   for_each_cell(header, take, end_row);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const FirstText& text = reading.first_text[k];
+    columns[k].is_truth = text.texts == 0 && text.truths > 0 && text.truths == text.numbers;
+  }
 }
 
 /// Codes in order of appearance; sorted at the end.

@@ -24,6 +24,7 @@ struct DataColumn {
   bool is_text = false;
   std::vector<double> numbers;  ///< Of a numeric column; NaN where missing; infinities kept.
   Factor text;                  ///< Of a text column.
+  bool is_truth = false;        ///< Numeric, and every cell that is not missing is a truth value.
 };
 
 struct DataTable {

@@ -14,6 +14,10 @@ std::string cluster_note(const H1Table& h1) {
   if (cluster.empty()) {
     return "Trials are taken as independent: no cluster was named.";
   }
+  if (!h1.panels.front().has_clusters) {
+    return "Trials are taken as independent, each its own cluster: the table has no column '" +
+           cluster + "', or nothing in it.";
+  }
   std::string note = "Clusters: column '" + cluster +
                      "'. Resamples draw whole clusters, the tests and robust variances use them";
   const bool few = std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
@@ -98,6 +102,19 @@ std::vector<std::string> h1_success_notes(const H1Table& h1) {
 }
 
 std::vector<std::string> h1_time_notes(const H1Table& h1) {
+  const bool has_time = std::any_of(
+      h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) { return panel.has_time; });
+  if (!has_time) {
+    return {"No C and no hazard ratios: column '" + h1.options.time +
+            "' is not there, holds nothing or has a time that is not above 0."};
+  }
+  const std::string strata =
+      h1.panels.front().has_strata
+          ? "Stratified: by '" + h1.options.strata + "', failures censored."
+          : "No stratified one: " +
+                (h1.options.strata.empty()
+                     ? std::string("no strata were named.")
+                     : "the table has no column '" + h1.options.strata + "', or nothing in it.");
   std::string limits;
   for (const H1Panel& panel : h1.panels) {
     limits += (limits.empty() ? "" : ", ") + significant(panel.limit_s, 6) + " s (" +
@@ -109,7 +126,7 @@ std::vector<std::string> h1_time_notes(const H1Table& h1) {
           h1.options.time + "'; the event is egress.",
       "HR: hazard ratio of egress per standard deviation (column SD) towards the better side, Cox "
       "with Efron ties, cluster-robust; above 1 is sooner. At limit: failures stay at risk to " +
-          limits + ". Stratified: by '" + h1.options.strata + "', failures censored.",
+          limits + ". " + strata,
       model_note() +
           "For C the model is a Cox model; its p is the likelihood-ratio test, trials "
           "independent. The HR of 'rivals + ...' is the predictor's, rivals held fixed.",

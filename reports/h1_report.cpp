@@ -126,6 +126,7 @@ void add_incidence_tables(const H1Table& h1, FitReport& report) {
     SurvivalReportOptions options;
     options.scale = IntervalScale::log_log;
     options.level = h1.options.level;
+    options.limit = h1.options.limit_s;
     FitReport part;
     add_incidence(panel.incidence, options, part);
     shown.emplace_back(panel_name(panel), part.tables.front());

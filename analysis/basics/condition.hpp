@@ -60,6 +60,8 @@ enum class ConditionKind : std::uint8_t {
   // Equivalence and calibration.
   few_bins,             ///< Ties leave fewer bins of probabilities than were asked for.
   singular_covariance,  ///< Too few clusters for a joint test of so many groups.
+  // Trial limits.
+  beyond_limit,  ///< Times above the limit: censored there.
 };
 
 /// How far the numbers stand.

@@ -132,6 +132,10 @@ void count_outlived(const Stratum& stratum, std::vector<RowPairs>& pairs) {
       look(k, 1.0);
     }
   }
+  // Rows that enter when all events are over outlive none of them.
+  for (; entry != stratum.entries.end(); ++entry) {
+    look(entry->at, -1.0);
+  }
 }
 
 /// Pairs of events at the same time.

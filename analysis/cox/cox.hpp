@@ -59,7 +59,7 @@ struct CoxOptions {
   /// empty.
   bool inference = true;
 
-  std::size_t iterations = 60;
+  std::size_t iterations = 100;
   double loglik_tolerance = 1e-14;  ///< Relative change of the log-likelihood.
   double step_tolerance =
       1e-8;  ///< Largest next step, relative to 1 + |coefficient|, per scaled column.
@@ -132,9 +132,9 @@ struct CoxFit {
 
 /// Maximum partial likelihood by Newton's method with step halving.
 ///
-/// Conditions: no_rows, too_few_rows, no_events, bad_weight, infinite_value (errors);
-/// constant_column, collinear_column, monotone_likelihood, not_converged, one_cluster (a number is
-/// missing); few_clusters (a note).
+/// Conditions: no_rows, too_few_rows, no_events, bad_weight, infinite_value, not_converged (errors,
+/// without numbers); constant_column, collinear_column, monotone_likelihood, one_cluster (a number
+/// is missing); few_clusters (a note).
 ///
 /// O(n (log n + p^2)) a step with Efron or Breslow ties, also with robust variance; with exact ties
 /// O(m d p^2) for each time with d > 1 events and m rows at risk (Gail, Lubin and Rubinstein 1981).

@@ -93,7 +93,7 @@ std::vector<BaselineHazard> cox_baseline(const CoxData& data, const CoxFit& fit)
   check_fit(data, fit);
   const CoxRows rows = cox_rows(data);
   const HazardSteps steps = hazard_steps(rows, fit.beta.cwiseProduct(rows.scale), fit.ties);
-  const double risk = std::exp(-rows.centre.dot(fit.beta) - steps.risks.shift);
+  const double risk = std::exp(-rows.centre.dot(fit.beta) - rows.offset_centre - steps.risks.shift);
   std::vector<BaselineHazard> result;
   const std::vector<TimeGrid> grids = time_grids(data, rows.sets);
   for (std::size_t s = 0; s < grids.size(); ++s) {
@@ -131,7 +131,8 @@ std::vector<CoxCurve> cox_curves(const CoxData& data,
     for (Eigen::Index row = 0; row < design.rows() && !grids[s].time.empty(); ++row) {
       const Eigen::VectorXd x =
           (design.row(row).transpose() - rows.centre).cwiseQuotient(rows.scale);
-      const double shifted = (offset.size() == 0 ? 0.0 : offset(row)) - steps.risks.shift;
+      const double shifted =
+          (offset.size() == 0 ? 0.0 : offset(row)) - rows.offset_centre - steps.risks.shift;
       CoxCurve curve;
       curve.stratum = level_of(data, s);
       curve.row = static_cast<std::size_t>(row);

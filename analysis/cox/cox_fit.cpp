@@ -101,6 +101,14 @@ Eigen::VectorXd centring_means(const CoxData& data, const CoxRows& rows, Ties ti
   return means;
 }
 
+std::string words_of_infinite(const CoxMaximum& maximum, Eigen::Index column) {
+  const double along = maximum.recession(column);
+  if (std::abs(along) <= 1e-6 * maximum.recession.cwiseAbs().maxCoeff()) {
+    return "the others that run away leave it open";
+  }
+  return along > 0.0 ? "its coefficient runs to +infinity" : "its coefficient runs to -infinity";
+}
+
 void name_columns(const CoxData& data, const CoxMaximum& maximum, CoxFit& fit) {
   constexpr auto kWarning = ConditionSeverity::warning;
   for (std::size_t j = 0; j < maximum.columns.size(); ++j) {
@@ -123,13 +131,9 @@ void name_columns(const CoxData& data, const CoxMaximum& maximum, CoxFit& fit) {
             ConditionKind::monotone_likelihood,
             kWarning,
             data.columns[j],
-            fit.beta(static_cast<Eigen::Index>(j)) > 0.0 ? "its coefficient runs to +infinity"
-                                                         : "its coefficient runs to -infinity");
+            words_of_infinite(maximum, static_cast<Eigen::Index>(j)));
         break;
     }
-  }
-  if (fit.summary.termination == CoxTermination::iteration_limit) {
-    add(fit, ConditionKind::not_converged, kWarning);
   }
 }
 
@@ -188,6 +192,21 @@ CoxFit fit_cox(const CoxData& data, const CoxOptions& options) {
   const CoxRows rows = cox_rows(data);
   const CoxMaximum maximum = maximise(rows, options);
   fit.summary = maximum.summary;
+  if (!std::isfinite(maximum.null.loglik) || !maximum.null.information.allFinite()) {
+    fit.summary.termination = CoxTermination::no_fit;
+    add(fit,
+        ConditionKind::infinite_value,
+        ConditionSeverity::error,
+        "offset",
+        "beside the largest offset that of all rows at risk at some time is nothing");
+    add_empty_coefficients(data, fit);
+    return fit;
+  }
+  if (fit.summary.termination == CoxTermination::iteration_limit) {
+    add(fit, ConditionKind::not_converged, ConditionSeverity::error);
+    add_empty_coefficients(data, fit);
+    return fit;
+  }
   fit.df = ranked_columns(maximum.columns).size();
   fit.beta = maximum.beta.cwiseQuotient(rows.scale);
   fit.means = centring_means(data, rows, options.ties);

@@ -96,7 +96,12 @@ void add_robust_variance(const CoxData& data,
   }
 }
 
-void add_coefficients(const CoxData& data, CoxFit& fit) {
+/// \pre the variances of `fit` are still those of the scaled columns: in others they may leave the
+/// range of numbers.
+void add_coefficients(const CoxData& data,
+                      const CoxRows& rows,
+                      const CoxMaximum& maximum,
+                      CoxFit& fit) {
   const double factor = normal_factor(fit.level);
   for (std::size_t j = 0; j < data.columns.size(); ++j) {
     const auto at = static_cast<Eigen::Index>(j);
@@ -106,13 +111,15 @@ void add_coefficients(const CoxData& data, CoxFit& fit) {
       const double estimate = fit.beta(at);
       coefficient.estimate = estimate;
       coefficient.hazard_ratio = std::exp(estimate);
-      coefficient.model_se = std::sqrt(fit.model_vcov(at, at));
+      const double unit = rows.scale(at);
+      coefficient.model_se = std::sqrt(fit.model_vcov(at, at)) / unit;
       if (fit.robust && !std::isnan(fit.vcov(at, at))) {
-        coefficient.robust_se = std::sqrt(fit.vcov(at, at));
+        coefficient.robust_se = std::sqrt(fit.vcov(at, at)) / unit;
       }
+      const double scaled_se = std::sqrt((fit.robust ? fit.vcov : fit.model_vcov)(at, at));
       const std::optional<double> se = fit.robust ? coefficient.robust_se : coefficient.model_se;
-      if (se && *se > 0.0) {
-        coefficient.z = estimate / *se;
+      if (se && scaled_se > 0.0) {
+        coefficient.z = maximum.beta(at) / scaled_se;
         coefficient.p_value = normal_p_value(*coefficient.z, Alternative::two_sided);
         coefficient.interval =
             Interval{estimate - factor * *se, estimate + factor * *se, fit.level};
@@ -134,10 +141,11 @@ void add_cox_inference(const CoxData& data,
     add_robust_variance(data, rows, maximum, inverse, fit);
   }
   add_tests(maximum, fit);
+  fit.model_vcov = inverse;
+  add_coefficients(data, rows, maximum, fit);
   const Eigen::VectorXd unit = rows.scale.cwiseInverse();
   fit.model_vcov = unit.asDiagonal() * inverse * unit.asDiagonal();
   fit.vcov = unit.asDiagonal() * fit.vcov * unit.asDiagonal();
-  add_coefficients(data, fit);
   const auto df = static_cast<double>(fit.df);
   fit.aic = -2.0 * *fit.loglik + 2.0 * df;
   fit.bic = -2.0 * *fit.loglik + df * std::log(static_cast<double>(fit.events));

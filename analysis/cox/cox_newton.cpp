@@ -1,9 +1,13 @@
 #include "analysis/cox/cox_newton.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+
+#include "analysis/cox/cox_recession.hpp"
 
 namespace tcert {
 namespace {
@@ -12,6 +16,9 @@ constexpr std::size_t kHalvings = 40;
 constexpr std::size_t kStalled = 4;       ///< Steps without gain before the fit is judged.
 constexpr double kRunaway = 1e-3;         ///< A step as large, without gain, is no rounding.
 constexpr double kLimitTolerance = 1e-6;  ///< Information left in the limit, of that at 0.
+constexpr double kVanished = 1e-12;       ///< As little is no more than rounding: no step there.
+constexpr double kPart = 1e-3;            ///< Of a column's length: it is part of a lost direction.
+constexpr double kMoves = 1e-8;           ///< Of the largest: it is part of a certified direction.
 
 /// Cholesky pivots of `information` in the given order; a column whose pivot is at most
 /// tolerance x reference is skipped. Returns the columns that stay.
@@ -59,44 +66,110 @@ std::vector<ColumnState> column_states(const CoxRows& rows,
   return states;
 }
 
-/// Solves information step = score for the `kept` columns; 0 for the others.
-Eigen::VectorXd newton_step(const CoxDerivatives& at, const std::vector<Eigen::Index>& kept) {
+/// p x k: directions that span the `kept` columns, with information 1 each at beta = 0.
+Eigen::MatrixXd unit_directions(const CoxDerivatives& null, const std::vector<Eigen::Index>& kept) {
+  const auto size = static_cast<Eigen::Index>(kept.size());
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(null.score.size(), size);
+  if (size == 0) {
+    return basis;
+  }
+  Eigen::MatrixXd information = null.information(kept, kept);
+  const Eigen::VectorXd unit = information.diagonal().cwiseSqrt().cwiseInverse();
+  information = unit.asDiagonal() * information * unit.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
+  const Eigen::VectorXd inverse_root =
+      eigen.eigenvalues().cwiseMax(1e-15).cwiseSqrt().cwiseInverse();
+  basis(kept, Eigen::all) = unit.asDiagonal() * eigen.eigenvectors() * inverse_root.asDiagonal();
+  return basis;
+}
+
+/// The information at some coefficients in the unit directions: 1 is what there is at 0.
+Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> share_of_information(const CoxDerivatives& at,
+                                                                    const Eigen::MatrixXd& basis) {
+  const Eigen::MatrixXd share = basis.transpose() * at.information * basis;
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(share);
+}
+
+/// Solves information step = score for the `kept` columns; 0 for the others. Directions whose share
+/// of information is at most `smallest` are not taken.
+Eigen::VectorXd newton_step(const CoxDerivatives& at,
+                            const std::vector<Eigen::Index>& kept,
+                            const Eigen::MatrixXd& basis,
+                            double smallest = kVanished) {
   Eigen::VectorXd step = Eigen::VectorXd::Zero(at.score.size());
-  if (!kept.empty()) {
+  if (kept.empty()) {
+    return step;
+  }
+  const auto share = share_of_information(at, basis);
+  if (share.eigenvalues()(0) > kLimitTolerance) {
     const Eigen::VectorXd score = at.score(kept);
     const Eigen::MatrixXd information = at.information(kept, kept);
     const Eigen::VectorXd solution = information.ldlt().solve(score);
     step(kept) = solution;
+    return step;
   }
-  return step;
+  Eigen::VectorXd along = share.eigenvectors().transpose() * (basis.transpose() * at.score);
+  for (Eigen::Index k = 0; k < along.size(); ++k) {
+    const double left = share.eigenvalues()(k);
+    along(k) = left > smallest ? along(k) / left : 0.0;
+  }
+  return basis * (share.eigenvectors() * along);
 }
 
 double relative_size(const Eigen::VectorXd& step, const Eigen::VectorXd& beta) {
   return step.size() == 0 ? 0.0 : (step.array().abs() / (1.0 + beta.array().abs())).maxCoeff();
 }
 
-void judge_stalled(const CoxRows& rows, const Eigen::VectorXd& step, CoxMaximum& maximum) {
-  if (maximum.summary.last_step <= kRunaway) {
-    maximum.summary.termination = CoxTermination::converged;
-    return;
+/// Columns that have a part in the certified direction, or in one whose information is lost.
+void name_infinite(const Eigen::MatrixXd& basis,
+                   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& share,
+                   CoxMaximum& maximum) {
+  Eigen::Index lost = 0;
+  while (lost < basis.cols() && share.eigenvalues()(lost) <= kLimitTolerance) {
+    ++lost;
   }
-  const double largest = step.cwiseAbs().maxCoeff();
-  Eigen::VectorXd direction = step;
-  for (Eigen::Index j = 0; j < step.size(); ++j) {
-    if (std::abs(step(j)) <= kRunaway * largest) {
-      direction(j) = 0.0;
-    }
-  }
-  if (!is_monotone(rows, direction)) {
-    maximum.summary.termination = CoxTermination::iteration_limit;
-    return;
-  }
-  maximum.summary.termination = CoxTermination::monotone;
-  for (Eigen::Index j = 0; j < step.size(); ++j) {
-    if (direction(j) != 0.0) {
+  const Eigen::MatrixXd directions = basis * share.eigenvectors().leftCols(lost);
+  for (const Eigen::Index j : ranked_columns(maximum.columns)) {
+    const double length = basis.row(j).norm();
+    if (directions.row(j).norm() > kPart * length ||
+        std::abs(maximum.recession(j)) > kMoves * maximum.recession.cwiseAbs().maxCoeff()) {
       maximum.columns[static_cast<std::size_t>(j)] = ColumnState::infinite;
     }
   }
+}
+
+/// Says what the end of the iteration is. A fit that has lost the information of a direction is
+/// believed only if the data allow a maximum there.
+void judge(const CoxRows& rows,
+           Ties ties,
+           const Eigen::MatrixXd& basis,
+           bool settled,
+           CoxMaximum& maximum) {
+  const auto share = share_of_information(maximum.fitted, basis);
+  const double least = share.eigenvalues()(0);
+  CoxTermination& termination = maximum.summary.termination;
+  termination = settled ? CoxTermination::converged : CoxTermination::iteration_limit;
+  if (settled && least > kLimitTolerance) {
+    return;
+  }
+  const auto direction =
+      recession_direction(rows, ties, basis, basis.transpose() * maximum.null.score);
+  if (!direction) {
+    termination = least > kVanished ? termination : CoxTermination::iteration_limit;
+    return;
+  }
+  const Eigen::VectorXd rest =
+      newton_step(maximum.fitted, ranked_columns(maximum.columns), basis, kLimitTolerance);
+  termination = CoxTermination::monotone;
+  maximum.recession = *direction;
+  if (least > kLimitTolerance || relative_size(rest, maximum.beta) > kRunaway) {
+    // Rounding has stopped the fit before its limit: it has no numbers beside the infinite ones.
+    for (const Eigen::Index j : ranked_columns(maximum.columns)) {
+      maximum.columns[static_cast<std::size_t>(j)] = ColumnState::infinite;
+    }
+    return;
+  }
+  name_infinite(basis, share, maximum);
 }
 
 /// Moves by `step`, halved until the log-likelihood does not fall; false if it always does.
@@ -126,37 +199,39 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
   maximum.columns = column_states(rows, maximum.null, options.rank_tolerance);
   const std::vector<Eigen::Index> kept = ranked_columns(maximum.columns);
 
+  const Eigen::MatrixXd basis = unit_directions(maximum.null, kept);
+
   CoxSummary& summary = maximum.summary;
-  summary.termination = CoxTermination::iteration_limit;
   summary.loglik_tolerance = options.loglik_tolerance;
   summary.step_tolerance = options.step_tolerance;
   summary.rank_tolerance = options.rank_tolerance;
-  Eigen::VectorXd step = newton_step(maximum.null, kept);
+  Eigen::VectorXd step = newton_step(maximum.null, kept, basis);
   std::size_t stalled = 0;
   bool level = kept.empty();
+  bool settled = false;
   while (true) {
     summary.last_step = relative_size(step, maximum.beta);
-    if (level && summary.last_step <= options.step_tolerance) {
-      summary.termination = CoxTermination::converged;
-      break;
-    }
-    stalled = level ? stalled + 1 : 0;
-    if (stalled == kStalled) {
-      judge_stalled(rows, step, maximum);
-      break;
-    }
-    if (summary.iterations == options.iterations) {
+    settled = level && summary.last_step <= options.step_tolerance;
+    // A direction that runs away is followed until its information has vanished.
+    stalled = level && summary.last_step <= kRunaway ? stalled + 1 : 0;
+    if (settled || summary.iterations == options.iterations) {
       break;
     }
     ++summary.iterations;
     const double before = maximum.fitted.loglik;
-    if (!climb(rows, options.ties, step, maximum)) {
-      judge_stalled(rows, step, maximum);
+    if (stalled == kStalled || !climb(rows, options.ties, step, maximum)) {
+      // Without gain a small step is rounding.
+      settled = summary.last_step <= kRunaway;
       break;
     }
     level = std::abs(maximum.fitted.loglik - before) <=
             options.loglik_tolerance * std::max(1.0, std::abs(before));
-    step = newton_step(maximum.fitted, kept);
+    step = newton_step(maximum.fitted, kept, basis);
+  }
+  if (kept.empty()) {
+    summary.termination = CoxTermination::converged;
+  } else {
+    judge(rows, options.ties, basis, settled, maximum);
   }
   summary.gradient_norm = kept.empty() ? 0.0 : maximum.fitted.score(kept).cwiseAbs().maxCoeff();
   return maximum;

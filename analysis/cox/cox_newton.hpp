@@ -24,6 +24,7 @@ struct CoxMaximum {
   CoxDerivatives null;    ///< At beta = 0.
   CoxDerivatives fitted;  ///< At `beta`.
   std::vector<ColumnState> columns;
+  Eigen::VectorXd recession;  ///< A direction in which the likelihood rises; empty without one.
   CoxSummary summary;
 };
 
@@ -38,9 +39,5 @@ struct CoxMaximum {
 /// likelihood runs away the directions that do so are taken out first, so the others have the
 /// variance of the limit.
 [[nodiscard]] Eigen::MatrixXd inverse_information(const CoxMaximum& maximum);
-
-/// True if, along `direction` of the scaled columns, no row at risk ever comes before a row with an
-/// event: the likelihood has no maximum. Tolerates a thousandth of the range. O(m (p + log m)).
-[[nodiscard]] bool is_monotone(const CoxRows& rows, const Eigen::VectorXd& direction);
 
 }  // namespace tcert

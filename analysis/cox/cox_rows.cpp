@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace tcert {
 namespace {
 
-/// exp() of it leaves room for sums of 10^9 products of scaled columns.
-constexpr double kLargestExponent = 600.0;
+/// exp() of twice it leaves room: the information divides by squares of sums.
+constexpr double kLargestExponent = 300.0;
 
 void centre_and_scale(const CoxData& data, CoxRows& rows) {
   const Eigen::Index n = data.design.rows();
@@ -78,6 +79,12 @@ CoxRows cox_rows(const CoxData& data) {
   };
   gather(data.weights, rows.weight);
   gather(data.offset, rows.offset);
+  if (data.offset && data.offset->size() > 0) {
+    rows.offset_centre = data.offset->mean();
+    for (double& offset : rows.offset) {
+      offset -= rows.offset_centre;
+    }
+  }
   return rows;
 }
 
@@ -85,7 +92,8 @@ void risk_scores(const CoxRows& rows, const Eigen::VectorXd& beta, RiskScores& s
   const std::size_t m = rows.rows();
   const std::size_t p = rows.columns;
   scores.score.resize(m);
-  double largest = 0.0;
+  double largest = -std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t place = 0; place < m; ++place) {
     const double* const x = rows.row(place);
     double sum = rows.offset_of(place);
@@ -94,8 +102,10 @@ void risk_scores(const CoxRows& rows, const Eigen::VectorXd& beta, RiskScores& s
     }
     scores.score[place] = sum;
     largest = std::max(largest, sum);
+    smallest = std::min(smallest, sum);
   }
-  scores.shift = largest > kLargestExponent ? largest - kLargestExponent : 0.0;
+  const bool fits = largest <= kLargestExponent && smallest >= -kLargestExponent;
+  scores.shift = m == 0 || fits ? 0.0 : largest - kLargestExponent;
   for (double& score : scores.score) {
     score = std::exp(score - scores.shift);
   }

@@ -20,7 +20,8 @@ struct CoxRows {
   Eigen::VectorXd scale;       ///< p: the weighted mean absolute deviation; 1 if it is 0.
   std::vector<double> x;       ///< m x p, a row after the other: (x - centre) / scale.
   std::vector<double> weight;  ///< m, or empty: every weight is 1.
-  std::vector<double> offset;  ///< m, or empty: every offset is 0.
+  std::vector<double> offset;  ///< m, less `offset_centre`; or empty: every offset is 0.
+  double offset_centre = 0.0;  ///< The mean over all n rows.
 
   [[nodiscard]] std::size_t rows() const noexcept { return sets.order.size(); }
   [[nodiscard]] double weight_of(std::size_t place) const noexcept {
@@ -41,7 +42,7 @@ struct CoxRows {
 struct RiskScores {
   std::vector<double> score;
   std::vector<double> weighted;  ///< Times the weight; empty if every weight is 1.
-  double shift = 0.0;            ///< 0 unless the largest exponent would overflow.
+  double shift = 0.0;            ///< 0 unless an exponent would leave the range of numbers.
 
   /// What a row adds to the sums over risk sets.
   [[nodiscard]] const double* risk() const noexcept {

@@ -110,6 +110,11 @@ TermTests cox_drop1(const CoxData& data, const CoxOptions& options) {
     if (!is_part_of_another(data.terms, out)) {
       const CoxFit fit =
           refit(with_terms(data, [&](std::size_t term) { return term != out; }), options);
+      if (has_error(fit.conditions)) {
+        result.conditions = fit.conditions;
+        result.rows.clear();
+        return result;
+      }
       result.rows.push_back(row_of(data.terms[out], fit));
       add_test(fit, full, result.rows.back());
     }

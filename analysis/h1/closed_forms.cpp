@@ -1,11 +1,13 @@
 #include "analysis/h1/closed_forms.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/basics/chi_square.hpp"
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/cox/cox.hpp"
 #include "analysis/h1/hazard_ratio.hpp"
+#include "analysis/model/variable.hpp"
 #include "analysis/roc/roc.hpp"
 
 namespace tcert {

@@ -1,8 +1,49 @@
 #include "analysis/h1/hazard_ratio.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "analysis/model/variable.hpp"
 
 namespace tcert {
+namespace {
+
+/// The rows whose stratum is known, with their strata.
+CoxData in_strata(const CoxData& cox, const H1Data& data, Conditions& conditions) {
+  std::vector<std::size_t> rows;
+  std::vector<Eigen::Index> indices;
+  for (std::size_t i = 0; i < data.rows(); ++i) {
+    if (data.strata->codes[i] != Factor::kMissing) {
+      rows.push_back(i);
+      indices.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  CoxData kept = cox;
+  kept.strata = data.strata;
+  if (rows.size() == data.rows()) {
+    return kept;
+  }
+  conditions.push_back(
+      {ConditionKind::missing_rows,
+       ConditionSeverity::note,
+       data.strata_name,
+       std::to_string(data.rows() - rows.size()) + " of the stratified hazard ratio"});
+  kept.outcome = {};
+  for (const std::size_t i : rows) {
+    kept.outcome.stop.push_back(cox.outcome.stop[i]);
+    kept.outcome.event.push_back(cox.outcome.event[i]);
+    if (cox.outcome.left_truncated()) {
+      kept.outcome.start.push_back(cox.outcome.start[i]);
+    }
+  }
+  kept.design = cox.design(indices, Eigen::all);
+  kept.strata = on_rows(*data.strata, rows);
+  kept.cluster = on_rows(*cox.cluster, rows);
+  return kept;
+}
+
+}  // namespace
 
 double standard_deviation(const std::vector<double>& values) {
   const Eigen::Map<const Eigen::VectorXd> x(values.data(),
@@ -15,14 +56,15 @@ Eigen::VectorXd per_sd(const H1Data& data, std::size_t k) {
   const double sign = data.higher[k] == HigherMeans::success ? 1.0 : -1.0;
   const Eigen::Map<const Eigen::VectorXd> x(values.data(),
                                             static_cast<Eigen::Index>(values.size()));
-  return x * (sign / standard_deviation(values));
+  const double sd = standard_deviation(values);
+  return x * (sd > 0.0 ? sign / sd : sign);
 }
 
 H1HazardRatio hazard_ratio(
     CoxData cox, const H1Data& data, double level, bool stratified, Conditions& conditions) {
   cox.cluster = data.cluster;
   if (stratified) {
-    cox.strata = data.strata;
+    cox = in_strata(cox, data, conditions);
   }
   CoxOptions cox_options;
   cox_options.level = level;
@@ -36,7 +78,9 @@ H1HazardRatio hazard_ratio(
         Interval{std::exp(coefficient.interval->low), std::exp(coefficient.interval->high), level};
   }
   for (const Condition& condition : fit.conditions) {
-    if (condition.kind != ConditionKind::few_clusters) {
+    const bool known =
+        std::find(conditions.begin(), conditions.end(), condition) != conditions.end();
+    if (condition.kind != ConditionKind::few_clusters && !known) {
       conditions.push_back(condition);
     }
   }

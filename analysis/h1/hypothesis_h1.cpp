@@ -143,6 +143,12 @@ H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind k
   }
   add_incidence_by_quartile(data, panel);
   adjust(panel);
+  // A fit that fails costs its own number, not the table.
+  for (H1Row& row : panel.rows) {
+    for (Condition& condition : row.conditions) {
+      condition.severity = std::min(condition.severity, ConditionSeverity::warning);
+    }
+  }
   return panel;
 }
 
@@ -190,6 +196,7 @@ std::string_view to_string(H1PanelKind kind) noexcept {
 
 H1Table hypothesis_h1(const DataTable& table, const H1Options& options) {
   validate(options);
+  require_columns(table, options);
   H1Table h1;
   h1.options = options;
   h1.trials = table.rows;

@@ -34,18 +34,20 @@ struct H1Predictor {
 struct H1Options {
   std::vector<H1Predictor> predictors = paper_predictors();  ///< The one under test, then rivals.
   std::string success = "success";
-  std::string time = "time_s";       ///< Column of the time to egress or to the end; may be absent.
-  std::string cluster = "day";       ///< Empty: every trial is its own cluster.
+  std::string time = "time_s";  ///< Column of the time to egress or to the end; may be absent.
+  std::string cluster = "day";  ///< Empty, or not in the table: every trial is its own cluster.
   std::string strata = "algorithm";  ///< Of the stratified Cox model; may be absent.
   std::string group;                 ///< Column of the groups that H2 compares; empty for none.
   double landmark_s = 15.0;          ///< When the time window closes.
   bool always_landmark = false;      ///< A landmark panel without landmark columns too.
-  std::optional<double> limit_s;     ///< Trial limit; empty: the longest time of the panel.
+  std::optional<double> limit_s;     ///< Trial limit, where longer ones are censored; empty: the
+                                     ///< longest time of the panel.
   double level = 0.95;
   std::size_t replicates = 2000;
   std::size_t folds = 5;
   bool models = true;  ///< The rows of models and what is out of fold.
   std::uint64_t seed = 1;
+  std::vector<std::string> required;  ///< Columns that may not be absent, though they could be.
 };
 
 /// The early window may contain the outcome, so the test is made twice.
@@ -132,6 +134,8 @@ struct H1Panel {
   std::size_t failures = 0;
   std::size_t clusters = 0;
   bool has_time = false;
+  bool has_clusters = false;  ///< Else every trial is its own.
+  bool has_strata = false;
   double limit_s = 0.0;                                      ///< The trial limit that was used.
   std::vector<std::pair<std::string, std::size_t>> missing;  ///< Per column that is no predictor.
 
@@ -168,9 +172,10 @@ struct H1Table {
 
 /// The trials of `table` by its columns. A trial ends at its time, or with its log (`end_s`) where
 /// that is not given. Every resample draws whole clusters, for all numbers of a panel jointly;
-/// model rows are re-fitted in each (logistic for AUC, Cox for C) and in each fold. \throws
-/// FormulaError if a column is not there or holds the wrong kind; std::invalid_argument if an
-/// option is out of range. O(replicates trials log trials).
+/// model rows are re-fitted in each (logistic for AUC, Cox for C) and in each fold; a fold whose
+/// fit has no estimate is left out and named. A column without a single value is not there. \throws
+/// FormulaError if a column is not there, holds the wrong kind or is infinite;
+/// std::invalid_argument if an option is out of range. O(replicates trials log trials).
 [[nodiscard]] H1Table hypothesis_h1(const DataTable& table, const H1Options& options = {});
 
 /// Names of the columns that it looks for.

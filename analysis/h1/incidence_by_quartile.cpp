@@ -35,8 +35,9 @@ void add_incidence_by_quartile(const H1Data& data, H1Panel& panel) {
   outcome.start = data.censored->start;
   outcome.stop = data.censored->stop;
   outcome.causes = {"egress", "failure"};
-  for (const std::uint8_t success : data.success) {
-    outcome.cause.push_back(success != 0 ? 1 : 2);
+  for (std::size_t i = 0; i < data.rows(); ++i) {
+    const std::uint32_t cause = data.success[i] != 0 ? 1 : 2;
+    outcome.cause.push_back(data.cut[i] != 0 ? 0 : cause);
   }
   const Factor groups = quartiles(data.predictors.front());
   IncidenceOptions options;

@@ -13,13 +13,12 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Centred and scaled: a fit is the same, but better conditioned. A constant column stays 0.
+/// Centred and scaled: a fit is the same, but better conditioned. A constant column is 0.
 Eigen::VectorXd standardised(const std::vector<double>& values) {
   const Eigen::Map<const Eigen::VectorXd> x(values.data(),
                                             static_cast<Eigen::Index>(values.size()));
-  const Eigen::VectorXd centred = x.array() - x.mean();
-  const double sd = std::sqrt(centred.squaredNorm() / static_cast<double>(values.size() - 1));
-  return sd > 0.0 ? Eigen::VectorXd(centred / sd) : centred;
+  const double sd = standard_deviation(values);
+  return sd > 0.0 ? Eigen::VectorXd((x.array() - x.mean()) / sd) : Eigen::VectorXd::Zero(x.size());
 }
 
 /// Indices of the rows, each as often as it was drawn.
@@ -68,6 +67,15 @@ std::vector<std::uint32_t> as_multiplicity(std::span<const std::uint8_t> train) 
 }
 
 }  // namespace
+
+double standard_deviation(const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::VectorXd> x(values.data(),
+                                            static_cast<Eigen::Index>(values.size()));
+  if (x.size() < 2 || x.minCoeff() == x.maxCoeff()) {
+    return 0.0;
+  }
+  return std::sqrt((x.array() - x.mean()).square().sum() / static_cast<double>(values.size() - 1));
+}
 
 H1Model::H1Model(const H1Data& data, const std::vector<std::size_t>& columns) : data_(data) {
   const auto rows = static_cast<Eigen::Index>(data.rows());

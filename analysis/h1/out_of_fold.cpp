@@ -9,7 +9,8 @@ namespace {
 
 using Rows = std::span<const std::size_t>;
 
-/// Scores of the held-out rows by a fit to the training rows; NaN if there is no estimate.
+/// Scores of the held-out rows by a fit to the training rows; NaN if there is no estimate, which
+/// leaves the fold out.
 template <class Scores>
 std::vector<double> scored(std::size_t rows, Rows training, Rows held_out, const Scores& scores) {
   std::vector<std::uint8_t> train(rows, 0);

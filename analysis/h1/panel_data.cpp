@@ -7,6 +7,8 @@
 #include "analysis/basics/quantile.hpp"
 #include "analysis/model/variable.hpp"
 #include "analysis/survival/failures_at_limit.hpp"
+#include "datasets/csv_write.hpp"
+#include "datasets/nearest_name.hpp"
 
 namespace tcert {
 namespace {
@@ -25,10 +27,33 @@ std::vector<double> numbers(const DataTable& table, const std::string& column) {
   return std::move(variable.numbers);
 }
 
+/// A column without a single value is not there: feature tables have a column for all they could
+/// know.
+bool is_there(const DataTable& table, const std::string& name) {
+  const DataColumn* const column = table.find(name);
+  return column != nullptr &&
+         (column->is_text ? !column->text.levels.empty()
+                          : std::any_of(column->numbers.begin(),
+                                        column->numbers.end(),
+                                        [](double x) { return !std::isnan(x); }));
+}
+
 /// All NaN if the table does not have it.
 std::vector<double> numbers_if_there(const DataTable& table, const std::string& column) {
   return table.find(column) == nullptr ? std::vector<double>(table.rows, kNaN)
                                        : numbers(table, column);
+}
+
+std::vector<double> finite_numbers(const DataTable& table, const std::string& column) {
+  std::vector<double> values = numbers_if_there(table, column);
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (std::isinf(values[row])) {
+      throw FormulaError("column '" + column + "' of " + table.file + ", row " +
+                         std::to_string(row + 1) + ": found " + (values[row] > 0.0 ? "" : "-") +
+                         "Inf; make the cell NA or correct it");
+    }
+  }
+  return values;
 }
 
 std::vector<double> outcome(const DataTable& table, const std::string& column) {
@@ -66,23 +91,20 @@ const std::string& column_of(const DataTable& table,
 Columns columns_of_table(const DataTable& table, const H1Options& options, H1PanelKind kind) {
   Columns columns;
   columns.success = outcome(table, options.success);
-  columns.time = numbers_if_there(table, options.time);
+  columns.time = finite_numbers(table, options.time);
   columns.log_end = numbers_if_there(table, "end_s");
   columns.end = columns.time;
   for (std::size_t row = 0; row < table.rows; ++row) {
     columns.end[row] = std::isnan(columns.end[row]) ? columns.log_end[row] : columns.end[row];
   }
   for (const H1Predictor& predictor : options.predictors) {
-    columns.predictors.push_back(
-        numbers(table,
-                kind == H1PanelKind::landmark && !predictor.landmark_column.empty()
-                    ? predictor.landmark_column
-                    : predictor.column));
+    static_cast<void>(numbers(table, predictor.column));  // both panels need it to be there
+    columns.predictors.push_back(finite_numbers(table, column_of(table, predictor, kind)));
   }
-  if (!options.cluster.empty()) {
+  if (is_there(table, options.cluster)) {
     columns.cluster = evaluate_factor(column_named(options.cluster), table);
   }
-  if (!options.strata.empty() && table.find(options.strata) != nullptr) {
+  if (is_there(table, options.strata)) {
     columns.strata = evaluate_factor(column_named(options.strata), table);
   }
   if (!options.group.empty()) {
@@ -181,7 +203,6 @@ std::vector<std::size_t> complete_trials(const std::vector<std::size_t>& rows,
     }
   };
   mark_factor(columns.cluster, options.cluster);
-  mark_factor(columns.strata, options.strata);
   mark_factor(columns.group, options.group);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -202,7 +223,54 @@ std::vector<double> on(const std::vector<double>& column, const std::vector<std:
   return kept;
 }
 
+/// "found 0 in row 8 (and 1 more)": of the times that are not above `earliest`; empty if all are.
+std::string bad_times(const std::vector<double>& time,
+                      const std::vector<std::size_t>& rows,
+                      double earliest) {
+  std::string found;
+  std::size_t bad = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (!(time[i] > earliest) && bad++ == 0) {
+      found = "found ";
+      append_number(found, time[i]);
+      found += " in row " + std::to_string(rows[i] + 1);
+    }
+  }
+  return bad > 1 ? found + " (and " + std::to_string(bad - 1) + " more)" : found;
+}
+
+/// A trial that runs longer than the limit is cut there, without event.
+void end_at_limit(const H1Options& options,
+                  double earliest,
+                  SurvivalOutcome& outcome,
+                  H1Panel& panel,
+                  H1Data& data) {
+  data.cut.assign(outcome.rows(), 0);
+  if (!options.limit_s) {
+    return;
+  }
+  if (!(*options.limit_s > earliest)) {
+    throw FormulaError("the trial limit lies before the times begin");
+  }
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < outcome.rows(); ++i) {
+    if (outcome.stop[i] > *options.limit_s) {
+      outcome.stop[i] = *options.limit_s;
+      outcome.event[i] = 0;
+      data.cut[i] = 1;
+      ++beyond;
+    }
+  }
+  if (beyond > 0) {
+    panel.conditions.push_back({ConditionKind::beyond_limit,
+                                ConditionSeverity::note,
+                                options.time,
+                                std::to_string(beyond) + " of " + std::to_string(outcome.rows())});
+  }
+}
+
 void add_times(const std::vector<double>& time,
+               const std::vector<std::size_t>& rows,
                const H1Options& options,
                H1Panel& panel,
                H1Data& data) {
@@ -214,18 +282,18 @@ void add_times(const std::vector<double>& time,
     outcome.start.assign(time.size(), options.landmark_s);
   }
   const double earliest = landmark ? options.landmark_s : 0.0;
-  const auto bad =
-      std::find_if(time.begin(), time.end(), [&](double t) { return !(t > earliest); });
-  if (bad != time.end()) {
+  if (const std::string bad = bad_times(time, rows, earliest); !bad.empty()) {
     panel.conditions.push_back({ConditionKind::time_not_positive,
                                 ConditionSeverity::warning,
                                 options.time,
-                                "no times are used"});
+                                bad + "; no times are used"});
     panel.has_time = false;
     return;
   }
+  end_at_limit(options, earliest, outcome, panel, data);
   snap_times(outcome);
-  const double longest = time.empty() ? 0.0 : *std::max_element(time.begin(), time.end());
+  const double longest =
+      time.empty() ? 0.0 : *std::max_element(outcome.stop.begin(), outcome.stop.end());
   panel.limit_s = options.limit_s.value_or(longest);
   std::vector<std::uint8_t> failed(data.success.size());
   std::transform(data.success.begin(), data.success.end(), failed.begin(), [](std::uint8_t s) {
@@ -284,6 +352,16 @@ bool can_be_scored(H1Panel& panel) {
   return !has_error(panel.conditions);
 }
 
+void require_columns(const DataTable& table, const H1Options& options) {
+  for (const std::string& name : options.required) {
+    if (table.find(name) == nullptr) {
+      const auto nearest = nearest_name(name, table.header);
+      throw FormulaError("no column '" + name + "' in " + table.file +
+                         (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+    }
+  }
+}
+
 bool has_landmark(const DataTable& table, const H1Options& options) {
   if (options.always_landmark) {
     return true;
@@ -297,7 +375,9 @@ bool has_landmark(const DataTable& table, const H1Options& options) {
 
 H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& panel) {
   const Columns columns = columns_of_table(table, options, panel.kind);
-  panel.has_time = table.find(options.time) != nullptr;
+  panel.has_time = is_there(table, options.time);
+  panel.has_clusters = columns.cluster.has_value();
+  panel.has_strata = columns.strata.has_value();
   const std::vector<std::size_t> trials = trials_of_panel(table, options, columns, panel);
   count_window_ends(table, columns, panel);
   for (const bool success : {true, false}) {
@@ -319,13 +399,14 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
   data.cluster = columns.cluster ? on_rows(*columns.cluster, rows) : each_its_own(rows.size());
   if (columns.strata) {
     data.strata = on_rows(*columns.strata, rows);
+    data.strata_name = options.strata;
   }
   if (columns.group) {
     data.group = on_rows(*columns.group, rows);
   }
   panel.clusters = data.cluster.levels.size();
   if (panel.has_time) {
-    add_times(on(columns.time, rows), options, panel, data);
+    add_times(on(columns.time, rows), rows, options, panel, data);
   }
   return data;
 }

@@ -24,8 +24,10 @@ struct H1Data {
   std::vector<std::string> names;
   std::optional<SurvivalOutcome> censored;  ///< Egress is the event; failures end when they fail.
   std::optional<SurvivalOutcome> at_limit;  ///< Failures stay at risk to the limit.
+  std::vector<std::uint8_t> cut;            ///< 1 where the trial limit ended the trial.
   Factor cluster;                           ///< Levels without a trial are gone.
-  std::optional<Factor> strata;
+  std::optional<Factor> strata;  ///< A code may be missing: only the stratified ratio needs them.
+  std::string strata_name;
   std::optional<Factor> group;  ///< Levels without a trial are gone.
 
   [[nodiscard]] std::size_t rows() const noexcept { return success.size(); }
@@ -47,6 +49,9 @@ struct H1Data {
 /// True if the complete trials of the panel have both outcomes and two clusters; otherwise its
 /// conditions say why not.
 [[nodiscard]] bool can_be_scored(H1Panel& panel);
+
+/// \throws FormulaError with the nearest name if a required column is absent.
+void require_columns(const DataTable& table, const H1Options& options);
 
 /// True if the table has the landmark column of every predictor.
 [[nodiscard]] bool has_landmark(const DataTable& table, const H1Options& options);

@@ -121,19 +121,19 @@ Eigen::MatrixXd basis_covariance(const LogisticInput& input,
   return inverse * products * inverse;
 }
 
-void set_estimate(LogisticCoefficient& coefficient,
-                  double estimate,
-                  double variance,
-                  double level) {
+/// Of a column in units in which neither number is extreme; `unit` is one of them in the column's.
+void set_estimate(
+    LogisticCoefficient& coefficient, double scaled, double variance, double unit, double level) {
+  const double estimate = scaled * unit;
   coefficient.kind = CoefficientKind::finite;
   coefficient.estimate = estimate;
   if (!(variance > 0.0)) {
     return;
   }
-  const double error = std::sqrt(variance);
+  const double error = std::sqrt(variance) * unit;
   const double half = normal_factor(level) * error;
   coefficient.standard_error = error;
-  coefficient.z = estimate / error;
+  coefficient.z = scaled / std::sqrt(variance);
   coefficient.p_value = std::erfc(std::abs(*coefficient.z) / std::numbers::sqrt2);
   coefficient.interval = Interval{estimate - half, estimate + half, level};
 }
@@ -162,7 +162,12 @@ void add_estimates(const LogisticInput& input,
                    const NewtonResult& newton,
                    const std::vector<std::size_t>& names,
                    LogisticFit& fit) {
-  const Eigen::MatrixXd back = inverse_triangle(problem.space);
+  Eigen::MatrixXd back = inverse_triangle(problem.space);
+  Eigen::VectorXd units = Eigen::VectorXd::Ones(back.rows());
+  if (back.cols() > 0) {
+    units = back.cwiseAbs().rowwise().maxCoeff();
+  }
+  back = units.cwiseInverse().asDiagonal() * back;
   const Eigen::VectorXd estimates = back * newton.coefficients;
   const Eigen::MatrixXd covariance =
       back * basis_covariance(input, problem, newton, fit) * back.transpose();
@@ -175,12 +180,17 @@ void add_estimates(const LogisticInput& input,
     }
     const std::size_t column = names[problem.space.kept[a]];
     const auto row = static_cast<Eigen::Index>(a);
-    set_estimate(fit.coefficients[column], estimates[row], covariance(row, row), fit.options.level);
+    set_estimate(fit.coefficients[column],
+                 estimates[row],
+                 covariance(row, row),
+                 units[row],
+                 fit.options.level);
     for (std::size_t b = 0; b < known.size(); ++b) {
       if (known[b]) {
         fit.covariance(static_cast<Eigen::Index>(column),
                        static_cast<Eigen::Index>(names[problem.space.kept[b]])) =
-            covariance(row, static_cast<Eigen::Index>(b));
+            covariance(row, static_cast<Eigen::Index>(b)) * units[row] *
+            units[static_cast<Eigen::Index>(b)];
       }
     }
   }

@@ -19,9 +19,23 @@ const NamedVariable& find(const std::vector<NamedVariable>& variables, const Exp
 
 Block number_block(const NamedVariable& variable) {
   const std::vector<double>& x = variable.value.numbers;
-  const bool truth = variable.value.kind == Variable::Kind::truth;
   return {{Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()))},
-          {to_string(variable.expression) + (truth ? "TRUE" : "")}};
+          {to_string(variable.expression)}};
+}
+
+/// A factor of the levels FALSE and TRUE, whether both occur or not.
+Block truth_block(const NamedVariable& variable, bool all_levels) {
+  const std::vector<double>& x = variable.value.numbers;
+  const Eigen::Map<const Eigen::VectorXd> truth(x.data(), static_cast<Eigen::Index>(x.size()));
+  const std::string name = to_string(variable.expression);
+  Block block;
+  if (all_levels) {
+    block.columns.emplace_back(1.0 - truth.array());
+    block.names.push_back(name + "FALSE");
+  }
+  block.columns.emplace_back(truth);
+  block.names.push_back(name + "TRUE");
+  return block;
 }
 
 Block factor_block(const NamedVariable& variable, bool all_levels) {
@@ -84,13 +98,15 @@ DesignMatrix design_matrix(const Formula& formula,
     Block block;
     for (const Expression& expression : term.variables) {
       const NamedVariable& variable = find(variables, expression);
-      if (variable.value.kind != Variable::Kind::factor) {
+      if (variable.value.kind == Variable::Kind::number) {
         block = product(block, number_block(variable));
         continue;
       }
       const bool all = needs_all_levels || !margin_is_in_model(formula, term, expression);
       needs_all_levels = false;
-      block = product(block, factor_block(variable, all));
+      block = product(block,
+                      variable.value.kind == Variable::Kind::truth ? truth_block(variable, all)
+                                                                   : factor_block(variable, all));
     }
     for (std::size_t k = 0; k < block.names.size(); ++k) {
       columns.push_back(std::move(block.columns[k]));

@@ -27,8 +27,8 @@ struct NamedVariable {
 
 /// A factor in a term is coded by contrasts against its first level if the term without it is in
 /// the model too, else by all its levels; without an intercept the first factor has all its levels,
-/// as R's `model.matrix` has it. `variables` holds every variable of the terms once. O(rows x
-/// columns).
+/// as R's `model.matrix` has it. Truth values are a factor of FALSE and TRUE. `variables` holds
+/// every variable of the terms once. O(rows x columns).
 [[nodiscard]] DesignMatrix design_matrix(const Formula& formula,
                                          const std::vector<NamedVariable>& variables,
                                          std::size_t rows);

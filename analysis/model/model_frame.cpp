@@ -1,13 +1,25 @@
 #include "analysis/model/model_frame.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "analysis/model/design_matrix.hpp"
 #include "analysis/model/frame_checks.hpp"
 
 namespace tcert {
 namespace {
+
+constexpr std::size_t kMostGroups = 1000;  ///< A curve each; a test is cubic in their number.
+
+bool reads_as_number(std::string_view text) {
+  double value = 0.0;
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  return error == std::errc{} && stop == end;
+}
 
 /// Everything that the formula and the options name, evaluated on all rows of the table.
 class FrameBuilder {
@@ -42,7 +54,15 @@ class FrameBuilder {
       return one.expression == expression;
     });
     if (!known) {
+      refuse_stray_text(expression);
       list.push_back({expression, evaluate(expression, table_, options_.reference)});
+    }
+  }
+
+  void use_numbers(std::vector<Used>& list, const Expression& expression) {
+    if (use(list, expression).kind == Variable::Kind::factor) {
+      throw FormulaError("'" + list.back().name + "' of " + table_.file +
+                         " holds text, not numbers");
     }
   }
 
@@ -57,12 +77,49 @@ class FrameBuilder {
         {to_string(expression), {Variable::Kind::factor, {}, evaluate_factor(expression, table_)}});
   }
 
+  /// A single typing error would otherwise make a factor of a column of numbers.
+  void refuse_stray_text(const Expression& expression) const {
+    if (options_.right_side != RightSide::design || expression.kind != Expression::Kind::column) {
+      return;
+    }
+    const DataColumn* const column = table_.find(expression.name);
+    if (column == nullptr || !column->is_text) {
+      return;
+    }
+    std::vector<bool> is_number;
+    for (const std::string& level : column->text.levels) {
+      is_number.push_back(reads_as_number(level));
+    }
+    std::size_t numbers = 0;
+    std::size_t texts = 0;
+    std::size_t first = 0;
+    for (std::size_t row = 0; row < table_.rows; ++row) {
+      const std::uint32_t code = column->text.codes[row];
+      if (code != Factor::kMissing && is_number[code]) {
+        ++numbers;
+      } else if (code != Factor::kMissing) {
+        first = texts++ == 0 ? row : first;
+      }
+    }
+    if (texts > 0 && numbers >= 4 * texts) {
+      throw FormulaError("'" + column->text.levels[column->text.codes[first]] + "' in row " +
+                         std::to_string(first + 1) + " of column " + expression.name + " of " +
+                         table_.file + " is not a number; write factor(" + expression.name +
+                         ") if it is a name");
+    }
+  }
+
   void evaluate_all() {
     const Expression& response = formula_.response;
     const bool composed = response.is_call("Surv") || response.is_call("cbind");
     if (composed) {
       for (const Expression& argument : response.arguments) {
-        use(outcome_, argument);
+        // Of times, counts and a status only the status may be a factor.
+        if (response.is_call("Surv") && &argument == &response.arguments.back()) {
+          use(outcome_, argument);
+        } else {
+          use_numbers(outcome_, argument);
+        }
       }
     } else {
       use(outcome_, response);
@@ -73,7 +130,7 @@ class FrameBuilder {
       }
     }
     for (const Expression& offset : formula_.offsets) {
-      use(offsets_, offset);
+      use_numbers(offsets_, offset);
     }
     for (const Expression& strata : formula_.strata) {
       strata_are_text_ =
@@ -95,7 +152,7 @@ class FrameBuilder {
       }
     }
     if (!options_.weights.empty()) {
-      use(weights_, {Expression::Kind::column, 0.0, options_.weights, {}});
+      use_numbers(weights_, {Expression::Kind::column, 0.0, options_.weights, {}});
     }
   }
 
@@ -112,6 +169,41 @@ class FrameBuilder {
     }
   }
 
+  /// Infinity times 0 within a term is missing.
+  void mark_undefined_products(std::vector<bool>& complete) {
+    const bool has_products =
+        std::any_of(formula_.terms.begin(), formula_.terms.end(), [](const Term& term) {
+          return term.variables.size() > 1;
+        });
+    const bool has_infinity =
+        std::any_of(right_.begin(), right_.end(), [](const NamedVariable& variable) {
+          const std::vector<double>& x = variable.value.numbers;
+          return std::any_of(x.begin(), x.end(), [](double one) { return std::isinf(one); });
+        });
+    if (!has_products || !has_infinity) {
+      return;
+    }
+    const DesignMatrix design = design_matrix(formula_, right_, table_.rows);
+    for (std::size_t t = 0; t < formula_.terms.size(); ++t) {
+      std::size_t undefined = 0;
+      for (std::size_t row = 0; row < table_.rows; ++row) {
+        bool is_undefined = false;
+        for (std::size_t k = 0; complete[row] && k < design.term_of.size(); ++k) {
+          is_undefined = is_undefined || (design.term_of[k] == t + 1 &&
+                                          std::isnan(design.values(static_cast<Eigen::Index>(row),
+                                                                   static_cast<Eigen::Index>(k))));
+        }
+        if (is_undefined) {
+          complete[row] = false;
+          ++undefined;
+        }
+      }
+      if (undefined > 0) {
+        frame_.missing.emplace_back(formula_.terms[t].name(), undefined);
+      }
+    }
+  }
+
   void find_complete_rows() {
     std::vector<bool> complete(table_.rows, true);
     for (const auto* list : {&outcome_, &offsets_, &strata_, &clusters_, &groups_, &weights_}) {
@@ -124,6 +216,9 @@ class FrameBuilder {
     }
     for (const NamedVariable& variable : slopes_) {
       mark(to_string(variable.expression), variable.value, complete);
+    }
+    if (options_.allow_infinite && options_.right_side == RightSide::design) {
+      mark_undefined_products(complete);
     }
     for (std::size_t row = 0; row < table_.rows; ++row) {
       if (complete[row]) {
@@ -143,18 +238,25 @@ class FrameBuilder {
     return numbers;
   }
 
-  /// A factor of two levels as 0 and 1.
+  /// A factor of two levels as 0 and 1: by the levels of the whole column, so that the rows that
+  /// happen to be complete do not turn it over.
   [[nodiscard]] std::vector<double> kept_outcome(const Used& used) const {
     if (used.value.kind != Variable::Kind::factor) {
       return kept(used.value);
     }
-    const Factor factor = on_rows(used.value.factor, frame_.rows);
-    if (factor.levels.size() > 2) {
+    const Factor& factor = used.value.factor;
+    if (factor.levels.size() == 1 || factor.levels.size() > 2) {
       throw FormulaError("'" + used.name + "' has " + std::to_string(factor.levels.size()) +
-                         " levels; an outcome has two: write " + used.name + " == \"" +
+                         (factor.levels.size() == 1 ? " level" : " levels") +
+                         "; an outcome has two: write " + used.name + " == \"" +
                          factor.levels.back() + "\"");
     }
-    return {factor.codes.begin(), factor.codes.end()};
+    std::vector<double> codes;
+    codes.reserve(frame_.rows.size());
+    for (const std::size_t row : frame_.rows) {
+      codes.push_back(factor.codes[row]);
+    }
+    return codes;
   }
 
   void take_outcome() {
@@ -165,7 +267,7 @@ class FrameBuilder {
       if (outcome_.size() != 2) {
         throw FormulaError("'" + frame_.response + "': cbind(successes, failures)");
       }
-      CountOutcome counts{kept_outcome(outcome_[0]), kept_outcome(outcome_[1])};
+      CountOutcome counts{kept(outcome_[0].value), kept(outcome_[1].value)};
       for (std::size_t i = 0; i < counts.trials.size(); ++i) {
         counts.trials[i] += counts.successes[i];
       }
@@ -186,9 +288,9 @@ class FrameBuilder {
     SurvivalOutcome survival;
     const Used& time = outcome_[outcome_.size() - 2];
     const Used& status = outcome_.back();
-    survival.stop = kept_outcome(time);
+    survival.stop = kept(time.value);
     if (outcome_.size() == 3) {
-      survival.start = kept_outcome(outcome_.front());
+      survival.start = kept(outcome_.front().value);
     }
     const std::vector<double> events = kept_outcome(status);
     check_binary(events, status.name, frame_);
@@ -247,6 +349,11 @@ class FrameBuilder {
       frame_.groups = Factor{std::vector<std::uint32_t>(frame_.rows.size(), 0), {"all"}};
     } else {
       frame_.groups = on_rows(crossed(factors, ", "), frame_.rows);
+    }
+    if (frame_.groups->levels.size() > kMostGroups) {
+      throw FormulaError(
+          "formula '" + formula_.text + "': " + std::to_string(frame_.groups->levels.size()) +
+          " groups to compare, at most " + std::to_string(kMostGroups) + "; did you mean cox?");
     }
   }
 

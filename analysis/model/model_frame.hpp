@@ -81,8 +81,11 @@ struct ModelFrame {
 
 /// Evaluates `formula` on `table`. The kind of outcome follows the response: Surv() -> survival
 /// with snapped times, cbind() -> counts, anything else -> numbers (a text column or factor() of
-/// two levels is 0 and 1 in level order). \throws FormulaError if a column is not in the table
-/// (with the nearest name) or a variable cannot be evaluated (log of a text column).
+/// two levels is 0 and 1 in the order of all its levels, and so is a status; times and counts are
+/// numbers). Where infinities are allowed, a row in which a product of a term is infinity times 0
+/// is missing. \throws FormulaError if a column is not in the table (with the nearest name), a
+/// variable cannot be evaluated (log of a text column), an outcome of text has not two levels, or a
+/// predictor without factor() is text though four fifths of its cells are numbers.
 [[nodiscard]] ModelFrame model_frame(const Formula& formula,
                                      const DataTable& table,
                                      const FrameOptions& options = {});

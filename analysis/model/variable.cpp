@@ -86,6 +86,15 @@ Factor levels_by_value(const std::vector<double>& numbers) {
   return factor;
 }
 
+/// The levels FALSE and TRUE that occur.
+Factor levels_of_truth(const std::vector<double>& numbers) {
+  Factor factor = levels_by_value(numbers);
+  for (std::string& level : factor.levels) {
+    level = level == "0" ? "FALSE" : "TRUE";
+  }
+  return factor;
+}
+
 void put_first(Factor& factor, const std::string& level, const std::string& column) {
   const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
   if (found == factor.levels.end()) {
@@ -143,10 +152,14 @@ class Evaluation {
 
   [[nodiscard]] Variable column(const std::string& name) const {
     const DataColumn& data = find(name);
-    if (!data.is_text) {
+    if (data.is_truth && references_.count(name) == 0) {
+      return {Variable::Kind::truth, data.numbers, {}};
+    }
+    if (!data.is_text && !data.is_truth) {
       return {Variable::Kind::number, data.numbers, {}};
     }
-    Variable variable{Variable::Kind::factor, {}, data.text};
+    Variable variable{
+        Variable::Kind::factor, {}, data.is_truth ? levels_of_truth(data.numbers) : data.text};
     apply_reference(name, variable.factor);
     return variable;
   }
@@ -201,7 +214,8 @@ class Evaluation {
   Variable factor(const Expression& argument) {
     Variable variable = value(argument);
     if (variable.kind != Variable::Kind::factor) {
-      variable.factor = levels_by_value(variable.numbers);
+      variable.factor = variable.kind == Variable::Kind::truth ? levels_of_truth(variable.numbers)
+                                                               : levels_by_value(variable.numbers);
       variable.numbers = {};
       variable.kind = Variable::Kind::factor;
       if (argument.kind == Expression::Kind::column) {
@@ -241,9 +255,17 @@ class Evaluation {
   }
 
   /// A factor compared with a text.
-  Variable compared(const Expression& call, const Expression& subject, const std::string& text) {
+  Variable compared(const Expression& call, const Expression& subject, std::string text) {
     if (call.name != "==" && call.name != "!=") {
       throw FormulaError("'" + to_string(call) + "': texts are equal or not, nothing else");
+    }
+    const Variable what = value(subject);
+    if (what.kind == Variable::Kind::truth) {
+      text = text == "true" ? "TRUE" : text == "false" ? "FALSE" : text;
+      if (text != "TRUE" && text != "FALSE") {
+        throw FormulaError("'" + to_string(call) + "': '" + to_string(subject) +
+                           "' is TRUE or FALSE");
+      }
     }
     const Variable names = factor(subject);
     Variable result{Variable::Kind::truth, std::vector<double>(table_.rows, kNaN), {}};

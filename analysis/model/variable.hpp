@@ -12,7 +12,8 @@
 
 namespace tcert {
 
-/// Numbers (NaN is missing), truth values (numbers that are 0 or 1, shown as TRUE), or a factor.
+/// Numbers (NaN is missing), truth values (numbers that are 0 or 1: comparisons, and columns of
+/// TRUE and FALSE), or a factor.
 struct Variable {
   enum class Kind { number, truth, factor };
 
@@ -32,9 +33,9 @@ using References = std::map<std::string, std::string>;
 /// Arithmetic (+ - * / ^), comparison, log, log2, log10, log1p, exp, sqrt, abs, I, scale, factor
 /// and as.numeric. A text column is a factor; factor() of numbers sorts its levels by value.
 /// scale() uses the mean and standard deviation (n - 1) of the rows where its argument is known, as
-/// R does before it leaves rows out. O(rows) a call, O(rows log levels) for a factor. \throws
-/// FormulaError if a column is not there (with the nearest name), a function is not known, or an
-/// argument is of the wrong kind.
+/// R does before it leaves rows out. A truth value as a factor has the levels FALSE and TRUE.
+/// O(rows) a call, O(rows log levels) for a factor. \throws FormulaError if a column is not there
+/// (with the nearest name), a function is not known, or an argument is of the wrong kind.
 [[nodiscard]] Variable evaluate(const Expression& expression,
                                 const DataTable& table,
                                 const References& references = {});

@@ -1,6 +1,7 @@
 #include "analysis/resampling/cross_validation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -58,6 +59,11 @@ std::vector<std::size_t> rows_where(const Folds& folds, std::size_t fold, bool h
     }
   }
   return rows;
+}
+
+/// NaN in a fold says that its fit has no estimate.
+bool some_missing(std::span<const double> scores) {
+  return std::any_of(scores.begin(), scores.end(), [](double x) { return std::isnan(x); });
 }
 
 }  // namespace
@@ -137,7 +143,7 @@ PooledScore pooled_within_folds(
     pooled.folds.push_back(one);
     if (!one.value) {
       pooled.conditions.push_back(
-          {ConditionKind::one_class_fold,
+          {one.without_fit ? ConditionKind::fold_without_fit : ConditionKind::one_class_fold,
            ConditionSeverity::note,
            "",
            "fold " + std::to_string(fold + 1) + " of " + std::to_string(folds.count)});
@@ -172,7 +178,8 @@ PooledScore out_of_fold_auc(const Folds& folds,
       successes += success[row] != 0 ? 1 : 0;
     }
     FoldScore result;
-    if (successes > 0 && successes < rows.size()) {
+    result.without_fit = some_missing(score_of_fold);
+    if (!result.without_fit && successes > 0 && successes < rows.size()) {
       result.value = placements(score_of_fold, success_of_fold, higher).auc;
       result.pairs = static_cast<double>(successes) * static_cast<double>(rows.size() - successes);
     }
@@ -198,11 +205,15 @@ PooledScore out_of_fold_c(const Folds& folds,
       of_fold.event.push_back(outcome.event[row]);
       score_of_fold.push_back(scores[row]);
     }
+    FoldScore result;
+    result.without_fit = some_missing(score_of_fold);
+    if (result.without_fit) {
+      return result;
+    }
     const ConcordanceReplicates c(of_fold, {"", score_of_fold, larger});
     ConcordanceReplicates::Scratch scratch;
     const auto counts = c.counts(std::vector<std::uint32_t>(rows.size(), 1), scratch);
     const std::uint64_t pairs = counts.concordant + counts.discordant + counts.tied_x;
-    FoldScore result;
     if (pairs > 0) {
       result.pairs = static_cast<double>(pairs);
       result.value =

@@ -55,13 +55,15 @@ using FitAndScore = std::function<std::vector<double>(std::span<const std::size_
 struct FoldScore {
   std::optional<double> value;
   double pairs = 0.0;
+  bool without_fit = false;  ///< Its fit had no estimate; else, without a value, it has one class.
 };
 
 struct PooledScore {
   std::optional<double> value;  ///< Mean of the folds' values, weighted by their pairs.
   double pairs = 0.0;
   std::vector<FoldScore> folds;
-  Conditions conditions;  ///< one_class_fold for each that is left out; no_comparable_pairs.
+  Conditions conditions;  ///< one_class_fold or fold_without_fit for each that is left out;
+                          ///< no_comparable_pairs.
 };
 
 /// Scores every fold by itself and averages. Pairs across folds are never compared: their scores
@@ -69,7 +71,8 @@ struct PooledScore {
 [[nodiscard]] PooledScore pooled_within_folds(
     const Folds& folds, const std::function<FoldScore(std::span<const std::size_t> rows)>& score);
 
-/// The AUC of out-of-fold `scores` within folds. \throws std::invalid_argument if lengths differ.
+/// The AUC of out-of-fold `scores` within folds; a fold with a NaN is left out. \throws
+/// std::invalid_argument if lengths differ.
 [[nodiscard]] PooledScore out_of_fold_auc(const Folds& folds,
                                           std::span<const double> scores,
                                           std::span<const std::uint8_t> success,

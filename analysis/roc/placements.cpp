@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <stdexcept>
 
 #include "analysis/basics/rank_order.hpp"
 
@@ -11,6 +13,9 @@ Placements placements(std::span<const double> score,
                       std::span<const std::uint8_t> success,
                       HigherMeans higher) {
   assert(score.size() == success.size());
+  if (std::any_of(score.begin(), score.end(), [](double x) { return std::isnan(x); })) {
+    throw std::invalid_argument("placements: a score is NaN");
+  }
   const std::size_t n = score.size();
   const std::vector<std::uint32_t> order = rank_order(score, higher);
   const auto is_success = [&](std::size_t row) { return success[row] != 0; };

@@ -23,7 +23,8 @@ struct Placements {
 };
 
 /// "Outranks" means larger if `higher` is success, smaller if failure. O(n log n).
-/// \pre scores are not NaN, `success` holds as many values, at least one 0 and one that is not.
+/// \pre `success` holds as many values, at least one 0 and one that is not.
+/// \throws std::invalid_argument if a score is NaN.
 [[nodiscard]] Placements placements(std::span<const double> score,
                                     std::span<const std::uint8_t> success,
                                     HigherMeans higher);

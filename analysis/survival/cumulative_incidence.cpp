@@ -27,7 +27,8 @@ struct Rows {
   }
 };
 
-/// Times and risk sets, added up from the last time so that the smallest are the most exact.
+/// Times and risk sets, added up from the last time so that the smallest are the most exact. Rows
+/// are counted beside their weights, so that a set that empties leaves no rounding behind.
 void fill_risk_sets(const Rows& rows, IncidenceCurves& curves) {
   const auto& [start, stop, event] = *rows.outcome;
   for (const std::uint32_t row : rows.stops) {
@@ -43,20 +44,29 @@ void fill_risk_sets(const Rows& rows, IncidenceCurves& curves) {
     curve.events = zero;
   }
   double later = 0.0;
+  std::size_t later_rows = 0;
   std::size_t entered = rows.starts.size();
   std::size_t last = rows.stops.size();
   for (std::size_t k = curves.time.size(); k-- > 0;) {
     double stopped = 0.0;
+    std::size_t stopped_rows = 0;
     for (; last > 0 && stop[rows.stops[last - 1]] == curves.time[k]; --last) {
       const std::uint32_t row = rows.stops[last - 1];
       const std::uint32_t cause = (*rows.cause)[row];
       (cause == 0 ? curves.censored : curves.causes[cause - 1].events)[k] += rows.weight(row);
-      stopped += rows.weight(row);
+      stopped_rows += rows.weight(row) > 0.0 ? 1 : 0;
     }
+    for (const IncidenceCurve& curve : curves.causes) {
+      stopped += curve.events[k];
+    }
+    stopped += curves.censored[k];
     for (; entered > 0 && start[rows.starts[entered - 1]] >= curves.time[k]; --entered) {
-      later -= rows.weight(rows.starts[entered - 1]);
+      const double weight = rows.weight(rows.starts[entered - 1]);
+      later -= weight;
+      later_rows -= weight > 0.0 ? 1 : 0;
     }
-    later += stopped;
+    later = (later_rows == 0 ? 0.0 : later) + stopped;
+    later_rows += stopped_rows;
     curves.at_risk[k] = later;
   }
 }

@@ -156,6 +156,7 @@ LogRankTest log_rank_test(const SurvivalOutcome& outcome,
   Eigen::VectorXd observed = Eigen::VectorXd::Zero(k);
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(k);
   test.covariance = Eigen::MatrixXd::Zero(k, k);
+  std::vector<Eigen::Index> present;  // groups at risk: the others add nothing
   for (std::size_t s = 0; s < order.groups(); ++s) {
     Stratum stratum(outcome, groups, order.stops_of(s), order.starts_of(s));
     stratum.for_each_event_time([&](double events,
@@ -167,11 +168,26 @@ LogRankTest log_rank_test(const SurvivalOutcome& outcome,
       expected += (weight * events / all) * at_risk;
       if (all > 1.0) {
         const double scale = weight * weight * events * (all - events) / (all * (all - 1.0));
-        test.covariance.diagonal() += scale * at_risk;
-        test.covariance.noalias() -= (scale / all) * at_risk * at_risk.transpose();
+        present.clear();
+        for (Eigen::Index g = 0; g < k; ++g) {
+          if (at_risk(g) > 0.0) {
+            present.push_back(g);
+          }
+        }
+        for (const Eigen::Index a : present) {
+          const double share = scale / all * at_risk(a);
+          for (const Eigen::Index b : present) {
+            if (b > a) {
+              break;
+            }
+            test.covariance(b, a) -= share * at_risk(b);
+          }
+          test.covariance(a, a) += scale * at_risk(a);
+        }
       }
     });
   }
+  test.covariance = Eigen::MatrixXd(test.covariance.selfadjointView<Eigen::Upper>());
   for (Eigen::Index g = 0; g < k; ++g) {
     test.groups[static_cast<std::size_t>(g)].observed = observed(g);
     test.groups[static_cast<std::size_t>(g)].expected = expected(g);

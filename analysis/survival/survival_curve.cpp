@@ -23,7 +23,8 @@ struct Rows {
   }
 };
 
-/// Risk sets, added up from the last time so that the smallest are the most exact.
+/// Risk sets, added up from the last time so that the smallest are the most exact. With late entry
+/// rows are counted beside their weights, so that a set that empties leaves no rounding behind.
 void fill_risk_sets(const Rows& rows, std::vector<SurvivalPoint>& points) {
   const auto& [start, stop, event] = *rows.outcome;
   points.reserve(rows.stops.size());  // its pages are not touched before they are used
@@ -36,16 +37,25 @@ void fill_risk_sets(const Rows& rows, std::vector<SurvivalPoint>& points) {
   if (points.size() < points.capacity() / 2) {
     points.shrink_to_fit();
   }
-  double later_stops = 0.0;
-  double later_starts = 0.0;
+  double later = 0.0;
+  std::size_t later_rows = 0;
+  std::size_t last = rows.stops.size();
   std::size_t entered = rows.starts.size();
   for (std::size_t k = points.size(); k-- > 0;) {
     SurvivalPoint& point = points[k];
     for (; entered > 0 && start[rows.starts[entered - 1]] >= point.time; --entered) {
-      later_starts += rows.weight(rows.starts[entered - 1]);
+      const double weight = rows.weight(rows.starts[entered - 1]);
+      later -= weight;
+      later_rows -= weight > 0.0 ? 1 : 0;
     }
-    later_stops += point.events + point.censored;
-    point.at_risk = later_stops - later_starts;
+    if (!rows.starts.empty()) {
+      later = later_rows == 0 ? 0.0 : later;
+      for (; last > 0 && stop[rows.stops[last - 1]] == point.time; --last) {
+        later_rows += rows.weight(rows.stops[last - 1]) > 0.0 ? 1 : 0;
+      }
+    }
+    later += point.events + point.censored;
+    point.at_risk = later;
   }
 }
 

@@ -1,25 +1,85 @@
 #include "reports/fit/survival_report.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "analysis/basics/quantile.hpp"
 
 #include "reports/fit/cells.hpp"
 
 namespace tcert {
 namespace {
 
-constexpr int kShownTimes = 5;
+constexpr std::array kShownShares{0.1, 0.25, 0.5, 0.75, 0.9};
 
 std::string name_of(const std::string& group) { return group.empty() ? "all" : group; }
 
-std::vector<double> shown_times(const std::vector<double>& asked, double last) {
-  if (!asked.empty()) {
-    return asked;
+/// Upwards to two digits.
+double rounded(double time) {
+  if (!(time > 0.0)) {
+    return time;
+  }
+  const int exponent = static_cast<int>(std::floor(std::log10(time))) - 1;
+  // Powers of ten above 1 are exact, so that 0.3 is no 0.30000000000000004.
+  const double unit = std::pow(10.0, std::abs(exponent));
+  const double digits = std::ceil((exponent < 0 ? time * unit : time / unit) * (1.0 - 1e-12));
+  return exponent < 0 ? digits / unit : digits * unit;
+}
+
+/// The times that were asked for, or rounded quantiles of the event times up to the limit: one long
+/// row then does not leave the others in the first row of a table.
+std::vector<double> shown_times(const SurvivalReportOptions& options,
+                                const std::vector<double>& event_times) {
+  if (!options.times.empty()) {
+    return options.times;
   }
   std::vector<double> times;
-  for (int i = 1; i <= kShownTimes; ++i) {
-    times.push_back(last * i / kShownTimes);
+  for (const double share : kShownShares) {
+    if (const auto time = quantile(event_times, share)) {
+      const double shown = rounded(*time);
+      if (shown < options.limit.value_or(std::numeric_limits<double>::infinity())) {
+        times.push_back(shown);
+      }
+    }
   }
+  if (options.limit) {
+    times.push_back(*options.limit);
+  }
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
+}
+
+/// Of every group; all times if there is no event.
+std::vector<double> event_times(const std::vector<SurvivalCurve>& curves) {
+  std::vector<double> times;
+  std::vector<double> all;
+  for (const SurvivalCurve& curve : curves) {
+    for (const SurvivalPoint& point : curve.points) {
+      all.push_back(point.time);
+      if (point.events > 0.0) {
+        times.push_back(point.time);
+      }
+    }
+  }
+  return times.empty() ? all : times;
+}
+
+std::vector<double> event_times(const std::vector<IncidenceCurves>& groups) {
+  std::vector<double> times;
+  std::vector<double> all;
+  for (const IncidenceCurves& curves : groups) {
+    all.insert(all.end(), curves.time.begin(), curves.time.end());
+    for (const IncidenceCurve& curve : curves.causes) {
+      for (std::size_t k = 0; k < curves.time.size(); ++k) {
+        if (curve.events[k] > 0.0) {
+          times.push_back(curves.time[k]);
+        }
+      }
+    }
+  }
+  return times.empty() ? all : times;
 }
 
 Table group_table(const std::vector<SurvivalCurve>& curves, const SurvivalReportOptions& options) {
@@ -96,8 +156,9 @@ Table times_table(const std::vector<SurvivalCurve>& curves, const SurvivalReport
   table.name = "times";
   table.title = "Survival at chosen times: the share without the event";
   table.columns = curve_columns();
+  const std::vector<double> times = shown_times(options, event_times(curves));
   for (const SurvivalCurve& curve : curves) {
-    for (const double time : shown_times(options.times, common_limit(curves))) {
+    for (const double time : times) {
       SurvivalPoint point;
       if (const SurvivalPoint* const last = curve.at(time)) {
         point = *last;
@@ -237,10 +298,7 @@ FitReport survival_report(const std::vector<SurvivalCurve>& curves,
 void add_incidence(const std::vector<IncidenceCurves>& curves,
                    const SurvivalReportOptions& options,
                    FitReport& report) {
-  double last = 0.0;
-  for (const IncidenceCurves& group : curves) {
-    last = group.time.empty() ? last : std::max(last, group.time.back());
-  }
+  const std::vector<double> times = shown_times(options, event_times(curves));
   Table shown;
   shown.name = "incidence";
   shown.title = "Cumulative incidence by cause (Aalen-Johansen)";
@@ -249,7 +307,7 @@ void add_incidence(const std::vector<IncidenceCurves>& curves,
   all.name = "incidence_curve";
   for (const IncidenceCurves& group : curves) {
     for (const IncidenceCurve& curve : group.causes) {
-      for (const double time : shown_times(options.times, last)) {
+      for (const double time : times) {
         add_incidence_row(group, curve, time, group.index_at(time), options, shown);
       }
       for (std::size_t i = 0; i < group.time.size(); ++i) {

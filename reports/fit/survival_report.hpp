@@ -15,7 +15,9 @@ namespace tcert {
 struct SurvivalReportOptions {
   IntervalScale scale = IntervalScale::log;
   double level = 0.95;
-  std::vector<double> times;  ///< At which the curves are shown; empty: five up to the last.
+  std::vector<double> times;  ///< At which the curves are shown; empty: five quantiles of the event
+                              ///< times, rounded.
+  std::optional<double> limit = std::nullopt;  ///< Where the times end, if none were given.
 };
 
 /// Events and medians by group, the curves at `times`, every point as a detail, the test if there

@@ -325,6 +325,51 @@ TEST(Concordance, EqualsItsDefinitionPairByPair) {
   }
 }
 
+TEST(Concordance, RowsThatEnterWhenAllEventsAreOverCountNothing) {
+  // R 4.2.2: concordance(Surv(start, stop, e) ~ x) has a standard error of 0.3535534, all of it
+  // from the first three rows.
+  const SurvivalOutcome outcome{{0, 0, 0, 2, 2}, {1, 3, 3, 4, 4}, {1, 0, 0, 0, 0}};
+  const ConcordanceEstimate estimate = one(outcome, {1, 2, 0, 0, 0}).estimates[0];
+  EXPECT_NEAR(std::sqrt(estimate.variance.value()), std::sqrt(0.125), 1e-14);
+  EXPECT_EQ(estimate.dfbeta[3], 0.0);
+}
+
+TEST(Concordance, DfbetaIsTheDerivativeByTheWeightWithLateEntry) {
+  constexpr double kStep = 1e-4;
+  std::size_t cases = 0;
+  for (std::uint64_t index = 0; index < 300; ++index) {
+    RandomStream random(19, 1, index);
+    SurvivalOutcome outcome;
+    std::vector<double> x;
+    for (std::size_t row = 0; row < 4 + index % 7; ++row) {
+      const double start = random.below(6);
+      outcome.start.push_back(start);
+      outcome.stop.push_back(start + 1.0 + random.below(4));
+      outcome.event.push_back(random.below(2) == 0 ? 0 : 1);
+      x.push_back(random.below(3));
+    }
+    const auto c_of = [&](const std::vector<double>& weights) {
+      const TimeOrder order = time_order(outcome, {}, 1);
+      return concordance_index(
+          concordance_pairs({&order, &outcome, weights, PairWeight::equal}, x).total());
+    };
+    const ConcordanceEstimate estimate = one(outcome, x).estimates[0];
+    if (!estimate.c) {
+      continue;
+    }
+    ++cases;
+    for (std::size_t row = 0; row < x.size(); ++row) {
+      std::vector<double> more(x.size(), 1.0);
+      std::vector<double> less = more;
+      more[row] += kStep;
+      less[row] -= kStep;
+      EXPECT_NEAR(estimate.dfbeta[row], (c_of(more) - c_of(less)) / (2.0 * kStep), 1e-6)
+          << "case " << index << ", row " << row;
+    }
+  }
+  EXPECT_GT(cases, 150U);
+}
+
 TEST(Concordance, DoesNotDependOnTheOrderOfRows) {
   const Case rows = random_case(3, 25'000, false);
   Case turned = rows;

@@ -530,6 +530,12 @@ TEST(Cox, RowOrderUnitsAndOriginDoNotMatter) {
   EXPECT_NEAR(a.wald.value().statistic, b.wald.value().statistic, 1e-8);
 }
 
+bool named(const CoxFit& fit, ConditionKind kind, const std::string& column) {
+  return std::any_of(fit.conditions.begin(), fit.conditions.end(), [&](const Condition& condition) {
+    return condition.kind == kind && condition.column == column;
+  });
+}
+
 TEST(Cox, HugeOffsetsDoNotOverflow) {
   CoxData data = make({}, 2);
   const CoxFit plain = fit_cox(data);
@@ -537,6 +543,52 @@ TEST(Cox, HugeOffsetsDoNotOverflow) {
   const CoxFit moved = fit_cox(data);
   EXPECT_NEAR(moved.loglik.value(), plain.loglik.value(), 1e-9);
   EXPECT_LT((moved.beta - plain.beta).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(Cox, AConstantOffsetChangesNothing) {
+  CoxData data = make({}, 2);
+  const CoxFit plain = fit_cox(data);
+  for (const double offset : {-2000.0, -1000.0, 1000.0}) {
+    data.offset = Eigen::VectorXd::Constant(60, offset);
+    const CoxFit moved = fit_cox(data);
+    EXPECT_NEAR(moved.loglik.value(), plain.loglik.value(), 1e-9);
+    EXPECT_LT((moved.beta - plain.beta).cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_LT((moved.vcov - plain.vcov).cwiseAbs().maxCoeff(), 1e-10);
+  }
+}
+
+TEST(Cox, WideOffsetsAreRightOrNamed) {
+  // Every risk set holds a row with the largest offset, so those alone count: as without the
+  // others.
+  CoxData data = cox({1, 2, 3, 4, 5, 6, 7, 7, 7},
+                     {1, 1, 1, 1, 1, 0, 0, 0, 0},
+                     (Eigen::VectorXd(9) << 0, 2, 1, 3, 1, 2, 5, 7, 1).finished());
+  data.offset = (Eigen::VectorXd(9) << 500, 500, 500, 500, 500, 500, -500, -500, -500).finished();
+  const CoxFit wide = fit_cox(data);
+  CoxData few = cox(
+      {1, 2, 3, 4, 5, 6}, {1, 1, 1, 1, 1, 0}, (Eigen::VectorXd(6) << 0, 2, 1, 3, 1, 2).finished());
+  const CoxFit rest = fit_cox(few);
+  EXPECT_NEAR(wide.beta(0), rest.beta(0), 1e-8);
+  EXPECT_NEAR(wide.coefficients[0].model_se.value(), rest.coefficients[0].model_se.value(), 1e-8);
+  // At the last event only rows are at risk that weigh nothing beside the first ones.
+  data.offset = (Eigen::VectorXd(9) << 4000, 4000, 4000, 0, 0, 0, 0, 0, 0).finished();
+  const CoxFit none = fit_cox(data);
+  EXPECT_TRUE(named(none, ConditionKind::infinite_value, "offset"));
+  EXPECT_TRUE(has_error(none.conditions));
+  EXPECT_FALSE(none.coefficients[0].estimate.has_value());
+}
+
+TEST(Cox, ExtremeUnitsChangeNoTest) {
+  CoxData data = make({}, 2);
+  const CoxFit plain = fit_cox(data);
+  for (const double unit : {1e-300, 1e-200, 1e200, 1e300}) {
+    CoxData other = data;
+    other.design.col(1) *= unit;
+    const CoxFit fit = fit_cox(other);
+    EXPECT_NEAR(fit.coefficients[1].z.value(), plain.coefficients[1].z.value(), 1e-9);
+    EXPECT_NEAR(fit.coefficients[1].p_value.value(), plain.coefficients[1].p_value.value(), 1e-9);
+    EXPECT_NEAR(*fit.coefficients[1].model_se * unit, *plain.coefficients[1].model_se, 1e-9);
+  }
 }
 
 TEST(Cox, WholeWeightsAreRepeatedRows) {
@@ -564,12 +616,6 @@ TEST(Cox, WholeWeightsAreRepeatedRows) {
 }
 
 // ---- Data that cannot be fitted, misuse ----
-
-bool named(const CoxFit& fit, ConditionKind kind, const std::string& column) {
-  return std::any_of(fit.conditions.begin(), fit.conditions.end(), [&](const Condition& condition) {
-    return condition.kind == kind && condition.column == column;
-  });
-}
 
 TEST(Cox, NamesTooFewRowsAndNoEvents) {
   const CoxFit none = fit_cox(cox({}, {}, Eigen::MatrixXd(0, 1)));

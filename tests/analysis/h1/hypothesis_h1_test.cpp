@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "analysis/model/expression.hpp"
 #include "analysis/roc/roc.hpp"
@@ -133,6 +137,172 @@ TEST(HypothesisH1, ARowOfItsOwnIsACluster) {
   EXPECT_EQ(h1.panels[0].clusters, 80U);
   const H1CaseRow& plain = h1.panels[0].case_level[0];
   EXPECT_NEAR(plain.auc.std_error.value(), h1.panels[0].rows[0].auc.std_error.value(), 1e-14);
+}
+
+/// Columns day, algorithm, success, time_s, tc_early, noise; `change(row, cells)` edits a row.
+std::string changed_csv(
+    const std::function<void(int row, std::map<std::string, std::string>& cells)>& change) {
+  const std::vector<std::string> header{
+      "day", "algorithm", "success", "time_s", "tc_early", "noise"};
+  RandomStream random(11, 1, 0);
+  std::string csv = "day,algorithm,success,time_s,tc_early,noise\n";
+  for (int row = 0; row < 120; ++row) {
+    std::map<std::string, std::string> cells{{"day", "d" + std::to_string(row % 12)},
+                                             {"algorithm", row % 2 == 0 ? "A" : "B"},
+                                             {"success", random.below(3) == 0 ? "0" : "1"},
+                                             {"time_s", std::to_string(20 + random.below(60))},
+                                             {"tc_early", std::to_string(random.normal())},
+                                             {"noise", std::to_string(random.normal())}};
+    change(row, cells);
+    for (const std::string& name : header) {
+      csv += (name == "day" ? "" : ",") + cells[name];
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+TEST(HypothesisH1, AFitThatFailsCostsItsOwnNumbers) {
+  // The rival is the outcome itself: no fold has a logistic fit.
+  const std::string separated =
+      changed_csv([](int, auto& cells) { cells["noise"] = cells["success"]; });
+  const H1Panel panel = hypothesis_h1(table_of(separated), options_for()).panels[0];
+  EXPECT_TRUE(has(panel.rows[2].conditions, ConditionKind::fold_without_fit));
+  EXPECT_FALSE(panel.rows[2].auc_out_of_fold.has_value());
+  EXPECT_TRUE(panel.rows[0].auc_out_of_fold.has_value());
+  EXPECT_EQ(panel.rows[1].auc_out_of_fold, 0.0);  // in its a-priori direction
+  for (const H1Row& row : panel.rows) {
+    EXPECT_FALSE(has_error(row.conditions));
+  }
+  // The rival is the time itself, or all but: no fold has a Cox fit.
+  const std::string monotone =
+      changed_csv([](int, auto& cells) { cells["noise"] = cells["time_s"]; });
+  const H1Panel timed = hypothesis_h1(table_of(monotone), options_for()).panels[0];
+  EXPECT_TRUE(has(timed.rows[2].conditions, ConditionKind::fold_without_fit));
+  EXPECT_FALSE(timed.rows[2].c_out_of_fold.has_value());
+  EXPECT_TRUE(timed.rows[0].c_out_of_fold.has_value());
+  EXPECT_FALSE(timed.rows[1].censored.ratio.has_value());
+}
+
+TEST(HypothesisH1, AConstantPredictorCostsItsOwnRow) {
+  const std::string csv = changed_csv([](int, auto& cells) { cells["noise"] = "0.1"; });
+  const H1Panel panel = hypothesis_h1(table_of(csv), options_for()).panels[0];
+  EXPECT_FALSE(panel.rows[1].censored.ratio.has_value());
+  EXPECT_TRUE(has(panel.rows[1].conditions, ConditionKind::constant_column));
+  EXPECT_FALSE(has(panel.rows[1].conditions, ConditionKind::infinite_value));
+  EXPECT_FALSE(has_error(panel.rows[1].conditions));
+  EXPECT_TRUE(panel.rows[0].censored.ratio.has_value());
+}
+
+TEST(HypothesisH1, AnInfiniteCellIsNamedWithItsRow) {
+  for (const std::string column : {"tc_early", "time_s"}) {
+    const std::string csv = changed_csv([&](int row, auto& cells) {
+      if (row == 6) {
+        cells[column] = "-Inf";
+      }
+    });
+    try {
+      static_cast<void>(hypothesis_h1(table_of(csv), options_for()));
+      FAIL();
+    } catch (const FormulaError& error) {
+      EXPECT_EQ(
+          std::string(error.what()),
+          "column '" + column + "' of test.csv, row 7: found -Inf; make the cell NA or correct it");
+    }
+  }
+}
+
+TEST(HypothesisH1, AColumnWithoutValuesIsNotThere) {
+  const std::string csv = changed_csv([](int, auto& cells) {
+    cells["day"] = "";
+    cells["algorithm"] = "NA";
+  });
+  const H1Panel panel = hypothesis_h1(table_of(csv), options_for()).panels[0];
+  EXPECT_EQ(panel.complete, 120U);
+  EXPECT_FALSE(panel.has_clusters);
+  EXPECT_FALSE(panel.has_strata);
+  EXPECT_EQ(panel.clusters, 120U);
+  EXPECT_TRUE(panel.rows[0].censored.ratio.has_value());
+  EXPECT_FALSE(panel.rows[0].stratified.ratio.has_value());
+}
+
+TEST(HypothesisH1, OnlyTheStratifiedRatioNeedsTheStrata) {
+  const std::string csv = changed_csv([](int row, auto& cells) {
+    if (row < 10) {
+      cells["algorithm"] = "";
+    }
+  });
+  const std::string all = changed_csv([](int, auto&) {});
+  const H1Panel some = hypothesis_h1(table_of(csv), options_for()).panels[0];
+  const H1Panel full = hypothesis_h1(table_of(all), options_for()).panels[0];
+  EXPECT_EQ(some.complete, 120U);
+  EXPECT_EQ(some.rows[0].censored.ratio, full.rows[0].censored.ratio);
+  EXPECT_TRUE(some.rows[0].stratified.ratio.has_value());
+  EXPECT_NE(some.rows[0].stratified.ratio, full.rows[0].stratified.ratio);
+  EXPECT_TRUE(has(some.rows[0].conditions, ConditionKind::missing_rows));
+}
+
+TEST(HypothesisH1, ALandmarkPanelNeedsNoLandmarkColumns) {
+  H1Options options = options_for();
+  options.always_landmark = true;
+  const std::string csv = changed_csv([](int, auto&) {});
+  const H1Table h1 = hypothesis_h1(table_of(csv), options);
+  ASSERT_EQ(h1.panels.size(), 2U);
+  EXPECT_EQ(h1.panels[1].rows[0].name, "tc_early");
+  EXPECT_TRUE(h1.panels[1].rows[0].c.value.has_value());
+}
+
+TEST(HypothesisH1, BadTimesAreNamedWithTheirRow) {
+  const std::string csv = changed_csv([](int row, auto& cells) {
+    if (row == 7 || row == 9) {
+      cells["time_s"] = row == 7 ? "0" : "-4";
+    }
+  });
+  const H1Panel panel = hypothesis_h1(table_of(csv), options_for()).panels[0];
+  ASSERT_TRUE(has(panel.conditions, ConditionKind::time_not_positive));
+  const auto bad = std::find_if(panel.conditions.begin(), panel.conditions.end(), [](auto& one) {
+    return one.kind == ConditionKind::time_not_positive;
+  });
+  EXPECT_EQ(bad->detail, "found 0 in row 8 (and 1 more); no times are used");
+  EXPECT_FALSE(panel.rows[0].c.value.has_value());
+  EXPECT_TRUE(panel.rows[0].auc.value.has_value());
+}
+
+TEST(HypothesisH1, WhatWasAskedForMustBeThere) {
+  H1Options options = options_for();
+  options.strata = "algoritm";
+  EXPECT_NO_THROW(
+      static_cast<void>(hypothesis_h1(table_of(changed_csv([](int, auto&) {})), options)));
+  options.required = {"algoritm"};
+  try {
+    static_cast<void>(hypothesis_h1(table_of(changed_csv([](int, auto&) {})), options));
+    FAIL();
+  } catch (const FormulaError& error) {
+    EXPECT_STREQ(error.what(), "no column 'algoritm' in test.csv; did you mean 'algorithm'?");
+  }
+}
+
+TEST(HypothesisH1, TimesAboveTheLimitAreCensoredThere) {
+  H1Options options = options_for();
+  options.limit_s = 60.0;
+  const std::string far = changed_csv([](int row, auto& cells) {
+    if (std::stoi(cells["time_s"]) > 60) {
+      cells["time_s"] = row % 2 == 0 ? "13489" : "61";
+    }
+  });
+  const std::string near = changed_csv([](int, auto& cells) {
+    if (std::stoi(cells["time_s"]) > 60) {
+      cells["time_s"] = "100";
+    }
+  });
+  const H1Panel panel = hypothesis_h1(table_of(far), options).panels[0];
+  const H1Panel other = hypothesis_h1(table_of(near), options).panels[0];
+  EXPECT_TRUE(has(panel.conditions, ConditionKind::beyond_limit));
+  EXPECT_EQ(panel.rows[0].c.value, other.rows[0].c.value);
+  EXPECT_EQ(panel.rows[0].at_limit.ratio, other.rows[0].at_limit.ratio);
+  for (const IncidenceCurves& curves : panel.incidence) {
+    EXPECT_LE(curves.time.back(), 60.0);
+  }
 }
 
 }  // namespace

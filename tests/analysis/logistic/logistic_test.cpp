@@ -63,6 +63,20 @@ TEST(Logistic, CountsAreRowsPutTogether) {
   EXPECT_EQ(c.fitted.size(), 5);
 }
 
+TEST(Logistic, ExtremeUnitsChangeNoTest) {
+  const LogisticFit plain = fit_logistic(on({1, 2, 3, 4, 5, 6}, {0, 1, 0, 1, 0, 1}));
+  for (const double unit : {1e-200, 1e200}) {
+    LogisticInput input = on({1, 2, 3, 4, 5, 6}, {0, 1, 0, 1, 0, 1});
+    input.design.col(1) *= unit;
+    const LogisticFit fit = fit_logistic(input);
+    EXPECT_NEAR(fit.coefficients[1].z.value(), plain.coefficients[1].z.value(), 1e-10);
+    EXPECT_NEAR(fit.coefficients[1].p_value.value(), plain.coefficients[1].p_value.value(), 1e-10);
+    EXPECT_NEAR(fit.coefficients[1].standard_error.value() * unit,
+                plain.coefficients[1].standard_error.value(),
+                1e-10);
+  }
+}
+
 TEST(Logistic, KeepsTheOffsetInTheNullModel) {
   // With an offset of log 3 for the second group the slope is log 3 less; so is the null model's
   // eta for the first group. By symmetry the null intercept is -log(3) / 2.

@@ -161,6 +161,119 @@ TEST(ModelFrame, SaysWhatItDoesNotKnow) {
             "'light' has 3 levels; an outcome has two: write light == \"dim\"");
 }
 
+// ---- Truth values: the numbers and names of R 4.2.2's model.matrix ----
+
+constexpr const char* kTruths =
+    "z,x,b,g,y\n1,10,TRUE,p,1\n2,20,FALSE,q,0\n3,30,TRUE,p,1\n4,40,TRUE,q,0\n5,50,FALSE,q,1\n";
+
+ModelFrame truths(const std::string& formula, const FrameOptions& options = {}) {
+  return model_frame(parse_formula(formula), table_of(kTruths), options);
+}
+
+TEST(ModelFrame, TruthValuesAreAFactorOfTwoLevels) {
+  const ModelFrame alone = truths("y ~ I(z>2) - 1");
+  EXPECT_EQ(alone.columns, (Names{"I(z > 2)FALSE", "I(z > 2)TRUE"}));
+  Eigen::MatrixXd expected(5, 2);
+  expected << 1, 0, 1, 0, 0, 1, 0, 1, 0, 1;
+  EXPECT_EQ(alone.design, expected);
+
+  const ModelFrame slopes = truths("y ~ x:I(z>3)");
+  EXPECT_EQ(slopes.columns, (Names{"(Intercept)", "x:I(z > 3)FALSE", "x:I(z > 3)TRUE"}));
+  expected.resize(5, 3);
+  expected << 1, 10, 0, 1, 20, 0, 1, 30, 0, 1, 0, 40, 1, 0, 50;
+  EXPECT_EQ(slopes.design, expected);
+
+  const ModelFrame crossed = truths("y ~ b*g");
+  EXPECT_EQ(crossed.columns, (Names{"(Intercept)", "bTRUE", "gq", "bTRUE:gq"}));
+  expected.resize(5, 4);
+  expected << 1, 1, 0, 0, 1, 0, 1, 0, 1, 1, 0, 0, 1, 1, 1, 1, 1, 0, 1, 0;
+  EXPECT_EQ(crossed.design, expected);
+
+  EXPECT_EQ(truths("y ~ b:g").columns,
+            (Names{"(Intercept)", "bFALSE:gp", "bTRUE:gp", "bFALSE:gq", "bTRUE:gq"}));
+  EXPECT_EQ(truths("y ~ b + g - 1").columns, (Names{"bFALSE", "bTRUE", "gq"}));
+  EXPECT_EQ(truths("y ~ factor(b)").columns, (Names{"(Intercept)", "factor(b)TRUE"}));
+  EXPECT_EQ(truths("y ~ I(z>0)").columns, (Names{"(Intercept)", "I(z > 0)TRUE"}));
+  EXPECT_EQ(truths("y ~ I(b + 1)").columns, (Names{"(Intercept)", "I(b + 1)"}));
+}
+
+TEST(ModelFrame, TruthValuesAreComparedWithTheirWords) {
+  const Eigen::VectorXd b = (Eigen::VectorXd(5) << 1, 0, 1, 1, 0).finished();
+  EXPECT_EQ(truths("y ~ I(b == \"TRUE\")").design.col(1), b);
+  EXPECT_EQ(truths("y ~ I(b != \"false\")").design.col(1), b);
+  EXPECT_THROW(static_cast<void>(truths("y ~ I(b == \"yes\")")), FormulaError);
+  FrameOptions options;
+  options.reference["b"] = "TRUE";
+  EXPECT_EQ(truths("y ~ b", options).columns, (Names{"(Intercept)", "bFALSE"}));
+  EXPECT_EQ(truths("y ~ b", options).design.col(1), Eigen::VectorXd(1.0 - b.array()));
+}
+
+// ---- Text where numbers are needed, and the other way around ----
+
+std::string problem_of(const std::string& csv,
+                       const std::string& formula,
+                       const FrameOptions& options) {
+  try {
+    static_cast<void>(model_frame(parse_formula(formula), table_of(csv), options));
+  } catch (const FormulaError& error) {
+    return error.what();
+  }
+  return "no problem";
+}
+
+TEST(ModelFrame, RefusesTextInPlaceOfNumbers) {
+  FrameOptions weights;
+  weights.weights = "id";
+  EXPECT_EQ(problem_of("y ~ x", weights), "'id' of test.csv holds text, not numbers");
+  EXPECT_EQ(problem_of("y ~ x + offset(id)"), "'id' of test.csv holds text, not numbers");
+  EXPECT_EQ(problem_of("Surv(id, status) ~ x"), "'id' of test.csv holds text, not numbers");
+  EXPECT_EQ(problem_of("Surv(id, time, status) ~ x"), "'id' of test.csv holds text, not numbers");
+  EXPECT_EQ(problem_of("cbind(id, y) ~ x"), "'id' of test.csv holds text, not numbers");
+  EXPECT_EQ(problem_of("cbind(y, id) ~ x"), "'id' of test.csv holds text, not numbers");
+}
+
+TEST(ModelFrame, AStatusOfTextKeepsItsMeaningWhenRowsAreLeftOut) {
+  // The rows that are left all hold 'dead', the second level of the column.
+  const std::string csv = "t,s,x\n1,alive,NA\n2,dead,1\n3,dead,2\n";
+  const ModelFrame made = model_frame(parse_formula("Surv(t, s) ~ x"), table_of(csv));
+  EXPECT_EQ(std::get<SurvivalOutcome>(made.outcome).event, (std::vector<std::uint8_t>{1, 1}));
+  EXPECT_EQ(problem_of("t,s,x\n1,dead,1\n2,dead,2\n", "Surv(t, s) ~ x", {}),
+            "'s' has 1 level; an outcome has two: write s == \"dead\"");
+  EXPECT_EQ(problem_of("s,x\ndead,1\ndead,2\n", "s ~ x", {}),
+            "'s' has 1 level; an outcome has two: write s == \"dead\"");
+}
+
+TEST(ModelFrame, ASingleStrayTextMakesNoFactor) {
+  const std::string csv = "gap_mm,y\n1,0\n2,1\n3.5,0\nwide,1\n4,1\nNA,0\n";
+  EXPECT_EQ(problem_of(csv, "y ~ gap_mm", {}),
+            "'wide' in row 4 of column gap_mm of test.csv is not a number; write factor(gap_mm) if "
+            "it is a name");
+  EXPECT_EQ(problem_of(csv, "y ~ factor(gap_mm)", {}), "no problem");
+  EXPECT_EQ(problem_of("g,y\n1,0\n2,1\nA,0\nB,1\n", "y ~ g", {}), "no problem");
+}
+
+TEST(ModelFrame, InfinityTimesZeroIsMissing) {
+  FrameOptions options;
+  options.allow_infinite = true;
+  const ModelFrame made = model_frame(
+      parse_formula("y ~ x:z"), table_of("x,z,y\nInf,0,1\n2,3,0\nInf,1,1\n4,NA,0\n"), options);
+  EXPECT_EQ(made.rows, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(made.dropped, 2U);
+  EXPECT_FALSE(made.design.hasNaN());
+  EXPECT_EQ(made.missing.back(), (std::pair<std::string, std::size_t>{"x:z", 1}));
+}
+
+TEST(ModelFrame, RefusesMoreGroupsThanCanBeCompared) {
+  std::string csv = "t,s,g\n";
+  for (int row = 0; row < 1001; ++row) {
+    csv += "1,1," + std::to_string(row) + "\n";
+  }
+  FrameOptions options;
+  options.right_side = RightSide::groups;
+  EXPECT_EQ(problem_of(csv, "Surv(t, s) ~ g", options),
+            "formula 'Surv(t, s) ~ g': 1001 groups to compare, at most 1000; did you mean cox?");
+}
+
 TEST(DataTable, TypesItsColumns) {
   const DataTable table = table_of("n,t,mixed,truth,q\n1.5,b,1,TRUE,\"x,y\"\n,a,two,false,z\n");
   EXPECT_FALSE(table.columns[0].is_text);
@@ -169,6 +282,8 @@ TEST(DataTable, TypesItsColumns) {
   EXPECT_EQ(table.columns[1].text.codes, (std::vector<std::uint32_t>{1, 0}));
   EXPECT_TRUE(table.columns[2].is_text);
   EXPECT_EQ(table.columns[3].numbers, (std::vector<double>{1, 0}));
+  EXPECT_TRUE(table.columns[3].is_truth);
+  EXPECT_FALSE(table.columns[0].is_truth);
   EXPECT_EQ(table.columns[4].text.levels, (Names{"x,y", "z"}));
 }
 

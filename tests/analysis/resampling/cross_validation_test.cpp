@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -135,6 +136,26 @@ TEST(OutOfFoldScores, ComeFromTheOtherFolds) {
                    [](std::span<const std::size_t>, std::span<const std::size_t>) {
                      return std::vector<double>{};
                    })),
+               std::invalid_argument);
+}
+
+TEST(OutOfFoldAuc, LeavesOutAFoldWithoutAFit) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  Folds folds;
+  folds.count = 2;
+  folds.of_row = {0, 0, 0, 1, 1, 1};
+  const std::vector<double> scores{1, 2, 3, kNaN, kNaN, kNaN};
+  const std::vector<std::uint8_t> success{0, 1, 1, 0, 1, 1};
+  const PooledScore score = out_of_fold_auc(folds, scores, success);
+  EXPECT_EQ(score.value, 1.0);
+  ASSERT_EQ(score.conditions.size(), 1U);
+  EXPECT_EQ(score.conditions[0].kind, ConditionKind::fold_without_fit);
+  EXPECT_EQ(score.conditions[0].detail, "fold 2 of 2");
+  const SurvivalOutcome outcome{{}, {3, 2, 1, 1, 2, 3}, {1, 1, 1, 1, 1, 1}};
+  const PooledScore c = out_of_fold_c(folds, scores, outcome, LargerMeans::shorter_time);
+  EXPECT_EQ(c.value, 1.0);
+  EXPECT_EQ(c.conditions[0].kind, ConditionKind::fold_without_fit);
+  EXPECT_THROW(static_cast<void>(placements(scores, success, HigherMeans::success)),
                std::invalid_argument);
 }
 

@@ -202,5 +202,20 @@ TEST(CumulativeIncidence, EqualsSurvfit) {
   EXPECT_GT(cases, 0U);
 }
 
+TEST(CumulativeIncidence, ARiskSetThatEmptiesLeavesNoRounding) {
+  // 0.3 + 0.5 + 1.9 less the last is no 0 in floating point; at 4 everybody at risk leaves. By R
+  // 4.2.2 the standard error of the event-free state is 0 from then on and that of 'egress' stays.
+  CompetingOutcome outcome{{0, 3, 2, 0}, {2, 5, 4, 2}, {2, 1, 1, 1}, kCauses};
+  const std::vector<double> weights{0.3, 1.8, 1.9, 0.5};
+  IncidenceOptions options;
+  options.weights = weights;
+  const IncidenceCurves curves = cumulative_incidence(outcome, options)[0];
+  EXPECT_EQ(curves.event_free.probability[0], 0.0);  // at 2 both at risk fail or egress
+  for (std::size_t k = 0; k < curves.time.size(); ++k) {
+    EXPECT_NEAR(curves.causes[0].std_error[k], 0.33145630368119417, 1e-12);
+    EXPECT_NEAR(curves.causes[0].probability[k], 0.625, 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace tcert

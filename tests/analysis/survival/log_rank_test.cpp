@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "datasets/random.hpp"
@@ -36,6 +37,40 @@ TEST(LogRank, NamesWhatItCannotTest) {
       static_cast<void>(log_rank_test(
           outcome, {{0, 1}, {"a", "b"}}, nullptr, std::numeric_limits<double>::infinity())),
       std::invalid_argument);
+}
+
+TEST(LogRank, AGroupAddsOnlyWhileItIsAtRisk) {
+  // Of many groups few are at risk together; each pair against the sum of its definition.
+  RandomStream random(43, 1, 0);
+  SurvivalOutcome outcome;
+  Factor groups;
+  constexpr std::uint32_t kGroups = 40;
+  for (std::uint32_t row = 0; row < 4 * kGroups; ++row) {
+    const std::uint32_t group = row % kGroups;
+    outcome.start.push_back(group / 4);
+    outcome.stop.push_back(group / 4 + 1.0 + random.below(3));
+    outcome.event.push_back(random.below(3) == 0 ? 0 : 1);
+    groups.codes.push_back(group);
+  }
+  for (std::uint32_t group = 0; group < kGroups; ++group) {
+    groups.levels.push_back("g" + std::to_string(100 + group));
+  }
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(kGroups, kGroups);
+  for (int time = 1; time < 20; ++time) {
+    Eigen::VectorXd at_risk = Eigen::VectorXd::Zero(kGroups);
+    double events = 0.0;
+    for (std::size_t row = 0; row < outcome.stop.size(); ++row) {
+      at_risk(groups.codes[row]) += outcome.start[row] < time && outcome.stop[row] >= time ? 1 : 0;
+      events += outcome.stop[row] == time && outcome.event[row] == 1 ? 1.0 : 0.0;
+    }
+    const double all = at_risk.sum();
+    if (events > 0.0 && all > 1.0) {
+      const double scale = events * (all - events) / (all * (all - 1.0));
+      expected +=
+          scale * (Eigen::MatrixXd(at_risk.asDiagonal()) - at_risk * at_risk.transpose() / all);
+    }
+  }
+  EXPECT_LT((log_rank_test(outcome, groups).covariance - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(LogRank, TakesACommonStartForNone) {

@@ -136,6 +136,20 @@ TEST(SurvivalCurve, HasTheRobustErrorOfItsNumericalDerivatives) {
   }
 }
 
+TEST(SurvivalCurve, ARiskSetThatEmptiesLeavesNoRounding) {
+  // 0.1 + 0.2 + 0.3 less 0.2 and 0.3 is no 0.1.
+  const SurvivalOutcome outcome{{0, 1, 1}, {1, 2, 3}, {1, 1, 1}};
+  const std::vector<double> weights{0.1, 0.2, 0.3};
+  CurveOptions options;
+  options.weights = weights;
+  const SurvivalCurve curve = survival_curves(outcome, options)[0];
+  EXPECT_EQ(curve.points[0].at_risk, 0.1);
+  for (const SurvivalPoint& point : curve.points) {
+    EXPECT_EQ(point.survival, 0.0);
+    EXPECT_EQ(point.std_error(), 0.0);
+  }
+}
+
 TEST(SurvivalInterval, HasNoEndsWhereItsScaleHasNone) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(std::isnan(survival_interval(0.0, kInf).low));
