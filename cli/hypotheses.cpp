@@ -28,7 +28,7 @@ A table needs the columns of --success and of the predictors. 'column:smaller' a
 --baselines means that smaller values speak for success. Without --features' own landmark columns
 (tc_landmark, ...) there is one panel, unless --landmark is given.
 
-json has every number, incidences by quartile of the predictor, closed-form errors and folds; csv has
+text and md have the two tables, of success and of time; json has every number, incidences by quartile of the predictor, closed-form errors and folds; csv has
 the table of success, or that of --table: h1, h1_time, h1_case_level, h1_incidence, h1_closed_form,
 h1_folds.
 
@@ -86,6 +86,21 @@ Study study_of_bundle(const HypothesesOptions& options, const CommonOptions& com
   return study;
 }
 
+/// What would do nothing to a table that is made already. \throws UsageError.
+void require_table_options(const CommonOptions& common) {
+  for (const std::string& name : common.given) {
+    if (name == "trials" || name == "strict" || name == "repair") {
+      throw UsageError("--" + name + " is for a bundle, not for --features");
+    }
+  }
+  if (!common.flag_parameters.empty()) {
+    throw UsageError(
+        "--set " + common.flag_parameters.front().first +
+        ": parameters are for a bundle, not for --features; the landmark of a table is "
+        "set by --landmark");
+  }
+}
+
 int run(Arguments arguments) {
   HypothesesOptions options;
   CommonOptions common;
@@ -97,6 +112,9 @@ int run(Arguments arguments) {
   }
   if (options.bundle.empty() == options.features.empty()) {
     throw UsageError("needs either BUNDLE or --features FILE");
+  }
+  if (!options.features.empty()) {
+    require_table_options(common);
   }
   const H1Options h1 = h1_options(options, common);
   const ThreadLimit threads(common.threads);

@@ -92,8 +92,10 @@ void report_missing(const CsvHeader& header,
                   header.line,
                   name,
                   nearest ? shortened(*nearest) : std::string{},
-                  "a column of this name in the header; rename a foreign one under 'columns' in "
-                  "bundle.json",
+                  options.of_bundle
+                      ? "a column of this name in the header; rename a foreign one under "
+                        "'columns' in bundle.json"
+                      : "a column of this name in the header",
                   1});
   }
 }

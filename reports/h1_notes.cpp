@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/h1_table.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -12,7 +13,8 @@ constexpr std::size_t kFewClusters = 30;
 std::string panel_note(const H1Table& h1, const H1Panel& panel) {
   std::string note;
   if (panel.kind == H1PanelKind::paper) {
-    note = "Paper panel: features as they are, " + std::to_string(panel.trials) + " trials";
+    note = std::string(h1.panels.size() == 1 ? "Table" : "Paper panel") +
+           ": features as they are, " + std::to_string(panel.trials) + " trials";
     if (panel.ended_in_window && panel.failures_ended_in_window) {
       note += "; " + std::to_string(*panel.ended_in_window) + " of them end inside their window (" +
               std::to_string(*panel.failures_ended_in_window) +
@@ -59,11 +61,11 @@ std::string model_note() {
 void add_conditions(const H1Table& h1, std::vector<std::string>& notes) {
   for (const H1Panel& panel : h1.panels) {
     for (const Condition& condition : panel.conditions) {
-      notes.push_back(std::string(to_string(panel.kind)) + " panel: " + to_string(condition) + ".");
+      notes.push_back(panel_name(h1, panel) + " panel: " + to_string(condition) + ".");
     }
     for (const H1Row& row : panel.rows) {
       for (const Condition& condition : row.conditions) {
-        notes.push_back(std::string(to_string(panel.kind)) + " panel, " + row.name + ": " +
+        notes.push_back(panel_name(h1, panel) + " panel, " + row.name + ": " +
                         to_string(condition) + ".");
       }
     }
@@ -101,7 +103,7 @@ std::vector<std::string> h1_time_notes(const H1Table& h1) {
   std::string limits;
   for (const H1Panel& panel : h1.panels) {
     limits += (limits.empty() ? "" : ", ") + significant(panel.limit_s, 6) + " s (" +
-              std::string(to_string(panel.kind)) + ")";
+              panel_name(h1, panel) + ")";
   }
   return {
       "C: Pr(the better value goes with earlier egress), Harrell's, failures censored when they "

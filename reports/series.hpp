@@ -9,7 +9,9 @@
 #include <tcert/robot.hpp>
 #include <tcert/speed_law.hpp>
 #include <tcert/tick.hpp>
+#include <vector>
 
+#include "reports/column_doc.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -19,6 +21,9 @@ struct SeriesFormat {
   bool ray_margins = false;                 ///< One more column a ray: m_t(theta_k).
   std::optional<SyntheticLabel> synthetic;  ///< A last column `synthetic_seed`.
 };
+
+/// The columns of every series, in order, and those of `ray_margins` and `synthetic` after them.
+[[nodiscard]] std::vector<ColumnDoc> series_columns();
 
 /// Header, ended by a newline.
 [[nodiscard]] std::string series_header(const SeriesFormat& format, const Robot& robot);

@@ -1,12 +1,17 @@
 #include "analysis/logistic/logistic.hpp"
 #include "analysis/logistic/logistic_drop.hpp"
 #include "analysis/logistic/logistic_profile.hpp"
+#include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/logistic_report.hpp"
 
 namespace tcert::cli {
 
 FitReport fit_glm(const FitRequest& request) {
+  if (std::holds_alternative<SurvivalOutcome>(request.frame.outcome)) {
+    throw UsageError("'" + request.frame.response +
+                     "': a logistic model needs a 0/1 outcome; use tcert fit cox");
+  }
   LogisticInput input = logistic_input(request.frame);
   LogisticOptions options;
   options.level = request.options.level;
@@ -15,7 +20,7 @@ FitReport fit_glm(const FitRequest& request) {
   }
   const LogisticFit fit = fit_logistic(input, options);
   std::vector<std::optional<Interval>> profiles;
-  if (!request.options.no_profile) {
+  if (!request.options.no_profile && options.variance == CoefficientVariance::model) {
     profiles = profile_intervals(input, options);
   }
   return logistic_report(fit, profiles, drop_terms(input));
