@@ -78,7 +78,7 @@ int run(Arguments arguments) {
     return certify_to_stdout(opened, common);
   }
   require_apart(options.bundle, common.output);
-  ResultFolder folder(common.output);
+  ResultFolder folder(common.output, "certify");
   const CertifySummary summary = certify_trials(
       opened, common, &folder, {!options.no_series, options.ticks, options.ray_margins}, {});
   folder.commit(manifest_of("certify", opened, common, summary));

@@ -2,14 +2,13 @@
 
 #include <functional>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 #include "analysis/trials/study.hpp"
+#include "cli/bundle_digest.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "datasets/bundle_files.hpp"
 #include "datasets/tick_table.hpp"
 #include "reports/diagnostics_table.hpp"
 #include "reports/features_table.hpp"
@@ -102,35 +101,6 @@ void write_trial_files(const StudiedTrial& trial,
   }
 }
 
-/// A trial of a .zip has no digest of its own: the archive has one. Nor has one whose log cannot be
-/// read, which is rejected for that.
-FileDigest log_digest(const Bundle& bundle, const TrialRow& row) {
-  const auto folder = bundle.path / "logs" / row.trial_id;
-  std::error_code error;
-  if (!std::filesystem::is_directory(folder, error)) {
-    return {};
-  }
-  try {
-    return digest_folder(folder);
-  } catch (const std::system_error&) {
-    return {};
-  }
-}
-
-void add_bundle_files(const Bundle& bundle, const FileDigest& logs, CertifySummary& summary) {
-  const std::string name = name_of(bundle.path);
-  if (!std::filesystem::is_directory(bundle.path)) {
-    summary.inputs.push_back({name, digest_file(bundle.path)});
-    return;
-  }
-  for (const char* part : {"bundle.json", "trials.csv"}) {
-    if (const auto found = BundleFiles(bundle.path).find(part)) {
-      summary.inputs.push_back({*found, digest_file(bundle.path / *found)});
-    }
-  }
-  summary.inputs.push_back({"logs/", logs});
-}
-
 }  // namespace
 
 CertifySummary certify_trials(const OpenedBundle& opened,
@@ -193,7 +163,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
   }
   if (tables) {
     tables->close();
-    add_bundle_files(bundle, logs.finish(), summary);
+    summary.inputs = bundle_inputs(bundle, logs.finish());
   }
   return summary;
 }

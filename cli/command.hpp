@@ -23,6 +23,8 @@ extern const Command kCheck;
 extern const Command kCertify;
 extern const Command kFit;
 extern const Command kHypotheses;
+extern const Command kAblate;
+extern const Command kSweep;
 extern const Command kReproduce;
 extern const Command kLive;
 extern const Command kHelp;

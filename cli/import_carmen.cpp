@@ -68,7 +68,7 @@ CommandLine command_line(ImportOptions& o) {
   return line;
 }
 
-CarmenImportOptions carmen_options(const ImportOptions& options, const CommonOptions& common) {
+CarmenImportOptions carmen_options(const ImportOptions& options) {
   CarmenImportOptions carmen = options.carmen;
   require_range("start-radius", carmen.start_radius_m, 1e-3, 1e3);
   require_range("body-width", carmen.body_width_m, 1e-3, 1e3);
@@ -80,7 +80,6 @@ CarmenImportOptions carmen_options(const ImportOptions& options, const CommonOpt
   if (!std::isnan(options.goal_x_m)) {
     carmen.goal = Disc{{options.goal_x_m, options.goal_y_m}, options.goal_radius_m};
   }
-  carmen.replace = std::filesystem::exists(std::filesystem::path(common.output) / "bundle.json");
   return carmen;
 }
 
@@ -99,7 +98,7 @@ int import_carmen_command(Arguments arguments) {
     throw NoInput("there is nothing at " + options.log);
   }
   const CarmenImportResult result =
-      import_carmen(options.log, common.output, carmen_options(options, common));
+      import_carmen(options.log, common.output, carmen_options(options));
   say(result.diagnostics);
   if (!result.summary) {
     throw BadData(options.log + " holds no scan that can be used");

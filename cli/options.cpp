@@ -142,6 +142,13 @@ std::string as_text(const boost::any& value) {
   if (const auto* text = boost::any_cast<std::string>(&value)) {
     return *text;
   }
+  if (const auto* texts = boost::any_cast<std::vector<std::string>>(&value)) {
+    std::string joined;
+    for (const std::string& one : *texts) {
+      joined += (joined.empty() ? "" : " ") + one;
+    }
+    return joined;
+  }
   if (const auto* whole = boost::any_cast<std::int64_t>(&value)) {
     return std::to_string(*whole);
   }
@@ -161,12 +168,13 @@ std::string as_text(const boost::any& value) {
   return text;
 }
 
-/// What shapes the result: not where it goes, how it is shown and by how many threads it is made.
+/// What shapes the result: not where it goes, what is kept for later and by how many threads it is
+/// made.
 Settings effective_options(const po::variables_map& values, const po::options_description& shown) {
   Settings settings;
   for (const std::string& name : names_of(shown)) {
     if (name == "output" || name == "threads" || name == "quiet" || name == "help" ||
-        name == kConfig || name == kSet) {
+        name == kConfig || name == kSet || name == "cache" || name == "no-cache") {
       continue;
     }
     settings.emplace_back(name, values.count(name) != 0 ? as_text(values[name].value()) : "");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
 #include <system_error>
 
 #include "cli/errors.hpp"
@@ -30,17 +29,6 @@ void say(std::span<const Diagnostic> diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) {
     say(to_string(diagnostic));
   }
-}
-
-bool may_replace(const std::filesystem::path& folder) {
-  std::ifstream file(folder / "manifest.json");
-  std::string line;
-  while (std::getline(file, line)) {
-    if (line.find("\"tcert-manifest\"") != std::string::npos) {
-      return true;
-    }
-  }
-  return false;
 }
 
 void require_apart(const std::filesystem::path& input, const std::filesystem::path& output) {

@@ -20,10 +20,6 @@ void say(std::string_view line);
 /// One line each on stderr.
 void say(std::span<const Diagnostic> diagnostics);
 
-/// True if the folder was written by this tool and may be replaced: it holds a manifest.json of
-/// ours. An empty or missing folder needs no permission.
-[[nodiscard]] bool may_replace(const std::filesystem::path& folder);
-
 /// \throws UsageError if writing `output` would replace `input`: it is that folder or holds it.
 void require_apart(const std::filesystem::path& input, const std::filesystem::path& output);
 

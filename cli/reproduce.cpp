@@ -103,8 +103,8 @@ int run(Arguments arguments) {
   for (const char* part : {"certificates", "tables"}) {
     require_apart(opened.bundle.path, output / part);
   }
-  ResultFolder certificates(output / "certificates");
-  ResultFolder table_folder(output / "tables");
+  ResultFolder certificates(output / "certificates", "reproduce");
+  ResultFolder table_folder(output / "tables", "reproduce");
   StudyRecord study;
   FeatureData features(opened.bundle);
   const CertifySummary summary =

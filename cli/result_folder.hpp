@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "datasets/atomic_file.hpp"
@@ -28,9 +29,10 @@ class ResultFile {
 
 class ResultFolder {
  public:
-  /// Replaces a folder only if it is empty or was written by this tool.
+  /// Replaces a folder only if it is empty, or holds what the same command wrote and nothing else:
+  /// no file added and none changed.
   /// \throws WriteError if the name is taken or cannot be written: before any work is done.
-  explicit ResultFolder(const std::filesystem::path& path);
+  ResultFolder(const std::filesystem::path& path, const std::string& command);
 
   [[nodiscard]] const std::filesystem::path& staging() const noexcept { return folder_.staging(); }
 
@@ -47,7 +49,12 @@ class ResultFolder {
 /// True if `folder` holds what this manifest, made again, would list, every file with its bytes.
 [[nodiscard]] bool is_current(const std::filesystem::path& folder, Manifest expected);
 
-/// One file of results and, beside it, <file>.manifest.json. \throws WriteError.
+/// \throws WriteError if a file of that name is there which this tool did not write or which was
+/// changed since.
+void require_own_file(const std::filesystem::path& path);
+
+/// One file of results and, beside it, <file>.manifest.json. \throws WriteError; see
+/// require_own_file.
 void write_with_manifest(const std::filesystem::path& path,
                          std::string_view text,
                          Manifest manifest);

@@ -43,7 +43,7 @@ std::uint64_t write_corpus(const SimulatedCorpus& corpus,
     limit.emplace(tbb::global_control::max_allowed_parallelism,
                   static_cast<std::size_t>(common.threads));
   }
-  ResultFolder result(folder);
+  ResultFolder result(folder, "simulate");
   {
     Progress progress("simulating", trials_of(corpus), common.quiet);
     const TrialProgress advance = [&](std::uint64_t done, std::uint64_t /*total*/) {

@@ -129,9 +129,9 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
-void AtomicFile::commit() {
+void AtomicFile::commit(Durable durable) {
   const bool direct = temporary_.empty();
-  if (!direct && ::fsync(descriptor_) != 0) {
+  if (durable == Durable::yes && !direct && ::fsync(descriptor_) != 0) {
     fail("cannot sync", path_, errno);
   }
   if (::close(std::exchange(descriptor_, -1)) != 0) {
@@ -144,7 +144,9 @@ void AtomicFile::commit() {
     fail("cannot rename to", path_, errno);
   }
   temporary_.clear();
-  sync_folder(folder_of(path_));
+  if (durable == Durable::yes) {
+    sync_folder(folder_of(path_));
+  }
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
@@ -161,7 +163,8 @@ AtomicFolder::AtomicFolder(const fs::path& path, bool replace)
     fail("cannot write the folder", path_, ENOTDIR);
   }
   if (fs::exists(status) && !replace_ && !fs::is_empty(path_, error)) {
-    fail("cannot replace the folder", path_, ENOTEMPTY);
+    throw WriteError("cannot replace the folder '" + path_.string() +
+                     "': it is not empty; name another folder or remove this one");
   }
   create_folders(folder_of(path_));
   bool created = false;

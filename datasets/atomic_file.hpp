@@ -15,6 +15,9 @@ class WriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Whether a committed file outlives a power cut, or may be lost or cut short in it.
+enum class Durable { yes, no };
+
 /// A file that appears under its name only when committed. Not copyable.
 /// The temporary lies beside it, so the rename is on one file system; an uncommitted file removes
 /// its temporary.
@@ -29,8 +32,8 @@ class AtomicFile {
   /// \throws WriteError, for instance when the disk is full.
   void write(std::string_view bytes);
 
-  /// fsync and rename. \throws WriteError.
-  void commit();
+  /// fsync unless told otherwise, and rename. \throws WriteError.
+  void commit(Durable durable = Durable::yes);
 
  private:
   std::filesystem::path path_;

@@ -93,9 +93,8 @@ TickTable to_ticks(const CarmenLog& log, double reach_m, CarmenSummary& summary)
 void write_bundle(const std::filesystem::path& output,
                   const BundleInfo& info,
                   const TrialRow& trial,
-                  const TickTable& ticks,
-                  bool replace) {
-  AtomicFolder folder(output, replace);
+                  const TickTable& ticks) {
+  AtomicFolder folder(output);
   write_file_atomically(folder.staging() / "bundle.json", to_bundle_json(info));
   write_file_atomically(folder.staging() / "trials.csv", to_trials_csv({trial}, {}));
   write_file_atomically(folder.staging() / "logs" / trial.trial_id / "ticks.csv",
@@ -171,7 +170,7 @@ CarmenImportResult import_carmen(const std::filesystem::path& log_path,
   trial.time_s = summary.duration_s;
   trial.distance_m = summary.distance_m;
   const BundleInfo info = carmen_bundle_info(log, log_path.filename().string(), options);
-  write_bundle(output, info, trial, ticks, options.replace);
+  write_bundle(output, info, trial, ticks);
   result.summary = summary;
   return result;
 }

@@ -22,7 +22,6 @@ struct CarmenImportOptions {
   double start_radius_m = 0.5;  ///< S is the disc of this radius at the first pose.
   std::optional<Disc> goal;     ///< G; without one there is only the on-policy corridor value.
   double reach_m = 8.0;         ///< Readings of this and more are clamped to it.
-  bool replace = false;         ///< Replace a bundle that is there.
 };
 
 /// What was imported.

@@ -149,11 +149,13 @@ H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind k
   if (!can_be_scored(panel)) {
     return panel;
   }
-  const H1Models models = h1_models(data);
+  const H1Models models = options.models ? h1_models(data) : H1Models{};
   add_model_rows(models, panel);
   bootstrap_rows(data, models, options, panel);
   add_closed_forms(data, models, options, panel);
-  add_out_of_fold(data, models, options, panel);
+  if (options.models) {
+    add_out_of_fold(data, models, options, panel);
+  }
   add_incidence_by_quartile(data, panel);
   adjust(panel);
   return panel;

@@ -43,6 +43,7 @@ struct H1Options {
   double level = 0.95;
   std::size_t replicates = 2000;
   std::size_t folds = 5;
+  bool models = true;  ///< The rows of models and what is out of fold.
   std::uint64_t seed = 1;
 };
 

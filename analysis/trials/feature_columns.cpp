@@ -40,6 +40,9 @@ constexpr auto kColumns = std::to_array<FeatureColumn>({
     column<&Features::issued>("issued", "", "1 if a certificate was issued"),
     column<&Features::issued_s>("issued_s", "s", "time at which it was issued"),
     column<&Features::certificate_m>("certificate_m", "m", "final certificate T_t"),
+    column<&Features::issued_before_goal>(
+        "issued_before_goal", "", "1 if it was issued before the robot was inside G"),
+    column<&Features::certificate_falls>("certificate_falls", "", "ticks at which T_t fell"),
 });
 
 }  // namespace

@@ -135,6 +135,14 @@ WindowValues worse(const WindowValues& a, const WindowValues& b) {
           larger(a.bend_variance, b.bend_variance)};
 }
 
+std::size_t certificate_falls(std::span<const CertifiedTick> series) {
+  std::size_t falls = 0;
+  for (std::size_t k = 1; k < series.size(); ++k) {
+    falls += series[k].certificate_m < series[k - 1].certificate_m ? 1 : 0;
+  }
+  return falls;
+}
+
 void add_trial_facts(const Trial& trial, std::int64_t end_ns, Features& features) {
   features.ticks = trial.ticks.size();
   features.end_s = seconds_of(end_ns);
@@ -146,7 +154,9 @@ void add_trial_facts(const Trial& trial, std::int64_t end_ns, Features& features
                                     [](const CertifiedTick& tick) { return tick.issued; });
     const auto row = static_cast<std::size_t>(first - trial.series.begin());
     features.issued_s = seconds_of(trial.ticks.time_ns[row] - trial.ticks.time_ns[0]);
+    features.issued_before_goal = (first->flags & flag_goal_reached) == 0;
   }
+  features.certificate_falls = certificate_falls(trial.series);
   if (std::isfinite(trial.series.back().certificate_m)) {
     features.certificate_m = trial.series.back().certificate_m;
   }

@@ -54,10 +54,12 @@ struct Features {
   std::optional<double> end_s;                ///< Time of the last tick.
   std::optional<double> travel_m;             ///< At the last tick.
   std::optional<double> window_end_s;  ///< When the last window closed; NA if the log ends first.
-  std::optional<bool> still_at_landmark;  ///< Dwelling at the end of the time window.
-  std::optional<bool> issued;             ///< T_t > 0 at some tick.
-  std::optional<double> issued_s;         ///< When first.
-  std::optional<double> certificate_m;    ///< Final T_t; NA if S and G were never connected.
+  std::optional<bool> still_at_landmark;   ///< Dwelling at the end of the time window.
+  std::optional<bool> issued;              ///< T_t > 0 at some tick.
+  std::optional<double> issued_s;          ///< When first.
+  std::optional<double> certificate_m;     ///< Final T_t; NA if S and G were never connected.
+  std::optional<bool> issued_before_goal;  ///< Issued at a tick before the robot was inside G.
+  std::optional<std::size_t> certificate_falls;  ///< Ticks at which T_t fell: 0 if it is sound.
 };
 
 /// Usable ticks are the fresh ones. A window with fewer than min_ticks of them has no values; one

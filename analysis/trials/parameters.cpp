@@ -11,7 +11,7 @@
 namespace tcert {
 
 std::string_view to_string(Stage stage) noexcept {
-  constexpr std::array<std::string_view, 3> kWords = {"resample", "certify", "features"};
+  constexpr std::array<std::string_view, 4> kWords = {"resample", "certify", "features", "control"};
   return kWords[static_cast<std::size_t>(stage)];
 }
 

@@ -33,11 +33,13 @@ struct ParameterSet {
   EarlyWindowOptions early_window;
 };
 
-/// The first step of the way from log to result that another value changes; all later ones follow.
+/// The first step of the way from log to result that another value changes. Features and control
+/// both follow from the series, neither from the other.
 enum class Stage {
   resample,  ///< Log to ticks.
   certify,   ///< Ticks to series.
   features,  ///< Series to features.
+  control,   ///< Series to speeds.
 };
 
 [[nodiscard]] std::string_view to_string(Stage stage) noexcept;

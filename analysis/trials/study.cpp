@@ -28,6 +28,22 @@ std::vector<double> ray_margins_of(Certifier& certifier, const TickTable& ticks)
 
 }  // namespace
 
+std::optional<TrialLog> read_studied(const Bundle& bundle,
+                                     const TrialRow& row,
+                                     const StudyOptions& options,
+                                     StudiedTrial& trial) {
+  trial.row = &row;
+  TrialResult read = read_trial(bundle, row, options.read);
+  trial.diagnostics = std::move(read.diagnostics);
+  trial.rejected = !read.log.has_value();
+  if (read.log) {
+    trial.log_bytes = read.log->bytes;
+    trial.speed_cmd_mps = speeds_of(*read.log);
+    trial.loop_latency_ms = latencies_of(*read.log);
+  }
+  return std::move(read.log);
+}
+
 void study_trials(const Bundle& bundle,
                   std::span<const std::size_t> trials,
                   const ParameterSet& parameters,
@@ -41,15 +57,10 @@ void study_trials(const Bundle& bundle,
   tbb::enumerable_thread_specific<Certifier> certifiers(make);
   in_order(trials.size(), options.threads, [&](std::size_t i) {
     StudiedTrial trial;
-    trial.row = &bundle.trials[trials[i]];
-    TrialResult read = read_trial(bundle, *trial.row, options.read);
-    trial.diagnostics = std::move(read.diagnostics);
-    trial.rejected = !read.log.has_value();
-    if (read.log) {
-      trial.log_bytes = read.log->bytes;
-      trial.speed_cmd_mps = speeds_of(*read.log);
-      trial.loop_latency_ms = latencies_of(*read.log);
-      trial.ticks = resample(*read.log, parameters.resample);
+    const std::optional<TrialLog> log =
+        read_studied(bundle, bundle.trials[trials[i]], options, trial);
+    if (log) {
+      trial.ticks = resample(*log, parameters.resample);
       Certifier& certifier = certifiers.local();
       trial.series = certify_trial(certifier, trial.ticks);
       if (options.ray_margins) {

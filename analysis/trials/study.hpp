@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <tcert/certifier.hpp>
@@ -38,6 +39,13 @@ struct StudyOptions {
   int threads = 0;  ///< 0: all cores.
   bool ray_margins = false;
 };
+
+/// Reads a trial's log into `trial`: everything but ticks, series and features. Empty if the trial
+/// is rejected.
+[[nodiscard]] std::optional<TrialLog> read_studied(const Bundle& bundle,
+                                                   const TrialRow& row,
+                                                   const StudyOptions& options,
+                                                   StudiedTrial& trial);
 
 /// What is to happen with a trial: called in parallel, from any thread; what it returns is called
 /// in the order of `trials`, one at a time. That returns false to stop the study.

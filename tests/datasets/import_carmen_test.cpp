@@ -132,7 +132,7 @@ TEST(ImportCarmen, WritesABundleThatReadsBack) {
   EXPECT_FALSE(ticks[1].segment_start);
 }
 
-TEST(ImportCarmen, WritesNothingFromALogWithoutScansAndReplacesOnlyWhenAsked) {
+TEST(ImportCarmen, WritesNothingFromALogWithoutScansAndReplacesNothing) {
   const TemporaryFolder folder;
   const auto empty = folder.write("empty.log", "ODOM 1 2 3\n");
   EXPECT_FALSE(import_carmen(empty, folder.path() / "bundle").summary);
@@ -142,8 +142,6 @@ TEST(ImportCarmen, WritesNothingFromALogWithoutScansAndReplacesOnlyWhenAsked) {
   EXPECT_TRUE(import_carmen(log, folder.path() / "bundle").summary);
   EXPECT_THROW(static_cast<void>(import_carmen(log, folder.path() / "bundle")), WriteError);
   CarmenImportOptions options;
-  options.replace = true;
-  EXPECT_TRUE(import_carmen(log, folder.path() / "bundle", options).summary);
   options.trial_id = "../x";
   EXPECT_THROW(static_cast<void>(import_carmen(log, folder.path() / "b", options)),
                std::invalid_argument);

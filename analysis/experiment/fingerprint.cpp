@@ -1,0 +1,23 @@
+#include "analysis/experiment/fingerprint.hpp"
+
+namespace tcert {
+namespace {
+
+bool depends(Stage stage, Stage on) noexcept {
+  const bool both_last = stage == Stage::control && on == Stage::features;
+  return on <= stage && !both_last;
+}
+
+}  // namespace
+
+std::string fingerprint(const ParameterSet& parameters, Stage stage) {
+  std::string text;
+  for (const ParameterInfo& info : parameter_table()) {
+    if (depends(stage, info.stage)) {
+      text.append(info.key).append("=").append(info.get(parameters)).append("\n");
+    }
+  }
+  return text;
+}
+
+}  // namespace tcert

@@ -1,0 +1,52 @@
+#include "analysis/experiment/paper_cells.hpp"
+#include "cli/errors.hpp"
+#include "cli/experiment/batch.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kText =
+    R"(Leave parts of the method out and see what that does to H1 and to the issuing of certificates.
+
+The cells: A1 no contact memory, A2 unknown space taken for free, A3 no curvature, their pairs and
+all three; or those of --cells. Each beside the full method: change of AUC and C on the same trials in
+the same resamples, its own gain over its strongest rival, spurious certificates.
+
+With --output DIR: DIR/cells.csv, DIR/issuance.csv, DIR/features/*.csv (DIR/files.csv says which cell
+has which), DIR/manifest.json. Without it: the table on stdout.
+
+Usage: tcert ablate BUNDLE [options]
+
+Example:
+  tcert ablate corpus
+  tcert ablate corpus --table issuance --format md
+  tcert ablate corpus --cells cells.csv --output ablation
+
+Cost: that of 'tcert certify' for each cell that changes the series, less what the cache holds; then
+about a second a cell.
+)";
+
+int run(Arguments arguments) {
+  BatchOptions options;
+  CommonOptions common;
+  CommandLine line{"ablate",
+                   kText,
+                   uses_parameters | uses_output | uses_format | uses_seed | uses_threads |
+                       uses_trials | uses_logs,
+                   po::options_description("Options"),
+                   {{"BUNDLE", &options.bundle}}};
+  add_batch_options(line.own, options);
+  if (!parse(line, common, arguments)) {
+    return exit_done;
+  }
+  return run_batch("ablate",
+                   options,
+                   common,
+                   options.cells.empty() ? ablation_cells() : cells_of_file(options.cells, common));
+}
+
+}  // namespace
+
+const Command kAblate = {"ablate", "leave parts of the method out, beside the full one", run};
+
+}  // namespace tcert::cli

@@ -1,0 +1,249 @@
+#include "cli/experiment/cell_files.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "analysis/experiment/fingerprint.hpp"
+#include "analysis/trials/study_tables.hpp"
+#include "cli/bundle_digest.hpp"
+#include "cli/errors.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "reports/features_table.hpp"
+#include "reports/sha256.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::size_t kChunk = 64;
+
+/// A table to be made.
+struct Job {
+  const ParameterSet* set = nullptr;
+  std::string print;  ///< Fingerprint of the set up to the table.
+};
+
+/// Jobs in the order in which neighbours share most steps, and which of them each cell uses.
+struct Jobs {
+  std::vector<Job> jobs;
+  std::vector<std::size_t> of_cell;
+};
+
+Jobs jobs_of(std::span<const PlannedCell> cells) {
+  Jobs result;
+  std::vector<std::string> prints;
+  for (const PlannedCell& cell : cells) {
+    prints.push_back(cell.refused() ? std::string() : fingerprint(cell.set(), Stage::features));
+  }
+  std::vector<std::size_t> order(cells.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return prints[a] < prints[b];
+  });
+  result.of_cell.assign(cells.size(), CellFiles::kNone);
+  for (const std::size_t cell : order) {
+    if (cells[cell].refused()) {
+      continue;
+    }
+    if (result.jobs.empty() || result.jobs.back().print != prints[cell]) {
+      result.jobs.push_back({&cells[cell].set(), prints[cell]});
+    }
+    result.of_cell[cell] = result.jobs.size() - 1;
+  }
+  return result;
+}
+
+/// What the entries of all chunks depend on besides their logs and the job.
+std::string common_key(const Bundle& bundle, const CommonOptions& common) {
+  std::string text = "features of a chunk\nprogram " + program_digest() + '\n';
+  for (const ManifestFile& file : bundle_inputs(bundle, {})) {
+    text += file.digest.sha256 + "  " + file.path + '\n';
+  }
+  text += common.repair ? "repair\n" : "";
+  text += common.decimal_comma ? "decimal-comma\n" : "";
+  return text;
+}
+
+/// Rows of one job for one chunk: its rejected trials, an empty line, its rows of CSV.
+struct Entry {
+  std::vector<std::string> rejected;
+  std::string rows;
+};
+
+std::string to_text(const Entry& entry) {
+  std::string text;
+  for (const std::string& id : entry.rejected) {
+    text += id + '\n';
+  }
+  return text + '\n' + entry.rows;
+}
+
+Entry entry_of(const std::string& text) {
+  Entry entry;
+  std::size_t at = 0;
+  for (std::size_t end = text.find('\n', at); end != std::string::npos && end > at;
+       end = text.find('\n', at)) {
+    entry.rejected.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  entry.rows = text.substr(std::min(at + 1, text.size()));
+  return entry;
+}
+
+std::string features_text(const StudiedTrial& trial, const Table& table) {
+  StudiedTrial copy;
+  copy.row = trial.row;
+  copy.features = trial.features;
+  copy.speed_cmd_mps = trial.speed_cmd_mps;
+  copy.loop_latency_ms = trial.loop_latency_ms;
+  std::string line;
+  append_csv_row(line, table, features_row(summarise(std::move(copy))));
+  return line;
+}
+
+class Maker {
+ public:
+  Maker(const OpenedBundle& opened,
+        const CommonOptions& common,
+        const std::vector<Job>& jobs,
+        const ResultStore* store,
+        CellFiles& files)
+      : opened_(opened),
+        common_(common),
+        jobs_(jobs),
+        store_(store),
+        files_(files),
+        table_(features_table(opened.bundle)),
+        key_(common_key(opened.bundle, common)),
+        progress_("trials", opened.trials.size(), common.quiet) {
+    std::string header;
+    append_csv_header(header, table_);
+    files_.features.assign(jobs.size(), header);
+  }
+
+  void add_chunk(std::span<const std::size_t> trials) {
+    const std::string logs = digest_of(trials);
+    std::vector<std::optional<Entry>> entries(jobs_.size());
+    std::vector<std::string> keys(jobs_.size());
+    std::vector<std::size_t> wanted;
+    for (std::size_t j = 0; j < jobs_.size(); ++j) {
+      keys[j] = sha256(key_ + logs + jobs_[j].print);
+      if (const auto stored = store_ != nullptr ? store_->get(keys[j]) : std::nullopt) {
+        entries[j] = entry_of(*stored);
+      } else {
+        wanted.push_back(j);
+      }
+    }
+    files_.from_cache += jobs_.size() - wanted.size();
+    files_.made += wanted.size();
+    make(trials, wanted, entries);
+    for (const std::size_t j : wanted) {
+      if (store_ != nullptr) {
+        store_->put(keys[j], to_text(*entries[j]));
+      }
+    }
+    for (std::size_t j = 0; j < jobs_.size(); ++j) {
+      files_.features[j] += entries[j]->rows;
+    }
+    if (!entries.empty()) {
+      const auto& rejected = entries.front()->rejected;
+      files_.rejected.insert(files_.rejected.end(), rejected.begin(), rejected.end());
+    }
+    done_ += trials.size();
+    progress_.reach(done_);
+  }
+
+  /// After the last chunk.
+  void finish() {
+    const FileDigest logs = logs_.finish();
+    files_.inputs = bundle_inputs(opened_.bundle, logs);
+    for (const Job& job : jobs_) {
+      files_.keys.push_back(key_ + logs.sha256 + '\n' + job.print);
+    }
+  }
+
+ private:
+  std::string digest_of(std::span<const std::size_t> trials) {
+    std::string text;
+    for (const std::size_t t : trials) {
+      const TrialRow& row = opened_.bundle.trials[t];
+      const FileDigest digest = log_digest(opened_.bundle, row);
+      logs_.add(row.trial_id, digest);
+      text += digest.sha256 + "  " + row.trial_id + '\n';
+    }
+    return text;
+  }
+
+  void make(std::span<const std::size_t> trials,
+            const std::vector<std::size_t>& wanted,
+            std::vector<std::optional<Entry>>& entries) {
+    std::vector<ParameterSet> sets;
+    for (const std::size_t j : wanted) {
+      sets.push_back(*jobs_[j].set);
+      entries[j].emplace();
+    }
+    const StudyOptions options{{common_.repair}, static_cast<int>(common_.threads)};
+    const CellReuse reuse = study_cells(
+        opened_.bundle,
+        trials,
+        sets,
+        options,
+        [&](StudiedTrial& trial, std::size_t) { return features_text(trial, table_); },
+        [&](CellTrial&& trial) {
+          say(trial.diagnostics);
+          for (std::size_t w = 0; w < wanted.size(); ++w) {
+            if (trial.rejected) {
+              entries[wanted[w]]->rejected.push_back(trial.row->trial_id);
+            } else {
+              entries[wanted[w]]->rows += trial.texts[w];
+            }
+          }
+        });
+    for (const auto part :
+         {&CellReuse::read, &CellReuse::resample, &CellReuse::certify, &CellReuse::features}) {
+      (files_.reuse.*part).done += (reuse.*part).done;
+      (files_.reuse.*part).reused += (reuse.*part).reused;
+    }
+  }
+
+  const OpenedBundle& opened_;
+  const CommonOptions& common_;
+  const std::vector<Job>& jobs_;
+  const ResultStore* store_;
+  CellFiles& files_;
+  Table table_;
+  std::string key_;
+  ListDigest logs_;
+  Progress progress_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+CellFiles files_of_cells(const OpenedBundle& opened,
+                         const CommonOptions& common,
+                         std::span<const PlannedCell> cells,
+                         const ResultStore* store) {
+  const Jobs jobs = jobs_of(cells);
+  CellFiles files;
+  files.features_of = jobs.of_cell;
+  Maker maker(opened, common, jobs.jobs, store, files);
+  const std::span<const std::size_t> trials(opened.trials);
+  for (std::size_t first = 0; first < trials.size(); first += kChunk) {
+    maker.add_chunk(trials.subspan(first, std::min(kChunk, trials.size() - first)));
+    if (common.strict && !files.rejected.empty()) {
+      throw BadData("trial '" + files.rejected.front() +
+                    "' is rejected, and --strict was asked for");
+    }
+  }
+  maker.finish();
+  return files;
+}
+
+const std::string& program_digest() {
+  static const std::string digest = digest_file("/proc/self/exe").sha256;
+  return digest;
+}
+
+}  // namespace tcert::cli

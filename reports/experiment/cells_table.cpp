@@ -1,0 +1,282 @@
+#include "reports/experiment/cells_table.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "reports/fit/cells.hpp"
+
+namespace tcert {
+namespace {
+
+TableCell estimate(const H1Score& score) {
+  if (!score.value) {
+    return {};
+  }
+  Estimate cell{*score.value};
+  if (score.bca) {
+    cell.low = score.bca->low;
+    cell.high = score.bca->high;
+  }
+  return cell;
+}
+
+Column estimate_column(std::string name, std::string heading) {
+  return {std::move(name), std::move(heading), "", ColumnKind::estimate, 3};
+}
+
+/// The rival over which the certificate gains least; null without a rival that has a gain.
+const H1Row* strongest_rival(const H1Panel& panel, H1Score H1Row::*gain) {
+  const H1Row* strongest = nullptr;
+  for (const H1Row& row : panel.rows) {
+    const bool counts = row.kind == H1RowKind::rival && (row.*gain).value;
+    if (counts && (strongest == nullptr || *(row.*gain).value < *(strongest->*gain).value)) {
+      strongest = &row;
+    }
+  }
+  return strongest;
+}
+
+void add_rival(const H1Panel& panel,
+               H1Score H1Row::*gain,
+               std::optional<double> H1Row::*holm,
+               std::vector<TableCell>& cells) {
+  const H1Row* const rival = strongest_rival(panel, gain);
+  cells.push_back(rival != nullptr ? TableCell{rival->name} : TableCell{});
+  cells.push_back(rival != nullptr ? estimate(rival->*gain) : TableCell{});
+  cells.push_back(rival != nullptr ? p_cell(rival->*holm) : TableCell{});
+}
+
+/// Gains of the cell over the full method; NA for the full method itself.
+const H1Row* row_against(const CellScores& scores, std::size_t panel) {
+  if (!scores.against_full || panel >= scores.against_full->panels.size()) {
+    return nullptr;
+  }
+  const auto& rows = scores.against_full->panels[panel].rows;
+  return rows.size() > 1 ? &rows[1] : nullptr;
+}
+
+std::vector<TableCell> scores_row(const CellScores& scores, std::size_t at) {
+  const H1Panel& panel = scores.own.panels[at];
+  const H1Row empty;
+  const H1Row& own = panel.rows.empty() ? empty : panel.rows.front();
+  const H1Row* const against = row_against(scores, at);
+  std::vector<TableCell> cells = {std::string(to_string(panel.kind)),
+                                  integer_cell(panel.complete),
+                                  integer_cell(panel.successes),
+                                  integer_cell(panel.clusters),
+                                  integer_cell(own.missing),
+                                  estimate(own.auc),
+                                  against != nullptr ? estimate(against->auc_gain) : TableCell{},
+                                  against != nullptr ? p_cell(against->auc_p) : TableCell{}};
+  add_rival(panel, &H1Row::auc_gain, &H1Row::auc_holm, cells);
+  cells.push_back(estimate(own.c));
+  cells.push_back(against != nullptr ? estimate(against->c_gain) : TableCell{});
+  cells.push_back(against != nullptr ? p_cell(against->c_p) : TableCell{});
+  add_rival(panel, &H1Row::c_gain, &H1Row::c_holm, cells);
+  return cells;
+}
+
+TableCell share(std::size_t part, std::size_t whole) {
+  return whole == 0 ? TableCell{} : Number{static_cast<double>(part) / static_cast<double>(whole)};
+}
+
+using Json = nlohmann::json;
+
+Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+double number_of(const Json& json) { return json.is_null() ? std::nan("") : json.get<double>(); }
+
+/// A cell as [kind, values ...]; the numbers of nlohmann read back to the same bits.
+struct CellJson {
+  Json operator()(std::monostate /*missing*/) const { return Json::array(); }
+  Json operator()(const std::string& text) const { return {"text", text}; }
+  Json operator()(std::int64_t value) const { return {"integer", value}; }
+  Json operator()(const Number& n) const { return {"number", json_of(n.value), n.decimals}; }
+  Json operator()(const Estimate& e) const {
+    return {"estimate", json_of(e.value), json_of(e.low), json_of(e.high), e.decimals};
+  }
+  Json operator()(const PValue& p) const { return {"p", json_of(p.value)}; }
+};
+
+Json json_of(const std::vector<TableCell>& cells) {
+  Json list = Json::array();
+  for (const TableCell& cell : cells) {
+    list.push_back(std::visit(CellJson{}, cell));
+  }
+  return list;
+}
+
+TableCell cell_of(const Json& json) {
+  if (json.empty()) {
+    return {};
+  }
+  const auto kind = json.at(0).get<std::string>();
+  if (kind == "text") {
+    return json.at(1).get<std::string>();
+  }
+  if (kind == "integer") {
+    return json.at(1).get<std::int64_t>();
+  }
+  if (kind == "number") {
+    return Number{number_of(json.at(1)), json.at(2).get<int>()};
+  }
+  if (kind == "p") {
+    return PValue{number_of(json.at(1))};
+  }
+  return Estimate{
+      number_of(json.at(1)), number_of(json.at(2)), number_of(json.at(3)), json.at(4).get<int>()};
+}
+
+std::vector<TableCell> cells_of(const Json& json) {
+  std::vector<TableCell> cells;
+  for (const Json& cell : json) {
+    cells.push_back(cell_of(cell));
+  }
+  return cells;
+}
+
+std::vector<TableCell> named(const Cell& cell,
+                             const std::string& status,
+                             const std::vector<TableCell>& rest,
+                             const Table& table) {
+  std::vector<TableCell> cells = {cell.name, overrides_text(cell), status};
+  cells.insert(cells.end(), rest.begin(), rest.end());
+  cells.resize(table.columns.size());
+  return cells;
+}
+
+std::vector<Column> name_columns() {
+  return {text_column("cell", "cell"),
+          text_column("parameters", "parameters"),
+          text_column("status", "status")};
+}
+
+}  // namespace
+
+CellRows cell_rows(const CellScores& scores) {
+  CellRows rows;
+  for (std::size_t panel = 0; panel < scores.own.panels.size(); ++panel) {
+    rows.scores.push_back(scores_row(scores, panel));
+  }
+  const CellIssuance& count = scores.issuance;
+  rows.issuance = {integer_cell(count.successes),
+                   integer_cell(count.issued_successes),
+                   share(count.issued_successes, count.successes),
+                   integer_cell(count.failures),
+                   integer_cell(count.issued_failures),
+                   share(count.issued_failures, count.failures),
+                   integer_cell(count.spurious),
+                   integer_cell(count.spurious_failures),
+                   share(count.spurious_failures, count.spurious),
+                   integer_cell(count.lost),
+                   integer_cell(count.before_goal),
+                   integer_cell(count.falling)};
+  return rows;
+}
+
+std::string to_text(const CellRows& rows) {
+  Json json;
+  json["scores"] = Json::array();
+  for (const auto& row : rows.scores) {
+    json["scores"].push_back(json_of(row));
+  }
+  json["issuance"] = json_of(rows.issuance);
+  return json.dump();
+}
+
+CellRows cell_rows_from(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    CellRows rows;
+    for (const Json& row : json.at("scores")) {
+      rows.scores.push_back(cells_of(row));
+    }
+    rows.issuance = cells_of(json.at("issuance"));
+    return rows;
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+Table cells_table(const BatchNotes& notes) {
+  const std::string level = significant(100.0 * notes.level, kShownDigits) + " % BCa";
+  Table table;
+  table.name = "cells";
+  table.title = "H1 under each cell's parameters";
+  table.columns = name_columns();
+  table.columns.insert(table.columns.end(),
+                       {text_column("panel", "panel"),
+                        integer_column("n", "n"),
+                        integer_column("events", "successes"),
+                        integer_column("clusters", "clusters"),
+                        integer_column("missing", "missing"),
+                        estimate_column("auc", "AUC [" + level + "]"),
+                        estimate_column("auc_change", "change of AUC from full [" + level + "]"),
+                        p_column("auc_change_p", "p"),
+                        text_column("auc_rival", "strongest rival"),
+                        estimate_column("auc_gain", "gain of AUC over it [" + level + "]"),
+                        p_column("auc_gain_p_holm", "p Holm"),
+                        estimate_column("c", "C [" + level + "]"),
+                        estimate_column("c_change", "change of C from full [" + level + "]"),
+                        p_column("c_change_p", "p"),
+                        text_column("c_rival", "strongest rival"),
+                        estimate_column("c_gain", "gain of C over it [" + level + "]"),
+                        p_column("c_gain_p_holm", "p Holm")});
+  table.footnotes = {
+      "Changes are the cell minus the full method, on the trials that have both features, in the "
+      "same resamples; p by clustered DeLong and the clustered jackknife of C, not adjusted over "
+      "cells.",
+      "The strongest rival is the one over which the cell's certificate gains least, among the "
+      "cell's own contacts, dwell and bend variance; p adjusted by Holm over the six gains of the "
+      "cell.",
+      std::to_string(notes.replicates) + " resamples of whole clusters (" +
+          (notes.cluster.empty() ? std::string("each trial its own") : notes.cluster) + ")."};
+  return table;
+}
+
+Table cell_issuance_table() {
+  Table table;
+  table.name = "issuance";
+  table.title = "Certificates issued under each cell's parameters";
+  const auto share_column = [](std::string name, std::string heading) {
+    return Column{std::move(name), std::move(heading), "", ColumnKind::number, 3};
+  };
+  table.columns = name_columns();
+  table.columns.insert(table.columns.end(),
+                       {integer_column("successes", "successes"),
+                        integer_column("issued_successes", "issued"),
+                        share_column("issued_successes_share", "share"),
+                        integer_column("failures", "failures"),
+                        integer_column("issued_failures", "issued"),
+                        share_column("issued_failures_share", "share"),
+                        integer_column("spurious", "not by full"),
+                        integer_column("spurious_failures", "of those failed"),
+                        share_column("spurious_failures_share", "share"),
+                        integer_column("lost", "by full only"),
+                        integer_column("before_goal", "before G"),
+                        integer_column("falling", "T_t fell")});
+  table.footnotes = {
+      "'not by full': trials with a certificate here and none by the full method; 'before G': "
+      "issued before the robot was inside G; 'T_t fell': trials whose T_t fell at some tick, which "
+      "a lower bound never does."};
+  return table;
+}
+
+void add_cell(const Cell& cell,
+              const std::string& status,
+              const CellRows& rows,
+              Table& cells,
+              Table& issuance) {
+  if (rows.scores.empty()) {
+    cells.add_row(named(cell, status, {}, cells));
+  }
+  for (const auto& row : rows.scores) {
+    cells.add_row(named(cell, status, row, cells));
+  }
+  issuance.add_row(named(cell, status, rows.issuance, issuance));
+}
+
+}  // namespace tcert
