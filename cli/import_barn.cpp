@@ -66,9 +66,12 @@ TextTable table_of(const std::string& option, const std::string& file) {
   if (!std::filesystem::exists(file)) {
     throw NoInput("no table at '" + file + "'");
   }
-  CsvOptions csv;
-  csv.of_bundle = false;
-  TextTableResult result = read_text_table(std::filesystem::path(file), {"world"}, csv);
+  TextTableResult result = read_text_table(std::filesystem::path(file), {"world"});
+  for (Diagnostic& diagnostic : result.diagnostics) {
+    // There is no bundle.json to rename columns in.
+    const auto advice = diagnostic.expectation.find("; rename");
+    diagnostic.expectation.resize(std::min(advice, diagnostic.expectation.size()));
+  }
   say(result.diagnostics);
   if (!result.table) {
     throw BadData("'" + file + "' cannot be read");

@@ -156,12 +156,6 @@ std::string as_text(const boost::any& value) {
     return *flag ? "true" : "false";
   }
   std::string text;
-  if (const auto* list = boost::any_cast<std::vector<std::string>>(&value)) {
-    for (const std::string& one : *list) {
-      text += (text.empty() ? "" : ",") + one;
-    }
-    return text;
-  }
   if (const auto* number = boost::any_cast<double>(&value)) {
     append_number(text, *number);
   }

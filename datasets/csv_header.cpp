@@ -92,10 +92,8 @@ void report_missing(const CsvHeader& header,
                   header.line,
                   name,
                   nearest ? shortened(*nearest) : std::string{},
-                  options.of_bundle
-                      ? "a column of this name in the header; rename a foreign one under "
-                        "'columns' in bundle.json"
-                      : "a column of this name in the header",
+                  "a column of this name in the header; rename a foreign one under 'columns' in "
+                  "bundle.json",
                   1});
   }
 }

@@ -22,7 +22,6 @@ struct CsvOptions {
   bool decimal_comma = false;                 ///< Takes effect with the semicolon only.
   std::map<std::string, std::string> rename;  ///< Column name in the file -> name to use.
   std::size_t preamble_records = 20;          ///< How many lines may stand before the header.
-  bool of_bundle = true;                      ///< Advice on a missing column speaks of bundle.json.
 };
 
 struct CsvHeader {
