@@ -174,7 +174,8 @@ CertifySummary certify_trials(const OpenedBundle& opened,
 }
 
 int report(const CertifySummary& summary, const OpenedBundle& opened, const CommonOptions& common) {
-  std::string line = "Certified " + std::to_string(summary.trials) + " trials";
+  std::string line =
+      "Certified " + std::to_string(summary.trials) + (summary.trials == 1 ? " trial" : " trials");
   for (const std::string& id : summary.rejected) {
     line += (&id == &summary.rejected.front() ? "; rejected: " : ", ") + id;
   }

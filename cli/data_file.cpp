@@ -2,6 +2,7 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -14,6 +15,33 @@ namespace tcert::cli {
 namespace {
 
 constexpr std::string_view kSeedColumn = "synthetic_seed";
+
+/// "-1,5".
+bool has_decimal_comma(std::string_view cell) {
+  const std::size_t comma = cell.find(',');
+  if (comma == std::string_view::npos) {
+    return false;
+  }
+  std::string text(cell);
+  text[comma] = '.';
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && stop == text.data() + text.size();
+}
+
+void suggest_decimal_comma(const DataTable& table) {
+  for (const DataColumn& column : table.columns) {
+    const auto& levels = column.text.levels;
+    const auto found = std::find_if(levels.begin(), levels.end(), has_decimal_comma);
+    if (found != levels.end()) {
+      std::string line = "note: " + table.file;
+      line += ": column '" + column.name + "' holds texts like '" + *found;
+      line += "'; --decimal-comma reads them as numbers";
+      say(line);
+      return;
+    }
+  }
+}
 
 }  // namespace
 
@@ -43,6 +71,9 @@ DataFile read_data_file(const std::string& path,
   say(read.diagnostics);
   if (!read.table) {
     throw BadData("'" + path + "' cannot be used as a table");
+  }
+  if (!common.decimal_comma) {
+    suggest_decimal_comma(*read.table);
   }
   DataFile file;
   file.path = path;

@@ -1,24 +1,30 @@
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "analysis/trials/parameters.hpp"
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "reports/features_table.hpp"
+#include "reports/series.hpp"
 #include "reports/table.hpp"
 #include "reports/version.hpp"
 
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText = R"(Print help: of the tool, of one command, or of the parameters.
+constexpr std::string_view kText =
+    R"(Print help: of the tool, of one command or kind, of the parameters, or of the results' columns.
 
-Usage: tcert help [COMMAND | parameters]
+Usage: tcert help [COMMAND [KIND] | parameters | columns]
 
 Example:
   tcert help certify
+  tcert help fit cox
   tcert help parameters --format md > parameters.md
+  tcert help columns
 
 Cost: none.
 )";
@@ -62,7 +68,7 @@ std::string overview() {
   }
   return text +
          "\n'tcert COMMAND --help' describes one command, 'tcert help parameters' every "
-         "parameter.\n";
+         "parameter, 'tcert help columns' every column of the results.\n";
 }
 
 Table parameter_listing() {
@@ -89,11 +95,35 @@ Table parameter_listing() {
   return table;
 }
 
+Table column_listing() {
+  Table table;
+  table.name = "columns";
+  table.title = "Columns of the files that 'tcert certify' writes";
+  table.columns = {{"file", "file", "", ColumnKind::text},
+                   {"column", "column", "", ColumnKind::text},
+                   {"unit", "unit", "", ColumnKind::text},
+                   {"doc", "what", "", ColumnKind::text}};
+  const auto append = [&](const char* file, const std::vector<ColumnDoc>& columns) {
+    for (const ColumnDoc& column : columns) {
+      table.add_row({std::string(file), column.name, column.unit, column.doc});
+    }
+  };
+  append("series/<trial_id>.csv", series_columns());
+  append("features.csv", feature_column_docs());
+  append("certificates.csv", certificate_column_docs());
+  table.footnotes = {"An empty cell is a value that is not known."};
+  return table;
+}
+
 int run_help(Arguments arguments) {
   CommonOptions common;
   std::string topic;
-  CommandLine line{
-      "help", kText, uses_format, po::options_description{}, {{"COMMAND", &topic, false}}};
+  std::string kind;
+  CommandLine line{"help",
+                   kText,
+                   uses_format,
+                   po::options_description{},
+                   {{"COMMAND", &topic, false}, {"KIND", &kind, false}}};
   if (!parse(line, common, arguments)) {
     return exit_done;
   }
@@ -105,10 +135,18 @@ int run_help(Arguments arguments) {
     print(render(parameter_listing(), common.table_format()));
     return exit_done;
   }
-  std::vector<std::string> known = {"parameters"};
+  if (topic == "columns") {
+    print(render(column_listing(), common.table_format()));
+    return exit_done;
+  }
+  std::vector<std::string> known = {"parameters", "columns"};
   for (const Command* command : commands()) {
     if (command->name == topic) {
-      const std::array<std::string, 1> help = {"--help"};
+      std::vector<std::string> help;
+      if (!kind.empty()) {
+        help.push_back(kind);
+      }
+      help.emplace_back("--help");
       return command->run(help);
     }
     known.emplace_back(command->name);

@@ -43,7 +43,7 @@ h3: does gating the speed by the margin recover the lead of the camera baseline 
 successes? Every trial is replayed at each speed law and beta; rates of advance, gain, share of the
 gap, successes lost and retained, stalls, the Pareto front; by lighting.
 
-json has every number of a hypothesis; csv has its first table, or that of --table: h1, h1_time,
+text and md have the main tables, json every number; csv has the first table, or that of --table: h1, h1_time,
 h1_case_level, h1_incidence, h1_closed_form, h1_folds; h2, h2_equality, h2_pairs, h2_interaction,
 h2_closed_form, h2_covariance; h3.
 
@@ -138,6 +138,21 @@ Hypothesis hypothesis_of(const HypothesesOptions& options, const CommonOptions& 
   throw UsageError("unknown hypothesis '" + options.hypothesis + "', expected h1, h2 or h3");
 }
 
+/// What would do nothing to a table that is made already. \throws UsageError.
+void require_table_options(const CommonOptions& common) {
+  for (const std::string& name : common.given) {
+    if (name == "trials" || name == "strict" || name == "repair") {
+      throw UsageError("--" + name + " is for a bundle, not for --features");
+    }
+  }
+  if (!common.flag_parameters.empty()) {
+    throw UsageError(
+        "--set " + common.flag_parameters.front().first +
+        ": parameters are for a bundle, not for --features; the landmark of a table is "
+        "set by --landmark");
+  }
+}
+
 int run(Arguments arguments) {
   HypothesesOptions options;
   H3CommandOptions h3_options;
@@ -154,6 +169,9 @@ int run(Arguments arguments) {
   const Hypothesis hypothesis = hypothesis_of(options, common);
   if (options.bundle.empty() == options.features.empty()) {
     throw UsageError("needs either BUNDLE or --features FILE");
+  }
+  if (!options.features.empty()) {
+    require_table_options(common);
   }
   const ThreadLimit threads(common.threads);
   Study study = options.features.empty() ? study_of_bundle(options, common)

@@ -44,8 +44,8 @@ int run(Arguments arguments) {
   if (parse({"import", kText, 0, po::options_description("Options"), {{"FORMAT", &format}}},
             common,
             arguments)) {
-    throw UsageError("unknown format '" + format + "'" + did_you_mean(format, {"barn", "carmen"}) +
-                     " known: barn, carmen");
+    throw UsageError("unknown format '" + format + "', expected barn or carmen" +
+                     did_you_mean(format, {"barn", "carmen"}));
   }
   return exit_done;
 }

@@ -67,6 +67,11 @@ TextTable table_of(const std::string& option, const std::string& file) {
     throw NoInput("no table at '" + file + "'");
   }
   TextTableResult result = read_text_table(std::filesystem::path(file), {"world"});
+  for (Diagnostic& diagnostic : result.diagnostics) {
+    // There is no bundle.json to rename columns in.
+    const auto advice = diagnostic.expectation.find("; rename");
+    diagnostic.expectation.resize(std::min(advice, diagnostic.expectation.size()));
+  }
   say(result.diagnostics);
   if (!result.table) {
     throw BadData("'" + file + "' cannot be read");
@@ -136,6 +141,9 @@ int import_barn_command(Arguments arguments) {
   barn.planners = split(options.planners);
   barn.other_ports = !options.same_port;
   require_known(barn.planners, planners_of(trials));
+  if (options.same_port && planners_of(trials).empty()) {
+    throw UsageError("--same-port: the trials have no column planner");
+  }
   const BarnImportResult result =
       import_barn(trials, options.trials, metrics, options.metrics, barn);
   say(result.diagnostics);
@@ -143,7 +151,10 @@ int import_barn_command(Arguments arguments) {
     report(result.summary);
   }
   if (!result.csv) {
-    throw BadData("'" + options.trials + "' holds no trial that can be used");
+    const bool measured = result.summary.unmeasured == 0;
+    throw BadData(measured ? "'" + options.trials + "' holds no trial that can be used"
+                           : "'" + options.metrics + "' has no metrics for the worlds of '" +
+                                 options.trials + "'");
   }
   Manifest manifest;
   manifest.command = "import barn";
@@ -156,7 +167,7 @@ int import_barn_command(Arguments arguments) {
   manifest.inputs = {{name_of(options.trials), digest_file(options.trials)},
                      {name_of(options.metrics), digest_file(options.metrics)}};
   write_with_manifest(common.output, *result.csv, std::move(manifest));
-  return result.summary.bad > 0 ? exit_rejected : exit_done;
+  return has_error(result.diagnostics) ? exit_rejected : exit_done;
 }
 
 }  // namespace tcert::cli

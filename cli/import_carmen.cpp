@@ -19,8 +19,8 @@ constexpr std::string_view kText =
 
 Each FLASER record, with its corrected pose,
 becomes a tick with one range ray a beam; ODOM records are raw odometry in another frame and are only
-counted. The bundle's parameters suit scans that lie about 0.65 m apart; change them with --set when
-certifying. S is a disc round the first pose; G is where you say, and without it there is the on-policy
+counted. The bundle's parameters suit scans up to about a metre apart (of the Intel log: 0.67 m,
+the median of all steps; it is printed for every log); change them with --set when certifying. S is a disc round the first pose; G is where you say, and without it there is the on-policy
 corridor value but no certificate.
 
 Usage: tcert import carmen LOG --output DIR [options]
@@ -105,18 +105,19 @@ int import_carmen_command(Arguments arguments) {
   }
   const CarmenSummary& made = *result.summary;
   if (!common.quiet) {
-    say(fmt::format(
-        "{} scans of {} beams, {:.1f} m in {:.0f} s, {:.2f} m between scans (median), {:.2f} "
-        "m at most; {} readings clamped to {} m. Bundle: {}",
-        made.scans,
-        made.beams,
-        made.distance_m,
-        made.duration_s,
-        made.median_step_m,
-        made.longest_step_m,
-        made.clamped_readings,
-        options.carmen.reach_m,
-        common.output));
+    say(
+        fmt::format("{} scans of {} beams, {:.1f} m in {:.0f} s, {:.2f} m between scans (median of "
+                    "all steps), {:.2f} "
+                    "m at most; {} readings clamped to {} m. Bundle: {}",
+                    made.scans,
+                    made.beams,
+                    made.distance_m,
+                    made.duration_s,
+                    made.median_step_m,
+                    made.longest_step_m,
+                    made.clamped_readings,
+                    options.carmen.reach_m,
+                    common.output));
   }
   return exit_done;
 }

@@ -170,6 +170,9 @@ BundleInfo describe(const std::string& path) {
     throw NoInput("no bundle at '" + path + "'");
   }
   const bool is_json = std::filesystem::path(path).extension() == ".json";
+  if (!is_json && !BundleFiles(path).contains("bundle.json")) {
+    throw BadData("'" + path + "' holds no bundle.json: name a bundle or its bundle.json");
+  }
   BytesResult bytes = is_json ? read_file(path) : BundleFiles(path).read("bundle.json");
   if (!bytes.bytes) {
     throw BadData("'" + path + "': " + bytes.problem);

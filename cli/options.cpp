@@ -51,6 +51,8 @@ po::options_description common_description(unsigned use, CommonOptions& o) {
     add("repair",
         po::bool_switch(&o.repair),
         "drop or merge bad rows, counted, instead of rejecting their trial");
+  }
+  if ((use & (uses_logs | uses_decimal_comma)) != 0) {
     add("decimal-comma",
         po::bool_switch(&o.decimal_comma),
         "numbers like 1,5 in files whose separator is the semicolon");
@@ -206,6 +208,27 @@ std::string without_dashes(std::string name) {
   return name.substr(0, name.find('='));
 }
 
+/// "--replicates: found 'abc', expected a whole number".
+std::string invalid_value(const po::invalid_option_value& error,
+                          const po::options_description& all) {
+  const std::string option = error.get_option_name();
+  const std::string what = error.what();
+  const auto begin = what.find("('");
+  const auto end = what.find("')", begin);
+  const po::option_description* const known = all.find_nothrow(without_dashes(option), false);
+  if (begin == std::string::npos || end == std::string::npos || known == nullptr) {
+    return what;
+  }
+  const auto* const value = known->semantic().get();
+  std::string expected = "a value of another kind";
+  if (dynamic_cast<const po::typed_value<double>*>(value) != nullptr) {
+    expected = "a number";
+  } else if (dynamic_cast<const po::typed_value<std::int64_t>*>(value) != nullptr) {
+    expected = "a whole number";
+  }
+  return option + ": found '" + what.substr(begin + 2, end - begin - 2) + "', expected " + expected;
+}
+
 }  // namespace
 
 TableFormat CommonOptions::table_format() const { return *table_format_from(format); }
@@ -253,12 +276,19 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
     const auto nearest = nearest_name(name, names_of(all));
     throw UsageError("unknown option '" + error.get_option_name() + "'" +
                      (nearest ? "; did you mean '--" + *nearest + "'?" : ""));
+  } catch (const po::invalid_option_value& error) {
+    throw UsageError(invalid_value(error, all));
   } catch (const po::error& error) {
     throw UsageError(error.what());
   }
   take_positional(line, values);
   check_common(common);
   common.effective = effective_options(values, shown);
+  for (const auto& [name, value] : values) {
+    if (!value.defaulted()) {
+      common.given.push_back(name);
+    }
+  }
   return true;
 }
 

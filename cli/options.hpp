@@ -26,7 +26,8 @@ enum CommonUse : unsigned {
   uses_seed = 1U << 3U,
   uses_threads = 1U << 4U,
   uses_trials = 1U << 5U,
-  uses_logs = 1U << 6U,  ///< --repair, --strict, --decimal-comma.
+  uses_logs = 1U << 6U,           ///< --repair, --strict, --decimal-comma.
+  uses_decimal_comma = 1U << 9U,  ///< --decimal-comma alone.
 };
 
 struct CommonOptions {
@@ -40,9 +41,10 @@ struct CommonOptions {
   bool decimal_comma = false;
   bool quiet = false;
 
-  Settings file_parameters;  ///< Parameters of the config file, in its order.
-  Settings flag_parameters;  ///< Of --set and of flags, in their order.
-  Settings effective;        ///< Options that shape the result, with their values.
+  Settings file_parameters;        ///< Parameters of the config file, in its order.
+  Settings flag_parameters;        ///< Of --set and of flags, in their order.
+  std::vector<std::string> given;  ///< Names of the options that were set, by flag or file.
+  Settings effective;              ///< Options that shape the result, with their values.
 
   /// \pre the format was checked by parse().
   [[nodiscard]] TableFormat table_format() const;

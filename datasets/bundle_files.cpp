@@ -59,6 +59,8 @@ BundleFiles::BundleFiles(std::filesystem::path path) : path_(std::move(path)) {
   archive_.reset(zip_open(path_.c_str(), ZIP_RDONLY, &code));
   if (archive_) {
     prefix_ = common_prefix(archive_.get());
+  } else if (path_.filename() == kDescription) {
+    problem_ = "a file of a bundle; name the folder that it is in";
   } else {
     problem_ = zip_message(code);
   }

@@ -16,6 +16,17 @@ namespace {
 constexpr std::array<std::string_view, 6> kClockNames = {
     "time", "time_s", "t", "t_s", "timestamp", "stamp"};
 
+/// Columns that only a table of trials has: its times do not follow one another.
+constexpr std::array<std::string_view, 8> kTrialNames = {
+    "success", "status", "event", "outcome", "trial_id", "collided", "timeout", "end_reason"};
+
+/// Parts of the names of a sensor's columns.
+constexpr std::array<std::string_view, 7> kStreamParts = {
+    "x_m", "y_m", "yaw", "bend", "force", "fsr", "range"};
+
+/// In a file of unknown columns: the share of steps that may go back before its times are no clock.
+constexpr double kMostStepsBack = 0.1;
+
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   std::ranges::transform(lower, lower.begin(), [](char c) {
@@ -68,6 +79,13 @@ class CsvChecker {
     const auto is_clock = [](const ColumnCheck& column) {
       return std::ranges::find(kClockNames, lower_case(column.name)) != kClockNames.end();
     };
+    for (const ColumnCheck& column : check_.columns) {
+      const std::string name = lower_case(column.name);
+      of_trials_ = of_trials_ || std::ranges::find(kTrialNames, name) != kTrialNames.end();
+      of_stream_ = of_stream_ || std::ranges::any_of(kStreamParts, [&](std::string_view part) {
+                     return name.find(part) != std::string::npos;
+                   });
+    }
     const auto clock = std::ranges::find_if(check_.columns, is_clock);
     clock_ = static_cast<std::size_t>(clock - check_.columns.begin());
   }
@@ -114,7 +132,12 @@ class CsvChecker {
                       1});
       }
     }
-    finish_clock();
+    if (is_stream()) {
+      finish_clock();
+      for (Diagnostic& problem : clock_problems_.take()) {
+        problems.add(std::move(problem));
+      }
+    }
     return std::move(check_);
   }
 
@@ -129,7 +152,7 @@ class CsvChecker {
       column.least = column.least ? std::min(*column.least, *value) : *value;
       column.largest = column.largest ? std::max(*column.largest, *value) : *value;
       if (is_clock) {
-        take_time(column.name, *value, line, problems);
+        take_time(column.name, *value, line);
       }
     } else if (is_missing(cell)) {
       ++column.missing;
@@ -145,36 +168,43 @@ class CsvChecker {
     }
   }
 
-  void take_time(const std::string& name,
-                 double time_s,
-                 std::size_t line,
-                 DiagnosticGroups& problems) {
+  /// Its problems count if the file turns out to be a stream.
+  void take_time(const std::string& name, double time_s, std::size_t line) {
     if (last_time_s_) {
       const double step_s = time_s - *last_time_s_;
+      ++steps_;
+      steps_back_ += step_s < 0.0 ? 1U : 0U;
       if (!(step_s > 0.0)) {
-        problems.add({Severity::error,
-                      file_,
-                      line,
-                      name,
-                      number_text(time_s) + " after " + number_text(*last_time_s_),
-                      "times that increase",
-                      1});
+        clock_problems_.add({Severity::error,
+                             file_,
+                             line,
+                             name,
+                             number_text(time_s) + " after " + number_text(*last_time_s_),
+                             "times that increase",
+                             1});
       } else {
         steps_s_.push_back(step_s);
       }
       if (step_s > max_gap_s_) {
-        problems.add({Severity::warning,
-                      file_,
-                      line,
-                      name,
-                      "a gap of " + number_text(step_s) + " s",
-                      "steps of at most " + number_text(max_gap_s_) + " s",
-                      1});
+        clock_problems_.add({Severity::warning,
+                             file_,
+                             line,
+                             name,
+                             "a gap of " + number_text(step_s) + " s",
+                             "steps of at most " + number_text(max_gap_s_) + " s",
+                             1});
       }
     } else {
       first_time_s_ = time_s;
     }
     last_time_s_ = time_s;
+  }
+
+  [[nodiscard]] bool is_stream() const {
+    if (of_trials_ || of_stream_) {
+      return of_stream_;
+    }
+    return static_cast<double>(steps_back_) <= kMostStepsBack * static_cast<double>(steps_);
   }
 
   void finish_clock() {
@@ -200,7 +230,43 @@ class CsvChecker {
   double first_time_s_ = 0.0;
   std::optional<double> last_time_s_;
   std::vector<double> steps_s_;
+  std::size_t steps_ = 0;
+  std::size_t steps_back_ = 0;
+  bool of_trials_ = false;
+  bool of_stream_ = false;
+  DiagnosticGroups clock_problems_;
 };
+
+/// Bytes that no text has: a file that was cut off or overwritten.
+void find_control_bytes(std::string_view text,
+                        const std::string& file,
+                        DiagnosticGroups& problems) {
+  std::size_t line = 1;
+  std::size_t first_line = 0;
+  std::size_t count = 0;
+  unsigned first = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    line += c == '\n' ? 1U : 0U;
+    if ((byte < 0x20U && c != '\n' && c != '\r' && c != '\t') || byte == 0x7FU) {
+      first_line = count == 0 ? line : first_line;
+      first = count == 0 ? byte : first;
+      ++count;
+    }
+  }
+  if (count > 0) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    const std::string code{kDigits[first / 16U], kDigits[first % 16U]};
+    problems.add({Severity::error,
+                  file,
+                  first_line,
+                  "",
+                  count == 1 ? "a control byte 0x" + code
+                             : std::to_string(count) + " control bytes, the first 0x" + code,
+                  "text alone",
+                  1});
+  }
+}
 
 }  // namespace
 
@@ -216,6 +282,7 @@ CsvCheckResult check_csv_file(const std::filesystem::path& path, double max_gap_
     return result;
   }
   DiagnosticGroups problems;
+  find_control_bytes(file.bytes->view(), csv.file, problems);
   if (const auto header = guess_header(file.bytes->view(), csv, problems)) {
     CsvChecker checker(csv.file, *header, max_gap_s);
     std::vector<std::string> fields;

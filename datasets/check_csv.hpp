@@ -44,7 +44,8 @@ struct CsvCheck {
   std::size_t header_line = 0;  ///< 0: the file has no header.
   std::size_t rows = 0;         ///< With as many cells as the header.
   std::vector<ColumnCheck> columns;
-  std::optional<ClockCheck> clock;  ///< Empty without a clock or with fewer than two times.
+  std::optional<ClockCheck> clock;  ///< Empty without a clock, with fewer than two times, or for
+                                    ///< a table that is no stream.
 };
 
 struct CsvCheckResult {
@@ -53,9 +54,11 @@ struct CsvCheckResult {
 };
 
 /// Reads a CSV file of any dialect (.gz and .zst are expanded) and names its faults: lines before
-/// the header, rows of another length, text in a column of numbers, missing cells, times that do
-/// not increase, gaps of more than `max_gap_s`, rows that repeat the one before, constant columns
-/// (a note). Never throws on what it finds. O(size).
+/// the header, control bytes, rows of another length, text in a column of numbers, missing cells,
+/// rows that repeat the one before, constant columns (a note); in a stream also times that do not
+/// increase and gaps of more than `max_gap_s`. A stream has a sensor's columns, or neither those
+/// nor a table of trials' (success, status, ...) and times of which a tenth at most go back. Never
+/// throws on what it finds. O(size).
 [[nodiscard]] CsvCheckResult check_csv_file(const std::filesystem::path& path,
                                             double max_gap_s = 1.0,
                                             CsvOptions csv = {});

@@ -163,6 +163,7 @@ void read_numbers(const Bytes& bytes,
     for (std::size_t k = 0; k < row.size(); ++k) {
       columns[k].numbers.push_back(row[k]);
     }
+    reading.table.lines.push_back(line);
     ++reading.table.rows;
   };
   for_each_cell(header, take, end_row);

@@ -32,6 +32,7 @@ struct DataTable {
   std::vector<std::string> header;  ///< All columns of the file.
   std::vector<DataColumn> columns;  ///< Those that were wanted, in the order of the file.
   std::size_t rows = 0;
+  std::vector<std::size_t> lines;  ///< Of the file, one a row; empty if there is no file.
 
   /// Null if there is no such column.
   [[nodiscard]] const DataColumn* find(std::string_view name) const noexcept;

@@ -85,10 +85,15 @@ std::vector<std::string> metric_columns(const Source& metrics) {
 std::map<long, std::string> metrics_by_world(const Source& metrics,
                                              const std::vector<std::string>& columns) {
   std::map<long, std::string> result;
+  std::set<long> seen;
   for (std::size_t row = 0; row < metrics.rows(); ++row) {
     const std::optional<long> world = world_of(metrics.cell(row, "world"));
     if (!world) {
-      metrics.add(Severity::error, row, "world", "a whole number, 0 or more");
+      metrics.add(Severity::error, row, "world", "a whole number, 0 or more; the row is left out");
+      continue;
+    }
+    if (!seen.insert(*world).second) {
+      metrics.add(Severity::error, row, "world", "each world once; the first row counts");
       continue;
     }
     std::string cells;
@@ -101,8 +106,8 @@ std::map<long, std::string> metrics_by_world(const Source& metrics,
       }
       cells += ',' + metrics.cell(row, column);
     }
-    if (good && !result.emplace(*world, cells).second) {
-      metrics.add(Severity::error, row, "world", "each world once; the first row counts");
+    if (good) {
+      result.emplace(*world, cells);
     }
   }
   return result;

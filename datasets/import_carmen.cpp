@@ -35,11 +35,43 @@ std::string ray_name(std::size_t beam) {
   return "b" + digits;
 }
 
+CarmenSummary summarise(const CarmenLog& log) {
+  CarmenSummary summary;
+  summary.scans = log.scans();
+  summary.beams = log.beams;
+  summary.odometry_records = log.odometry_records;
+  summary.duration_s = static_cast<double>(log.time_ns.back() - log.time_ns.front()) * 1e-9;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < log.scans(); ++i) {
+    const double step = distance(log.poses[i - 1].position, log.poses[i].position);
+    const double silence = static_cast<double>(log.time_ns[i] - log.time_ns[i - 1]) * 1e-9;
+    summary.distance_m += step;
+    summary.longest_step_m = std::max(summary.longest_step_m, step);
+    summary.longest_silence_s = std::max(summary.longest_silence_s, silence);
+    steps.push_back(step);
+  }
+  if (!steps.empty()) {
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    summary.median_step_m = *middle;
+  }
+  return summary;
+}
+
+/// With centimetres.
+std::string metres(double value) {
+  const auto hundredths = static_cast<long>(std::lround(100.0 * value));
+  const std::string cents = std::to_string(hundredths % 100);
+  return std::to_string(hundredths / 100) + (cents.size() == 1 ? ".0" : ".") + cents;
+}
+
 std::string provenance(const CarmenLog& log, const std::string& source) {
   return "Imported from the CARMEN log " + source + ": " + std::to_string(log.scans()) +
          " scans with corrected poses; its " + std::to_string(log.odometry_records) +
-         " odometry records are in another frame and are not used. The parameters suit scans about "
-         "0.65 m apart: edges of 1 m hold two or three, steps up to 1.5 m do not break the path, "
+         " odometry records are in another frame and are not used. The parameters suit scans up to "
+         "about a metre apart (the median of all steps is " +
+         metres(summarise(log).median_step_m) +
+         " m here): edges of 1 m hold two or three, steps up to 1.5 m do not break the path, "
          "sides look 46 degrees off square and back over the last scan, laps merge within 0.75 m; "
          "the robot turns on the spot, and a beam's return is not a contact.";
 }
@@ -56,32 +88,6 @@ TickTable to_ticks(const CarmenLog& log, double reach_m, CarmenSummary& summary)
     ticks.readings.push_back({std::min(range, reach_m), kMissing});
   }
   return ticks;
-}
-
-CarmenSummary summarise(const CarmenLog& log) {
-  constexpr double kStanding = 0.05;
-  CarmenSummary summary;
-  summary.scans = log.scans();
-  summary.beams = log.beams;
-  summary.odometry_records = log.odometry_records;
-  summary.duration_s = static_cast<double>(log.time_ns.back() - log.time_ns.front()) * 1e-9;
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < log.scans(); ++i) {
-    const double step = distance(log.poses[i - 1].position, log.poses[i].position);
-    const double silence = static_cast<double>(log.time_ns[i] - log.time_ns[i - 1]) * 1e-9;
-    summary.distance_m += step;
-    summary.longest_step_m = std::max(summary.longest_step_m, step);
-    summary.longest_silence_s = std::max(summary.longest_silence_s, silence);
-    if (step > kStanding) {
-      steps.push_back(step);
-    }
-  }
-  if (!steps.empty()) {
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    summary.median_step_m = *middle;
-  }
-  return summary;
 }
 
 void write_bundle(const std::filesystem::path& output,

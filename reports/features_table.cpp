@@ -24,8 +24,73 @@ TableCell text_or_missing(std::string_view text) {
   return text.empty() ? TableCell{} : TableCell{std::string(text)};
 }
 
+struct Described {
+  Column column;
+  std::string_view doc;
+};
+
 Column text_column(std::string name, std::string heading) {
   return {std::move(name), std::move(heading), "", ColumnKind::text};
+}
+
+Column integer_column(std::string name, std::string heading) {
+  return {std::move(name), std::move(heading), "", ColumnKind::integer};
+}
+
+Column number_column(std::string name, std::string heading, std::string unit, int decimals) {
+  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
+}
+
+/// Of the trial's row in trials.csv.
+std::vector<Described> trial_columns() {
+  return {{text_column("trial_id", "trial"), "name of the trial, as in trials.csv"},
+          {text_column("algorithm", "algorithm"), "what controlled the robot"},
+          {text_column("lighting", "lighting"), "as in trials.csv"},
+          {text_column("day", "day"), "trials of one day share a cluster"},
+          {text_column("batch", "batch"), "as in trials.csv"},
+          {integer_column("success", "success"), "1 if the trial succeeded, 0 if it failed"},
+          {number_column("time_s", "time", "s", 1), "to egress, or to the end of a failed trial"},
+          {number_column("distance_m", "distance", "m", 2), "driven, as in trials.csv"},
+          {text_column("end_reason", "end"), "how the trial ended"}};
+}
+
+/// Of its control samples.
+std::vector<Described> control_columns() {
+  return {{number_column("median_speed_cmd_mps", "commanded speed", "m/s", 3),
+           "median of the speed commands"},
+          {number_column("median_loop_latency_ms", "latency", "ms", 3),
+           "median of the control loop's latency"}};
+}
+
+std::vector<Described> certificate_columns() {
+  return {{text_column("trial_id", "trial"), "name of the trial, as in trials.csv"},
+          {integer_column("success", "success"), "1 if the trial succeeded, 0 if it failed"},
+          {integer_column("issued", "issued"), "1 if a certificate was issued, else 0"},
+          {number_column("issued_s", "issued at", "s", 1),
+           "when it was issued, seconds since the first tick"},
+          {number_column("certificate_m", "T_t", "m", 3),
+           "bottleneck margin of the widest path from S to G at the last tick"},
+          {number_column("corridor_value_m", "V_t", "m", 3),
+           "bottleneck margin of the widest path from S to the last node"},
+          {integer_column("bottleneck_edge", "bottleneck edge"),
+           "number of the edge that decides the certificate"},
+          {number_column("bottleneck_x_m", "x", "m", 2), "pose of the bottleneck"},
+          {number_column("bottleneck_y_m", "y", "m", 2), "the same"},
+          {number_column("bottleneck_yaw_rad", "yaw", "rad", 2), "the same"},
+          {number_column("bottleneck_margin_m", "margin", "m", 3), "margin there"},
+          {number_column("bottleneck_width_m", "width", "m", 3), "width there"},
+          {number_column("bottleneck_turn_radius_m", "turn radius", "m", 2), "turn radius there"},
+          {integer_column("ticks", "ticks"), "of the log"},
+          {integer_column("nodes", "nodes"), "of the graph at the end"},
+          {integer_column("edges", "edges"), "of the graph at the end"},
+          {text_column("flags", "flags"), "every flag that any tick had, + between"},
+          {text_column("log_sha256", "SHA-256 of the log"), "digest of the log's files"}};
+}
+
+void append_docs(const std::vector<Described>& columns, std::vector<ColumnDoc>& docs) {
+  for (const Described& one : columns) {
+    docs.push_back({one.column.name, one.column.unit, std::string(one.doc)});
+  }
 }
 
 }  // namespace
@@ -39,21 +104,16 @@ Table features_table(const Bundle& bundle) {
   table.name = "features";
   table.title = "Features of each trial";
   table.synthetic = synthetic_label(bundle.info);
-  table.columns = {text_column("trial_id", "trial"),
-                   text_column("algorithm", "algorithm"),
-                   text_column("lighting", "lighting"),
-                   text_column("day", "day"),
-                   text_column("batch", "batch"),
-                   {"success", "success", "", ColumnKind::integer},
-                   {"time_s", "time", "s", ColumnKind::number, 1},
-                   {"distance_m", "distance", "m", ColumnKind::number, 2},
-                   text_column("end_reason", "end")};
+  for (const Described& one : trial_columns()) {
+    table.columns.push_back(one.column);
+  }
   for (const FeatureColumn& column : feature_columns()) {
     const std::string name(column.name);
     table.columns.push_back({name, name, std::string(column.unit), ColumnKind::number});
   }
-  table.columns.push_back({"median_speed_cmd_mps", "commanded speed", "m/s", ColumnKind::number});
-  table.columns.push_back({"median_loop_latency_ms", "latency", "ms", ColumnKind::number});
+  for (const Described& one : control_columns()) {
+    table.columns.push_back(one.column);
+  }
   for (const std::string& name : bundle.extra_columns) {
     // A column of the log that is called like a feature must not shadow it.
     const bool taken = std::any_of(table.columns.begin(), table.columns.end(), [&](const auto& c) {
@@ -91,32 +151,30 @@ Table certificates_table(const Bundle& bundle) {
   table.name = "certificates";
   table.title = "Certificate of each trial";
   table.synthetic = synthetic_label(bundle.info);
-  const auto number = [](std::string name, std::string heading, std::string unit, int decimals) {
-    return Column{
-        std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
-  };
-  const auto integer = [](std::string name, std::string heading) {
-    return Column{std::move(name), std::move(heading), "", ColumnKind::integer};
-  };
-  table.columns = {text_column("trial_id", "trial"),
-                   integer("success", "success"),
-                   integer("issued", "issued"),
-                   number("issued_s", "issued at", "s", 1),
-                   number("certificate_m", "T_t", "m", 3),
-                   number("corridor_value_m", "V_t", "m", 3),
-                   integer("bottleneck_edge", "bottleneck edge"),
-                   number("bottleneck_x_m", "x", "m", 2),
-                   number("bottleneck_y_m", "y", "m", 2),
-                   number("bottleneck_yaw_rad", "yaw", "rad", 2),
-                   number("bottleneck_margin_m", "margin", "m", 3),
-                   number("bottleneck_width_m", "width", "m", 3),
-                   number("bottleneck_turn_radius_m", "turn radius", "m", 2),
-                   integer("ticks", "ticks"),
-                   integer("nodes", "nodes"),
-                   integer("edges", "edges"),
-                   text_column("flags", "flags"),
-                   text_column("log_sha256", "SHA-256 of the log")};
+  for (const Described& one : certificate_columns()) {
+    table.columns.push_back(one.column);
+  }
   return table;
+}
+
+std::vector<ColumnDoc> feature_column_docs() {
+  std::vector<ColumnDoc> docs;
+  append_docs(trial_columns(), docs);
+  for (const FeatureColumn& column : feature_columns()) {
+    docs.push_back(
+        {std::string(column.name), std::string(column.unit), std::string(column.meaning)});
+  }
+  append_docs(control_columns(), docs);
+  docs.push_back({"...", "", "further columns of trials.csv, as they are"});
+  docs.push_back({"synthetic_seed", "", "seed of synthetic data; not in real data"});
+  return docs;
+}
+
+std::vector<ColumnDoc> certificate_column_docs() {
+  std::vector<ColumnDoc> docs;
+  append_docs(certificate_columns(), docs);
+  docs.push_back({"synthetic_seed", "", "seed of synthetic data; not in real data"});
+  return docs;
 }
 
 std::vector<TableCell> certificates_row(const StudiedTrial& trial, const std::string& log_sha256) {

@@ -8,6 +8,7 @@
 #include "analysis/trials/study.hpp"
 #include "analysis/trials/study_tables.hpp"
 #include "datasets/bundle.hpp"
+#include "reports/column_doc.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -19,6 +20,10 @@ namespace tcert {
 /// of its control samples, then the extra columns of the bundle as text.
 [[nodiscard]] Table features_table(const Bundle& bundle);
 [[nodiscard]] std::vector<TableCell> features_row(const TrialRecord& trial);
+
+/// What the columns of the two tables mean, in their order.
+[[nodiscard]] std::vector<ColumnDoc> feature_column_docs();
+[[nodiscard]] std::vector<ColumnDoc> certificate_column_docs();
 
 /// Columns of the certificate table, no rows: where and when each certificate was issued, what
 /// decides it, and the digest of the log that it was made from.

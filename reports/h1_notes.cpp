@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/h1_table.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -37,11 +38,11 @@ std::string model_note() {
 void add_conditions(const H1Table& h1, std::vector<std::string>& notes) {
   for (const H1Panel& panel : h1.panels) {
     for (const Condition& condition : panel.conditions) {
-      notes.push_back(std::string(to_string(panel.kind)) + " panel: " + to_string(condition) + ".");
+      notes.push_back(panel_name(h1, panel) + " panel: " + to_string(condition) + ".");
     }
     for (const H1Row& row : panel.rows) {
       for (const Condition& condition : row.conditions) {
-        notes.push_back(std::string(to_string(panel.kind)) + " panel, " + row.name + ": " +
+        notes.push_back(panel_name(h1, panel) + " panel, " + row.name + ": " +
                         to_string(condition) + ".");
       }
     }
@@ -50,10 +51,11 @@ void add_conditions(const H1Table& h1, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::string h1_panel_note(const H1Options& options, const H1Panel& panel) {
+std::string h1_panel_note(const H1Options& options, const H1Panel& panel, bool only) {
   std::string note;
   if (panel.kind == H1PanelKind::paper) {
-    note = "Paper panel: features as they are, " + std::to_string(panel.trials) + " trials";
+    note = std::string(only ? "Table" : "Paper panel") + ": features as they are, " +
+           std::to_string(panel.trials) + " trials";
     if (panel.ended_in_window && panel.failures_ended_in_window) {
       note += "; " + std::to_string(*panel.ended_in_window) + " of them end inside their window (" +
               std::to_string(*panel.failures_ended_in_window) +
@@ -79,7 +81,7 @@ std::string h1_panel_note(const H1Options& options, const H1Panel& panel) {
 std::vector<std::string> h1_success_notes(const H1Table& h1) {
   std::vector<std::string> notes;
   for (const H1Panel& panel : h1.panels) {
-    notes.push_back(h1_panel_note(h1.options, panel));
+    notes.push_back(h1_panel_note(h1.options, panel, h1.panels.size() == 1));
   }
   notes.push_back(cluster_note(h1));
   notes.push_back(
@@ -118,7 +120,7 @@ std::vector<std::string> h1_time_notes(const H1Table& h1) {
   std::string limits;
   for (const H1Panel& panel : h1.panels) {
     limits += (limits.empty() ? "" : ", ") + significant(panel.limit_s, 6) + " s (" +
-              std::string(to_string(panel.kind)) + ")";
+              panel_name(h1, panel) + ")";
   }
   return {
       "C: Pr(the better value goes with earlier egress), Harrell's, failures censored when they "

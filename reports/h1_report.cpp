@@ -8,8 +8,6 @@
 namespace tcert {
 namespace {
 
-std::string panel_name(const H1Panel& panel) { return std::string(to_string(panel.kind)); }
-
 Table case_level_table(const H1Table& h1) {
   Table table;
   table.name = "h1_case_level";
@@ -28,7 +26,7 @@ Table case_level_table(const H1Table& h1) {
                    p_column("c_gain_p", "p of gain")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1CaseRow& row : panel.case_level) {
-      table.add_row({panel_name(panel),
+      table.add_row({panel_name(h1, panel),
                      row.name,
                      number_cell(row.auc.value),
                      number_cell(row.auc.std_error),
@@ -68,7 +66,7 @@ Table closed_form_table(const H1Table& h1) {
                    p_column("hr_stratified_p", "p of HR, stratified")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
-      table.add_row({panel_name(panel),
+      table.add_row({panel_name(h1, panel),
                      row.name,
                      number_cell(row.auc.std_error),
                      low_cell(row.auc.closed_form),
@@ -95,7 +93,7 @@ Table fold_table(const H1Table& h1) {
                    integer_column("fold", "fold")};
   for (const H1Panel& panel : h1.panels) {
     for (const auto& [cluster, fold] : panel.folds) {
-      table.add_row({panel_name(panel), cluster, integer_cell(fold)});
+      table.add_row({panel_name(h1, panel), cluster, integer_cell(fold)});
     }
   }
   return table;
@@ -129,12 +127,12 @@ void add_incidence_tables(const H1Table& h1, FitReport& report) {
     options.limit = h1.options.limit_s;
     FitReport part;
     add_incidence(panel.incidence, options, part);
-    shown.emplace_back(panel_name(panel), part.tables.front());
-    all.emplace_back(panel_name(panel), part.details.front());
+    shown.emplace_back(panel_name(h1, panel), part.tables.front());
+    all.emplace_back(panel_name(h1, panel), part.details.front());
   }
   if (!shown.empty()) {
-    report.tables.push_back(with_panel(shown, "h1_incidence"));
-    report.tables.back().title =
+    report.details.push_back(with_panel(shown, "h1_incidence"));
+    report.details.back().title =
         "Cumulative incidence by quartile of the predictor (Q1 lowest), Aalen-Johansen";
     report.details.push_back(with_panel(all, "h1_incidence_curve"));
   }
@@ -145,6 +143,10 @@ void add_incidence_tables(const H1Table& h1, FitReport& report) {
 FitReport h1_report(const H1Table& h1) {
   FitReport report;
   report.model = "h1";
+  const bool has_landmark =
+      std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
+        return panel.kind == H1PanelKind::landmark;
+      });
   Record summary("summary", "Options");
   summary.integer("trials", "trials", h1.trials)
       .integer("outcome_missing", "without outcome", h1.outcome_missing)
@@ -153,13 +155,16 @@ FitReport h1_report(const H1Table& h1) {
       .text("time", "time", h1.options.time)
       .text("cluster", "cluster", h1.options.cluster)
       .text("strata", "strata", h1.options.strata)
-      .number("landmark_s", "landmark [s]", h1.options.landmark_s)
+      .number("landmark_s",
+              "landmark [s]",
+              has_landmark ? std::optional(h1.options.landmark_s) : std::nullopt)
       .number("level", "level", h1.options.level)
       .integer("replicates", "replicates", h1.options.replicates)
       .integer("folds", "folds", h1.options.folds)
       .integer("seed", "seed", h1.options.seed);
   report.summary = std::move(summary).table();
-  report.tables = {h1_success_table(h1), h1_time_table(h1), case_level_table(h1)};
+  report.tables = {h1_success_table(h1), h1_time_table(h1)};
+  report.details.push_back(case_level_table(h1));
   add_incidence_tables(h1, report);
   report.details.push_back(closed_form_table(h1));
   report.details.push_back(fold_table(h1));

@@ -48,7 +48,7 @@ Table tc_early_table(const H1Table& h1) {
                    {"negative_share", "share below 0", "", ColumnKind::number, 3}};
   for (const H1Panel& panel : h1.panels) {
     for (const TcDistribution& one : panel.distribution) {
-      table.add_row({std::string(to_string(panel.kind)),
+      table.add_row({panel_name(h1, panel),
                      outcome(one.success),
                      integer_cell(one.trials),
                      number_cell(one.p10),

@@ -1,5 +1,6 @@
 #include "reports/h1_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -56,10 +57,34 @@ std::string level_text(const H1Table& h1) {
 
 }  // namespace
 
+std::string panel_name(const H1Table& h1, const H1Panel& panel) {
+  const bool alone = h1.panels.size() == 1 && panel.kind == H1PanelKind::paper;
+  return alone ? "table" : std::string(to_string(panel.kind));
+}
+
+std::string h1_subject(const H1Table& h1) {
+  const std::vector<H1Predictor>& predictors = h1.options.predictors;
+  const std::vector<H1Predictor> known = paper_predictors();
+  const bool papers =
+      std::equal(predictors.begin(),
+                 predictors.end(),
+                 known.begin(),
+                 known.end(),
+                 [](const H1Predictor& a, const H1Predictor& b) { return a.column == b.column; });
+  if (papers) {
+    return "early certificate margin against contact heuristics";
+  }
+  std::string text = predictors.front().column;
+  for (std::size_t i = 1; i < predictors.size(); ++i) {
+    text += (i == 1 ? " against " : ", ") + predictors[i].column;
+  }
+  return text;
+}
+
 Table h1_success_table(const H1Table& h1) {
   Table table;
   table.name = "h1";
-  table.title = "H1, success: early certificate margin against contact heuristics";
+  table.title = "H1, success: " + h1_subject(h1);
   table.n = static_cast<std::int64_t>(h1.trials);
   table.columns = {text_column("panel", "panel"),
                    text_column("predictor", "predictor"),
@@ -75,7 +100,7 @@ Table h1_success_table(const H1Table& h1) {
                    plain_column("auc_out_of_fold", "out of fold")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
-      table.add_row({std::string(to_string(panel.kind)),
+      table.add_row({panel_name(h1, panel),
                      row.name,
                      better_if(row),
                      integer_cell(panel.complete),
@@ -96,7 +121,7 @@ Table h1_success_table(const H1Table& h1) {
 Table h1_time_table(const H1Table& h1) {
   Table table;
   table.name = "h1_time";
-  table.title = "H1, time to egress: early certificate margin against contact heuristics";
+  table.title = "H1, time to egress: " + h1_subject(h1);
   table.n = static_cast<std::int64_t>(h1.trials);
   table.columns = {text_column("panel", "panel"),
                    text_column("predictor", "predictor"),
@@ -112,7 +137,7 @@ Table h1_time_table(const H1Table& h1) {
   table.columns.back().significant = kShownDigits;
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
-      table.add_row({std::string(to_string(panel.kind)),
+      table.add_row({panel_name(h1, panel),
                      row.name,
                      estimate(row.c),
                      estimate(row.c_gain),

@@ -14,8 +14,15 @@ namespace tcert {
 /// Time: C likewise, and hazard ratios of egress.
 [[nodiscard]] Table h1_time_table(const H1Table& h1);
 
-/// All of H1 as a document: the two tables above, the case-level figures, incidence by quartile,
-/// closed-form standard errors and folds.
+/// "paper" or "landmark"; "table" if there is one panel only, for which the features are as they
+/// are.
+[[nodiscard]] std::string panel_name(const H1Table& h1, const H1Panel& panel);
+
+/// "early certificate margin against contact heuristics"; other predictors by their columns.
+[[nodiscard]] std::string h1_subject(const H1Table& h1);
+
+/// All of H1 as a document: the two tables above; as details the case-level figures, incidence by
+/// quartile, closed-form standard errors and folds.
 [[nodiscard]] FitReport h1_report(const H1Table& h1);
 
 /// Certificates issued, by outcome.

@@ -43,7 +43,7 @@ std::vector<std::string> h2_level_notes(const H2Table& h2) {
   std::string limits;
   std::string sds;
   for (const H2Panel& panel : h2.panels) {
-    notes.push_back(h1_panel_note(options, panel.trials));
+    notes.push_back(h1_panel_note(options, panel.trials, h2.panels.size() == 1));
     if (panel.missing > 0) {
       notes.push_back(panel.predictor + " is missing in " + std::to_string(panel.missing) +
                       " trials of the " + panel_name(panel) + " panel.");

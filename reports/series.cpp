@@ -21,10 +21,39 @@ constexpr std::array<std::pair<TickFlag, std::string_view>, 7> kFlagWords = {{
     {flag_goal_reached, "goal_reached"},
 }};
 
-constexpr std::string_view kColumns =
-    "time_s,x_m,y_m,yaw_rad,travel_m,left_m,right_m,width_m,turn_radius_m,margin_m,edge_margin_m,"
-    "memory,corridor_value_m,certificate_m,series_m,speed_law_mps,contacts,new_contacts,nodes,"
-    "edges,flags,issued";
+struct SeriesColumn {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view doc;
+};
+
+constexpr auto kColumns = std::to_array<SeriesColumn>({
+    {"time_s", "s", "since the first tick of the trial"},
+    {"x_m", "m", "pose, in the frame of the log"},
+    {"y_m", "m", "the same"},
+    {"yaw_rad", "rad", "the same"},
+    {"travel_m", "m", "signed way along the body axis, standing noise left out"},
+    {"left_m", "m", "free distance that the rays prove on the left of the path"},
+    {"right_m", "m", "the same on the right"},
+    {"width_m", "m", "w_t: left and right together"},
+    {"turn_radius_m", "m", "rho_t: radius of the path's curvature"},
+    {"margin_m", "m", "m_t: the tick's margin, by width and turn radius"},
+    {"edge_margin_m", "m", "least margin of the graph's edge that is being driven"},
+    {"memory", "", "contact memory, 0 to 1"},
+    {"corridor_value_m", "m", "V_t: bottleneck of the widest path from S to the present node"},
+    {"certificate_m", "m", "T_t: bottleneck of the widest path from S to G; empty without one"},
+    {"series_m", "m", "T_t where it is issued, before that V_t"},
+    {"speed_law_mps", "m/s", "speed that the law allows at the margin"},
+    {"contacts", "", "rays in contact at the tick"},
+    {"new_contacts", "", "of them those that were free at the tick before"},
+    {"nodes", "", "of the graph so far"},
+    {"edges", "", "of the graph so far"},
+    {"flags",
+     "",
+     "words with + between: stale, bad_input, missing_ray, break, capacity_exceeded, "
+     "start_outside, goal_reached"},
+    {"issued", "", "1 once a certificate is issued, else 0"},
+});
 
 constexpr std::string_view kGuardColumns =
     ",gated_speed_mps,yaw_rate_cmd_rps,tracking_error_m,robust_margin_m,force_n,force_limit_n,"
@@ -64,8 +93,22 @@ double gated(const SpeedLaw& law, double margin_m) {
 
 }  // namespace
 
+std::vector<ColumnDoc> series_columns() {
+  std::vector<ColumnDoc> columns;
+  for (const SeriesColumn& one : kColumns) {
+    columns.push_back({std::string(one.name), std::string(one.unit), std::string(one.doc)});
+  }
+  columns.push_back({"<ray>_margin_m", "m", "margin of each ray, with --ray-margins"});
+  columns.push_back({"synthetic_seed", "", "seed of synthetic data; not in real data"});
+  return columns;
+}
+
 std::string series_header(const SeriesFormat& format, const Robot& robot) {
-  std::string header(kColumns);
+  std::string header;
+  for (const SeriesColumn& column : kColumns) {
+    header += header.empty() ? "" : ",";
+    header += column.name;
+  }
   if (format.ray_margins) {
     for (const Ray& ray : robot.rays) {
       header += ',';

@@ -10,7 +10,9 @@
 #include <tcert/robot.hpp>
 #include <tcert/speed_law.hpp>
 #include <tcert/tick.hpp>
+#include <vector>
 
+#include "reports/column_doc.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -21,6 +23,9 @@ struct SeriesFormat {
   std::optional<SyntheticLabel> synthetic;  ///< A last column `synthetic_seed`.
   bool guards = false;                      ///< Seven more columns: the command and the guards.
 };
+
+/// The columns of every series, in order, and those of `ray_margins` and `synthetic` after them.
+[[nodiscard]] std::vector<ColumnDoc> series_columns();
 
 /// Header, ended by a newline.
 [[nodiscard]] std::string series_header(const SeriesFormat& format, const Robot& robot);

@@ -49,7 +49,7 @@ predictors_of <- function(arguments) {
 
 expected_panels <- function(arguments, table, predictors) {
   own <- all(predictors$landmark != predictors$column & predictors$landmark %in% names(table))
-  c("paper", if (own || !is.null(option_of(arguments, "--landmark"))) "landmark")
+  if (own || !is.null(option_of(arguments, "--landmark"))) c("paper", "landmark") else "table"
 }
 
 # ---- The trials of a panel -------------------------------------------------------------------
@@ -61,7 +61,7 @@ column_or_na <- function(table, name) {
 # Trials that are over when the window closes, or stand still then, are not at risk after it.
 counts_in <- function(panel, table, options) {
   known <- !is.na(table[[options$success]])
-  if (panel == "paper") return(known)
+  if (panel != "landmark") return(known)
   log_end <- column_or_na(table, "end_s")
   time <- column_or_na(table, options$time)
   end <- ifelse(is.na(time), log_end, time)
@@ -79,7 +79,7 @@ complete_rows <- function(table, columns, options) {
 
 #' A panel: columns of its complete trials. `x` has every predictor turned so that larger is better.
 panel_of <- function(panel, table, predictors, options, limit) {
-  columns <- if (panel == "paper") predictors$column else predictors$landmark
+  columns <- if (panel == "landmark") predictors$landmark else predictors$column
   trials <- table[counts_in(panel, table, options), , drop = FALSE]
   rows <- trials[complete_rows(trials, columns, options), , drop = FALSE]
   raw <- as.matrix(rows[columns])

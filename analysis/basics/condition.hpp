@@ -21,7 +21,8 @@ enum class ConditionKind : std::uint8_t {
   not_binary,         ///< An outcome or status that is neither 0 nor 1.
   time_not_positive,  ///< A survival time that is not above 0.
   start_not_before_stop,
-  bad_weight,  ///< Negative, or fractional where a count is needed.
+  text_outcome,  ///< An outcome of two texts, coded 0 and 1 by byte order.
+  bad_weight,    ///< Negative, or fractional where a count is needed.
   // The outcome and the groups.
   one_class,   ///< All rows have the same outcome.
   rare_class,  ///< A class of a single row: an estimate, but no variance.
@@ -45,6 +46,8 @@ enum class ConditionKind : std::uint8_t {
   all_tied,             ///< The predictor is constant: 0.5, which says nothing.
   separated,            ///< AUC or C is 0 or 1: its variance 0 is misleading.
   same_ranking,         ///< Paired: both predictors rank every pair alike.
+  no_weighted_test,     ///< Log-rank: there is none with case weights.
+  no_such_event,        ///< Competing risks: a named cause that no event has.
   zero_variance,        ///< A difference that is not 0, without variance: no test.
   no_comparable_pairs,  ///< C: no pair of rows can be compared.
   not_proportional,     ///< Cox: the test of proportional hazards rejects.

@@ -217,6 +217,7 @@ ConcordanceResult concordance(const SurvivalOutcome& outcome,
   ConcordanceResult result;
   result.missing = columns.missing();
   result.rows = columns.rows();
+  result.n = columns.outcome().rows();
   const std::size_t strata = options.strata == nullptr ? 1 : options.strata->levels.size();
   const std::size_t clusters = options.cluster == nullptr ? 0 : options.cluster->levels.size();
   const auto& events = columns.outcome().event;

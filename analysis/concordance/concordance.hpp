@@ -67,6 +67,7 @@ struct ConcordanceDifference {
 };
 
 struct ConcordanceResult {
+  std::size_t n = 0;              ///< Complete rows.
   std::size_t events = 0;         ///< Among the complete rows.
   std::size_t clusters = 0;       ///< Among the complete rows; 0 if there is no cluster.
   std::vector<std::size_t> rows;  ///< Those with every predictor known; empty if all are.

@@ -319,6 +319,7 @@ LogisticFit fit_logistic(const LogisticInput& input, const LogisticOptions& opti
   }
   const Eigen::Index columns = input.design.cols();
   fit.covariance = Eigen::MatrixXd::Constant(columns, columns, kNan);
+  fit.rows = static_cast<std::size_t>(input.design.rows());
   if (has_error(fit.conditions)) {
     return fit;
   }

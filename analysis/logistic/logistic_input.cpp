@@ -2,6 +2,8 @@
 #include <string>
 
 #include "analysis/logistic/logistic.hpp"
+#include "analysis/model/frame_checks.hpp"
+#include "datasets/csv_write.hpp"
 
 namespace tcert {
 namespace {
@@ -14,15 +16,12 @@ std::optional<Condition> first_not_binary(const ModelFrame& frame,
                                           const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] != 0.0 && values[i] != 1.0) {
-      std::string found = std::to_string(values[i]);
-      found.erase(found.find_last_not_of('0') + 1);
-      if (!found.empty() && found.back() == '.') {
-        found.pop_back();
-      }
+      std::string found;
+      append_number(found, values[i]);
       return Condition{ConditionKind::not_binary,
                        ConditionSeverity::error,
                        frame.response,
-                       "found " + found + " in row " + std::to_string(frame.rows[i] + 1)};
+                       "found " + found + " in " + place_of(frame, i)};
     }
   }
   return std::nullopt;

@@ -126,6 +126,9 @@ class Parser {
     while (at_ < text_.size() && (starts_name(text_[at_]) || is_digit(text_[at_]))) {
       name += text_[at_++];
     }
+    if (name == ".") {
+      fail("'.' is not known here, name the columns: y ~ a + b; found");
+    }
     if (peek() == '(') {
       return {Expression::Kind::call, 0.0, name, arguments()};
     }

@@ -5,6 +5,15 @@
 #include "datasets/csv_write.hpp"
 
 namespace tcert {
+
+std::string place_of(const ModelFrame& frame, std::size_t i) {
+  std::string place = "row " + std::to_string(frame.rows[i] + 1);
+  if (i < frame.lines.size()) {
+    place += " (line " + std::to_string(frame.lines[i]) + ")";
+  }
+  return place;
+}
+
 namespace {
 
 /// Adds an error if `is_bad(i)` holds for some row; `found(i)` says what stands there.
@@ -24,7 +33,7 @@ void check_rows(ModelFrame& frame,
   if (bad == 0) {
     return;
   }
-  std::string detail = "found " + found(first) + " in row " + std::to_string(frame.rows[first] + 1);
+  std::string detail = "found " + found(first) + " in " + place_of(frame, first);
   if (bad > 1) {
     detail += " (and " + std::to_string(bad - 1) + " more)";
   }
@@ -58,7 +67,10 @@ void add_missing_conditions(ModelFrame& frame) {
                                     ")"});
   }
   if (frame.size() == 0) {
-    frame.conditions.push_back({ConditionKind::no_rows, ConditionSeverity::error, "", ""});
+    frame.conditions.push_back({ConditionKind::no_rows,
+                                ConditionSeverity::error,
+                                "",
+                                frame.dropped == 0 ? "the table has a header and no rows" : ""});
   }
 }
 

@@ -2,6 +2,7 @@
 /// \file
 /// What a model frame says about its rows. Internal to model_frame.cpp.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace tcert {
 
 /// A note of the rows left out, or an error if none is left.
 void add_missing_conditions(ModelFrame& frame);
+
+/// Where row `i` of the frame stands: "row 4 (line 5)", of the table and of its file.
+[[nodiscard]] std::string place_of(const ModelFrame& frame, std::size_t i);
 
 /// Errors in `frame.conditions`, with the first row (of the table, counted from 1) and how many.
 void check_finite(const std::vector<double>& values, const std::string& column, ModelFrame& frame);

@@ -223,6 +223,9 @@ class FrameBuilder {
     for (std::size_t row = 0; row < table_.rows; ++row) {
       if (complete[row]) {
         frame_.rows.push_back(row);
+        if (!table_.lines.empty()) {
+          frame_.lines.push_back(table_.lines[row]);
+        }
       }
     }
     frame_.dropped = table_.rows - frame_.rows.size();
@@ -275,6 +278,9 @@ class FrameBuilder {
       check_counts(frame_);
     } else {
       NumberOutcome numbers{kept_outcome(outcome_[0])};
+      if (outcome_[0].value.kind == Variable::Kind::factor) {
+        frame_.outcome_levels = on_rows(outcome_[0].value.factor, frame_.rows).levels;
+      }
       check_finite(numbers.values, frame_.response, frame_);
       frame_.outcome = std::move(numbers);
     }

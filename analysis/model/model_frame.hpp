@@ -57,6 +57,7 @@ struct ModelFrame {
   std::string formula;
   std::string response;  ///< As R prints it: "Surv(time, status == 2)".
   std::variant<NumberOutcome, CountOutcome, SurvivalOutcome> outcome;
+  std::vector<std::string> outcome_levels;  ///< Of a text outcome: what is 0, then what is 1.
 
   Eigen::MatrixXd design;            ///< rows x columns; the intercept first if there is one.
   std::vector<std::string> columns;  ///< R's names: "(Intercept)", "lightingdim", "x1:lightingdim".
@@ -70,8 +71,9 @@ struct ModelFrame {
   std::optional<Factor> cluster;
   std::vector<RandomEffects> random_effects;  ///< One a random term of the formula.
 
-  std::vector<std::size_t> rows;  ///< Of the table, 0-based, those that are complete.
-  std::size_t dropped = 0;        ///< Rows left out.
+  std::vector<std::size_t> rows;   ///< Of the table, 0-based, those that are complete.
+  std::vector<std::size_t> lines;  ///< Of the file, one of each row; empty if it is not known.
+  std::size_t dropped = 0;         ///< Rows left out.
   std::vector<std::pair<std::string, std::size_t>> missing;  ///< Per variable: rows without it.
   Conditions conditions;  ///< Of the rows: missing, infinite, times, weights. An error leaves the
                           ///< frame without meaning.

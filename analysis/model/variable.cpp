@@ -206,6 +206,12 @@ class Evaluation {
               {},
               crossed({factor(call.arguments[0]).factor, factor(call.arguments[1]).factor}, ":")};
     }
+    if (find_by(kFunctions, call.name) != nullptr || call.name == "scale" ||
+        call.name == "factor") {
+      throw FormulaError("'" + to_string(call) + "': " + call.name +
+                         "() takes one argument, found " + std::to_string(call.arguments.size()) +
+                         (call.name == "log" ? "; log2(x), log10(x) or log(x) / log(b)" : ""));
+    }
     throw FormulaError("'" + to_string(call) +
                        "' is not known here; known: log, log2, log10, log1p, exp, sqrt, abs, I, "
                        "scale, factor, as.numeric and arithmetic");
@@ -278,11 +284,34 @@ class Evaluation {
     return result;
   }
 
+  /// An unquoted word that is no column but a level of the other side lacks its quotes.
+  void require_known_word(const Expression& call,
+                          const Expression& left,
+                          const Expression& right) const {
+    if (left.kind != Expression::Kind::column || right.kind != Expression::Kind::column ||
+        table_.find(right.name) != nullptr) {
+      return;
+    }
+    const DataColumn* const subject = table_.find(left.name);
+    if (subject == nullptr || !subject->is_text) {
+      return;
+    }
+    const auto& levels = subject->text.levels;
+    if (std::find(levels.begin(), levels.end(), right.name) != levels.end()) {
+      throw FormulaError("no column '" + right.name + "' in " + table_.file +
+                         "; for the text write " + left.name + ' ' + call.name + " \"" +
+                         right.name + '"');
+    }
+  }
+
   Variable combined(const Expression& call, const Arithmetic& arithmetic) {
     const Expression& left = call.arguments[0];
     const Expression& right = call.arguments[1];
     if (right.kind == Expression::Kind::text) {
       return compared(call, left, right.name);
+    }
+    if (arithmetic.is_comparison) {
+      require_known_word(call, left, right);
     }
     std::vector<double> a = numbers(left, call);
     const std::vector<double> b = numbers(right, call);

@@ -49,6 +49,21 @@ void add(Conditions& conditions,
   conditions.push_back({kind, severity, "", std::move(detail)});
 }
 
+/// Which limits are the extreme replicate; the basic interval exchanges them.
+std::string ends_in_words(bool below, bool above, bool exchanged, std::size_t count) {
+  const std::string of = " of " + std::to_string(count) + " replicates";
+  std::string text;
+  if (below) {
+    text = std::string("the ") + (exchanged ? "upper" : "lower") +
+           " limit lies beyond the smallest" + of;
+  }
+  if (above) {
+    text += std::string(below ? ", the " : "the ") + (exchanged ? "lower" : "upper") +
+            " limit beyond the largest" + of;
+  }
+  return text;
+}
+
 /// Conditions of the replicates; true if an interval can be made of them.
 bool usable(const BootstrapDistribution& distribution, Conditions& conditions) {
   const std::size_t finite = distribution.sorted.size();
@@ -169,7 +184,9 @@ BootstrapInterval bootstrap_interval(const BootstrapDistribution& distribution,
     add(result.conditions,
         ConditionKind::endpoint_out_of_range,
         ConditionSeverity::note,
-        "of " + std::to_string(distribution.sorted.size()));
+        ends_in_words(low.rank < 1.0 || high.rank<1.0, low.rank> count || high.rank > count,
+                      method == BootstrapMethod::basic,
+                      distribution.sorted.size()));
   }
   result.interval = method == BootstrapMethod::basic
                         ? Interval{2.0 * t0 - high.value, 2.0 * t0 - low.value, level}

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "analysis/basics/time_order.hpp"
+#include "analysis/survival/cluster_conditions.hpp"
 #include "analysis/survival/influence_sums.hpp"
 #include "analysis/survival/survival_outcome.hpp"
 
@@ -234,6 +236,15 @@ void check(const CompetingOutcome& outcome, const IncidenceOptions& options) {
   }
 }
 
+/// The influences of a single cluster sum to 0, which is no variance.
+void forget_variances(IncidenceCurves& curves) {
+  const std::vector<double> none(curves.time.size(), std::numeric_limits<double>::quiet_NaN());
+  curves.event_free.std_error = none;
+  for (IncidenceCurve& curve : curves.causes) {
+    curve.std_error = none;
+  }
+}
+
 void name_conditions(const Rows& rows, IncidenceCurves& curves) {
   if (curves.rows == 0) {
     curves.conditions.push_back(
@@ -281,6 +292,13 @@ std::vector<IncidenceCurves> cumulative_incidence(CompetingOutcome outcome,
         rows, options.cluster == nullptr ? any.rows() : options.cluster->levels.size(), curves)
         .run();
     name_conditions(rows, curves);
+    if (options.cluster != nullptr) {
+      const std::size_t clusters = count_clusters(*options.cluster, rows.stops);
+      add_cluster_conditions(clusters, curves.group, curves.conditions);
+      if (clusters == 1) {
+        forget_variances(curves);
+      }
+    }
   }
   return result;
 }

@@ -53,7 +53,9 @@ struct IncidenceCurves {
 };
 
 /// Times are snapped within. Intervals: `survival_interval(probability, std_error / probability)`;
-/// numbers at risk at given times: `numbers_at_risk`. O(n log n) for any number of clusters.
+/// numbers at risk at given times: `numbers_at_risk`. Standard errors are NaN in a group of one
+/// cluster. Conditions: no_rows (an error), no_events, one_cluster (warnings), few_clusters (a
+/// note). O(n log n) for any number of clusters.
 /// \throws std::invalid_argument if lengths differ, a factor has missing codes, or a weight, time
 /// or cause is out of range.
 [[nodiscard]] std::vector<IncidenceCurves> cumulative_incidence(

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/basics/time_order.hpp"
+#include "analysis/survival/cluster_conditions.hpp"
 #include "analysis/survival/influence_sums.hpp"
 
 namespace tcert {
@@ -246,6 +247,14 @@ void check(const SurvivalOutcome& outcome, const CurveOptions& options) {
   }
 }
 
+/// The influences of a single cluster sum to 0, which is no variance.
+void forget_variances(SurvivalCurve& curve) {
+  for (SurvivalPoint& point : curve.points) {
+    point.log_std_error = std::numeric_limits<double>::quiet_NaN();
+    point.hazard_std_error = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 void name_conditions(SurvivalCurve& curve) {
   if (curve.rows == 0) {
     curve.conditions.push_back({ConditionKind::no_rows, ConditionSeverity::error, {}, curve.group});
@@ -299,6 +308,13 @@ std::vector<SurvivalCurve> survival_curves(const SurvivalOutcome& outcome,
       walk.step(point);
     }
     name_conditions(curve);
+    if (options.cluster != nullptr) {
+      const std::size_t clusters = count_clusters(*options.cluster, rows.stops);
+      add_cluster_conditions(clusters, curve.group, curve.conditions);
+      if (clusters == 1) {
+        forget_variances(curve);
+      }
+    }
   }
   return curves;
 }

@@ -57,7 +57,8 @@ struct SurvivalCurve {
 /// A curve per level of the groups, in order; a level without rows has a curve without points.
 /// `outcome` has snapped times. Standard errors are Greenwood's, that of the hazard its Poisson
 /// form; with a cluster or fractional weights both are robust: the infinitesimal jackknife of rows
-/// or clusters (R does so too). O(n log n).
+/// or clusters (R does so too); NaN in a group of one cluster. Conditions: no_rows (an error),
+/// no_events, one_cluster (warnings), few_clusters (a note). O(n log n).
 /// \throws std::invalid_argument if lengths differ, a factor has missing codes, or a weight, time
 /// or event is out of range.
 [[nodiscard]] std::vector<SurvivalCurve> survival_curves(const SurvivalOutcome& outcome,

@@ -6,8 +6,11 @@
 
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
+#include "cli/fit/kind_options.hpp"
+#include "cli/fit/outcome_words.hpp"
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
+#include "datasets/csv_write.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -28,7 +31,12 @@ Formulas take a + b, a:b, a*b, I(x^2), log(x), scale(x), factor(d), offset(o), S
 Surv(start, stop, event), cbind(k, n - k), status == 2, strata(s), cluster(c), and for glmm
 (1 | g), (1 + x | g), (1 + x || g), (1 | a/b). Factors are coded
 against their first level in byte order; --ref changes it. Rows with a missing value are left out
-and counted.
+and counted. offset() is for glm and cox; strata() for cox, for the pairs of concordance, and for km,
+where it stratifies the log-rank test, or without other terms gives a curve a stratum.
+
+An outcome of two texts is coded in byte order; write outcome == "text" for the one that counts as 1.
+For competing causes the status is 1 for every cause, and --cause names the column that tells them
+apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends.
 
 Text shows the main tables; json has every number at full precision, the conditions met and how the
 fit ended, with broom's names; csv has the main table, or that of --table.
@@ -42,9 +50,12 @@ Example:
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
   tcert fit calibration --data features.csv --formula 'success ~ tc_early' --cluster day
   tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --times 60,120
+  tcert fit km --data features.csv --formula 'Surv(time_s, time_s > 0) ~ 1' --cause end_reason
   tcert fit roc --data features.csv --formula 'success ~ tc_early + I(-dwell)' --cluster day
   tcert fit concordance --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --reverse
 
+--table takes:
+@TABLES@
 Ends with 0 if there is an estimate, with 65 if the data do not allow one; what was met is said on
 stderr and in the result.
 
@@ -68,12 +79,13 @@ constexpr std::array<Kind, 7> kKinds{{{"glm", fit_glm, RightSide::design, false}
                                       {"roc", fit_roc, RightSide::design, true},
                                       {"concordance", fit_concordance, RightSide::design, true}}};
 
-CommandLine command_line(FitOptions& o) {
-  CommandLine line{"fit",
-                   kText,
-                   uses_config | uses_output | uses_format | uses_seed | uses_threads,
-                   po::options_description("Options"),
-                   {{"KIND", &o.kind}}};
+CommandLine command_line(FitOptions& o, std::string_view help) {
+  CommandLine line{
+      "fit",
+      help,
+      uses_config | uses_output | uses_format | uses_seed | uses_threads | uses_decimal_comma,
+      po::options_description("Options"),
+      {{"KIND", &o.kind}}};
   auto add = line.own.add_options();
   const auto text = [](std::string& value, const char* name) {
     return po::value(&value)->value_name(name);
@@ -101,10 +113,12 @@ CommandLine command_line(FitOptions& o) {
       "cox: time scale of the test of proportional hazards: km, rank, identity or log");
   add("residuals",
       text(o.residuals, "WORDS"),
-      "cox: martingale, deviance, score, dfbeta, dfbetas, schoenfeld, scaledsch; comma between");
+      "cox: martingale, deviance, score, dfbeta, dfbetas, schoenfeld, scaledsch; comma "
+      "between; in json, or by --table");
   add("curves",
       text(o.curves, "ROWS"),
-      "cox: predicted survival of these rows of the table, counted from 1, comma between");
+      "cox: predicted survival of these rows of the table, counted from 1, comma between; "
+      "in json, or by --table curves");
   add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
   add("firth",
       po::bool_switch(&o.firth),
@@ -132,7 +146,8 @@ CommandLine command_line(FitOptions& o) {
       "km: weight S^rho of the log-rank test; 1 is Peto's");
   add("cause",
       text(o.cause, "COLUMN"),
-      "km: a column that names the end of each row; gives cumulative incidences");
+      "km: a column that names the end of each row, where the status is 1 for every cause; gives "
+      "cumulative incidences");
   add("pair-weight",
       text(o.pair_weight, "WORD")->default_value(o.pair_weight),
       "concordance: n, S, S/G, n/G2 or I, as survival's timewt");
@@ -185,13 +200,19 @@ FitReport without_estimate(const FitOptions& options) {
   return report;
 }
 
+std::string plain_number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
 void add_settings(const FitOptions& options, const ModelFrame& frame, FitReport& report) {
   report.settings = {{"formula", frame.formula},
                      {"data", name_of(options.data)},
                      {"response", frame.response},
                      {"n", std::to_string(frame.size())},
                      {"n_dropped", std::to_string(frame.dropped)},
-                     {"level", std::to_string(options.level)}};
+                     {"level", plain_number(options.level)}};
 }
 
 void check(const FitOptions& options) {
@@ -217,12 +238,8 @@ std::vector<std::string> wanted_columns(const Formula& formula,
 
 FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile& file) {
   const Formula formula = parse_formula(options.formula);
-  if (kind.fit != fit_mixed_model && !formula.random_terms.empty()) {
-    throw UsageError("fit " + options.kind + " has no random effects: (... | " +
-                     to_string(formula.random_terms.front().group) + ") needs fit glmm");
-  }
   const FrameOptions frame_option = frame_options(options, kind);
-  const ModelFrame frame = model_frame(formula, file.table, frame_option);
+  ModelFrame frame = model_frame(formula, file.table, frame_option);
   FitReport report = has_error(frame.conditions) ? without_estimate(options)
                                                  : kind.fit({options, formula, file.table, frame});
   for (const Condition& condition : frame.conditions) {
@@ -233,14 +250,73 @@ FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile&
     }
   }
   add_settings(options, frame, report);
+  name_outcome(formula, frame, report);
   report.synthetic = file.synthetic;
   return report;
+}
+
+bool has_factor_of(const Expression& expression, const std::string& column) {
+  const bool makes_factor =
+      expression.is_call("factor") || expression.is_call("as.factor") || expression.is_call(":");
+  return std::any_of(
+      expression.arguments.begin(), expression.arguments.end(), [&](const Expression& argument) {
+        const bool is_column = argument.kind == Expression::Kind::column && argument.name == column;
+        return (makes_factor && is_column) || has_factor_of(argument, column);
+      });
+}
+
+/// \throws UsageError for a reference level that no factor of the formula would take.
+void require_references(const FrameOptions& frame, const Formula& formula, const DataTable& table) {
+  const std::vector<std::string> used = formula.columns();
+  for (const auto& [column, level] : frame.reference) {
+    if (std::find(used.begin(), used.end(), column) == used.end()) {
+      throw UsageError("--ref: the formula has no column '" + column + "'" +
+                       did_you_mean(column, used));
+    }
+    const DataColumn* const data = table.find(column);
+    bool is_factor = data == nullptr || data->is_text;
+    for (const Term& term : formula.terms) {
+      for (const Expression& variable : term.variables) {
+        is_factor =
+            is_factor || has_factor_of({Expression::Kind::call, 0.0, "I", {variable}}, column);
+      }
+    }
+    if (!is_factor) {
+      throw UsageError("--ref: column '" + column + "' holds numbers; write factor(" + column +
+                       ") in the formula");
+    }
+  }
+}
+
+/// The help of one kind, or of all.
+std::string help_of(std::string_view kind) {
+  std::string text(kText);
+  const std::string mark = "@TABLES@\n";
+  return text.replace(text.find(mark), mark.size(), tables_in_words(kind) + '\n');
+}
+
+/// With --help the options of the kind that stands before it.
+bool parse_fit(FitOptions& options, CommonOptions& common, Arguments arguments) {
+  std::string_view kind;
+  for (const Kind& one : kKinds) {
+    if (!arguments.empty() && arguments.front() == one.name) {
+      kind = one.name;
+    }
+  }
+  const std::string help = help_of(kind);
+  CommandLine line = command_line(options, help);
+  const bool asks = std::find(arguments.begin(), arguments.end(), "--help") != arguments.end();
+  if (asks && !kind.empty()) {
+    const po::options_description own = options_of(kind, line.own);
+    return parse({line.name, line.help, line.common, own, line.positional}, common, arguments);
+  }
+  return parse(line, common, arguments);
 }
 
 int run(Arguments arguments) {
   FitOptions options;
   CommonOptions common;
-  if (!parse(command_line(options), common, arguments)) {
+  if (!parse_fit(options, common, arguments)) {
     return exit_done;
   }
   options.seed = static_cast<std::uint64_t>(common.seed);
@@ -249,14 +325,20 @@ int run(Arguments arguments) {
   const ThreadLimit threads(common.threads);
   try {
     const Formula formula = parse_formula(options.formula);
+    require_taken(options.kind, common.given, formula);
     const DataFile file =
         read_data_file(options.data, wanted_columns(formula, options, kind), common);
+    require_references(frame_options(options, kind), formula, file.table);
     const FitReport report = report_of(options, kind, file);
-    require_table(report, options.table);
-    const std::string text = render(report, common.table_format(), options.table);
     for (const Condition& condition : report.conditions) {
       say("tcert fit: " + to_string(condition));
     }
+    const bool is_table = options.table.empty() || report.find(options.table) != nullptr;
+    if (has_error(report.conditions) && !is_table) {
+      return exit_bad_data;  // what was asked for is missing because of the error
+    }
+    require_table(report, options.table);
+    const std::string text = render(report, common.table_format(), options.table);
     write_or_print(text, "fit", file, common);
     return has_error(report.conditions) ? exit_bad_data : exit_done;
   } catch (const FormulaError& error) {

@@ -61,7 +61,7 @@ struct FitRequest {
   const FitOptions& options;
   const Formula& formula;
   const DataTable& table;
-  const ModelFrame& frame;
+  ModelFrame& frame;
 };
 
 [[nodiscard]] FitReport fit_glm(const FitRequest& request);

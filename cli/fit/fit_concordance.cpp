@@ -2,6 +2,7 @@
 
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/concordance/concordance_statistic.hpp"
+#include "cli/errors.hpp"
 #include "cli/fit/bootstrap_of_rows.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/concordance_report.hpp"
@@ -46,6 +47,12 @@ FitReport fit_concordance(const FitRequest& request) {
     options.weights = {frame.weights->data(), static_cast<std::size_t>(frame.weights->size())};
   }
   const SurvivalOutcome outcome = outcome_of(frame);
+  if (outcome.left_truncated() && (options.pair_weight == PairWeight::survival_by_censoring ||
+                                   options.pair_weight == PairWeight::inverse_censoring_squared)) {
+    throw UsageError(
+        "--pair-weight: S/G and n/G2 need Surv(time, event); with (start, stop] rows "
+        "take n, S or I");
+  }
   FitReport report = concordance_report(concordance(outcome, predictors, options));
   if (request.options.replicates > 0 && !has_error(report.conditions)) {
     require_plain_bootstrap(request, options.pair_weight == PairWeight::equal);

@@ -24,6 +24,10 @@ FitReport fit_penalised(const FitRequest& request) {
 }  // namespace
 
 FitReport fit_glm(const FitRequest& request) {
+  if (std::holds_alternative<SurvivalOutcome>(request.frame.outcome)) {
+    throw UsageError("'" + request.frame.response +
+                     "': a logistic model needs a 0/1 outcome; use tcert fit cox");
+  }
   if (request.options.firth) {
     return fit_penalised(request);
   }
@@ -35,7 +39,7 @@ FitReport fit_glm(const FitRequest& request) {
   }
   const LogisticFit fit = fit_logistic(input, options);
   std::vector<std::optional<Interval>> profiles;
-  if (!request.options.no_profile) {
+  if (!request.options.no_profile && options.variance == CoefficientVariance::model) {
     profiles = profile_intervals(input, options);
   }
   return logistic_report(fit, profiles, drop_terms(input));

@@ -17,18 +17,91 @@ constexpr std::array kScales{IntervalScale::log,
                              IntervalScale::logit,
                              IntervalScale::arcsin};
 
-/// Rows that end with an event take the cause that their column names, the others are censored.
-CompetingOutcome competing_outcome(const FitRequest& request, const SurvivalOutcome& survival) {
-  const Factor cause = on_rows(
-      evaluate_factor({Expression::Kind::column, 0.0, request.options.cause, {}}, request.table),
-      request.frame.rows);
+template <class Value>
+void keep(const std::vector<std::size_t>& rows, std::vector<Value>& values) {
+  std::vector<Value> kept;
+  for (const std::size_t row : rows) {
+    if (!values.empty()) {
+      kept.push_back(values[row]);
+    }
+  }
+  values = std::move(kept);
+}
+
+/// Leaves only these rows of the frame.
+void keep(const std::vector<std::size_t>& rows, ModelFrame& frame) {
+  auto& survival = std::get<SurvivalOutcome>(frame.outcome);
+  keep(rows, survival.start);
+  keep(rows, survival.stop);
+  keep(rows, survival.event);
+  keep(rows, frame.rows);
+  keep(rows, frame.lines);
+  for (std::optional<Factor>* const factor : {&frame.groups, &frame.strata, &frame.cluster}) {
+    if (*factor) {
+      *factor = on_rows(**factor, rows);
+    }
+  }
+  if (frame.weights) {
+    Eigen::VectorXd weights(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      weights[static_cast<Eigen::Index>(i)] = (*frame.weights)[static_cast<Eigen::Index>(rows[i])];
+    }
+    frame.weights = std::move(weights);
+  }
+}
+
+/// The cause of each row, 0 if it is censored. Events without a cause are no censored rows: they
+/// leave the frame, counted.
+CompetingOutcome competing_outcome(const FitRequest& request, Conditions& conditions) {
+  const std::string& column = request.options.cause;
+  const Factor all = evaluate_factor({Expression::Kind::column, 0.0, column, {}}, request.table);
+  ModelFrame& frame = request.frame;
+  auto& survival = std::get<SurvivalOutcome>(frame.outcome);
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < frame.size(); ++row) {
+    if (survival.event[row] == 0 || all.codes[frame.rows[row]] != Factor::kMissing) {
+      rows.push_back(row);
+    }
+  }
+  const std::size_t left_out = frame.size() - rows.size();
+  if (left_out > 0) {
+    conditions.push_back({ConditionKind::missing_rows,
+                          ConditionSeverity::warning,
+                          column,
+                          std::to_string(left_out) + " of " + std::to_string(frame.size()) +
+                              " (events without a cause)"});
+    frame.dropped += left_out;
+    keep(rows, frame);
+  }
+  std::vector<std::uint32_t> number(all.levels.size(),
+                                    0);  // of each level, from 1; 0 unless an event
+  for (std::size_t row = 0; row < frame.size(); ++row) {
+    if (survival.event[row] != 0) {
+      number[all.codes[frame.rows[row]]] = 1;
+    }
+  }
   CompetingOutcome outcome;
+  std::vector<bool> occurs(all.levels.size(), false);
+  for (const std::size_t row : frame.rows) {
+    if (all.codes[row] != Factor::kMissing) {
+      occurs[all.codes[row]] = true;
+    }
+  }
+  for (std::size_t level = 0; level < number.size(); ++level) {
+    if (number[level] != 0) {
+      outcome.causes.push_back(all.levels[level]);
+      number[level] = static_cast<std::uint32_t>(outcome.causes.size());
+    } else if (occurs[level]) {
+      conditions.push_back({ConditionKind::no_such_event,
+                            ConditionSeverity::note,
+                            column,
+                            "'" + all.levels[level] + "'"});
+    }
+  }
   outcome.start = survival.start;
   outcome.stop = survival.stop;
-  outcome.causes = cause.levels;
-  for (std::size_t row = 0; row < survival.rows(); ++row) {
-    const bool censored = survival.event[row] == 0 || cause.codes[row] == Factor::kMissing;
-    outcome.cause.push_back(censored ? 0 : cause.codes[row] + 1);
+  for (std::size_t row = 0; row < frame.size(); ++row) {
+    outcome.cause.push_back(survival.event[row] == 0 ? 0 : number[all.codes[frame.rows[row]]]);
   }
   return outcome;
 }
@@ -41,8 +114,14 @@ FitReport fit_km(const FitRequest& request) {
     throw FormulaError("'" + request.frame.response +
                        "': a survival curve needs Surv(time, event)");
   }
+  Conditions conditions;
+  std::optional<CompetingOutcome> competing;
+  if (!request.options.cause.empty()) {
+    competing = competing_outcome(request, conditions);
+  }
   const ModelFrame& frame = request.frame;
-  const Factor* const groups = &*frame.groups;
+  const bool by_strata = frame.terms.empty() && frame.strata;
+  const Factor* const groups = by_strata ? &*frame.strata : &*frame.groups;
   const Factor* const cluster = frame.cluster ? &*frame.cluster : nullptr;
   std::span<const double> weights;
   if (frame.weights) {
@@ -59,18 +138,20 @@ FitReport fit_km(const FitRequest& request) {
   curve_options.groups = groups;
   curve_options.cluster = cluster;
   std::optional<LogRankTest> test;
-  if (!frame.terms.empty() && !frame.weights) {
+  if (!frame.terms.empty() && frame.weights) {
+    conditions.push_back({ConditionKind::no_weighted_test, ConditionSeverity::note, "", ""});
+  } else if (!frame.terms.empty()) {
     test = log_rank_test(
         *survival, *groups, frame.strata ? &*frame.strata : nullptr, request.options.rho);
   }
   FitReport report = survival_report(survival_curves(*survival, curve_options), test, shown);
-  if (!request.options.cause.empty()) {
+  report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
+  if (competing) {
     IncidenceOptions incidence;
     incidence.weights = weights;
     incidence.groups = groups;
     incidence.cluster = cluster;
-    add_incidence(
-        cumulative_incidence(competing_outcome(request, *survival), incidence), shown, report);
+    add_incidence(cumulative_incidence(std::move(*competing), incidence), shown, report);
   }
   return report;
 }

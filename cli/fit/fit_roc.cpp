@@ -39,6 +39,8 @@ FitReport fit_roc(const FitRequest& request) {
   if (has_error(frame.conditions)) {
     FitReport report;
     report.model = "roc";
+    report.summary.name = "summary";
+    report.summary.title = "Rows";
     report.conditions = frame.conditions;
     return report;
   }

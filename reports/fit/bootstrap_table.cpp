@@ -1,5 +1,8 @@
 #include "reports/fit/bootstrap_table.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "reports/fit/cells.hpp"
 
 namespace tcert {
@@ -20,7 +23,7 @@ BootstrapTable::BootstrapTable(double level) : level_(level) {
                     number_column("normal.low", "normal low"),
                     number_column("normal.high", "normal high"),
                     number_column("acceleration", "acceleration"),
-                    integer_column("replicates", "replicates")};
+                    integer_column("replicates", "replicates used")};
 }
 
 void BootstrapTable::add(const std::string& name,
@@ -38,7 +41,9 @@ void BootstrapTable::add(const std::string& name,
     cells.push_back(high_cell(interval));
   }
   cells.push_back(number_cell(result.acceleration[value]));
-  cells.push_back(integer_cell(result.replicates[value].size()));
+  const auto& replicates = result.replicates[value];
+  cells.push_back(integer_cell(static_cast<std::size_t>(std::count_if(
+      replicates.begin(), replicates.end(), [](double one) { return std::isfinite(one); }))));
   table_.add_row(std::move(cells));
   for (Condition condition : bca.conditions) {
     condition.column = name;

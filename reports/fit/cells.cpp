@@ -1,5 +1,6 @@
 #include "reports/fit/cells.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -76,6 +77,13 @@ Table Record::table() && {
   return std::move(table_);
 }
 
+std::string apart_from(std::string name, const std::vector<std::string>& taken) {
+  while (std::find(taken.begin(), taken.end(), name) != taken.end()) {
+    name.insert(0, ".");
+  }
+  return name;
+}
+
 Table matrix_table(std::string name,
                    std::string title,
                    const std::vector<std::string>& names,
@@ -83,7 +91,7 @@ Table matrix_table(std::string name,
   Table table;
   table.name = std::move(name);
   table.title = std::move(title);
-  table.columns.push_back(text_column("term", "term"));
+  table.columns.push_back(text_column(apart_from("term", names), "term"));
   for (const std::string& one : names) {
     table.columns.push_back(number_column(one, one));
   }

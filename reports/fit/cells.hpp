@@ -46,7 +46,12 @@ class Record {
   std::vector<TableCell> cells_;
 };
 
-/// A square matrix with its names: column `term`, then one column a name. NaN is missing.
+/// `name`, or with as many dots before it as keep it apart from `taken`: a predictor may be called
+/// `term` or `row`, and no column may replace another in JSON.
+[[nodiscard]] std::string apart_from(std::string name, const std::vector<std::string>& taken);
+
+/// A square matrix with its names: column `term` (`.term` if a name is `term`), then one column a
+/// name. NaN is missing.
 [[nodiscard]] Table matrix_table(std::string name,
                                  std::string title,
                                  const std::vector<std::string>& names,

@@ -9,7 +9,7 @@ Table estimate_table(const ConcordanceResult& result) {
   Table table;
   table.name = "concordance";
   table.title = "Concordance C: Pr(the row with the longer time has the better value)";
-  table.n = static_cast<std::int64_t>(result.rows.size());
+  table.n = static_cast<std::int64_t>(result.n);
   table.columns = {text_column("term", "predictor"),
                    number_column("estimate", "C"),
                    number_column("std.error", "SE"),
@@ -77,7 +77,7 @@ FitReport concordance_report(const ConcordanceResult& result) {
     report.tables.push_back(difference_table(result));
   }
   Record summary("summary", "Rows");
-  summary.integer("n", "rows", result.rows.size())
+  summary.integer("n", "rows", result.n)
       .integer("nevent", "events", result.events)
       .integer("clusters", "clusters", result.clusters)
       .integer("missing", "rows without a predictor", result.missing);

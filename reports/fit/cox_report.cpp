@@ -50,8 +50,10 @@ Table summary_of(const CoxFit& fit, const std::optional<ConcordanceResult>& conc
       .integer("nevent", "events", fit.events)
       .integer("clusters", "clusters", fit.clusters)
       .integer("df", "df", fit.df);
-  add_test("log", "likelihood ratio", fit.likelihood_ratio, summary);
-  add_test("sc", "score", fit.score, summary);
+  const std::string rows_independent = fit.robust ? ", rows independent" : "";
+  const std::string suffix = fit.robust ? ".rows_independent" : "";
+  add_test("log" + suffix, "likelihood ratio" + rows_independent, fit.likelihood_ratio, summary);
+  add_test("sc" + suffix, "score" + rows_independent, fit.score, summary);
   add_test("wald", "Wald", fit.wald, summary);
   add_test("robust", "robust score", fit.robust_score, summary);
   const ConcordanceEstimate* const c = concordance ? &concordance->estimates.front() : nullptr;
@@ -199,7 +201,7 @@ Table residual_table(const CoxResiduals& residuals,
   Table table;
   table.name = word;
   table.title = word + " residuals";
-  table.columns = {integer_column("row", "row")};
+  table.columns = {integer_column(apart_from("row", columns), "row")};
   const bool by_event = word == "schoenfeld" || word == "scaledsch";
   Eigen::MatrixXd values;
   if (word == "martingale" || word == "deviance") {

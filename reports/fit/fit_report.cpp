@@ -1,5 +1,6 @@
 #include "reports/fit/fit_report.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "reports/table_json.hpp"
@@ -55,6 +56,21 @@ Json json_of(const Conditions& conditions) {
                     {"message", to_string(condition)}});
   }
   return list;
+}
+
+/// False if there is nothing but NA in the main table.
+bool has_number(const FitReport& report) {
+  if (report.tables.empty()) {
+    return false;
+  }
+  const auto is_number = [](const TableCell& cell) {
+    return std::holds_alternative<Number>(cell) || std::holds_alternative<Estimate>(cell) ||
+           std::holds_alternative<PValue>(cell);
+  };
+  const auto& rows = report.tables.front().rows;
+  return std::any_of(rows.begin(), rows.end(), [&](const std::vector<TableCell>& cells) {
+    return std::any_of(cells.begin(), cells.end(), is_number);
+  });
 }
 
 std::string json_document(const FitReport& report) {
@@ -126,6 +142,9 @@ std::string render(const FitReport& report, TableFormat format, std::string_view
   }
   if (format == TableFormat::csv || format == TableFormat::jsonl) {
     return report.tables.empty() ? labelled(report.summary) : labelled(report.tables.front());
+  }
+  if (has_error(report.conditions) && !has_number(report)) {
+    return labelled(conditions_table(report.conditions));
   }
   std::string out;
   for (const Table& one : report.tables) {

@@ -30,7 +30,8 @@ struct FitReport {
 /// Text, Markdown and LaTeX: the summary and `tables`. JSON: one document with everything; the
 /// summary is an object, every table a list of objects, each condition an object with name,
 /// severity, column, detail. CSV and JSON Lines: the main table. With `table` only the table of
-/// that name, in any format; it is to be there.
+/// that name, in any format; it is to be there. After an error without a single number in the main
+/// table, text, Markdown and LaTeX have the conditions alone.
 [[nodiscard]] std::string render(const FitReport& report,
                                  TableFormat format,
                                  std::string_view table = {});

@@ -18,31 +18,43 @@ Table coefficient_table(const LogisticFit& fit,
                    number_column("statistic", "z"),
                    p_column(),
                    number_column("conf.low", "Wald low"),
-                   number_column("conf.high", "Wald high"),
-                   number_column("profile.low", "profile low"),
-                   number_column("profile.high", "profile high"),
-                   number_column("odds.ratio", "odds ratio"),
-                   text_column("kind", "")};
+                   number_column("conf.high", "Wald high")};
+  const bool robust = fit.variance == CoefficientVariance::robust;
+  if (robust) {
+    table.columns[2].heading = "robust SE";
+  } else {
+    table.columns.push_back(number_column("profile.low", "profile low"));
+    table.columns.push_back(number_column("profile.high", "profile high"));
+  }
+  table.columns.push_back(number_column("odds.ratio", "odds ratio"));
+  table.columns.push_back(text_column("kind", ""));
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
     const LogisticCoefficient& one = fit.coefficients[k];
     const std::optional<Interval> profile = k < profiles.size() ? profiles[k] : std::nullopt;
-    table.add_row({one.column,
-                   number_cell(one.estimate),
-                   number_cell(one.standard_error),
-                   number_cell(one.z),
-                   p_cell(one.p_value),
-                   low_cell(one.interval),
-                   high_cell(one.interval),
-                   low_cell(profile),
-                   high_cell(profile),
-                   number_cell(odds(one.estimate)),
-                   std::string(reason_without_estimate(one.kind))});
+    std::vector<TableCell> cells{one.column,
+                                 number_cell(one.estimate),
+                                 number_cell(one.standard_error),
+                                 number_cell(one.z),
+                                 p_cell(one.p_value),
+                                 low_cell(one.interval),
+                                 high_cell(one.interval)};
+    if (!robust) {
+      cells.push_back(low_cell(profile));
+      cells.push_back(high_cell(profile));
+    }
+    cells.push_back(number_cell(odds(one.estimate)));
+    cells.emplace_back(one.kind == CoefficientKind::finite ? std::string()
+                                                           : std::string(word(one.kind)));
+    table.add_row(std::move(cells));
   }
   return table;
 }
 
 std::optional<double> df_null(const LogisticFit& fit) {
-  return fit.rows == 0 ? std::nullopt : std::optional(static_cast<double>(fit.rows) - 1.0);
+  const bool intercept =
+      !fit.coefficients.empty() && fit.coefficients.front().column == "(Intercept)";
+  return fit.rows == 0 ? std::nullopt
+                       : std::optional(static_cast<double>(fit.rows) - (intercept ? 1.0 : 0.0));
 }
 
 }  // namespace
@@ -52,7 +64,14 @@ FitReport logistic_report(const LogisticFit& fit,
                           const std::vector<DroppedTerm>& dropped) {
   FitReport report;
   report.model = "glm";
-  report.tables = {coefficient_table(fit, profiles), drop_table(dropped, "deviance without")};
+  report.tables = {coefficient_table(fit, profiles)};
+  if (fit.variance == CoefficientVariance::robust) {
+    report.tables.front().footnotes.push_back(
+        "Robust variance: no profile intervals and no likelihood-ratio tests, which take the rows "
+        "to be independent.");
+  } else {
+    report.tables.push_back(drop_table(dropped, "deviance without"));
+  }
   Record summary("summary", "Fit");
   summary.integer("nobs", "rows", fit.rows)
       .integer("clusters", "clusters", fit.clusters)
@@ -65,7 +84,11 @@ FitReport logistic_report(const LogisticFit& fit,
       .number("BIC", "BIC", fit.bic)
       .text(
           "variance", "variance", fit.variance == CoefficientVariance::robust ? "robust" : "model")
-      .text("termination", "termination", std::string(to_string(fit.termination)))
+      .text("termination",
+            "termination",
+            has_error(fit.conditions) && !fit.log_likelihood && fit.iterations == 0
+                ? "no fit"
+                : std::string(to_string(fit.termination)))
       .integer("iterations", "iterations", static_cast<std::size_t>(fit.iterations))
       .number("gradient_norm", "gradient norm", fit.gradient_norm)
       .number("last_step", "last step [SE]", fit.last_step);

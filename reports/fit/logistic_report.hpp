@@ -11,7 +11,8 @@
 
 namespace tcert {
 
-/// `profiles` holds one interval a coefficient, or is empty if none was asked for.
+/// `profiles` holds one interval a coefficient, or is empty if none was asked for. With a robust
+/// variance there is no table of likelihood-ratio tests: they take the rows to be independent.
 [[nodiscard]] FitReport logistic_report(const LogisticFit& fit,
                                         const std::vector<std::optional<Interval>>& profiles,
                                         const std::vector<DroppedTerm>& dropped);

@@ -267,12 +267,8 @@ FitReport survival_report(const std::vector<SurvivalCurve>& curves,
   std::size_t rows = 0;
   for (const SurvivalCurve& curve : curves) {
     rows += curve.rows;
-    for (Condition condition : curve.conditions) {
-      if (condition.column.empty() && !curve.group.empty()) {
-        condition.column = curve.group;
-      }
-      report.conditions.push_back(std::move(condition));
-    }
+    report.conditions.insert(
+        report.conditions.end(), curve.conditions.begin(), curve.conditions.end());
   }
   Record summary("summary", "Rows and test");
   summary.integer("n", "rows", rows).integer("groups", "groups", curves.size());
@@ -288,8 +284,12 @@ FitReport survival_report(const std::vector<SurvivalCurve>& curves,
     }
     report.details.push_back(matrix_table(
         "logrank_vcov", "Covariance of observed less expected", names, test->covariance));
-    report.conditions.insert(
-        report.conditions.end(), test->conditions.begin(), test->conditions.end());
+    // Without a test the curves still stand.
+    for (Condition condition : test->conditions) {
+      condition.severity = std::min(condition.severity, ConditionSeverity::warning);
+      condition.detail = "no log-rank test";
+      report.conditions.push_back(std::move(condition));
+    }
   }
   report.summary = std::move(summary).table();
   return report;
@@ -314,8 +314,15 @@ void add_incidence(const std::vector<IncidenceCurves>& curves,
         add_incidence_row(group, curve, group.time[i], i, options, all);
       }
     }
-    report.conditions.insert(
-        report.conditions.end(), group.conditions.begin(), group.conditions.end());
+    for (const Condition& condition : group.conditions) {
+      // The survival curve of the same group has said most of them.
+      const bool known = std::any_of(report.conditions.begin(),
+                                     report.conditions.end(),
+                                     [&](const Condition& one) { return one == condition; });
+      if (!known) {
+        report.conditions.push_back(condition);
+      }
+    }
   }
   report.tables.push_back(std::move(shown));
   report.details.push_back(std::move(all));

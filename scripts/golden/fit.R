@@ -31,12 +31,14 @@ cox_case <- function(formula, ties, extra = NULL, cluster = NULL) {
   se <- if (is.null(cluster)) "std.error" else "robust.se"
   table <- cbind(coef(f), sqrt(diag(f$var)), s$coefficients[, "z"], s$coefficients[, ncol(s$coefficients)])
   z <- cox.zph(f)$table
+  naive <- if (is.null(cluster)) "" else ".rows_independent"
+  tests <- setNames(list(unname(s$logtest[1]), unname(s$sctest[1])), paste0(c("statistic.log", "statistic.sc"), naive))
   case(c("cox", "--formula", formula, "--ties", ties, extra),
        list(coefficients = rows(table, c("estimate", se, "statistic", "p.value")),
             zph = rows(z, c("statistic", "df", "p.value")),
-            summary = list(logLik = f$loglik[2], statistic.log = unname(s$logtest[1]),
-                           statistic.sc = unname(s$sctest[1]), statistic.wald = as.numeric(f$wald.test),
-                           concordance = unname(s$concordance[1]), std.error.concordance = unname(s$concordance[2]))))
+            summary = c(list(logLik = f$loglik[2]), tests,
+                        list(statistic.wald = as.numeric(f$wald.test), concordance = unname(s$concordance[1]),
+                             std.error.concordance = unname(s$concordance[2])))))
 }
 km_case <- function() {
   test <- survdiff(Surv(time_s, success) ~ light, d)

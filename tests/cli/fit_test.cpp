@@ -290,7 +290,6 @@ TEST_F(Fit, SaysWhatIsWrongWithTheData) {
   expect_bad("x,t,s\n1,-2,0\n2,3,1\n", "cox", "Surv(t, s) ~ x", "time_not_positive");
   expect_bad("x,t,s\n1,2,1\n2,3,2\n", "concordance", "Surv(t, s) ~ x", "not_binary");
   expect_bad("x,y\n1,1\n2,1\n", "roc", "y ~ x", "one_class");
-  expect_bad("g,t,s\na,2,1\na,3,1\n", "km", "Surv(t, s) ~ g", "one_group");
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Whether a group of rows has clusters enough for a robust variance.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "analysis/basics/condition.hpp"
+#include "datasets/factor.hpp"
+
+namespace tcert {
+
+/// Distinct clusters among `rows`. O(rows + clusters).
+[[nodiscard]] std::size_t count_clusters(const Factor& cluster,
+                                         std::span<const std::uint32_t> rows);
+
+/// Adds one_cluster (a warning: no variance) or few_clusters (a note) where they hold.
+void add_cluster_conditions(std::size_t clusters, const std::string& group, Conditions& conditions);
+
+}  // namespace tcert

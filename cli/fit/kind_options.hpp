@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// What each kind of fit takes: options, parts of a formula, and the tables that it gives.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/model/formula.hpp"
+#include "cli/options.hpp"
+
+namespace tcert::cli {
+
+/// True unless the option is another kind's. Options that no kind claims are for all.
+[[nodiscard]] bool takes_option(std::string_view kind, std::string_view option);
+
+/// \throws UsageError for an option or a part of the formula that would do nothing.
+void require_taken(const std::string& kind,
+                   const std::vector<std::string>& given,
+                   const Formula& formula);
+
+/// The names that --table takes, a line for one kind, a line each if `kind` is empty.
+[[nodiscard]] std::string tables_in_words(std::string_view kind);
+
+/// Those of the options that `kind` takes.
+[[nodiscard]] po::options_description options_of(std::string_view kind,
+                                                 const po::options_description& all);
+
+}  // namespace tcert::cli

@@ -1,0 +1,42 @@
+#include "cli/fit/outcome_words.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kSuccess = "log odds of success";
+
+std::string outcome_in_words(const Formula& formula, const ModelFrame& frame) {
+  const Expression& response = formula.response;
+  const std::string quoted = "'" + frame.response + "'";
+  if (frame.outcome_levels.size() == 2) {
+    return quoted + " = " + frame.outcome_levels[1] + " (against " + frame.outcome_levels[0] + ")";
+  }
+  if (response.is_call("cbind")) {
+    return "a success in " + quoted;
+  }
+  return response.kind == Expression::Kind::column ? quoted + " = 1" : quoted;
+}
+
+}  // namespace
+
+void name_outcome(const Formula& formula, const ModelFrame& frame, FitReport& report) {
+  for (Table& table : report.tables) {
+    const std::size_t at = table.title.find(kSuccess);
+    if (at != std::string::npos) {
+      table.title.replace(at, kSuccess.size(), "log odds of " + outcome_in_words(formula, frame));
+    }
+  }
+  if (frame.outcome_levels.size() != 2) {
+    return;
+  }
+  const std::string& zero = frame.outcome_levels[0];
+  const std::string& one = frame.outcome_levels[1];
+  report.settings.emplace_back("event_level", one);
+  report.settings.emplace_back("reference_level", zero);
+  report.conditions.push_back({ConditionKind::text_outcome,
+                               ConditionSeverity::note,
+                               frame.response,
+                               "'" + one + "' counts as 1, '" + zero + "' as 0"});
+}
+
+}  // namespace tcert::cli

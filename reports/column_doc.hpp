@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// What a column of a result file means.
+
+#include <string>
+
+namespace tcert {
+
+struct ColumnDoc {
+  std::string name;
+  std::string unit;  ///< Empty for a pure number or a word.
+  std::string doc;   ///< One line, no full stop.
+};
+
+}  // namespace tcert
