@@ -107,7 +107,8 @@ CertifySummary certify_trials(const OpenedBundle& opened,
                               const CommonOptions& common,
                               const ResultFolder* folder,
                               const CertifyFiles& files,
-                              const TrialSink& sink) {
+                              const TrialSink& sink,
+                              const TrialExtra& extra) {
   const Bundle& bundle = opened.bundle;
   const Robot robot = with_overrides(bundle.info.robot, opened.parameters.robot);
   const SeriesFormat format{
@@ -131,9 +132,10 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     auto diagnostics = std::move(trial.diagnostics);
     const bool rejected = trial.rejected;
     const std::size_t bytes = trial.log_bytes;
+    const std::function<void()> finish = extra && !rejected ? extra(trial) : nullptr;
     // The ticks end here: what waits for its turn is small.
     auto row = std::make_shared<TrialRecord>(summarise(std::move(trial)));
-    return [&, row, digest, certificate, diagnostics, rejected, bytes]() {
+    return [&, row, digest, certificate, diagnostics, rejected, bytes, finish]() {
       const std::string& id = row->row.trial.trial_id;
       progress.advance();
       logs.add(id, digest);
@@ -149,6 +151,9 @@ CertifySummary certify_trials(const OpenedBundle& opened,
       ++summary.trials;
       if (tables) {
         tables->add_trial(*row, certificate);
+      }
+      if (finish) {
+        finish();
       }
       if (sink) {
         sink(std::move(*row));

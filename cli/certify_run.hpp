@@ -29,6 +29,11 @@ struct CertifySummary {
 /// What a caller wants to see of each trial that was certified, in order.
 using TrialSink = std::function<void(TrialRecord&&)>;
 
+/// What a caller makes of a trial while its ticks are there: called in parallel, from any thread,
+/// for trials that are not rejected; what it returns is called in order, one at a time, just before
+/// the sink.
+using TrialExtra = std::function<std::function<void()>(const StudiedTrial&)>;
+
 /// Writes features.csv, certificates.csv, diagnostics.csv and what `files` asks for into `folder`,
 /// if there is one. Under --strict it ends at the first rejected trial.
 /// \throws BadData under --strict; WriteError.
@@ -36,7 +41,8 @@ using TrialSink = std::function<void(TrialRecord&&)>;
                                             const CommonOptions& common,
                                             const ResultFolder* folder,
                                             const CertifyFiles& files,
-                                            const TrialSink& sink);
+                                            const TrialSink& sink,
+                                            const TrialExtra& extra = {});
 
 /// "Certified 658 trials; rejected: t3, t9." on stderr; the exit code that goes with it.
 [[nodiscard]] int report(const CertifySummary& summary,

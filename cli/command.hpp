@@ -25,6 +25,8 @@ extern const Command kFit;
 extern const Command kHypotheses;
 extern const Command kAblate;
 extern const Command kSweep;
+extern const Command kReplay;
+extern const Command kGate;
 extern const Command kReproduce;
 extern const Command kLive;
 extern const Command kHelp;

@@ -89,6 +89,13 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
   add("level",
       po::value(&o.level)->value_name("P")->default_value(o.level, "0.95"),
       "of the intervals");
+  add("group", text(o.group, "COLUMN")->default_value(o.group), "h2: the groups that are compared");
+  add("margin",
+      po::value(&o.margin)->value_name("M")->default_value(o.margin, "0.05"),
+      "h2: differences of AUC or C below it do not matter; state it before looking");
+  add("permutations",
+      po::value(&o.permutations)->value_name("R")->default_value(o.permutations),
+      "h2: of the groups' names, for the expected max - min");
   add("table", text(o.table, "NAME"), "print only this table; a wrong name lists them");
 }
 
@@ -117,6 +124,26 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   h1.folds = static_cast<std::size_t>(options.folds);
   h1.seed = static_cast<std::uint64_t>(common.seed);
   return h1;
+}
+
+H2Options h2_options(const HypothesesOptions& options, const CommonOptions& common) {
+  require_range("permutations", static_cast<double>(options.permutations), 1, 1e6);
+  if (!options.baselines.empty()) {
+    throw UsageError("--baselines: h2 has none; name one --predictor");
+  }
+  if (options.group.empty()) {
+    throw UsageError("--group: h2 needs a column of groups");
+  }
+  if (!(options.margin > 0.0 && options.margin < 1.0)) {
+    throw UsageError("--margin: expected a value between 0 and 1");
+  }
+  H2Options h2;
+  h2.trials = h1_options(options, common);
+  h2.trials.predictors.resize(1);
+  h2.trials.group = options.group;
+  h2.margin = options.margin;
+  h2.permutations = static_cast<std::size_t>(options.permutations);
+  return h2;
 }
 
 }  // namespace tcert::cli

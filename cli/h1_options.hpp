@@ -1,11 +1,12 @@
 #pragma once
 /// \file
-/// The options of `tcert hypotheses h1`.
+/// The options of `tcert hypotheses`.
 
 #include <cstdint>
 #include <string>
 
 #include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/h2/hypothesis_h2.hpp"
 #include "cli/options.hpp"
 
 namespace tcert::cli {
@@ -26,11 +27,19 @@ struct HypothesesOptions {
   double level = 0.95;
   std::int64_t replicates = 2000;
   std::int64_t folds = 5;
+  // h2
+  std::string group = "lighting";
+  double margin = 0.05;
+  std::int64_t permutations = 2000;
 };
 
 void add_h1_options(po::options_description& own, HypothesesOptions& o);
 
 /// \throws UsageError for a value out of range.
 [[nodiscard]] H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common);
+
+/// The same trials and the first predictor, by groups. \throws UsageError likewise, or if baselines
+/// are given.
+[[nodiscard]] H2Options h2_options(const HypothesesOptions& options, const CommonOptions& common);
 
 }  // namespace tcert::cli

@@ -1,17 +1,21 @@
 #include <optional>
 #include <string>
 #include <tcert/certifier.hpp>
+#include <tcert/guards.hpp>
 #include <utility>
 
 #include "cli/errors.hpp"
+#include "cli/guard_options.hpp"
 #include "cli/inputs.hpp"
 #include "cli/line_source.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/result_folder.hpp"
 #include "datasets/bundle_files.hpp"
 #include "datasets/bundle_json.hpp"
 #include "datasets/bytes.hpp"
 #include "datasets/tick_line.hpp"
+#include "reports/audit.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"
 
@@ -21,14 +25,19 @@ namespace {
 constexpr std::string_view kText =
     R"(Certify ticks as they arrive: reads ticks on stdin, writes one row of the series per tick.
 
-The rows are those that 'certify' writes for the same ticks, byte for byte. A line that is not a
+The rows are those that 'certify' writes for the same ticks, byte for byte; with --guards those that
+'replay --series' writes, with the speed v_t and the guards G1-G3 at the end. A line that is not a
 tick is reported on stderr and skipped; the exit code is then 3.
+
+--audit FILE writes one row for every guard that began or ceased to trip,
+with its cause, at once.
 
 Usage: tcert live --bundle BUNDLE [options] < ticks
 
 Example:
   robot_driver | tcert live --bundle results/corpus/bundle.json
   tcert live --bundle corpus --input-format jsonl --set beta_per_m=20 < ticks.jsonl
+  robot_driver | tcert live --bundle corpus --guards --audit audit.csv --set speed_law=clip
 
 Cost: about a microsecond of certifying per tick; memory does not grow with the run.
 )";
@@ -37,6 +46,9 @@ struct LiveOptions {
   std::string bundle;
   std::string input_format = "auto";
   bool ray_margins = false;
+  bool guards = false;
+  std::string audit;
+  std::string tracking_error;
 };
 
 CommandLine command_line(LiveOptions& o) {
@@ -47,7 +59,14 @@ CommandLine command_line(LiveOptions& o) {
       "input-format",
       po::value(&o.input_format)->value_name("WORD")->default_value(o.input_format),
       "of the ticks on stdin: csv (a header, then rows as in ticks.csv), jsonl, or auto to see")(
-      "ray-margins", po::bool_switch(&o.ray_margins), "one more column a ray: its own margin");
+      "ray-margins", po::bool_switch(&o.ray_margins), "one more column a ray: its own margin")(
+      "guards",
+      po::bool_switch(&o.guards),
+      "more columns: gated speed, robust margin, force limit, which guards trip")(
+      "audit",
+      po::value(&o.audit)->value_name("FILE"),
+      "log of the guards: when each began and ceased to trip, and why");
+  add_tracking_error_option(line.own, o.tracking_error);
   return line;
 }
 
@@ -70,7 +89,7 @@ class TickSource {
   }
 
   /// \throws BadData if the first line is neither a header with the columns of the robot nor JSON.
-  [[nodiscard]] std::optional<Tick> next() {
+  [[nodiscard]] std::optional<TickLine> next() {
     while (lines_.next(line_)) {
       ++number_;
       if (!parser_ && !start()) {
@@ -80,7 +99,7 @@ class TickSource {
       bad_ += parser_->problems().empty() ? 0 : 1;
       say(parser_->problems());
       if (read) {
-        return read->tick;
+        return read;
       }
     }
     return std::nullopt;
@@ -114,6 +133,32 @@ class TickSource {
   std::string line_;
   std::size_t number_ = 0;
   std::size_t bad_ = 0;
+};
+
+/// Rows that are on disk, as far as the system goes, before the next tick is looked at.
+class AuditLog {
+ public:
+  AuditLog(const std::string& path, const GuardParameters& parameters)
+      : file_(path), parameters_(parameters) {
+    file_.write(audit_header());
+    file_.flush();
+  }
+
+  void add(const Tick& tick, const CertifiedTick& certified, const GuardedTick& guarded) {
+    rows_.clear();
+    append_audit_rows(rows_, tick, certified, guarded, parameters_);
+    if (!rows_.empty()) {
+      file_.write(rows_);
+      file_.flush();
+    }
+  }
+
+  void close() { file_.close(); }
+
+ private:
+  ResultFile file_;
+  const GuardParameters& parameters_;
+  std::string rows_;
 };
 
 BundleInfo describe(const std::string& path) {
@@ -152,15 +197,36 @@ int run(Arguments arguments) {
   const ParameterSet parameters = effective_parameters(info.parameters, common);
   const Robot robot = effective_robot(info, parameters);
   Certifier certifier(robot, info.course, parameters.certificate);
-  const SeriesFormat format{parameters.speed_law, options.ray_margins, synthetic_label(info)};
+  Guards guards(parameters.speed_law,
+                parameters.guards,
+                tracking_error_table(options.tracking_error, common));
+  const SeriesFormat format{
+      parameters.speed_law, options.ray_margins, synthetic_label(info), options.guards};
+  std::optional<AuditLog> audit;
+  if (!options.audit.empty()) {
+    audit.emplace(options.audit, parameters.guards);
+  }
   TickSource ticks(robot, info, options.input_format);
   print(series_header(format, robot));
   std::string row;
-  while (const auto tick = ticks.next()) {
+  while (const auto line = ticks.next()) {
     row.clear();
-    const CertifiedTick certified = certifier.update(*tick);
-    append_series_row(row, *tick, certified, certifier.ray_margins(), format);
+    const CertifiedTick certified = certifier.update(line->tick);
+    const GuardedTick guarded = guards.update(line->tick, certified);
+    append_series_row(row,
+                      line->tick,
+                      certified,
+                      certifier.ray_margins(),
+                      format,
+                      guarded,
+                      line->yaw_rate_cmd_rps);
     print(row);
+    if (audit) {
+      audit->add(line->tick, certified, guarded);
+    }
+  }
+  if (audit) {
+    audit->close();
   }
   if (ticks.bad_lines() > 0) {
     say("tcert live: " + std::to_string(ticks.bad_lines()) + " bad lines were skipped.");

@@ -54,6 +54,12 @@ void ResultFile::write(std::string_view bytes) {
   }
 }
 
+void ResultFile::flush() {
+  if (std::fflush(file_.get()) != 0) {
+    fail(path_, errno);
+  }
+}
+
 void ResultFile::close() {
   if (std::fclose(file_.release()) != 0) {
     fail(path_, errno);

@@ -20,6 +20,7 @@ class ResultFile {
   explicit ResultFile(std::filesystem::path path);
 
   void write(std::string_view bytes);  ///< \throws WriteError.
+  void flush();                        ///< \throws WriteError.
   void close();                        ///< \throws WriteError.
 
  private:

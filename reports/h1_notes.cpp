@@ -10,33 +10,6 @@ namespace {
 
 constexpr std::size_t kFewClusters = 30;
 
-std::string panel_note(const H1Table& h1, const H1Panel& panel) {
-  std::string note;
-  if (panel.kind == H1PanelKind::paper) {
-    note = std::string(h1.panels.size() == 1 ? "Table" : "Paper panel") +
-           ": features as they are, " + std::to_string(panel.trials) + " trials";
-    if (panel.ended_in_window && panel.failures_ended_in_window) {
-      note += "; " + std::to_string(*panel.ended_in_window) + " of them end inside their window (" +
-              std::to_string(*panel.failures_ended_in_window) +
-              " failures), which then contains the outcome";
-    }
-  } else {
-    note = "Landmark panel: the time window alone, " + std::to_string(panel.trials) +
-           " trials, times from " + significant(h1.options.landmark_s, 4) +
-           " s; excluded: " + std::to_string(panel.ended_by_landmark) +
-           " that end before the landmark, " + std::to_string(panel.still_at_landmark) +
-           " that stand still at it. Conclusions are drawn from this panel";
-  }
-  if (panel.complete < panel.trials) {
-    note += "; " + std::to_string(panel.trials - panel.complete) +
-            " without a complete row are left out of every line";
-    for (const auto& [column, count] : panel.missing) {
-      note += ", " + column + " missing in " + std::to_string(count);
-    }
-  }
-  return note + ".";
-}
-
 std::string cluster_note(const H1Table& h1) {
   const std::string& cluster = h1.options.cluster;
   if (cluster.empty()) {
@@ -74,10 +47,41 @@ void add_conditions(const H1Table& h1, std::vector<std::string>& notes) {
 
 }  // namespace
 
+std::string h1_panel_note(const H1Options& options, const H1Panel& panel) {
+  std::string note;
+  if (panel.kind == H1PanelKind::paper) {
+    note = "Paper panel: features as they are, " + std::to_string(panel.trials) + " trials";
+    if (panel.ended_in_window && panel.failures_ended_in_window) {
+      note += "; " + std::to_string(*panel.ended_in_window) + " of them end inside their window (" +
+              std::to_string(*panel.failures_ended_in_window) +
+              " failures), which then contains the outcome";
+    }
+  } else {
+    note = "Landmark panel: the time window alone, " + std::to_string(panel.trials) +
+           " trials, times from " + significant(options.landmark_s, 4) +
+           " s; excluded: " + std::to_string(panel.ended_by_landmark) +
+           " that end before the landmark, " + std::to_string(panel.still_at_landmark) +
+           " that stand still at it. Conclusions are drawn from this panel";
+  }
+  if (panel.complete < panel.trials) {
+    note += "; " + std::to_string(panel.trials - panel.complete) +
+            " without a complete row are left out of every line";
+    for (const auto& [column, count] : panel.missing) {
+      note += ", " + column + " missing in " + std::to_string(count);
+    }
+  }
+  return note + ".";
+}
+
 std::vector<std::string> h1_success_notes(const H1Table& h1) {
   std::vector<std::string> notes;
   for (const H1Panel& panel : h1.panels) {
-    notes.push_back(panel_note(h1, panel));
+    std::string note = h1_panel_note(h1.options, panel);
+    constexpr std::string_view kPaper = "Paper panel";
+    if (h1.panels.size() == 1 && note.starts_with(kPaper)) {
+      note.replace(0, kPaper.size(), "Table");
+    }
+    notes.push_back(std::move(note));
   }
   notes.push_back(cluster_note(h1));
   notes.push_back(

@@ -12,4 +12,7 @@ namespace tcert {
 [[nodiscard]] std::vector<std::string> h1_success_notes(const H1Table& h1);
 [[nodiscard]] std::vector<std::string> h1_time_notes(const H1Table& h1);
 
+/// Who is in a panel and who is not.
+[[nodiscard]] std::string h1_panel_note(const H1Options& options, const H1Panel& panel);
+
 }  // namespace tcert

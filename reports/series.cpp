@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "datasets/csv_write.hpp"
+#include "reports/audit.hpp"
 
 namespace tcert {
 namespace {
@@ -53,6 +54,10 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
      "start_outside, goal_reached"},
     {"issued", "", "1 once a certificate is issued, else 0"},
 });
+
+constexpr std::string_view kGuardColumns =
+    ",gated_speed_mps,yaw_rate_cmd_rps,tracking_error_m,robust_margin_m,force_n,force_limit_n,"
+    "triggers";
 
 void append_cell(std::string& out, double value) {
   out += ',';
@@ -110,6 +115,9 @@ std::string series_header(const SeriesFormat& format, const Robot& robot) {
       append_text(header, ray.name + "_margin_m");
     }
   }
+  if (format.guards) {
+    header += kGuardColumns;
+  }
   header += format.synthetic ? ",synthetic_seed\n" : "\n";
   return header;
 }
@@ -118,7 +126,9 @@ void append_series_row(std::string& out,
                        const Tick& tick,
                        const CertifiedTick& certified,
                        std::span<const double> ray_margins,
-                       const SeriesFormat& format) {
+                       const SeriesFormat& format,
+                       const GuardedTick& guarded,
+                       double yaw_rate_cmd_rps) {
   append_seconds(out, tick.time_ns);
   for (const double value : {tick.pose.position.x_m,
                              tick.pose.position.y_m,
@@ -148,6 +158,17 @@ void append_series_row(std::string& out,
     for (const double margin : ray_margins) {
       append_cell(out, is_evidence(certified.flags) ? margin : kMissing);
     }
+  }
+  if (format.guards) {
+    for (const double value : {guarded.speed_mps,
+                               yaw_rate_cmd_rps,
+                               guarded.tracking_error_m,
+                               guarded.robust_margin_m,
+                               guarded.force_n,
+                               guarded.force_limit_n}) {
+      append_cell(out, value);
+    }
+    out += ',' + trigger_words(guarded.triggers);
   }
   if (format.synthetic) {
     out += ',';

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <tcert/certifier.hpp>
+#include <tcert/guards.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/speed_law.hpp>
 #include <tcert/tick.hpp>
@@ -20,6 +21,7 @@ struct SeriesFormat {
   SpeedLaw speed_law;
   bool ray_margins = false;                 ///< One more column a ray: m_t(theta_k).
   std::optional<SyntheticLabel> synthetic;  ///< A last column `synthetic_seed`.
+  bool guards = false;                      ///< Seven more columns: the command and the guards.
 };
 
 /// The columns of every series, in order, and those of `ray_margins` and `synthetic` after them.
@@ -30,12 +32,15 @@ struct SeriesFormat {
 
 /// Appends one row, ended by a newline. What is not known at the tick, and a value that is minus
 /// infinity because there is no path yet, is an empty cell. Numbers read back to the same bits.
-/// `ray_margins` are those of the certifier after the tick; looked at only if the format has them.
+/// `ray_margins` are those of the certifier after the tick, `guarded` what the guards say of it and
+/// `yaw_rate_cmd_rps` the command beside v_t; looked at only if the format has them.
 void append_series_row(std::string& out,
                        const Tick& tick,
                        const CertifiedTick& certified,
                        std::span<const double> ray_margins,
-                       const SeriesFormat& format);
+                       const SeriesFormat& format,
+                       const GuardedTick& guarded = {},
+                       double yaw_rate_cmd_rps = kMissing);
 
 /// Words of CertifiedTick::flags, joined by '+': "stale+break"; empty if there are none.
 [[nodiscard]] std::string flag_words(std::uint32_t flags);

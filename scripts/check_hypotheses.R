@@ -1,7 +1,8 @@
 #!/usr/bin/env Rscript
-# Recomputes in R every deterministic cell of the H1 tables and lists those that differ.
+# Recomputes in R every deterministic cell of the H1, H2 or H3 tables and lists those that differ.
 #
-#   Rscript scripts/check_hypotheses.R TCERT FEATURES.csv [options of `tcert hypotheses h1`...]
+#   Rscript scripts/check_hypotheses.R TCERT FEATURES.csv [h1 | h2] [options of `tcert hypotheses`...]
+#   Rscript scripts/check_hypotheses.R h3 TCERT REPLAY.csv [options of `tcert hypotheses h3`...]
 #
 # Needs the packages survival, pROC and jsonlite. Of the tool's answer only the numbers to be checked,
 # the options it says it used, the folds and the times of the incidence table are read; all else
@@ -14,6 +15,7 @@ suppressPackageStartupMessages({
 })
 this_file <- sub("^--file=", "", grep("^--file=", commandArgs(FALSE), value = TRUE))
 source(file.path(dirname(this_file), "check_cells.R"))
+source(file.path(dirname(this_file), "check_h2.R"))
 
 # ---- What is asked for -----------------------------------------------------------------------
 
@@ -71,7 +73,7 @@ has_column <- function(name, table) nzchar(name) && name %in% names(table)
 
 complete_rows <- function(table, columns, options) {
   used <- c(columns, Filter(function(name) has_column(name, table),
-                            c(options$time, options$cluster, options$strata)))
+                            c(options$time, options$cluster, options$strata, options$group)))
   complete.cases(table[used])
 }
 
@@ -87,6 +89,7 @@ panel_of <- function(panel, table, predictors, options, limit) {
             cluster = if (nzchar(options$cluster)) as.character(rows[[options$cluster]])
                       else as.character(seq_len(nrow(rows))),
             strata = if (has_column(options$strata, table)) rows[[options$strata]],
+            group = if (!is.null(options$group)) rows[[options$group]],
             n = nrow(rows), level = options$level)
   d$sd <- apply(d$x, 2, sd)
   d$scaled <- sweep(d$x, 2, d$sd, "/")
@@ -523,23 +526,36 @@ check_panel <- function(d, result) {
 }
 
 main <- function(arguments) {
-  if (length(arguments) < 2) stop("Usage: check_hypotheses.R TCERT FEATURES.csv [options...]")
+  if (length(arguments) < 2) stop("Usage: check_hypotheses.R TCERT FEATURES.csv [h1 | h2] [options...]")
   options <- arguments[-(1:2)]
+  hypothesis <- "h1"
+  if (length(options) > 0 && options[1] %in% c("h1", "h2")) {
+    hypothesis <- options[1]
+    options <- options[-1]
+  }
   result <- run_json(arguments[1],
-                     c("hypotheses", "h1", "--features", arguments[2], options))
+                     c("hypotheses", hypothesis, "--features", arguments[2], options))
   table <- read.csv(arguments[2], check.names = FALSE)
   predictors <- predictors_of(options)
+  if (hypothesis == "h2") predictors <- predictors[1, ]
   limit <- as.numeric(option_of(options, "--limit"))
   check("trials", "summary", result$summary$trials, nrow(table))
   check("outcome missing", "summary", result$summary$outcome_missing,
         sum(is.na(table[[result$summary$success]])))
   panels <- expected_panels(options, table, predictors)
-  check_text("panels", "h1", paste(unique(result$h1$panel), collapse = " "),
+  check_text("panels", hypothesis, paste(unique(result[[hypothesis]]$panel), collapse = " "),
              paste(panels, collapse = " "))
   for (panel in panels) {
-    check_panel(panel_of(panel, table, predictors, result$summary, limit), result)
+    d <- panel_of(panel, table, predictors, result$summary, limit)
+    if (hypothesis == "h1") check_panel(d, result) else check_h2_panel(d, result)
   }
   report()
 }
 
-main(commandArgs(trailingOnly = TRUE))
+arguments <- commandArgs(trailingOnly = TRUE)
+if (arguments[1] == "h3") {
+  source(file.path(dirname(this_file), "check_h3.R"))
+  check_h3(arguments[2], arguments[3], arguments[-(1:3)])
+} else {
+  main(arguments)
+}

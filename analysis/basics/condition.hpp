@@ -17,6 +17,7 @@ enum class ConditionKind : std::uint8_t {
   too_few_rows,       ///< Fewer rows than the estimate needs.
   missing_rows,       ///< Rows left out because a used column is missing.
   infinite_value,     ///< An infinite cell where a finite one is needed.
+  bad_probability,    ///< A probability that is not within (0, 1).
   not_binary,         ///< An outcome or status that is neither 0 nor 1.
   time_not_positive,  ///< A survival time that is not above 0.
   start_not_before_stop,
@@ -26,17 +27,22 @@ enum class ConditionKind : std::uint8_t {
   one_class,   ///< All rows have the same outcome.
   rare_class,  ///< A class of a single row: an estimate, but no variance.
   no_events,
-  one_group,     ///< A grouping column with a single level.
-  few_clusters,  ///< Fewer than 30: cluster-robust numbers are too sure of themselves.
-  one_cluster,   ///< A single cluster: no variance.
+  one_group,          ///< A grouping column with a single level.
+  singleton_groups,   ///< As many levels as rows: what varies between them is not told from noise.
+  no_random_effects,  ///< A mixed model without (1 | group).
+  few_clusters,       ///< Fewer than 30: cluster-robust numbers are too sure of themselves.
+  one_cluster,        ///< A single cluster: no variance.
   // The columns of the model.
   constant_column,
   collinear_column,
   complete_separation,
   quasi_separation,
-  monotone_likelihood,  ///< Cox: a coefficient runs to infinity.
+  penalised_separation,  ///< Separation under a penalty, which alone keeps the estimate finite.
+  monotone_likelihood,   ///< Cox: a coefficient runs to infinity.
   // The estimate.
   not_converged,
+  singular_fit,         ///< Mixed model: a variance between groups is 0, or a correlation is 1.
+  infinite_variance,    ///< Mixed model: a variance between groups runs to infinity.
   all_tied,             ///< The predictor is constant: 0.5, which says nothing.
   separated,            ///< AUC or C is 0 or 1: its variance 0 is misleading.
   same_ranking,         ///< Paired: both predictors rank every pair alike.
@@ -53,6 +59,10 @@ enum class ConditionKind : std::uint8_t {
   infinite_bias,          ///< All replicates lie on one side of the estimate: no BCa.
   no_acceleration,        ///< The jackknife has no spread or lacks a value: no BCa.
   one_class_fold,
+  fold_without_fit,  ///< A fold whose training rows have no finite estimate.
+  // Equivalence and calibration.
+  few_bins,             ///< Ties leave fewer bins of probabilities than were asked for.
+  singular_covariance,  ///< Too few clusters for a joint test of so many groups.
 };
 
 /// How far the numbers stand.

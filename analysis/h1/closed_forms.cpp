@@ -5,6 +5,7 @@
 #include "analysis/basics/chi_square.hpp"
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/cox/cox.hpp"
+#include "analysis/h1/hazard_ratio.hpp"
 #include "analysis/roc/roc.hpp"
 
 namespace tcert {
@@ -107,46 +108,6 @@ void add_case_level(const H1Data& data, const H1Options& options, H1Panel& panel
   }
 }
 
-/// One column a standard deviation wide, rising towards the better side.
-double standard_deviation(const std::vector<double>& values) {
-  const Eigen::Map<const Eigen::VectorXd> x(values.data(),
-                                            static_cast<Eigen::Index>(values.size()));
-  return std::sqrt((x.array() - x.mean()).square().sum() / static_cast<double>(values.size() - 1));
-}
-
-Eigen::VectorXd per_sd(const H1Data& data, std::size_t k) {
-  const std::vector<double>& values = data.predictors[k];
-  const double sign = data.higher[k] == HigherMeans::success ? 1.0 : -1.0;
-  const Eigen::Map<const Eigen::VectorXd> x(values.data(),
-                                            static_cast<Eigen::Index>(values.size()));
-  return x * (sign / standard_deviation(values));
-}
-
-H1HazardRatio hazard_ratio(
-    CoxData cox, const H1Data& data, const H1Options& options, bool stratified, H1Row& row) {
-  cox.cluster = data.cluster;
-  if (stratified) {
-    cox.strata = data.strata;
-  }
-  CoxOptions cox_options;
-  cox_options.level = options.level;
-  const CoxFit fit = fit_cox(cox, cox_options);
-  H1HazardRatio result;
-  const CoxCoefficient& coefficient = fit.coefficients.front();
-  result.ratio = coefficient.hazard_ratio;
-  result.p_value = coefficient.p_value;
-  if (coefficient.interval) {
-    result.interval = Interval{
-        std::exp(coefficient.interval->low), std::exp(coefficient.interval->high), options.level};
-  }
-  for (const Condition& condition : fit.conditions) {
-    if (condition.kind != ConditionKind::few_clusters) {
-      row.conditions.push_back(condition);
-    }
-  }
-  return result;
-}
-
 /// `others` are predictors that the model holds besides `k`, which comes first.
 CoxData cox_of(const SurvivalOutcome& outcome,
                const H1Data& data,
@@ -188,10 +149,11 @@ void add_hazard_ratios(const H1Data& data, const H1Options& options, H1Panel& pa
     const auto& others = added ? rivals : std::vector<std::size_t>{};
     const CoxData censored = cox_of(*data.censored, data, k, others);
     row.sd = standard_deviation(data.predictors[k]);
-    row.censored = hazard_ratio(censored, data, options, false, row);
-    row.at_limit = hazard_ratio(cox_of(*data.at_limit, data, k, others), data, options, false, row);
+    row.censored = hazard_ratio(censored, data, options.level, false, row.conditions);
+    row.at_limit = hazard_ratio(
+        cox_of(*data.at_limit, data, k, others), data, options.level, false, row.conditions);
     if (data.strata) {
-      row.stratified = hazard_ratio(censored, data, options, true, row);
+      row.stratified = hazard_ratio(censored, data, options.level, true, row.conditions);
     }
   }
 }

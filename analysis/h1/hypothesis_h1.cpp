@@ -126,21 +126,6 @@ void adjust(H1Panel& panel) {
   }
 }
 
-/// True if there is something to estimate; otherwise says why not.
-bool can_be_scored(H1Panel& panel) {
-  if (panel.complete == 0) {
-    panel.conditions.push_back({ConditionKind::no_rows, ConditionSeverity::error, "", ""});
-  } else if (panel.successes == 0 || panel.failures == 0) {
-    panel.conditions.push_back({ConditionKind::one_class,
-                                ConditionSeverity::error,
-                                "",
-                                panel.successes == 0 ? "no success" : "no failure"});
-  } else if (panel.clusters == 1) {
-    panel.conditions.push_back({ConditionKind::one_cluster, ConditionSeverity::error, "", ""});
-  }
-  return !has_error(panel.conditions);
-}
-
 H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind kind) {
   H1Panel panel;
   panel.kind = kind;
@@ -222,6 +207,7 @@ std::vector<std::string> columns_of(const H1Options& options) {
                                    options.time,
                                    options.cluster,
                                    options.strata,
+                                   options.group,
                                    "end_s",
                                    "window_end_s",
                                    "still_at_landmark",

@@ -37,6 +37,7 @@ struct H1Options {
   std::string time = "time_s";       ///< Column of the time to egress or to the end; may be absent.
   std::string cluster = "day";       ///< Empty: every trial is its own cluster.
   std::string strata = "algorithm";  ///< Of the stratified Cox model; may be absent.
+  std::string group;                 ///< Column of the groups that H2 compares; empty for none.
   double landmark_s = 15.0;          ///< When the time window closes.
   bool always_landmark = false;      ///< A landmark panel without landmark columns too.
   std::optional<double> limit_s;     ///< Trial limit; empty: the longest time of the panel.

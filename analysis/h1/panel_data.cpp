@@ -51,6 +51,7 @@ struct Columns {
   std::vector<std::vector<double>> predictors;
   std::optional<Factor> cluster;
   std::optional<Factor> strata;
+  std::optional<Factor> group;
 };
 
 /// The landmark's own column where the table has it.
@@ -83,6 +84,9 @@ Columns columns_of_table(const DataTable& table, const H1Options& options, H1Pan
   }
   if (!options.strata.empty() && table.find(options.strata) != nullptr) {
     columns.strata = evaluate_factor(column_named(options.strata), table);
+  }
+  if (!options.group.empty()) {
+    columns.group = evaluate_factor(column_named(options.group), table);
   }
   return columns;
 }
@@ -178,6 +182,7 @@ std::vector<std::size_t> complete_trials(const std::vector<std::size_t>& rows,
   };
   mark_factor(columns.cluster, options.cluster);
   mark_factor(columns.strata, options.strata);
+  mark_factor(columns.group, options.group);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (complete[i]) {
@@ -265,6 +270,20 @@ Factor each_its_own(std::size_t rows) {
 
 }  // namespace
 
+bool can_be_scored(H1Panel& panel) {
+  if (panel.complete == 0) {
+    panel.conditions.push_back({ConditionKind::no_rows, ConditionSeverity::error, "", ""});
+  } else if (panel.successes == 0 || panel.failures == 0) {
+    panel.conditions.push_back({ConditionKind::one_class,
+                                ConditionSeverity::error,
+                                "",
+                                panel.successes == 0 ? "no success" : "no failure"});
+  } else if (panel.clusters == 1) {
+    panel.conditions.push_back({ConditionKind::one_cluster, ConditionSeverity::error, "", ""});
+  }
+  return !has_error(panel.conditions);
+}
+
 bool has_landmark(const DataTable& table, const H1Options& options) {
   if (options.always_landmark) {
     return true;
@@ -300,6 +319,9 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
   data.cluster = columns.cluster ? on_rows(*columns.cluster, rows) : each_its_own(rows.size());
   if (columns.strata) {
     data.strata = on_rows(*columns.strata, rows);
+  }
+  if (columns.group) {
+    data.group = on_rows(*columns.group, rows);
   }
   panel.clusters = data.cluster.levels.size();
   if (panel.has_time) {

@@ -26,6 +26,7 @@ struct H1Data {
   std::optional<SurvivalOutcome> at_limit;  ///< Failures stay at risk to the limit.
   Factor cluster;                           ///< Levels without a trial are gone.
   std::optional<Factor> strata;
+  std::optional<Factor> group;  ///< Levels without a trial are gone.
 
   [[nodiscard]] std::size_t rows() const noexcept { return success.size(); }
   [[nodiscard]] Score score(std::size_t predictor) const {
@@ -42,6 +43,10 @@ struct H1Data {
 
 /// Chooses the rows and counts what is left out, in `panel`. \throws FormulaError.
 [[nodiscard]] H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& panel);
+
+/// True if the complete trials of the panel have both outcomes and two clusters; otherwise its
+/// conditions say why not.
+[[nodiscard]] bool can_be_scored(H1Panel& panel);
 
 /// True if the table has the landmark column of every predictor.
 [[nodiscard]] bool has_landmark(const DataTable& table, const H1Options& options);

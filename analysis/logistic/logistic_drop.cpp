@@ -37,29 +37,13 @@ bool is_contained(const std::vector<std::string>& terms, std::size_t term) {
   return false;
 }
 
-LogisticInput without(const LogisticInput& input, std::size_t term) {
-  LogisticInput reduced = input;
-  std::vector<Eigen::Index> columns;
-  reduced.columns.clear();
-  reduced.term_of.clear();
-  for (std::size_t j = 0; j < input.columns.size(); ++j) {
-    if (input.term_of[j] != term + 1) {
-      columns.push_back(static_cast<Eigen::Index>(j));
-      reduced.columns.push_back(input.columns[j]);
-      reduced.term_of.push_back(input.term_of[j]);
-    }
-  }
-  reduced.design = input.design(Eigen::all, columns);
-  return reduced;
-}
-
 DroppedTerm dropped(const LogisticInput& input,
                     std::size_t term,
                     const LogisticFit& whole,
                     const NewtonOptions& options) {
   DroppedTerm result;
   result.term = input.terms[term];
-  const LogisticInput reduced = without(input, term);
+  const LogisticInput reduced = without_term(input, term);
   const LogisticProblem problem = logistic_problem(reduced);
   const LogisticMaximum maximum = maximum_of(reduced, problem, options);
   const auto rank = static_cast<std::size_t>(problem.space.rank());
@@ -82,6 +66,32 @@ DroppedTerm dropped(const LogisticInput& input,
 
 }  // namespace
 
+std::vector<std::size_t> droppable_terms(const std::vector<std::string>& terms) {
+  std::vector<std::size_t> droppable;
+  for (std::size_t term = 0; term < terms.size(); ++term) {
+    if (!is_contained(terms, term)) {
+      droppable.push_back(term);
+    }
+  }
+  return droppable;
+}
+
+LogisticInput without_term(const LogisticInput& input, std::size_t term) {
+  LogisticInput reduced = input;
+  std::vector<Eigen::Index> columns;
+  reduced.columns.clear();
+  reduced.term_of.clear();
+  for (std::size_t j = 0; j < input.columns.size(); ++j) {
+    if (input.term_of[j] != term + 1) {
+      columns.push_back(static_cast<Eigen::Index>(j));
+      reduced.columns.push_back(input.columns[j]);
+      reduced.term_of.push_back(input.term_of[j]);
+    }
+  }
+  reduced.design = input.design(Eigen::all, columns);
+  return reduced;
+}
+
 std::vector<DroppedTerm> drop_terms(const LogisticInput& input, const NewtonOptions& options) {
   LogisticOptions whole_options;
   whole_options.newton = options;
@@ -90,10 +100,8 @@ std::vector<DroppedTerm> drop_terms(const LogisticInput& input, const NewtonOpti
   if (!whole.deviance) {
     return result;
   }
-  for (std::size_t term = 0; term < input.terms.size(); ++term) {
-    if (!is_contained(input.terms, term)) {
-      result.push_back(dropped(input, term, whole, options));
-    }
+  for (const std::size_t term : droppable_terms(input.terms)) {
+    result.push_back(dropped(input, term, whole, options));
   }
   return result;
 }

@@ -38,22 +38,6 @@ LogisticProblem part_of(const LogisticInput& input,
   return part;
 }
 
-/// Where to start: 0, or against a large offset, where 0 may be hopelessly far, the least-squares
-/// fit of the rows' own smoothed logits less the offset (as `glm` starts).
-Eigen::VectorXd start_of(const LogisticProblem& problem) {
-  const Eigen::MatrixXd& basis = problem.space.basis;
-  const Eigen::Index rank = problem.space.rank();
-  if (problem.rows.offset.size() == 0 || rank == 0) {
-    return Eigen::VectorXd::Zero(rank);
-  }
-  const Eigen::ArrayXd share =
-      (problem.rows.successes.array() + 0.5) / (problem.rows.trials.array() + 1.0);
-  const Eigen::VectorXd weight = problem.rows.trials.array() * share * (1.0 - share);
-  const Eigen::VectorXd wanted = (share / (1.0 - share)).log() - problem.rows.offset.array();
-  const Eigen::MatrixXd normal = basis.transpose() * weight.asDiagonal() * basis;
-  return normal.ldlt().solve(basis.transpose() * weight.cwiseProduct(wanted));
-}
-
 }  // namespace
 
 LogisticProblem logistic_problem(const LogisticInput& input) {
@@ -84,6 +68,20 @@ LogisticProblem logistic_problem(const LogisticInput& input) {
   return problem;
 }
 
+Eigen::VectorXd starting_point(const LogisticProblem& problem) {
+  const Eigen::MatrixXd& basis = problem.space.basis;
+  const Eigen::Index rank = problem.space.rank();
+  if (problem.rows.offset.size() == 0 || rank == 0) {
+    return Eigen::VectorXd::Zero(rank);
+  }
+  const Eigen::ArrayXd share =
+      (problem.rows.successes.array() + 0.5) / (problem.rows.trials.array() + 1.0);
+  const Eigen::VectorXd weight = problem.rows.trials.array() * share * (1.0 - share);
+  const Eigen::VectorXd wanted = (share / (1.0 - share)).log() - problem.rows.offset.array();
+  const Eigen::MatrixXd normal = basis.transpose() * weight.asDiagonal() * basis;
+  return normal.ldlt().solve(basis.transpose() * weight.cwiseProduct(wanted));
+}
+
 LogisticMaximum maximum_of(const LogisticInput& input,
                            const LogisticProblem& problem,
                            const NewtonOptions& options) {
@@ -96,7 +94,7 @@ LogisticMaximum maximum_of(const LogisticInput& input,
     return maximum.separation.kind != Separation::none;
   };
   maximum.newton = maximise_binomial(
-      problem.space.basis, problem.rows, start_of(problem), std::nullopt, options, separated);
+      problem.space.basis, problem.rows, starting_point(problem), std::nullopt, options, separated);
   if (!maximum.newton.converged() && !asked) {
     separated();
   }
@@ -106,7 +104,7 @@ LogisticMaximum maximum_of(const LogisticInput& input,
   maximum.limit = part_of(input, problem, maximum.separation.overlaps);
   maximum.newton = maximise_binomial(maximum.limit.space.basis,
                                      maximum.limit.rows,
-                                     start_of(maximum.limit),
+                                     starting_point(maximum.limit),
                                      std::nullopt,
                                      options);
   return maximum;

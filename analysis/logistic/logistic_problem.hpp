@@ -26,6 +26,10 @@ struct LogisticProblem {
 
 [[nodiscard]] LogisticProblem logistic_problem(const LogisticInput& input);
 
+/// Where to start: 0, or against a large offset, where 0 may be hopelessly far, the least-squares
+/// fit of the rows' own smoothed logits less the offset (as `glm` starts).
+[[nodiscard]] Eigen::VectorXd starting_point(const LogisticProblem& problem);
+
 /// The maximum, or under separation the supremum.
 struct LogisticMaximum {
   NewtonResult newton;  ///< Of the whole problem, or of `limit` under separation.

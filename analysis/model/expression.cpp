@@ -14,13 +14,14 @@ struct Operator {
   int strength;
 };
 
-constexpr std::array<Operator, 14> kOperators{{{"==", 3},
+constexpr std::array<Operator, 15> kOperators{{{"==", 3},
                                                {"!=", 3},
                                                {"<=", 3},
                                                {">=", 3},
                                                {"<", 3},
                                                {">", 3},
                                                {"~", 1},
+                                               {"||", 2},
                                                {"|", 2},
                                                {"+", 4},
                                                {"-", 4},

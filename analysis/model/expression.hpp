@@ -37,7 +37,7 @@ class FormulaError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Parses with R's precedence: ^, unary -, :, * /, + -, comparison, |, ~. Names that are not
+/// Parses with R's precedence: ^, unary -, :, * /, + -, comparison, | and ||, ~. Names that are not
 /// syntactic stand between backticks, texts between quotes. \throws FormulaError.
 [[nodiscard]] Expression parse_expression(std::string_view text);
 

@@ -108,25 +108,40 @@ class Expansion {
 
   Terms in_parentheses(const Expression& group) {
     const Expression& inside = group.arguments.front();
-    if (!inside.is_call("|")) {
+    if (!inside.is_call("|") && !inside.is_call("||")) {
       return terms_of(inside);
     }
-    const Expression& effect = inside.arguments.front();
-    if (effect.kind != Expression::Kind::number || effect.value != 1.0) {
-      fail("random effects are intercepts: write (1 | group)");
+    const RandomTerm effects = random_effects(inside.arguments.front());
+    for (const Expression& level : nested_groups(inside.arguments.back())) {
+      take_random_term(effects, inside.is_call("||"), level);
     }
-    take_random_group(inside.arguments.back());
     return {};
   }
 
-  void take_random_group(const Expression& group) {
+  /// The left side of a bar, without its group.
+  [[nodiscard]] RandomTerm random_effects(const Expression& side) const;
+
+  /// a/b: a and b:a.
+  static std::vector<Expression> nested_groups(const Expression& group) {
     if (!group.is_call("/")) {
-      formula_.random_groups.push_back(group);
+      return {group};
+    }
+    std::vector<Expression> groups = nested_groups(group.arguments[0]);
+    groups.push_back({Expression::Kind::call, 0.0, ":", {group.arguments[1], groups.back()}});
+    return groups;
+  }
+
+  void take_random_term(const RandomTerm& effects, bool uncorrelated, const Expression& group) {
+    if (!uncorrelated) {
+      formula_.random_terms.push_back({effects.intercept, effects.terms, group});
       return;
     }
-    take_random_group(group.arguments[0]);
-    formula_.random_groups.push_back(
-        {Expression::Kind::call, 0.0, ":", {group.arguments[1], formula_.random_groups.back()}});
+    if (effects.intercept) {
+      formula_.random_terms.push_back({true, {}, group});
+    }
+    for (const Term& term : effects.terms) {
+      formula_.random_terms.push_back({false, {term}, group});
+    }
   }
 
   Terms difference(const Expression& side) {
@@ -200,7 +215,8 @@ class Expansion {
       formula_.strata.insert(formula_.strata.end(), call.arguments.begin(), call.arguments.end());
       return {};
     }
-    if (call.name == "Surv" || call.name == "cbind" || call.name == "~" || call.name == "|") {
+    if (call.name == "Surv" || call.name == "cbind" || call.name == "~" || call.name == "|" ||
+        call.name == "||") {
       fail("'" + to_string(call) + "' cannot stand on the right-hand side");
     }
     return variable(call);
@@ -232,6 +248,22 @@ void sort_as_r_does(Terms& terms, const std::vector<Expression>& seen) {
   });
 }
 
+RandomTerm Expansion::random_effects(const Expression& side) const {
+  Formula own;
+  own.text = formula_.text;
+  Expansion expansion(own);
+  RandomTerm effects;
+  effects.terms = expansion.terms_of(side);
+  const bool plain =
+      own.offsets.empty() && own.strata.empty() && own.clusters.empty() && own.random_terms.empty();
+  if (!plain || (effects.terms.empty() && !own.intercept)) {
+    fail("'" + to_string(side) + "' are no random effects: write (1 | group) or (1 + x | group)");
+  }
+  effects.intercept = own.intercept;
+  sort_as_r_does(effects.terms, expansion.seen());
+  return effects;
+}
+
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\n");
   const auto last = text.find_last_not_of(" \t\n");
@@ -256,6 +288,18 @@ bool same_term(const Term& a, const Term& b) {
          });
 }
 
+std::vector<Expression> RandomTerm::variables() const {
+  std::vector<Expression> all;
+  for (const Term& term : terms) {
+    for (const Expression& variable : term.variables) {
+      if (std::find(all.begin(), all.end(), variable) == all.end()) {
+        all.push_back(variable);
+      }
+    }
+  }
+  return all;
+}
+
 std::vector<std::string> Formula::columns() const {
   std::vector<std::string> names;
   collect_columns(response, names);
@@ -264,10 +308,16 @@ std::vector<std::string> Formula::columns() const {
       collect_columns(variable, names);
     }
   }
-  for (const auto* list : {&offsets, &strata, &clusters, &random_groups}) {
+  for (const auto* list : {&offsets, &strata, &clusters}) {
     for (const Expression& expression : *list) {
       collect_columns(expression, names);
     }
+  }
+  for (const RandomTerm& random : random_terms) {
+    for (const Expression& variable : random.variables()) {
+      collect_columns(variable, names);
+    }
+    collect_columns(random.group, names);
   }
   return names;
 }

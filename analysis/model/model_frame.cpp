@@ -37,6 +37,15 @@ class FrameBuilder {
     return list.back().value;
   }
 
+  void use_variable(const Expression& expression, std::vector<NamedVariable>& list) {
+    const bool known = std::any_of(list.begin(), list.end(), [&](const NamedVariable& one) {
+      return one.expression == expression;
+    });
+    if (!known) {
+      list.push_back({expression, evaluate(expression, table_, options_.reference)});
+    }
+  }
+
   void use_column(std::vector<Used>& list, const std::string& column) {
     if (!column.empty()) {
       use_factor(list, {Expression::Kind::column, 0.0, column, {}});
@@ -60,12 +69,7 @@ class FrameBuilder {
     }
     for (const Term& term : formula_.terms) {
       for (const Expression& expression : term.variables) {
-        const bool known = std::any_of(right_.begin(), right_.end(), [&](const NamedVariable& one) {
-          return one.expression == expression;
-        });
-        if (!known) {
-          right_.push_back({expression, evaluate(expression, table_, options_.reference)});
-        }
+        use_variable(expression, right_);
       }
     }
     for (const Expression& offset : formula_.offsets) {
@@ -84,8 +88,11 @@ class FrameBuilder {
       use_factor(clusters_, cluster);
     }
     use_column(clusters_, options_.cluster);
-    for (const Expression& group : formula_.random_groups) {
-      use_factor(groups_, group);
+    for (const RandomTerm& random : formula_.random_terms) {
+      use_factor(groups_, random.group);
+      for (const Expression& expression : random.variables()) {
+        use_variable(expression, slopes_);
+      }
     }
     if (!options_.weights.empty()) {
       use(weights_, {Expression::Kind::column, 0.0, options_.weights, {}});
@@ -113,6 +120,9 @@ class FrameBuilder {
       }
     }
     for (const NamedVariable& variable : right_) {
+      mark(to_string(variable.expression), variable.value, complete);
+    }
+    for (const NamedVariable& variable : slopes_) {
       mark(to_string(variable.expression), variable.value, complete);
     }
     for (std::size_t row = 0; row < table_.rows; ++row) {
@@ -200,18 +210,26 @@ class FrameBuilder {
     frame_.outcome = std::move(survival);
   }
 
-  void take_right_side() {
-    for (NamedVariable& variable : right_) {
+  void keep_rows(std::vector<NamedVariable>& variables) {
+    for (NamedVariable& variable : variables) {
       Variable& value = variable.value;
       if (value.kind == Variable::Kind::factor) {
         value.factor = on_rows(value.factor, frame_.rows);
       } else {
         value.numbers = kept(value);
-        if (!options_.allow_infinite) {
-          check_finite(value.numbers, to_string(variable.expression), frame_);
+        const std::string name = to_string(variable.expression);
+        const bool said = std::any_of(frame_.conditions.begin(),
+                                      frame_.conditions.end(),
+                                      [&](const Condition& one) { return one.column == name; });
+        if (!options_.allow_infinite && !said) {
+          check_finite(value.numbers, name, frame_);
         }
       }
     }
+  }
+
+  void take_right_side() {
+    keep_rows(right_);
     for (const Term& term : formula_.terms) {
       frame_.terms.push_back(term.name());
     }
@@ -258,14 +276,26 @@ class FrameBuilder {
     frame_.strata = on_rows(crossed(factors, ", "), frame_.rows);
   }
 
+  void take_random_effects() {
+    keep_rows(slopes_);
+    for (std::size_t k = 0; k < groups_.size(); ++k) {
+      Formula effects;
+      effects.intercept = formula_.random_terms[k].intercept;
+      effects.terms = formula_.random_terms[k].terms;
+      DesignMatrix design = design_matrix(effects, slopes_, frame_.rows.size());
+      frame_.random_effects.push_back({groups_[k].name,
+                                       on_rows(groups_[k].value.factor, frame_.rows),
+                                       std::move(design.values),
+                                       std::move(design.columns)});
+    }
+  }
+
   void take_the_rest() {
     take_strata();
     if (!clusters_.empty()) {
       frame_.cluster = on_rows(clusters_.front().value.factor, frame_.rows);
     }
-    for (const Used& group : groups_) {
-      frame_.random_groups.emplace_back(group.name, on_rows(group.value.factor, frame_.rows));
-    }
+    take_random_effects();
     for (const Used& offset : offsets_) {
       const std::vector<double> values = kept(offset.value);
       check_finite(values, offset.name, frame_);
@@ -286,7 +316,7 @@ class FrameBuilder {
   const FrameOptions& options_;
   ModelFrame frame_;
   std::vector<Used> outcome_, offsets_, strata_, clusters_, groups_, weights_;
-  std::vector<NamedVariable> right_;
+  std::vector<NamedVariable> right_, slopes_;
   bool strata_are_text_ = true;
 };
 

@@ -45,6 +45,14 @@ struct NumberOutcome {
   std::vector<double> values;
 };
 
+/// Effects that vary at random between the levels of a factor; a row's are its row of `design`.
+struct RandomEffects {
+  std::string group;                 ///< "day", "lighting:day".
+  Factor levels;                     ///< Of the group, those that occur.
+  Eigen::MatrixXd design;            ///< rows x columns.
+  std::vector<std::string> columns;  ///< "(Intercept)", "x1".
+};
+
 struct ModelFrame {
   std::string formula;
   std::string response;  ///< As R prints it: "Surv(time, status == 2)".
@@ -61,7 +69,7 @@ struct ModelFrame {
   std::optional<Eigen::VectorXd> weights;
   std::optional<Factor> strata;  ///< Levels "bright" of one text, else "sex=1, arm=A".
   std::optional<Factor> cluster;
-  std::vector<std::pair<std::string, Factor>> random_groups;
+  std::vector<RandomEffects> random_effects;  ///< One a random term of the formula.
 
   std::vector<std::size_t> rows;   ///< Of the table, 0-based, those that are complete.
   std::vector<std::size_t> lines;  ///< Of the file, one of each row; empty if it is not known.

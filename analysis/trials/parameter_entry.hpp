@@ -153,4 +153,7 @@ using ParameterEntries = std::vector<ParameterInfo>;
 /// The members of CertificateParameters.
 void add_certificate_entries(ParameterEntries& table);
 
+/// The speed law, the guards, the routes and the replay.
+void add_control_entries(ParameterEntries& table);
+
 }  // namespace tcert

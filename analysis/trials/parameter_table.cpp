@@ -139,43 +139,13 @@ void add_early_window(ParameterEntries& table) {
                          kAboveZero));
 }
 
-void add_speed_law(ParameterEntries& table) {
-  const auto group = &ParameterSet::speed_law;
-  constexpr Stage kStage = Stage::control;
-  table.push_back(
-      number({"min_speed_mps",
-              "m/s",
-              kStage,
-              "Speed of the speed law just above margin 0; set it to the robot's slowest "
-              "steady speed."},
-             group,
-             &SpeedLaw::min_speed_mps,
-             kAboveZero));
-  table.push_back(number({"max_speed_mps",
-                          "m/s",
-                          kStage,
-                          "Speed of the speed law in the open; set it to the robot's safe speed."},
-                         group,
-                         &SpeedLaw::max_speed_mps,
-                         kAboveZero));
-  table.push_back(
-      number({"beta_per_m",
-              "1/m",
-              kStage,
-              "How fast the speed law opens up with the margin; the paper has 5, 10 and "
-              "20."},
-             group,
-             &SpeedLaw::beta_per_m,
-             kAboveZero));
-}
-
 ParameterEntries make_table() {
   ParameterEntries table;
   add_resample(table);
   add_robot(table);
   add_certificate_entries(table);
   add_early_window(table);
-  add_speed_law(table);
+  add_control_entries(table);
   return table;
 }
 

@@ -38,6 +38,9 @@ void validate(const ParameterSet& parameters) {
   validate(parameters.certificate);
   validate(parameters.speed_law);
   validate(parameters.early_window);
+  validate(parameters.guards);
+  validate(parameters.route);
+  validate(parameters.replay);
   if (parameters.resample.median_samples % 2 == 0) {
     throw std::invalid_argument("median_samples is " +
                                 std::to_string(parameters.resample.median_samples) +

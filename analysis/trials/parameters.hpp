@@ -1,17 +1,20 @@
 #pragma once
 /// \file
-/// Every parameter of the way from a log to its features, in one table: the same names in config
-/// files, on the command line, in bundle.json and in the manifest.
+/// Every parameter of the way from a log to its features and replays, in one table: the same names
+/// in config files, on the command line, in bundle.json and in the manifest.
 
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tcert/guards.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/robot.hpp>
+#include <tcert/route_planner.hpp>
 #include <tcert/speed_law.hpp>
 
+#include "analysis/replay/replay_options.hpp"
 #include "analysis/trials/features.hpp"
 #include "datasets/trial_reader.hpp"
 
@@ -31,6 +34,9 @@ struct ParameterSet {
   CertificateParameters certificate;
   SpeedLaw speed_law;
   EarlyWindowOptions early_window;
+  GuardParameters guards;
+  RouteParameters route;
+  ReplayOptions replay;
 };
 
 /// The first step of the way from log to result that another value changes. Features and control
@@ -39,7 +45,7 @@ enum class Stage {
   resample,  ///< Log to ticks.
   certify,   ///< Ticks to series.
   features,  ///< Series to features.
-  control,   ///< Series to speeds.
+  control,   ///< Series to guarded speeds, routes and replays.
 };
 
 [[nodiscard]] std::string_view to_string(Stage stage) noexcept;

@@ -1,12 +1,15 @@
 #include "cli/experiment/batch.hpp"
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "analysis/experiment/cell_scores.hpp"
+#include "analysis/h3/hypothesis_h3.hpp"
 #include "analysis/model/expression.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
@@ -18,6 +21,7 @@
 #include "datasets/bytes.hpp"
 #include "datasets/csv_write.hpp"
 #include "reports/experiment/cells_table.hpp"
+#include "reports/experiment/cells_text.hpp"
 #include "reports/features_table.hpp"
 #include "reports/sha256.hpp"
 
@@ -52,15 +56,23 @@ std::optional<ResultStore> store_of(const BatchOptions& options) {
   return folder ? std::optional(ResultStore(*folder)) : std::nullopt;
 }
 
-DataTable table_of(const std::string& csv) {
+DataTable table_of(const std::string& csv, const char* name) {
   CsvOptions options;
-  options.file = "features.csv";
+  options.file = name;
   DataTableResult read = read_data_table(Bytes::copy_of(csv), {}, options);
   if (!read.table) {
-    throw std::logic_error("the features cannot be read back: " +
+    throw std::logic_error("a table of a cell cannot be read back: " +
                            to_string(read.diagnostics.front()));
   }
   return std::move(*read.table);
+}
+
+H3Options h3_of(const BatchOptions& options, const CommonOptions& common) {
+  H3Options h3;
+  h3.cluster = options.cluster;
+  h3.replicates = static_cast<std::size_t>(options.replicates);
+  h3.seed = static_cast<std::uint64_t>(common.seed);
+  return h3;
 }
 
 H1Options h1_of(const BatchOptions& options,
@@ -75,62 +87,105 @@ H1Options h1_of(const BatchOptions& options,
   return h1;
 }
 
-/// Scores of the features, each distinct table once; from the cache where they are there.
-class Scorer {
- public:
-  Scorer(const CellFiles& files, H1Options options, const ResultStore* store)
-      : files_(files), options_(std::move(options)), store_(store), rows_(files.features.size()) {}
+/// What a batch needs to know of itself to score its tables.
+struct Scoring {
+  const CellFiles& files;
+  H1Options h1;
+  H3Options h3;
+  const ResultStore* store;
 
-  /// `full` and `cell` are indices of tables of features.
-  const CellRows& rows(std::size_t cell, std::size_t full, double landmark_s) {
-    std::optional<CellRows>& rows = rows_[cell];
-    if (!rows) {
-      rows = scored(cell, full, landmark_s);
+  /// The rows kept under the digest of `key`, or those that `make` makes.
+  CellRows kept(const std::string& key, const std::function<CellRows()>& make) const {
+    const std::string digest = sha256("program " + program_digest() + '\n' + key);
+    if (const auto stored = store != nullptr ? store->get(digest) : std::nullopt) {
+      return cell_rows_from(*stored);
     }
-    return *rows;
+    CellRows rows = make();
+    if (store != nullptr) {
+      store->put(digest, to_text(rows));
+    }
+    return rows;
+  }
+};
+
+/// H1 and issuance by table of features, each distinct one once.
+class FeatureScorer {
+ public:
+  explicit FeatureScorer(const Scoring& scoring)
+      : scoring_(scoring), rows_(scoring.files.features.size()) {}
+
+  /// Panels, then issuance as the last row. `full` and `cell` are indices of tables of features.
+  const CellRows& rows(std::size_t cell, std::size_t full, double landmark_s) {
+    if (!rows_[cell]) {
+      rows_[cell] = scoring_.kept(key_of(cell, full, landmark_s),
+                                  [&] { return scored(cell, full, landmark_s); });
+    }
+    return *rows_[cell];
   }
 
  private:
   CellRows scored(std::size_t cell, std::size_t full, double landmark_s) {
-    const std::string key = key_of(cell, full, landmark_s);
-    if (const auto stored = store_ != nullptr ? store_->get(key) : std::nullopt) {
-      return cell_rows_from(*stored);
-    }
     if (!full_) {
-      full_ = table_of(files_.features[full]);
+      full_ = table_of(scoring_.files.features[full], "features.csv");
     }
-    CellRows rows;
-    if (cell == full) {
-      rows = cell_rows(cell_scores(*full_, *full_, landmark_s, options_));
-    } else {
-      rows = cell_rows(cell_scores(table_of(files_.features[cell]), *full_, landmark_s, options_));
+    std::optional<DataTable> own;
+    if (cell != full) {
+      own = table_of(scoring_.files.features[cell], "features.csv");
     }
-    if (store_ != nullptr) {
-      store_->put(key, to_text(rows));
-    }
+    const CellScores scores = cell_scores(own ? *own : *full_, *full_, landmark_s, scoring_.h1);
+    CellRows rows = cell_panels(scores);
+    rows.push_back(cell_issuance(scores.issuance));
     return rows;
   }
 
   [[nodiscard]] std::string key_of(std::size_t cell, std::size_t full, double landmark_s) const {
+    const H1Options& h1 = scoring_.h1;
     // The full method has no changes from itself; a cell with the same features has changes of 0.
     std::string text = cell == full ? "scores of the full method\n" : "scores of a cell\n";
-    text += "program " + program_digest() + '\n';
     for (const std::size_t table : {cell, full}) {
-      text += sha256(files_.features[table]) + '\n';
+      text += sha256(scoring_.files.features[table]) + '\n';
     }
-    text += options_.cluster + '\n' + options_.strata + '\n';
-    text += std::to_string(options_.replicates) + ' ' + std::to_string(options_.seed) + '\n';
-    append_number(text, options_.landmark_s);
+    text += h1.cluster + '\n' + h1.strata + '\n';
+    text += std::to_string(h1.replicates) + ' ' + std::to_string(h1.seed) + '\n';
+    append_number(text, h1.landmark_s);
     text += ' ';
     append_number(text, landmark_s);
-    return sha256(text);
+    return text;
   }
 
-  const CellFiles& files_;
-  H1Options options_;
-  const ResultStore* store_;
+  const Scoring& scoring_;
   std::vector<std::optional<CellRows>> rows_;
   std::optional<DataTable> full_;
+};
+
+/// H3 by table of replays, each distinct one once.
+class SpeedScorer {
+ public:
+  explicit SpeedScorer(const Scoring& scoring)
+      : scoring_(scoring), rows_(scoring.files.replays.size()) {}
+
+  const CellRows& rows(std::size_t cell) {
+    if (!rows_[cell]) {
+      rows_[cell] = scoring_.kept(key_of(cell), [&] { return scored(cell); });
+    }
+    return *rows_[cell];
+  }
+
+ private:
+  [[nodiscard]] CellRows scored(std::size_t cell) const {
+    const DataTable replays = table_of(scoring_.files.replays[cell], "replay.csv");
+    std::vector<TableCell> row = cell_speed(hypothesis_h3(replays, scoring_.h3));
+    return row.empty() ? CellRows{} : CellRows{std::move(row)};
+  }
+
+  [[nodiscard]] std::string key_of(std::size_t cell) const {
+    const H3Options& h3 = scoring_.h3;
+    return "speed of a cell\n" + sha256(scoring_.files.replays[cell]) + '\n' + h3.cluster + '\n' +
+           std::to_string(h3.replicates) + ' ' + std::to_string(h3.seed);
+  }
+
+  const Scoring& scoring_;
+  std::vector<std::optional<CellRows>> rows_;
 };
 
 std::vector<PlannedCell> planned(std::vector<Cell> cells, const OpenedBundle& opened) {
@@ -153,26 +208,36 @@ std::vector<PlannedCell> planned(std::vector<Cell> cells, const OpenedBundle& op
 struct BatchTables {
   Table cells;
   Table issuance;
+  Table speed;
+
+  [[nodiscard]] std::array<Table*, 3> all() { return {&cells, &issuance, &speed}; }
 };
 
 BatchTables tables_of(const std::vector<PlannedCell>& cells,
-                      const CellFiles& files,
-                      const H1Options& h1,
-                      const ResultStore* store,
+                      const Scoring& scoring,
                       const CommonOptions& common) {
-  BatchTables tables{cells_table({h1.level, h1.replicates, h1.cluster}), cell_issuance_table()};
-  Scorer scorer(files, h1, store);
+  const BatchNotes notes{scoring.h1.level, scoring.h1.replicates, scoring.h1.cluster};
+  BatchTables tables{cells_table(notes), cell_issuance_table(), cell_speed_table(notes)};
+  FeatureScorer features(scoring);
+  SpeedScorer speeds(scoring);
   Progress progress("cells", cells.size(), common.quiet);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const PlannedCell& cell = cells[c];
     if (cell.refused()) {
       const std::string& reason = std::get<std::string>(cell.parameters);
       say("cell '" + cell.cell.name + "' is refused: " + reason);
-      add_cell(cell.cell, "refused: " + reason, {}, tables.cells, tables.issuance);
+      for (Table* const table : tables.all()) {
+        add_cell(cell.cell, "refused: " + reason, {}, *table);
+      }
     } else {
-      const CellRows& rows = scorer.rows(
+      const CellFiles& files = scoring.files;
+      CellRows rows = features.rows(
           files.features_of[c], files.features_of.front(), cell.set().early_window.time_s);
-      add_cell(cell.cell, "done", rows, tables.cells, tables.issuance);
+      const CellRows issuance{rows.back()};
+      rows.pop_back();
+      add_cell(cell.cell, "done", rows, tables.cells);
+      add_cell(cell.cell, "done", issuance, tables.issuance);
+      add_cell(cell.cell, "done", speeds.rows(files.replays_of[c]), tables.speed);
     }
     progress.advance();
   }
@@ -185,28 +250,34 @@ void say_reuse(const CellFiles& files, const std::vector<PlannedCell>& cells) {
            std::to_string(count.reused) + " shared";
   };
   say(std::to_string(cells.size()) + " cells, " + std::to_string(files.features.size()) +
-      " distinct tables of features; of their parts " + std::to_string(files.from_cache) +
-      " from the cache, " + std::to_string(files.made) + " made: " +
-      part("logs", files.reuse.read) + "; " + part("ticks", files.reuse.resample) + "; " +
-      part("series", files.reuse.certify) + "; " + part("features", files.reuse.features) + '.');
+      " distinct tables of features, " + std::to_string(files.replays.size()) +
+      " of replays; of their parts " + std::to_string(files.from_cache) + " from the cache, " +
+      std::to_string(files.made) + " made: " + part("logs", files.reuse.read) + "; " +
+      part("ticks", files.reuse.resample) + "; " + part("series", files.reuse.certify) + "; " +
+      part("features", files.reuse.features) + '.');
 }
 
-/// "features/007.csv": cells that share features share the file.
-std::string features_name(std::size_t table) {
+/// "features/007.csv": cells that share a table share the file.
+std::string file_name(const char* folder, std::size_t table) {
   std::string number = std::to_string(table);
   number.insert(0, number.size() < 3 ? 3 - number.size() : 0, '0');
-  return "features/" + number + ".csv";
+  return std::string(folder) + '/' + number + ".csv";
 }
 
 Table files_table(const std::vector<PlannedCell>& cells, const CellFiles& files) {
   Table table;
   table.name = "files";
   table.columns = {{"cell", "cell", "", ColumnKind::text},
-                   {"features", "features", "", ColumnKind::text}};
+                   {"features", "features", "", ColumnKind::text},
+                   {"replays", "replays", "", ColumnKind::text}};
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    table.add_row(
-        {cells[c].cell.name,
-         cells[c].refused() ? TableCell{} : TableCell{features_name(files.features_of[c])}});
+    if (cells[c].refused()) {
+      table.add_row({cells[c].cell.name, TableCell{}, TableCell{}});
+    } else {
+      table.add_row({cells[c].cell.name,
+                     file_name("features", files.features_of[c]),
+                     file_name("replays", files.replays_of[c])});
+    }
   }
   return table;
 }
@@ -220,9 +291,13 @@ void write_folder(const std::string& command,
                   ResultFolder& folder) {
   folder.write("cells.csv", render(tables.cells, TableFormat::csv));
   folder.write("issuance.csv", render(tables.issuance, TableFormat::csv));
+  folder.write("speed.csv", render(tables.speed, TableFormat::csv));
   folder.write("files.csv", render(files_table(cells, files), TableFormat::csv));
   for (std::size_t table = 0; table < files.features.size(); ++table) {
-    folder.write(features_name(table), files.features[table]);
+    folder.write(file_name("features", table), files.features[table]);
+  }
+  for (std::size_t table = 0; table < files.replays.size(); ++table) {
+    folder.write(file_name("replays", table), files.replays[table]);
   }
   Manifest manifest;
   manifest.command = command;
@@ -260,7 +335,7 @@ void add_batch_options(po::options_description& own, BatchOptions& o) {
   add("no-cache", po::bool_switch(&o.no_cache), "neither read nor write the cache");
   add("table",
       text(o.table, "NAME"),
-      "what is printed without --output: cells (as it is without) or issuance");
+      "what is printed without --output: cells (unless given), issuance or speed");
 }
 
 std::vector<Cell> cells_of_file(const std::string& path, const CommonOptions& common) {
@@ -293,8 +368,9 @@ int run_batch(const std::string& command,
               const CommonOptions& common,
               std::vector<Cell> cells) {
   require_range("replicates", static_cast<double>(options.replicates), 1, 1e6);
-  if (!options.table.empty() && options.table != "cells" && options.table != "issuance") {
-    throw UsageError("--table: found '" + options.table + "', expected cells or issuance");
+  if (!options.table.empty() && options.table != "cells" && options.table != "issuance" &&
+      options.table != "speed") {
+    throw UsageError("--table: found '" + options.table + "', expected cells, issuance or speed");
   }
   const OpenedBundle opened = open_for(options.bundle, common);
   const std::vector<PlannedCell> batch = planned(std::move(cells), opened);
@@ -309,11 +385,15 @@ int run_batch(const std::string& command,
   const CellFiles files = files_of_cells(opened, common, batch, kept);
   BatchTables tables;
   try {
-    tables = tables_of(batch, files, h1_of(options, common, opened.parameters), kept, common);
+    const Scoring scoring{
+        files, h1_of(options, common, opened.parameters), h3_of(options, common), kept};
+    tables = tables_of(batch, scoring, common);
   } catch (const FormulaError& error) {
     throw UsageError(error.what());
   }
-  tables.cells.synthetic = tables.issuance.synthetic = synthetic_label(opened.bundle.info);
+  for (Table* const table : tables.all()) {
+    table->synthetic = synthetic_label(opened.bundle.info);
+  }
   if (!common.quiet) {
     say_reuse(files, batch);
   }
@@ -323,8 +403,10 @@ int run_batch(const std::string& command,
   if (folder) {
     write_folder(command, opened, common, batch, files, tables, *folder);
   } else {
-    print(render(options.table == "issuance" ? tables.issuance : tables.cells,
-                 common.table_format()));
+    const Table& shown = options.table == "issuance" ? tables.issuance
+                         : options.table == "speed"  ? tables.speed
+                                                     : tables.cells;
+    print(render(shown, common.table_format()));
   }
   const bool refused = std::any_of(
       batch.begin(), batch.end(), [](const PlannedCell& cell) { return cell.refused(); });

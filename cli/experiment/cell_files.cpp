@@ -1,16 +1,18 @@
 #include "cli/experiment/cell_files.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "analysis/experiment/fingerprint.hpp"
+#include "analysis/replay/replay_trial.hpp"
 #include "analysis/trials/study_tables.hpp"
 #include "cli/bundle_digest.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "reports/features_table.hpp"
+#include "reports/replay_table.hpp"
 #include "reports/sha256.hpp"
 
 namespace tcert::cli {
@@ -18,8 +20,11 @@ namespace {
 
 constexpr std::size_t kChunk = 64;
 
+enum class TableKind : std::uint8_t { features, replay };
+
 /// A table to be made.
 struct Job {
+  TableKind kind = TableKind::features;
   const ParameterSet* set = nullptr;
   std::string print;  ///< Fingerprint of the set up to the table.
 };
@@ -27,36 +32,48 @@ struct Job {
 /// Jobs in the order in which neighbours share most steps, and which of them each cell uses.
 struct Jobs {
   std::vector<Job> jobs;
-  std::vector<std::size_t> of_cell;
+  std::vector<std::size_t> features_of;
+  std::vector<std::size_t> replays_of;
 };
 
 Jobs jobs_of(std::span<const PlannedCell> cells) {
-  Jobs result;
-  std::vector<std::string> prints;
-  for (const PlannedCell& cell : cells) {
-    prints.push_back(cell.refused() ? std::string() : fingerprint(cell.set(), Stage::features));
+  /// A cell's wish for a table; equal series lie together, then features before replays.
+  struct Wish {
+    std::string series;
+    TableKind kind;
+    std::string print;
+    std::size_t cell;
+  };
+  std::vector<Wish> wishes;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!cells[c].refused()) {
+      const ParameterSet& set = cells[c].set();
+      const std::string series = fingerprint(set, Stage::certify);
+      wishes.push_back({series, TableKind::features, fingerprint(set, Stage::features), c});
+      wishes.push_back({series, TableKind::replay, fingerprint(set, Stage::control), c});
+    }
   }
-  std::vector<std::size_t> order(cells.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return prints[a] < prints[b];
+  std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) {
+    return std::tie(a.series, a.kind, a.print, a.cell) <
+           std::tie(b.series, b.kind, b.print, b.cell);
   });
-  result.of_cell.assign(cells.size(), CellFiles::kNone);
-  for (const std::size_t cell : order) {
-    if (cells[cell].refused()) {
-      continue;
+  Jobs result;
+  result.features_of.assign(cells.size(), CellFiles::kNone);
+  result.replays_of = result.features_of;
+  for (const Wish& wish : wishes) {
+    if (result.jobs.empty() || result.jobs.back().kind != wish.kind ||
+        result.jobs.back().print != wish.print) {
+      result.jobs.push_back({wish.kind, &cells[wish.cell].set(), wish.print});
     }
-    if (result.jobs.empty() || result.jobs.back().print != prints[cell]) {
-      result.jobs.push_back({&cells[cell].set(), prints[cell]});
-    }
-    result.of_cell[cell] = result.jobs.size() - 1;
+    auto& of = wish.kind == TableKind::features ? result.features_of : result.replays_of;
+    of[wish.cell] = result.jobs.size() - 1;
   }
   return result;
 }
 
 /// What the entries of all chunks depend on besides their logs and the job.
 std::string common_key(const Bundle& bundle, const CommonOptions& common) {
-  std::string text = "features of a chunk\nprogram " + program_digest() + '\n';
+  std::string text = "rows of a chunk\nprogram " + program_digest() + '\n';
   for (const ManifestFile& file : bundle_inputs(bundle, {})) {
     text += file.digest.sha256 + "  " + file.path + '\n';
   }
@@ -102,6 +119,19 @@ std::string features_text(const StudiedTrial& trial, const Table& table) {
   return line;
 }
 
+std::string replay_text(const StudiedTrial& trial,
+                        const Bundle& bundle,
+                        const ParameterSet& set,
+                        const Table& table) {
+  ReplaySetup setup;
+  setup.laws = {set.speed_law};
+  std::string text;
+  for (const ReplayedTrial& one : replay_trial(trial, bundle.info, set, setup)) {
+    append_csv_row(text, table, replay_row(one.record));
+  }
+  return text;
+}
+
 class Maker {
  public:
   Maker(const OpenedBundle& opened,
@@ -114,12 +144,16 @@ class Maker {
         jobs_(jobs),
         store_(store),
         files_(files),
-        table_(features_table(opened.bundle)),
+        features_(features_table(opened.bundle)),
+        replays_(replay_table()),
         key_(common_key(opened.bundle, common)),
         progress_("trials", opened.trials.size(), common.quiet) {
-    std::string header;
-    append_csv_header(header, table_);
-    files_.features.assign(jobs.size(), header);
+    replays_.synthetic = features_.synthetic;
+    for (const Job& job : jobs) {
+      std::string header;
+      append_csv_header(header, table_of(job));
+      tables_.push_back(std::move(header));
+    }
   }
 
   void add_chunk(std::span<const std::size_t> trials) {
@@ -128,7 +162,7 @@ class Maker {
     std::vector<std::string> keys(jobs_.size());
     std::vector<std::size_t> wanted;
     for (std::size_t j = 0; j < jobs_.size(); ++j) {
-      keys[j] = sha256(key_ + logs + jobs_[j].print);
+      keys[j] = key_of(jobs_[j], logs);
       if (const auto stored = store_ != nullptr ? store_->get(keys[j]) : std::nullopt) {
         entries[j] = entry_of(*stored);
       } else {
@@ -144,7 +178,7 @@ class Maker {
       }
     }
     for (std::size_t j = 0; j < jobs_.size(); ++j) {
-      files_.features[j] += entries[j]->rows;
+      tables_[j] += entries[j]->rows;
     }
     if (!entries.empty()) {
       const auto& rejected = entries.front()->rejected;
@@ -154,16 +188,27 @@ class Maker {
     progress_.reach(done_);
   }
 
-  /// After the last chunk.
-  void finish() {
-    const FileDigest logs = logs_.finish();
-    files_.inputs = bundle_inputs(opened_.bundle, logs);
-    for (const Job& job : jobs_) {
-      files_.keys.push_back(key_ + logs.sha256 + '\n' + job.print);
-    }
+  /// After the last chunk: the tables, one per job.
+  std::vector<std::string> finish() {
+    files_.inputs = bundle_inputs(opened_.bundle, logs_.finish());
+    return std::move(tables_);
   }
 
  private:
+  [[nodiscard]] const Table& table_of(const Job& job) const {
+    return job.kind == TableKind::features ? features_ : replays_;
+  }
+
+  [[nodiscard]] std::string key_of(const Job& job, const std::string& logs) const {
+    return sha256(key_ + logs + (job.kind == TableKind::features ? "features\n" : "replay\n") +
+                  job.print);
+  }
+
+  [[nodiscard]] std::string text_of(const StudiedTrial& trial, const Job& job) const {
+    return job.kind == TableKind::features ? features_text(trial, features_)
+                                           : replay_text(trial, opened_.bundle, *job.set, replays_);
+  }
+
   std::string digest_of(std::span<const std::size_t> trials) {
     std::string text;
     for (const std::size_t t : trials) {
@@ -189,7 +234,7 @@ class Maker {
         trials,
         sets,
         options,
-        [&](StudiedTrial& trial, std::size_t) { return features_text(trial, table_); },
+        [&](StudiedTrial& trial, std::size_t set) { return text_of(trial, jobs_[wanted[set]]); },
         [&](CellTrial&& trial) {
           say(trial.diagnostics);
           for (std::size_t w = 0; w < wanted.size(); ++w) {
@@ -212,7 +257,9 @@ class Maker {
   const std::vector<Job>& jobs_;
   const ResultStore* store_;
   CellFiles& files_;
-  Table table_;
+  Table features_;
+  Table replays_;
+  std::vector<std::string> tables_;
   std::string key_;
   ListDigest logs_;
   Progress progress_;
@@ -227,7 +274,6 @@ CellFiles files_of_cells(const OpenedBundle& opened,
                          const ResultStore* store) {
   const Jobs jobs = jobs_of(cells);
   CellFiles files;
-  files.features_of = jobs.of_cell;
   Maker maker(opened, common, jobs.jobs, store, files);
   const std::span<const std::size_t> trials(opened.trials);
   for (std::size_t first = 0; first < trials.size(); first += kChunk) {
@@ -237,7 +283,22 @@ CellFiles files_of_cells(const OpenedBundle& opened,
                     "' is rejected, and --strict was asked for");
     }
   }
-  maker.finish();
+  std::vector<std::string> tables = maker.finish();
+  // Jobs of both kinds become two lists of their own.
+  std::vector<std::size_t> place(tables.size());
+  for (std::size_t j = 0; j < tables.size(); ++j) {
+    auto& list = jobs.jobs[j].kind == TableKind::features ? files.features : files.replays;
+    place[j] = list.size();
+    list.push_back(std::move(tables[j]));
+  }
+  const auto placed = [&](std::vector<std::size_t> of) {
+    for (std::size_t& job : of) {
+      job = job == CellFiles::kNone ? job : place[job];
+    }
+    return of;
+  };
+  files.features_of = placed(jobs.features_of);
+  files.replays_of = placed(jobs.replays_of);
   return files;
 }
 

@@ -22,8 +22,9 @@ struct CellFiles {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   std::vector<std::size_t> features_of;  ///< Per cell: index into `features`; kNone if refused.
+  std::vector<std::size_t> replays_of;   ///< Likewise into `replays`.
   std::vector<std::string> features;     ///< CSV with header, as `certify` writes features.csv.
-  std::vector<std::string> keys;         ///< Per table of features: what it was made from.
+  std::vector<std::string> replays;      ///< As `replay` writes replay.csv for the cell's law.
   std::vector<std::string> rejected;     ///< Trials that cannot be read.
   std::vector<ManifestFile> inputs;
   std::size_t from_cache = 0;  ///< Tables x chunks of trials.

@@ -20,13 +20,16 @@ constexpr std::string_view kText =
 
 KIND is one of
   glm          logistic regression           success ~ x1 + lighting, cbind(k, n - k) ~ x
+  glmm         logistic mixed model          success ~ x1 + (1 | day), (1 + x1 | day), (1 | day/run)
+  calibration  agreement of probabilities    success ~ x1 + lighting: fitted out of fold
   cox          proportional hazards          Surv(time, success) ~ x1 + strata(algorithm)
   km           Kaplan-Meier and log-rank     Surv(time, success) ~ lighting
   roc          AUC and ROC curve             success ~ x1 + x2: larger values speak for 1
   concordance  Harrell's C                   Surv(time, success) ~ x1: larger values, longer times
 
 Formulas take a + b, a:b, a*b, I(x^2), log(x), scale(x), factor(d), offset(o), Surv(time, event),
-Surv(start, stop, event), cbind(k, n - k), status == 2, strata(s), cluster(c). Factors are coded
+Surv(start, stop, event), cbind(k, n - k), status == 2, strata(s), cluster(c), and for glmm
+(1 | g), (1 + x | g), (1 + x || g), (1 | a/b). Factors are coded
 against their first level in byte order; --ref changes it. Rows with a missing value are left out
 and counted. offset() is for glm and cox; strata() for cox, for the pairs of concordance, and for km,
 where it stratifies the log-rank test, or without other terms gives a curve a stratum.
@@ -42,7 +45,10 @@ Usage: tcert fit KIND --data FILE --formula FORMULA [options]
 
 Example:
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --cluster day
+  tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --firth
+  tcert fit glmm --data features.csv --formula 'success ~ tc_early + (1 | day)' --profile --drop1
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
+  tcert fit calibration --data features.csv --formula 'success ~ tc_early' --cluster day
   tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --times 60,120
   tcert fit km --data features.csv --formula 'Surv(time_s, time_s > 0) ~ 1' --cause end_reason
   tcert fit roc --data features.csv --formula 'success ~ tc_early + I(-dwell)' --cluster day
@@ -65,10 +71,11 @@ struct Kind {
   bool allow_infinite;  ///< Only ranks count.
 };
 
-constexpr std::array<Kind, 5> kKinds{{{"glm", fit_glm, RightSide::design, false},
+constexpr std::array<Kind, 7> kKinds{{{"glm", fit_glm, RightSide::design, false},
+                                      {"glmm", fit_mixed_model, RightSide::design, false},
+                                      {"calibration", fit_calibration, RightSide::design, false},
                                       {"cox", fit_cox_model, RightSide::design, false},
                                       {"km", fit_km, RightSide::groups, false},
-
                                       {"roc", fit_roc, RightSide::design, true},
                                       {"concordance", fit_concordance, RightSide::design, true}}};
 
@@ -113,6 +120,20 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
       "cox: predicted survival of these rows of the table, counted from 1, comma between; "
       "in json, or by --table curves");
   add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
+  add("firth",
+      po::bool_switch(&o.firth),
+      "glm: Firth's penalty: finite estimates under separation, less bias in small samples");
+  add("folds",
+      po::value(&o.folds)->value_name("K")->default_value(o.folds),
+      "calibration: of the cross-validation, of whole clusters");
+  add("predicted",
+      text(o.predicted, "COLUMN"),
+      "calibration: a column of given probabilities, with the formula 'outcome ~ COLUMN'");
+  add("quadrature",
+      po::value(&o.quadrature)->value_name("N"),
+      "glmm: points per group, 1 (Laplace) to 100; 15 for a single random intercept, else 1");
+  add("profile", po::bool_switch(&o.profile), "glmm: profile intervals too");
+  add("drop1", po::bool_switch(&o.drop1), "glmm: likelihood-ratio test of each fixed term");
   add("interval",
       text(o.interval, "WORD")->default_value(o.interval),
       "km: log, log-log, plain, logit or arcsin");
@@ -148,7 +169,8 @@ const Kind& kind_of(const std::string& name) {
     }
     known.emplace_back(kind.name);
   }
-  throw UsageError("unknown kind '" + name + "', expected glm, cox, km, roc or concordance" +
+  throw UsageError("unknown kind '" + name +
+                   "', expected glm, glmm, calibration, cox, km, roc or concordance" +
                    did_you_mean(name, known));
 }
 
@@ -200,6 +222,7 @@ void check(const FitOptions& options) {
   if (!(options.level > 0.0 && options.level < 1.0)) {
     throw UsageError("--level: expected a value between 0 and 1");
   }
+  require_range("folds", static_cast<double>(options.folds), 2, 1000);
   require_range("bootstrap", static_cast<double>(options.replicates), 0, 1e6);
 }
 
@@ -215,6 +238,10 @@ std::vector<std::string> wanted_columns(const Formula& formula,
 
 FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile& file) {
   const Formula formula = parse_formula(options.formula);
+  if (kind.fit != fit_mixed_model && !formula.random_terms.empty()) {
+    throw UsageError("fit " + options.kind + " has no random effects: (... | " +
+                     to_string(formula.random_terms.front().group) + ") needs fit glmm");
+  }
   const FrameOptions frame_option = frame_options(options, kind);
   ModelFrame frame = model_frame(formula, file.table, frame_option);
   FitReport report = has_error(frame.conditions) ? without_estimate(options)
@@ -339,6 +366,7 @@ std::size_t choice(const std::string& option,
   throw UsageError("--" + option + ": found '" + word + "', expected one of " + known);
 }
 
-const Command kFit = {"fit", "fit a model to any table: glm, cox, km, roc, concordance", run};
+const Command kFit = {
+    "fit", "fit a model to any table: glm, glmm, calibration, cox, km, roc, concordance", run};
 
 }  // namespace tcert::cli

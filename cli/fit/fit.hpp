@@ -33,6 +33,14 @@ struct FitOptions {
   std::string curves;
   // glm
   bool no_profile = false;
+  bool firth = false;
+  // calibration
+  std::int64_t folds = 5;
+  std::string predicted;
+  // glmm
+  int quadrature = 0;  ///< 0: the model's own.
+  bool profile = false;
+  bool drop1 = false;
   // km
   std::string interval = "log";
   std::vector<double> times;
@@ -57,6 +65,8 @@ struct FitRequest {
 };
 
 [[nodiscard]] FitReport fit_glm(const FitRequest& request);
+[[nodiscard]] FitReport fit_calibration(const FitRequest& request);
+[[nodiscard]] FitReport fit_mixed_model(const FitRequest& request);
 [[nodiscard]] FitReport fit_cox_model(const FitRequest& request);
 [[nodiscard]] FitReport fit_km(const FitRequest& request);
 [[nodiscard]] FitReport fit_roc(const FitRequest& request);

@@ -19,10 +19,20 @@ struct KindTakes {
 
 constexpr std::array kTakes{
     KindTakes{"glm",
-              "cluster weights ref robust no-profile",
+              "cluster weights ref robust no-profile firth",
               true,
               false,
               "summary, coefficients, drop1 (not with robust variances), vcov"},
+    KindTakes{"glmm",
+              "weights ref quadrature profile drop1",
+              true,
+              false,
+              "summary, coefficients, random, ran_vals, drop1, vcov"},
+    KindTakes{"calibration",
+              "cluster ref folds predicted",
+              true,
+              false,
+              "summary, calibration, bins, predictions"},
     KindTakes{"cox",
               "cluster strata weights ref ties robust transform residuals curves",
               true,
@@ -98,9 +108,9 @@ void require_taken(const std::string& kind,
   if (row == nullptr) {
     return;
   }
-  if (!formula.random_groups.empty()) {
+  if (!formula.random_terms.empty() && kind != "glmm") {
     throw UsageError(
-        "'(1 | " + to_string(formula.random_groups.front()) + ")': 'fit " + kind +
+        "'(1 | " + to_string(formula.random_terms.front().group) + ")': 'fit " + kind +
         "' fits no random effects; they are fitted by 'fit glmm'; for robust variances "
         "use --cluster");
   }

@@ -219,6 +219,8 @@ std::span<const double> Certifier::ray_margins() const noexcept { return state_-
 
 const CorridorGraph& Certifier::graph() const noexcept { return state_->walk.graph(); }
 
+std::uint32_t Certifier::last_node() const noexcept { return state_->walk.last_node(); }
+
 std::optional<Bottleneck> Certifier::bottleneck() const noexcept {
   const WidestLabels& labels = state_->walk.through();
   const CorridorGraph& graph = state_->walk.graph();

@@ -88,6 +88,9 @@ class Certifier {
   /// The corridor graph explored so far.
   [[nodiscard]] const CorridorGraph& graph() const noexcept;
 
+  /// The last node that the path passed; kNone before the first and once capacity has run out.
+  [[nodiscard]] std::uint32_t last_node() const noexcept;
+
   /// Forgets the trial, keeps the memory.
   void reset() noexcept;
 

@@ -41,6 +41,8 @@ class CorridorWalk {
   [[nodiscard]] double reached_m() const noexcept;
   [[nodiscard]] double edge_margin_m() const noexcept { return pending_.margin_m(); }
   [[nodiscard]] bool capacity_exceeded() const noexcept { return capacity_exceeded_; }
+  /// u, the last node passed; kNone before begin() and once capacity has run out.
+  [[nodiscard]] std::uint32_t last_node() const noexcept { return at_node_; }
   [[nodiscard]] const CorridorGraph& graph() const noexcept { return graph_; }
   /// Labels of T_t, on (node, side).
   [[nodiscard]] const WidestLabels& through() const noexcept { return through_; }

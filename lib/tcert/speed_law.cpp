@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <tcert/speed_law.hpp>
@@ -5,10 +6,16 @@
 namespace tcert {
 
 double gated_speed(const SpeedLaw& law, double margin_m) noexcept {
-  if (!(margin_m > 0.0)) {
+  const double z = law.beta_per_m * margin_m;
+  if (std::isnan(z)) {
     return 0.0;
   }
-  const double z = law.beta_per_m * margin_m;
+  if (law.kind == SpeedLawKind::clip) {
+    return std::lerp(law.min_speed_mps, law.max_speed_mps, std::clamp(z, 0.0, 1.0));
+  }
+  if (!(z > 0.0)) {
+    return 0.0;
+  }
   const double squashed = std::isinf(z) ? 1.0 : z / (1.0 + z);
   return std::lerp(law.min_speed_mps, law.max_speed_mps, squashed);
 }

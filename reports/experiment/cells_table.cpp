@@ -1,9 +1,6 @@
 #include "reports/experiment/cells_table.hpp"
 
-#include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
 
 #include "reports/fit/cells.hpp"
@@ -11,7 +8,9 @@
 namespace tcert {
 namespace {
 
-TableCell estimate(const H1Score& score) {
+/// Of an H1Score or an H3Estimate.
+template <class Score>
+TableCell estimate(const Score& score) {
   if (!score.value) {
     return {};
   }
@@ -83,61 +82,6 @@ TableCell share(std::size_t part, std::size_t whole) {
   return whole == 0 ? TableCell{} : Number{static_cast<double>(part) / static_cast<double>(whole)};
 }
 
-using Json = nlohmann::json;
-
-Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-double number_of(const Json& json) { return json.is_null() ? std::nan("") : json.get<double>(); }
-
-/// A cell as [kind, values ...]; the numbers of nlohmann read back to the same bits.
-struct CellJson {
-  Json operator()(std::monostate /*missing*/) const { return Json::array(); }
-  Json operator()(const std::string& text) const { return {"text", text}; }
-  Json operator()(std::int64_t value) const { return {"integer", value}; }
-  Json operator()(const Number& n) const { return {"number", json_of(n.value), n.decimals}; }
-  Json operator()(const Estimate& e) const {
-    return {"estimate", json_of(e.value), json_of(e.low), json_of(e.high), e.decimals};
-  }
-  Json operator()(const PValue& p) const { return {"p", json_of(p.value)}; }
-};
-
-Json json_of(const std::vector<TableCell>& cells) {
-  Json list = Json::array();
-  for (const TableCell& cell : cells) {
-    list.push_back(std::visit(CellJson{}, cell));
-  }
-  return list;
-}
-
-TableCell cell_of(const Json& json) {
-  if (json.empty()) {
-    return {};
-  }
-  const auto kind = json.at(0).get<std::string>();
-  if (kind == "text") {
-    return json.at(1).get<std::string>();
-  }
-  if (kind == "integer") {
-    return json.at(1).get<std::int64_t>();
-  }
-  if (kind == "number") {
-    return Number{number_of(json.at(1)), json.at(2).get<int>()};
-  }
-  if (kind == "p") {
-    return PValue{number_of(json.at(1))};
-  }
-  return Estimate{
-      number_of(json.at(1)), number_of(json.at(2)), number_of(json.at(3)), json.at(4).get<int>()};
-}
-
-std::vector<TableCell> cells_of(const Json& json) {
-  std::vector<TableCell> cells;
-  for (const Json& cell : json) {
-    cells.push_back(cell_of(cell));
-  }
-  return cells;
-}
-
 std::vector<TableCell> named(const Cell& cell,
                              const std::string& status,
                              const std::vector<TableCell>& rest,
@@ -156,49 +100,27 @@ std::vector<Column> name_columns() {
 
 }  // namespace
 
-CellRows cell_rows(const CellScores& scores) {
-  CellRows rows;
+std::vector<std::vector<TableCell>> cell_panels(const CellScores& scores) {
+  std::vector<std::vector<TableCell>> rows;
   for (std::size_t panel = 0; panel < scores.own.panels.size(); ++panel) {
-    rows.scores.push_back(scores_row(scores, panel));
+    rows.push_back(scores_row(scores, panel));
   }
-  const CellIssuance& count = scores.issuance;
-  rows.issuance = {integer_cell(count.successes),
-                   integer_cell(count.issued_successes),
-                   share(count.issued_successes, count.successes),
-                   integer_cell(count.failures),
-                   integer_cell(count.issued_failures),
-                   share(count.issued_failures, count.failures),
-                   integer_cell(count.spurious),
-                   integer_cell(count.spurious_failures),
-                   share(count.spurious_failures, count.spurious),
-                   integer_cell(count.lost),
-                   integer_cell(count.before_goal),
-                   integer_cell(count.falling)};
   return rows;
 }
 
-std::string to_text(const CellRows& rows) {
-  Json json;
-  json["scores"] = Json::array();
-  for (const auto& row : rows.scores) {
-    json["scores"].push_back(json_of(row));
-  }
-  json["issuance"] = json_of(rows.issuance);
-  return json.dump();
-}
-
-CellRows cell_rows_from(const std::string& text) {
-  try {
-    const Json json = Json::parse(text);
-    CellRows rows;
-    for (const Json& row : json.at("scores")) {
-      rows.scores.push_back(cells_of(row));
-    }
-    rows.issuance = cells_of(json.at("issuance"));
-    return rows;
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument(error.what());
-  }
+std::vector<TableCell> cell_issuance(const CellIssuance& count) {
+  return {integer_cell(count.successes),
+          integer_cell(count.issued_successes),
+          share(count.issued_successes, count.successes),
+          integer_cell(count.failures),
+          integer_cell(count.issued_failures),
+          share(count.issued_failures, count.failures),
+          integer_cell(count.spurious),
+          integer_cell(count.spurious_failures),
+          share(count.spurious_failures, count.spurious),
+          integer_cell(count.lost),
+          integer_cell(count.before_goal),
+          integer_cell(count.falling)};
 }
 
 Table cells_table(const BatchNotes& notes) {
@@ -265,18 +187,71 @@ Table cell_issuance_table() {
   return table;
 }
 
+std::vector<TableCell> cell_speed(const H3Table& h3) {
+  if (h3.groups.empty() || h3.groups.front().cases.empty()) {
+    return {};
+  }
+  const H3Group& all = h3.groups.front();
+  const H3Case& one = all.cases.front();
+  const TableCell retained =
+      one.retained && one.retained_interval
+          ? TableCell{Estimate{
+                *one.retained, one.retained_interval->low, one.retained_interval->high}}
+          : TableCell{};
+  return {integer_cell(all.trials),
+          integer_cell(all.successes),
+          estimate(all.ungated),
+          estimate(one.gated),
+          estimate(one.gain),
+          estimate(one.gain_share),
+          estimate(one.recovered),
+          integer_cell(one.lost),
+          number_cell(one.lost_upper),
+          one.non_inferior ? TableCell{std::string(*one.non_inferior ? "yes" : "no")} : TableCell{},
+          retained,
+          integer_cell(one.stalls),
+          integer_cell(one.stalled_trials)};
+}
+
+Table cell_speed_table(const BatchNotes& notes) {
+  const std::string level = significant(100.0 * notes.level, kShownDigits) + " % BCa";
+  Table table;
+  table.name = "speed";
+  table.title = "Speed gated by the margin under each cell's parameters (H3)";
+  table.columns = name_columns();
+  const auto rate = [](std::string name, std::string heading) {
+    return Column{std::move(name), std::move(heading), "m/min", ColumnKind::estimate, 2};
+  };
+  table.columns.insert(table.columns.end(),
+                       {integer_column("n", "n"),
+                        integer_column("events", "successes"),
+                        rate("ungated_m_per_min", "ungated"),
+                        rate("gated_m_per_min", "gated [" + level + "]"),
+                        rate("gain_m_per_min", "gain [" + level + "]"),
+                        estimate_column("gain_share", "relative gain"),
+                        estimate_column("gap_recovered", "share of gap"),
+                        integer_column("lost", "lost"),
+                        Column{"lost_upper", "bound", "", ColumnKind::number, 3},
+                        text_column("non_inferior", "non-inferior"),
+                        estimate_column("retained", "retained"),
+                        integer_column("stalls", "stalls"),
+                        integer_column("stalled_trials", "trials with stalls")});
+  table.footnotes = {
+      "All lightings together; 'tcert hypotheses h3' has each, and says how every column is made. "
+      "A replay can only lose successes: it cannot see failures that speed would cause."};
+  return table;
+}
+
 void add_cell(const Cell& cell,
               const std::string& status,
-              const CellRows& rows,
-              Table& cells,
-              Table& issuance) {
-  if (rows.scores.empty()) {
-    cells.add_row(named(cell, status, {}, cells));
+              const std::vector<std::vector<TableCell>>& rows,
+              Table& table) {
+  if (rows.empty()) {
+    table.add_row(named(cell, status, {}, table));
   }
-  for (const auto& row : rows.scores) {
-    cells.add_row(named(cell, status, row, cells));
+  for (const auto& row : rows) {
+    table.add_row(named(cell, status, row, table));
   }
-  issuance.add_row(named(cell, status, rows.issuance, issuance));
 }
 
 }  // namespace tcert

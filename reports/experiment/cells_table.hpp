@@ -1,28 +1,18 @@
 #pragma once
 /// \file
-/// The tables of a batch: one row a cell and panel, and how each cell issues certificates.
+/// The tables of a batch: H1 by cell and panel, how each cell issues certificates, and what its
+/// speed law gains.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "analysis/experiment/cell.hpp"
 #include "analysis/experiment/cell_scores.hpp"
+#include "analysis/h3/hypothesis_h3.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
-
-/// What a cell has in the tables behind its name: depends on its features only, so that cells that
-/// share them share it.
-struct CellRows {
-  std::vector<std::vector<TableCell>> scores;  ///< One per panel.
-  std::vector<TableCell> issuance;
-};
-
-[[nodiscard]] CellRows cell_rows(const CellScores& scores);
-
-/// As text that reads back to the same cells. \throws std::invalid_argument for any other text.
-[[nodiscard]] std::string to_text(const CellRows& rows);
-[[nodiscard]] CellRows cell_rows_from(const std::string& text);
 
 /// What the footnotes say of how a batch was made.
 struct BatchNotes {
@@ -31,15 +21,22 @@ struct BatchNotes {
   std::string cluster;
 };
 
-/// Columns of the tables, no rows.
+/// Columns, no rows. Each begins with the cell's name, parameters and status.
 [[nodiscard]] Table cells_table(const BatchNotes& notes);
 [[nodiscard]] Table cell_issuance_table();
+[[nodiscard]] Table cell_speed_table(const BatchNotes& notes);
 
-/// Appends a cell to the tables. `status` is "done" or why there is nothing.
+/// What a cell has in these tables behind its name: one row per panel; one row; one row of the
+/// first case of all lightings together, or an empty one.
+[[nodiscard]] std::vector<std::vector<TableCell>> cell_panels(const CellScores& scores);
+[[nodiscard]] std::vector<TableCell> cell_issuance(const CellIssuance& count);
+[[nodiscard]] std::vector<TableCell> cell_speed(const H3Table& h3);
+
+/// Appends a cell with its rows, or with one row of missing cells if there are none. `status` is
+/// "done" or why there is nothing.
 void add_cell(const Cell& cell,
               const std::string& status,
-              const CellRows& rows,
-              Table& cells,
-              Table& issuance);
+              const std::vector<std::vector<TableCell>>& rows,
+              Table& table);
 
 }  // namespace tcert

@@ -1,33 +1,10 @@
 #include "reports/fit/logistic_report.hpp"
 
-#include <cmath>
-
 #include "reports/fit/cells.hpp"
+#include "reports/fit/coefficient_words.hpp"
 
 namespace tcert {
 namespace {
-
-std::string_view word(CoefficientKind kind) {
-  switch (kind) {
-    case CoefficientKind::finite:
-      return "finite";
-    case CoefficientKind::not_estimable:
-      return "not estimable";
-    case CoefficientKind::plus_infinity:
-      return "+infinity";
-    case CoefficientKind::minus_infinity:
-      return "-infinity";
-    case CoefficientKind::diverging:
-      return "diverging";
-    case CoefficientKind::unknown:
-      return "unknown";
-  }
-  return "";
-}
-
-std::optional<double> odds(const std::optional<double>& log_odds) {
-  return log_odds ? std::optional(std::exp(*log_odds)) : std::nullopt;
-}
 
 Table coefficient_table(const LogisticFit& fit,
                         const std::vector<std::optional<Interval>>& profiles) {
@@ -66,30 +43,8 @@ Table coefficient_table(const LogisticFit& fit,
       cells.push_back(high_cell(profile));
     }
     cells.push_back(number_cell(odds(one.estimate)));
-    cells.emplace_back(one.kind == CoefficientKind::finite ? std::string()
-                                                           : std::string(word(one.kind)));
+    cells.emplace_back(std::string(reason_without_estimate(one.kind)));
     table.add_row(std::move(cells));
-  }
-  return table;
-}
-
-Table drop_table(const std::vector<DroppedTerm>& dropped) {
-  Table table;
-  table.name = "drop1";
-  table.title = "Likelihood-ratio test of each term";
-  table.columns = {text_column("term", "term"),
-                   integer_column("df", "df"),
-                   number_column("deviance", "deviance without"),
-                   number_column("AIC", "AIC without"),
-                   number_column("statistic", "chi-squared"),
-                   p_column()};
-  for (const DroppedTerm& one : dropped) {
-    table.add_row({one.term,
-                   integer_cell(one.df),
-                   number_cell(one.deviance),
-                   number_cell(one.aic),
-                   number_cell(one.chi_squared),
-                   p_cell(one.p_value)});
   }
   return table;
 }
@@ -114,7 +69,7 @@ FitReport logistic_report(const LogisticFit& fit,
         "Robust variance: no profile intervals and no likelihood-ratio tests, which take the rows "
         "to be independent.");
   } else {
-    report.tables.push_back(drop_table(dropped));
+    report.tables.push_back(drop_table(dropped, "deviance without"));
   }
   Record summary("summary", "Fit");
   summary.integer("nobs", "rows", fit.rows)

@@ -33,6 +33,8 @@
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/concordance/concordance_statistic.hpp"
 #include "analysis/cox/cox.hpp"
+#include "analysis/glmm/glmm.hpp"
+#include "analysis/glmm/glmm_profile.hpp"
 #include "analysis/model/formula.hpp"
 #include "analysis/model/model_frame.hpp"
 #include "analysis/resampling/bootstrap.hpp"
@@ -138,6 +140,30 @@ Job cox(Ties ties, const std::string& cluster) {
   };
 }
 
+GlmmInput trials_by_day(const DataTable& table) {
+  return glmm_input(frame_of(table, "success ~ x1 + x2 + x3 + x4 + lighting + (1 | day)"));
+}
+
+GlmmOptions by_points(int quadrature) {
+  GlmmOptions options;
+  options.quadrature = quadrature;
+  return options;
+}
+
+/// The standard deviation between days and the standard error of x1.
+Job glmm(int quadrature) {
+  return [quadrature](const DataTable& table, std::size_t) -> Numbers {
+    const GlmmFit fit = fit_glmm(trials_by_day(table), by_points(quadrature));
+    return {fit.random.at(0).sd[0], fit.coefficients.at(1).standard_error.value()};
+  };
+}
+
+/// Ends of the profile interval of x1; all parameters are profiled.
+Numbers glmm_profiles(const DataTable& table, std::size_t) {
+  const GlmmProfile profile = glmm_profile(trials_by_day(table), by_points(1));
+  return {profile.coefficients.at(1).value().low, profile.coefficients.at(1).value().high};
+}
+
 /// C and its standard error.
 Numbers concordance_of_x1(const DataTable& table, std::size_t) {
   const ModelFrame frame = frame_of(table, "Surv(time, success) ~ x1");
@@ -209,6 +235,9 @@ const std::map<std::string, Job>& jobs() {
       {"concordance", concordance_of_x1},
       {"kaplan_meier", kaplan_meier},
       {"log_rank", log_rank},
+      {"glmm_laplace", glmm(1)},
+      {"glmm_agq25", glmm(25)},
+      {"glmm_profile", glmm_profiles},
       {"auc_bca", bca_of_auc_difference},
       {"c_bca", bca_of_c_difference},
   };

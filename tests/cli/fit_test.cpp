@@ -54,6 +54,59 @@ class Fit : public ::testing::Test {
   Workdir work_{TCERT_BINARY};
 };
 
+TEST_F(Fit, GlmmPrintsOneDocumentWithBroomsNames) {
+  const json glmm = document("glmm", "success ~ x + (1 | day)", {"--profile", "--drop1"});
+  EXPECT_EQ(glmm["model"], "glmm");
+  ASSERT_EQ(glmm["coefficients"].size(), 3U);
+  const json& x = glmm["coefficients"][1];
+  for (const char* key : {"effect",
+                          "group",
+                          "term",
+                          "estimate",
+                          "std.error",
+                          "statistic",
+                          "p.value",
+                          "conf.low",
+                          "conf.high",
+                          "profile.low",
+                          "profile.high",
+                          "odds.ratio"}) {
+    EXPECT_TRUE(x.contains(key)) << key;
+  }
+  EXPECT_EQ(x["effect"], "fixed");
+  EXPECT_TRUE(x["profile.low"].is_number());
+  const json& sd = glmm["coefficients"][2];
+  EXPECT_EQ(sd["effect"], "ran_pars");
+  EXPECT_EQ(sd["group"], "day");
+  EXPECT_EQ(sd["term"], "sd__(Intercept)");
+  EXPECT_TRUE(sd["estimate"].is_number());
+  EXPECT_EQ(glmm["summary"]["nAGQ"], 15);
+  EXPECT_EQ(glmm["summary"]["termination"], "converged");
+  EXPECT_LT(glmm["summary"]["gradient_norm"].get<double>(), 1e-8);
+  EXPECT_EQ(glmm["random"][0]["dropped"], "(Intercept)");
+  EXPECT_EQ(glmm["ran_vals"].size(), 6U);
+  EXPECT_EQ(glmm["drop1"][0]["term"], "x");
+  EXPECT_EQ(document("glmm", "success ~ x + (1 | day)", {"--quadrature", "1"})["summary"]["nAGQ"],
+            1);
+}
+
+TEST_F(Fit, GlmmNamesWhatItCannotFit) {
+  const ProcessResult none = fit("glmm", "success ~ x");
+  EXPECT_EQ(none.exit_code, 65) << to_string(none);
+  EXPECT_NE(none.err.find("no random effect; write + (1 | group)"), std::string::npos) << none.err;
+  const ProcessResult separated = fit("glmm", "success ~ I(x > 0.55) + z + (1 | day)");
+  EXPECT_EQ(separated.exit_code, 65) << to_string(separated);
+  EXPECT_NE(separated.err.find("I(x > 0.55)"), std::string::npos) << separated.err;
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"--quadrature", "101"}, {"--quadrature", "-1"}, {"--cluster", "day"}, {"--robust"}}) {
+    EXPECT_EQ(fit("glmm", "success ~ x + (1 | day)", more).exit_code, 2) << more[0];
+  }
+  EXPECT_EQ(fit("glmm", "success ~ x + (1 + x | day)", {"--quadrature", "5"}).exit_code, 2);
+  const ProcessResult glm = fit("glm", "success ~ x + (1 | day)");
+  EXPECT_EQ(glm.exit_code, 2);
+  EXPECT_NE(glm.err.find("needs fit glmm"), std::string::npos) << glm.err;
+}
+
 TEST_F(Fit, GlmPrintsOneDocumentWithBroomsNames) {
   const json glm = document("glm", "success ~ x + light");
   EXPECT_EQ(glm["model"], "glm");
@@ -77,6 +130,50 @@ TEST_F(Fit, GlmPrintsOneDocumentWithBroomsNames) {
   EXPECT_EQ(glm["summary"]["termination"], "converged");
   EXPECT_EQ(glm["vcov"].size(), 3U);
   EXPECT_TRUE(glm["conditions"].empty());
+}
+
+TEST_F(Fit, SeparationSuggestsFirthWhichHasAnEstimate) {
+  work_.write("t.csv", "x,y\n1,0\n2,0\n3,1\n4,1\n");
+  const ProcessResult plain = fit("glm", "y ~ x");
+  EXPECT_EQ(plain.exit_code, 65);
+  EXPECT_NE(plain.err.find("fit with --firth"), std::string::npos) << plain.err;
+  const json firth = document("glm", "y ~ x", {"--firth"});
+  ASSERT_EQ(firth["coefficients"].size(), 2U);
+  const json& x = firth["coefficients"][1];
+  EXPECT_GT(x["estimate"].get<double>(), 0.0);
+  EXPECT_GT(x["profile.high"].get<double>(), x["estimate"].get<double>());
+  EXPECT_EQ(x["statistic"], firth["drop1"][0]["statistic"]);
+  EXPECT_EQ(firth["summary"]["separation"], "complete");
+  EXPECT_EQ(firth["conditions"][0]["name"], "penalised_separation");
+  EXPECT_EQ(firth["vcov"].size(), 2U);
+  const ProcessResult clustered = fit("glm", "y ~ x", {"--firth", "--robust"});
+  EXPECT_EQ(clustered.exit_code, 2);
+}
+
+TEST_F(Fit, CalibrationIsOutOfFoldOrOfGivenProbabilities) {
+  const json fitted =
+      document("calibration", "success ~ x", {"--cluster", "day", "--folds", "3", "--seed", "2"});
+  EXPECT_EQ(fitted["summary"]["folds"], 3);
+  EXPECT_EQ(fitted["summary"]["predicted"], "out of fold");
+  EXPECT_EQ(fitted["calibration"].size(), 3U);
+  EXPECT_EQ(fitted["predictions"].size(), 24U);
+  EXPECT_FALSE(fitted["bins"].empty());
+  // The given column of probabilities is calibrated as it is.
+  std::string csv = "p,y\n";
+  for (const json& row : fitted["predictions"]) {
+    if (!row["predicted"].is_null()) {
+      csv += row["predicted"].dump() + "," + row["outcome"].dump() + "\n";
+    }
+  }
+  work_.write("t.csv", csv);
+  const json given = document("calibration", "y ~ p", {"--predicted", "p"});
+  EXPECT_EQ(given["calibration"][0]["estimate"], fitted["calibration"][0]["estimate"]);
+  EXPECT_EQ(given["brier"], fitted["brier"]);
+  EXPECT_EQ(fit("calibration", "y ~ p", {"--predicted", "q"}).exit_code, 2);
+  work_.write("t.csv", "p,y\n0.5,1\n1.5,0\n0.2,0\n");
+  const ProcessResult outside = fit("calibration", "y ~ p", {"--predicted", "p"});
+  EXPECT_EQ(outside.exit_code, 65);
+  EXPECT_NE(outside.err.find("not between 0 and 1"), std::string::npos) << outside.err;
 }
 
 TEST_F(Fit, CoxTakesStrataClustersResidualsAndCurves) {
@@ -156,7 +253,7 @@ TEST_F(Fit, SaysWhatIsWrongWithTheCall) {
     EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
   };
   expect_usage(fit("coxx", "y ~ x"),
-               "unknown kind 'coxx', expected glm, cox, km, roc or concordance");
+               "unknown kind 'coxx', expected glm, calibration, cox, km, roc or concordance");
   expect_usage(fit("glm", "succes ~ x"), "no column 'succes' in t.csv; did you mean 'success'?");
   expect_usage(fit("glm", "success x"), "unexpected 'x' at character 9");
   expect_usage(fit("cox", "Surv(time_s, success) ~ x", {"--ties", "efrom"}),

@@ -30,6 +30,17 @@ TEST(GatedSpeed, NeverFallsAsTheMarginGrows) {
   }
 }
 
+TEST(GatedSpeed, ClipsAndNeverHalts) {
+  const SpeedLaw clip{0.08, 0.22, 10.0, SpeedLawKind::clip};
+  EXPECT_EQ(gated_speed(clip, -1.0), 0.08);
+  EXPECT_EQ(gated_speed(clip, 0.0), 0.08);
+  EXPECT_NEAR(gated_speed(clip, 0.05), 0.15, 1e-15);
+  EXPECT_EQ(gated_speed(clip, 0.1), 0.22);
+  EXPECT_EQ(gated_speed(clip, std::numeric_limits<double>::infinity()), 0.22);
+  EXPECT_EQ(gated_speed(clip, -std::numeric_limits<double>::infinity()), 0.08);
+  EXPECT_EQ(gated_speed(clip, std::numeric_limits<double>::quiet_NaN()), 0.0);
+}
+
 TEST(SpeedLaw, RefusesImpossibleValues) {
   EXPECT_THROW(validate(SpeedLaw{0.3, 0.22, 10.0}), std::invalid_argument);
   EXPECT_THROW(validate(SpeedLaw{0.0, 0.22, 10.0}), std::invalid_argument);

@@ -64,11 +64,31 @@ TEST(Formula, TakesSpecialsOut) {
   EXPECT_EQ(to_string(formula.offsets.at(0)), "o");
   EXPECT_EQ(formula.strata.size(), 2U);
   EXPECT_EQ(to_string(formula.clusters.at(0)), "id");
-  ASSERT_EQ(formula.random_groups.size(), 2U);
-  EXPECT_EQ(to_string(formula.random_groups[0]), "day");
-  EXPECT_EQ(to_string(formula.random_groups[1]), "run:day");
+  ASSERT_EQ(formula.random_terms.size(), 2U);
+  EXPECT_EQ(to_string(formula.random_terms[0].group), "day");
+  EXPECT_EQ(to_string(formula.random_terms[1].group), "run:day");
   EXPECT_EQ(formula.columns(),
             (Names{"start", "stop", "event", "x", "o", "s", "t", "id", "day", "run"}));
+}
+
+TEST(Formula, TakesRandomTerms) {
+  const auto terms_of = [](const char* text) {
+    std::vector<std::string> words;
+    for (const RandomTerm& random : parse_formula(text).random_terms) {
+      std::string word = random.intercept ? "1" : "0";
+      for (const Term& term : random.terms) {
+        word += "+" + term.name();
+      }
+      words.push_back(word + "|" + to_string(random.group));
+    }
+    return words;
+  };
+  EXPECT_EQ(terms_of("y ~ z + (x | g)"), (Names{"1+x|g"}));
+  EXPECT_EQ(terms_of("y ~ (0 + x | g) + (1 | h)"), (Names{"0+x|g", "1|h"}));
+  EXPECT_EQ(terms_of("y ~ (1 + x || g)"), (Names{"1|g", "0+x|g"}));
+  EXPECT_EQ(terms_of("y ~ (x * z | a/b)"), (Names{"1+x+z+x:z|a", "1+x+z+x:z|b:a"}));
+  EXPECT_EQ(parse_formula("y ~ z + (x | g)").columns(), (Names{"y", "z", "x", "g"}));
+  EXPECT_TRUE(parse_formula("y ~ 0 + z + (1 | g)").random_terms.front().intercept);
 }
 
 TEST(Formula, ReadsNumbersByRsPrecedence) {
@@ -87,8 +107,9 @@ TEST(Formula, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(problem_of("y ~ x +"), "formula 'y ~ x +': it ends too early at character 8");
   EXPECT_EQ(problem_of("y ~ x ; z"), "formula 'y ~ x ; z': unexpected ';' at character 7");
   EXPECT_EQ(problem_of("y ~ log(x"), "formula 'y ~ log(x': expected ',' or ')' at character 10");
-  EXPECT_EQ(problem_of("y ~ (x | day)"),
-            "formula 'y ~ (x | day)': random effects are intercepts: write (1 | group)");
+  EXPECT_EQ(problem_of("y ~ (0 | day)"),
+            "formula 'y ~ (0 | day)': '0' are no random effects: write (1 | group) or (1 + x | "
+            "group)");
   EXPECT_EQ(problem_of("y ~ -x"), "formula 'y ~ -x': nothing to take 'x' from; for -x write I(-x)");
   EXPECT_EQ(
       problem_of("y ~ 2*x"),

@@ -1,0 +1,29 @@
+#include "analysis/basics/wald_test.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace tcert {
+
+std::optional<ChiSquareTest> wald_test(const Eigen::VectorXd& estimates,
+                                       const Eigen::MatrixXd& covariance) {
+  if (estimates.size() == 0 || !estimates.allFinite() || !covariance.allFinite()) {
+    return std::nullopt;
+  }
+  const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt();
+  if (!(scale.minCoeff() > 0.0)) {
+    return std::nullopt;
+  }
+  const Eigen::VectorXd inverse = scale.cwiseInverse();
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(inverse.asDiagonal() * covariance *
+                                             inverse.asDiagonal());
+  // A pivot of a correlation matrix this small is rounding.
+  constexpr double kSmallestPivot = 1e-6;
+  if (cholesky.info() != Eigen::Success ||
+      Eigen::MatrixXd(cholesky.matrixLLT()).diagonal().minCoeff() < kSmallestPivot) {
+    return std::nullopt;
+  }
+  const Eigen::VectorXd z = cholesky.matrixL().solve(inverse.cwiseProduct(estimates));
+  return chi_square_test(z.squaredNorm(), static_cast<std::size_t>(estimates.size()));
+}
+
+}  // namespace tcert

@@ -1,0 +1,169 @@
+#include "analysis/calibration/calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "analysis/calibration/calibration_bins.hpp"
+#include "analysis/logistic/logistic.hpp"
+
+namespace tcert {
+namespace {
+
+void check(std::span<const double> outcome,
+           std::span<const double> probability,
+           const Factor* cluster,
+           const CalibrationOptions& options) {
+  if (outcome.size() != probability.size() ||
+      (cluster != nullptr && cluster->rows() != outcome.size())) {
+    throw std::invalid_argument("calibration: lengths differ");
+  }
+  if (!(options.level > 0.0 && options.level < 1.0) || options.bins < 3) {
+    throw std::invalid_argument("calibration: level must be in (0, 1), bins at least 3");
+  }
+  const bool binary = std::all_of(outcome.begin(), outcome.end(), [](double y) {
+    return y == 0.0 || y == 1.0 || std::isnan(y);
+  });
+  if (!binary) {
+    throw std::invalid_argument("calibration: an outcome is 0 or 1");
+  }
+}
+
+/// Complete rows; a probability outside (0, 1) becomes a condition.
+CalibrationRows complete_rows(std::span<const double> outcome,
+                              std::span<const double> probability,
+                              const Factor* cluster,
+                              Calibration& result) {
+  CalibrationRows rows;
+  std::size_t outside = 0;
+  std::string first;
+  for (std::size_t i = 0; i < outcome.size(); ++i) {
+    const double p = probability[i];
+    if (std::isnan(outcome[i]) || std::isnan(p) ||
+        (cluster != nullptr && cluster->codes[i] == Factor::kMissing)) {
+      ++result.missing;
+      continue;
+    }
+    if (!(p > 0.0 && p < 1.0)) {
+      first = ++outside == 1 ? "the first is row " + std::to_string(i + 1) : first;
+      continue;
+    }
+    rows.outcome.push_back(outcome[i]);
+    rows.probability.push_back(p);
+    if (cluster != nullptr) {
+      rows.cluster.push_back(cluster->codes[i]);
+    }
+  }
+  if (outside > 0) {
+    result.conditions.push_back({ConditionKind::bad_probability,
+                                 ConditionSeverity::error,
+                                 "",
+                                 std::to_string(outside) + ", " + first});
+  }
+  return rows;
+}
+
+/// The outcome on the logit of its probability; with `slope` held at 1 that is an offset.
+LogisticFit recalibration(const CalibrationRows& rows,
+                          const Factor* cluster,
+                          bool slope,
+                          double level) {
+  const auto n = static_cast<Eigen::Index>(rows.outcome.size());
+  LogisticInput input;
+  input.design = Eigen::MatrixXd::Ones(n, slope ? 2 : 1);
+  input.columns = {"(Intercept)"};
+  input.term_of = {0};
+  input.successes = Eigen::Map<const Eigen::VectorXd>(rows.outcome.data(), n);
+  Eigen::VectorXd logit(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double p = rows.probability[static_cast<std::size_t>(i)];
+    logit[i] = std::log(p) - std::log1p(-p);
+  }
+  if (slope) {
+    input.design.col(1) = logit;
+    input.columns.emplace_back("logit p");
+    input.term_of.push_back(1);
+    input.terms = {"logit p"};
+  } else {
+    input.offset = logit;
+  }
+  LogisticOptions options;
+  options.level = level;
+  if (cluster != nullptr) {
+    input.cluster = Factor{rows.cluster, cluster->levels};
+    options.variance = CoefficientVariance::robust;
+  }
+  return fit_logistic(input, options);
+}
+
+CalibrationCoefficient coefficient(const LogisticFit& fit, std::size_t column) {
+  const LogisticCoefficient& one = fit.coefficients[column];
+  return {one.estimate, one.standard_error, one.interval};
+}
+
+void add_recalibration(const CalibrationRows& rows,
+                       const Factor* cluster,
+                       double level,
+                       Calibration& result) {
+  if (result.events == 0 || result.events == result.rows) {
+    result.conditions.push_back(
+        {ConditionKind::one_class, ConditionSeverity::warning, "", "no slope, no intercepts"});
+    return;
+  }
+  const LogisticFit both = recalibration(rows, cluster, true, level);
+  result.clusters = both.clusters;
+  result.in_the_large = coefficient(recalibration(rows, cluster, false, level), 0);
+  for (Condition condition : both.conditions) {
+    // The probabilities stand although no finite slope recalibrates them.
+    if (condition.severity == ConditionSeverity::error) {
+      condition.severity = ConditionSeverity::warning;
+    }
+    result.conditions.push_back(std::move(condition));
+  }
+  if (both.coefficients[1].estimate) {
+    result.intercept = coefficient(both, 0);
+    result.slope = coefficient(both, 1);
+  }
+}
+
+}  // namespace
+
+Calibration calibration(std::span<const double> outcome,
+                        std::span<const double> probability,
+                        const Factor* cluster,
+                        const CalibrationOptions& options) {
+  check(outcome, probability, cluster, options);
+  Calibration result;
+  const CalibrationRows rows = complete_rows(outcome, probability, cluster, result);
+  result.rows = rows.outcome.size();
+  if (has_error(result.conditions)) {
+    return result;
+  }
+  if (rows.outcome.empty()) {
+    result.conditions.push_back({ConditionKind::no_rows, ConditionSeverity::error, "", ""});
+    return result;
+  }
+  for (std::size_t i = 0; i < rows.outcome.size(); ++i) {
+    result.events += rows.outcome[i] == 1.0 ? 1 : 0;
+    result.expected += rows.probability[i];
+  }
+  result.observed = static_cast<double>(result.events);
+  if (result.events > 0) {
+    result.expected_to_observed = result.expected / result.observed;
+  }
+  result.bins = calibration_bins(rows, options);
+  if (result.bins.size() < options.bins) {
+    result.conditions.push_back(
+        {ConditionKind::few_bins,
+         ConditionSeverity::note,
+         "",
+         std::to_string(result.bins.size()) + " of " + std::to_string(options.bins)});
+  }
+  result.brier = brier_parts(rows, result.bins);
+  result.hosmer_lemeshow = hosmer_lemeshow(result.bins);
+  add_recalibration(rows, cluster, options.level, result);
+  return result;
+}
+
+}  // namespace tcert

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// A statistic of each group of rows by itself, and how far apart they lie.
+
+#include "analysis/equivalence/range_permutation.hpp"
+#include "analysis/resampling/statistic.hpp"
+#include "datasets/factor.hpp"
+
+namespace tcert {
+
+/// All values of `whole` on the rows of the first group, then of the second, ...: value v of group
+/// g is number g * whole.values + v. \throws std::invalid_argument if the rows differ.
+[[nodiscard]] Statistic by_group(const Statistic& whole, const Factor& group);
+
+/// Makes kernels of the largest less the smallest of value `value` of `whole` over `groups` groups
+/// of rows; NaN if a group has none.
+[[nodiscard]] std::function<RangeKernel()> range_of(const Statistic& whole,
+                                                    std::size_t value,
+                                                    std::size_t groups);
+
+}  // namespace tcert

@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// The bottleneck micro-study (paper 3.4): does the margin at a gate tell whether the robot passes,
+/// and is the even chance at margin 0?
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/basics/interval.hpp"
+#include "analysis/gate/even_chance.hpp"
+#include "analysis/gate/gate_pass.hpp"
+#include "analysis/logistic/logistic.hpp"
+
+namespace tcert {
+
+struct GateRow {
+  std::string trial_id;
+  std::optional<bool> success;
+  GatePass pass;
+};
+
+/// Passes of like margin: what was seen and what the model says.
+struct GateCalibration {
+  std::size_t passes = 0;
+  std::size_t successes = 0;
+  double mean_margin_m = 0.0;
+  double observed = 0.0;
+  Interval observed_interval;  ///< Wilson.
+  double predicted = 0.0;      ///< Mean of the fitted chances.
+};
+
+struct GateStudy {
+  std::vector<GateRow> rows;
+  EvenChance even;                  ///< x is the bottleneck margin in metres.
+  std::optional<LogisticFit> both;  ///< success ~ bottleneck + certificate before the gate.
+  std::vector<GateCalibration> calibration;  ///< Of five groups of about equal size, by margin.
+  std::size_t incomplete = 0;  ///< Passes without outcome or bottleneck margin, left out.
+  EvenChanceOptions options;
+};
+
+/// \throws std::invalid_argument as `even_chance`.
+[[nodiscard]] GateStudy gate_study(std::vector<GateRow> rows, const EvenChanceOptions& options);
+
+}  // namespace tcert

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// Profile-likelihood intervals of a mixed model.
+
+#include <optional>
+#include <vector>
+
+#include "analysis/basics/interval.hpp"
+#include "analysis/glmm/glmm.hpp"
+
+namespace tcert {
+
+struct GlmmProfile {
+  std::vector<std::optional<Interval>> coefficients;  ///< One a column of the fixed part.
+  /// The standard deviation of each random term of one column; empty for those of several.
+  std::vector<std::optional<Interval>> sds;
+};
+
+/// Values at which twice the drop of the log-likelihood, maximised over all other parameters, is
+/// the chi-squared quantile of `options.level`: the roots themselves, each with its model refitted,
+/// where `confint(method = "profile")` interpolates. A standard deviation's lower end is 0 if the
+/// likelihood there is not low enough. Empty without an estimate and where a root is not found.
+/// \throws std::invalid_argument as `fit_glmm`. About 5 refits per parameter and end, in parallel.
+[[nodiscard]] GlmmProfile glmm_profile(const GlmmInput& input, const GlmmOptions& options = {});
+
+}  // namespace tcert

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Effects per standard deviation towards the better side: what H1 and H2 print of a predictor.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "analysis/basics/condition.hpp"
+#include "analysis/cox/cox.hpp"
+#include "analysis/h1/panel_data.hpp"
+
+namespace tcert {
+
+/// With n - 1 in the denominator.
+[[nodiscard]] double standard_deviation(const std::vector<double>& values);
+
+/// Predictor `k` of the panel in standard deviations of the panel, rising towards the better side.
+[[nodiscard]] Eigen::VectorXd per_sd(const H1Data& data, std::size_t k);
+
+/// The ratio of the first column of `cox`, clustered as `data` is, which has its rows; with the
+/// strata of `data` if `stratified`. What the fit met is added to `conditions`, but for few
+/// clusters, which the panel says.
+[[nodiscard]] H1HazardRatio hazard_ratio(
+    CoxData cox, const H1Data& data, double level, bool stratified, Conditions& conditions);
+
+}  // namespace tcert

@@ -1,0 +1,217 @@
+#include "analysis/h2/group_models.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "analysis/basics/wald_test.hpp"
+#include "analysis/cox/cox.hpp"
+#include "analysis/equivalence/scores_by_group.hpp"
+#include "analysis/h1/hazard_ratio.hpp"
+#include "analysis/logistic/logistic.hpp"
+#include "analysis/model/variable.hpp"
+
+namespace tcert {
+namespace {
+
+std::vector<Eigen::Index> indices(const std::vector<std::size_t>& rows) {
+  return {rows.begin(), rows.end()};
+}
+
+Eigen::VectorXd outcome_of(const H1Data& data) {
+  Eigen::VectorXd outcome(static_cast<Eigen::Index>(data.rows()));
+  for (std::size_t row = 0; row < data.rows(); ++row) {
+    outcome[static_cast<Eigen::Index>(row)] = data.success[row];
+  }
+  return outcome;
+}
+
+void add_conditions(const Conditions& more, Conditions& conditions) {
+  for (const Condition& condition : more) {
+    if (condition.kind != ConditionKind::few_clusters) {
+      conditions.push_back(condition);
+    }
+  }
+}
+
+/// The groups' part of the panel, for what fits it by itself.
+H1Data part_of(const H1Data& data, const std::vector<std::size_t>& rows) {
+  H1Data part;
+  for (const std::size_t row : rows) {
+    part.success.push_back(data.success[row]);
+  }
+  part.cluster = on_rows(data.cluster, rows);
+  if (data.strata) {
+    part.strata = on_rows(*data.strata, rows);
+  }
+  if (data.censored) {
+    part.censored = on_rows(*data.censored, rows);
+    part.at_limit = on_rows(*data.at_limit, rows);
+  }
+  return part;
+}
+
+H1HazardRatio odds_ratio(const H1Data& part,
+                         const std::string& name,
+                         const Eigen::VectorXd& x,
+                         double level,
+                         Conditions& conditions) {
+  LogisticInput input;
+  input.design = Eigen::MatrixXd::Ones(x.size(), 2);
+  input.design.col(1) = x;
+  input.columns = {"(Intercept)", name};
+  input.terms = {name};
+  input.term_of = {0, 1};
+  input.response = "success";
+  input.successes = outcome_of(part);
+  input.cluster = part.cluster;
+  LogisticOptions options;
+  options.level = level;
+  options.variance = CoefficientVariance::robust;
+  const LogisticFit fit = fit_logistic(input, options);
+  add_conditions(fit.conditions, conditions);
+  const LogisticCoefficient& one = fit.coefficients[1];
+  H1HazardRatio result;
+  if (one.estimate) {
+    result.ratio = std::exp(*one.estimate);
+    result.p_value = one.p_value;
+  }
+  if (one.interval) {
+    result.interval = Interval{std::exp(one.interval->low), std::exp(one.interval->high), level};
+  }
+  return result;
+}
+
+CoxData cox_of(const SurvivalOutcome& outcome, Eigen::MatrixXd design, const std::string& name) {
+  CoxData cox;
+  cox.outcome = outcome;
+  cox.design = std::move(design);
+  for (Eigen::Index column = 0; column < cox.design.cols(); ++column) {
+    cox.columns.push_back(column == 0 ? name : name + " " + std::to_string(column));
+    cox.term_of.push_back(cox.terms.size());
+    cox.terms.push_back(cox.columns.back());
+  }
+  return cox;
+}
+
+/// Predictor, dummies of all groups but the first, and their products.
+struct Interaction {
+  Eigen::MatrixXd design;
+  std::vector<std::string> columns;
+  Eigen::Index products = 0;  ///< The last so many columns.
+};
+
+Interaction interaction_of(const H1Data& data) {
+  const Factor& group = *data.group;
+  const Eigen::VectorXd x = per_sd(data, 0);
+  const auto others = static_cast<Eigen::Index>(group.levels.size()) - 1;
+  Interaction result;
+  result.products = others;
+  result.design = Eigen::MatrixXd::Zero(x.size(), 1 + 2 * others);
+  result.design.col(0) = x;
+  for (Eigen::Index row = 0; row < x.size(); ++row) {
+    const auto code = static_cast<Eigen::Index>(group.codes[static_cast<std::size_t>(row)]);
+    if (code > 0) {
+      result.design(row, code) = 1.0;
+      result.design(row, others + code) = x[row];
+    }
+  }
+  result.columns = {data.names[0]};
+  for (const char* const prefix : {"", ":"}) {
+    for (std::size_t g = 1; g < group.levels.size(); ++g) {
+      result.columns.push_back((*prefix == ':' ? data.names[0] + ":" : "") + group.levels[g]);
+    }
+  }
+  return result;
+}
+
+/// Wald's test of the last coefficients.
+template <class Coefficient>
+std::optional<ChiSquareTest> test_of_last(const std::vector<Coefficient>& coefficients,
+                                          const Eigen::MatrixXd& covariance,
+                                          Eigen::Index count) {
+  Eigen::VectorXd estimates(count);
+  const std::size_t first = coefficients.size() - static_cast<std::size_t>(count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const auto& estimate = coefficients[first + static_cast<std::size_t>(j)].estimate;
+    if (!estimate) {
+      return std::nullopt;
+    }
+    estimates[j] = *estimate;
+  }
+  return wald_test(estimates, covariance.bottomRightCorner(count, count));
+}
+
+H2Interaction logistic_interaction(const H1Data& data, const Interaction& terms) {
+  LogisticInput input;
+  input.design.resize(terms.design.rows(), terms.design.cols() + 1);
+  input.design << Eigen::VectorXd::Ones(terms.design.rows()), terms.design;
+  input.columns = {"(Intercept)"};
+  input.term_of = {0};
+  for (const std::string& column : terms.columns) {
+    input.columns.push_back(column);
+    input.terms.push_back(column);
+    input.term_of.push_back(input.terms.size());
+  }
+  input.response = "success";
+  input.successes = outcome_of(data);
+  input.cluster = data.cluster;
+  LogisticOptions options;
+  options.variance = CoefficientVariance::robust;
+  const LogisticFit fit = fit_logistic(input, options);
+  H2Interaction result{
+      "logistic", test_of_last(fit.coefficients, fit.covariance, terms.products), {}};
+  add_conditions(fit.conditions, result.conditions);
+  return result;
+}
+
+H2Interaction cox_interaction(const H1Data& data, const Interaction& terms, bool stratified) {
+  CoxData cox = cox_of(*data.censored, terms.design, data.names[0]);
+  cox.columns = terms.columns;
+  cox.terms = terms.columns;
+  cox.cluster = data.cluster;
+  if (stratified) {
+    cox.strata = data.strata;
+  }
+  const CoxFit fit = fit_cox(cox);
+  H2Interaction result{stratified ? "Cox, stratified" : "Cox",
+                       test_of_last(fit.coefficients, fit.vcov, terms.products),
+                       {}};
+  add_conditions(fit.conditions, result.conditions);
+  return result;
+}
+
+}  // namespace
+
+void add_group_effects(const H1Data& data, double level, H2Panel& panel) {
+  const Eigen::VectorXd x = per_sd(data, 0);
+  const auto rows_of = rows_of_levels(*data.group);
+  for (std::size_t g = 0; g < rows_of.size(); ++g) {
+    H2Level& one = panel.levels[g];
+    const H1Data part = part_of(data, rows_of[g]);
+    const Eigen::VectorXd own = x(indices(rows_of[g]));
+    one.odds = odds_ratio(part, data.names[0], own, level, one.conditions);
+    if (!part.censored) {
+      continue;
+    }
+    const CoxData censored = cox_of(*part.censored, own, data.names[0]);
+    one.censored = hazard_ratio(censored, part, level, false, one.conditions);
+    one.at_limit = hazard_ratio(
+        cox_of(*part.at_limit, own, data.names[0]), part, level, false, one.conditions);
+    if (part.strata) {
+      one.stratified = hazard_ratio(censored, part, level, true, one.conditions);
+    }
+  }
+}
+
+void add_interactions(const H1Data& data, H2Panel& panel) {
+  const Interaction terms = interaction_of(data);
+  panel.interactions.push_back(logistic_interaction(data, terms));
+  if (data.censored) {
+    panel.interactions.push_back(cox_interaction(data, terms, false));
+    if (data.strata) {
+      panel.interactions.push_back(cox_interaction(data, terms, true));
+    }
+  }
+}
+
+}  // namespace tcert

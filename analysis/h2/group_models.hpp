@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// The models of H2: effects within each group, and whether they differ.
+
+#include "analysis/h1/panel_data.hpp"
+#include "analysis/h2/hypothesis_h2.hpp"
+
+namespace tcert {
+
+/// Fills odds and hazard ratios of every level. \pre `data` has groups, and the panel its levels.
+void add_group_effects(const H1Data& data, double level, H2Panel& panel);
+
+/// Fills `interactions`: predictor, groups and their products; Cox if there are times.
+void add_interactions(const H1Data& data, H2Panel& panel);
+
+}  // namespace tcert

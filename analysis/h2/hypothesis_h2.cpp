@@ -1,0 +1,197 @@
+#include "analysis/h2/hypothesis_h2.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/concordance/concordance_statistic.hpp"
+#include "analysis/equivalence/scores_by_group.hpp"
+#include "analysis/equivalence/statistic_by_group.hpp"
+#include "analysis/h1/hazard_ratio.hpp"
+#include "analysis/h1/panel_data.hpp"
+#include "analysis/h2/group_models.hpp"
+#include "analysis/model/variable.hpp"
+#include "analysis/roc/auc_statistic.hpp"
+
+namespace tcert {
+namespace {
+
+/// Streams of the seed; panels, resamples and permutations must not share draws.
+constexpr std::uint32_t kFirstStream = 0x48320000;  // "H2"
+constexpr std::uint32_t kPanelStreams = 16;
+
+/// AUC, and C if there are times, of the predictor on all rows.
+Statistic scores_of(const H1Data& data) {
+  const Score score = data.score(0);
+  Statistic auc = auc_statistic({&score, 1}, data.success);
+  if (!data.censored) {
+    return auc;
+  }
+  const Predictor timed = data.timed(0);
+  return joined({std::move(auc), concordance_statistic(*data.censored, {&timed, 1})});
+}
+
+void count_levels(const H1Data& data, H2Panel& panel) {
+  const auto rows_of = rows_of_levels(*data.group);
+  for (std::size_t g = 0; g < rows_of.size(); ++g) {
+    H2Level level;
+    level.name = data.group->levels[g];
+    level.trials = rows_of[g].size();
+    for (const std::size_t row : rows_of[g]) {
+      level.successes += data.success[row];
+    }
+    level.clusters = on_rows(data.cluster, rows_of[g]).levels.size();
+    panel.levels.push_back(std::move(level));
+  }
+}
+
+void take(const GroupScore& score, const std::string& quantity, H1Score& to, H2Level& level) {
+  to.value = score.value;
+  to.closed_form = score.interval;
+  to.std_error = score.standard_error;
+  for (Condition condition : score.conditions) {
+    condition.detail = quantity + (condition.detail.empty() ? "" : ": " + condition.detail);
+    level.conditions.push_back(std::move(condition));
+  }
+}
+
+void take(const BootstrapEstimate& estimate,
+          const std::string& quantity,
+          H1Score& to,
+          H2Level& level) {
+  to.bca = estimate.interval;
+  for (Condition condition : estimate.conditions) {
+    condition.detail = quantity + (condition.detail.empty() ? "" : ": " + condition.detail);
+    level.conditions.push_back(std::move(condition));
+  }
+}
+
+void bootstrap_levels(const H1Data& data,
+                      const Statistic& scores,
+                      const H2Options& options,
+                      H2Panel& panel) {
+  const ResamplingPlan plan = ResamplingPlan::of_clusters(data.cluster.codes);
+  BootstrapOptions bootstrap_options;
+  bootstrap_options.replicates = options.trials.replicates;
+  bootstrap_options.seed = options.trials.seed;
+  bootstrap_options.analysis =
+      kFirstStream + kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind);
+  const BootstrapResult result = bootstrap(by_group(scores, *data.group), plan, bootstrap_options);
+  for (std::size_t g = 0; g < panel.levels.size(); ++g) {
+    H2Level& level = panel.levels[g];
+    const auto estimate = [&](std::size_t value) {
+      return bootstrap_estimate(result, g * scores.values + value, options.trials.level);
+    };
+    take(estimate(0), "AUC", level.auc, level);
+    if (data.censored) {
+      take(estimate(1), "C", level.c, level);
+    }
+  }
+}
+
+std::optional<H2Equality> equality(const ScoresByGroup& by_level,
+                                   const H1Data& data,
+                                   const Statistic& scores,
+                                   std::size_t value,
+                                   const H2Options& options,
+                                   H2Panel& panel) {
+  if (!by_level.joint) {
+    return std::nullopt;
+  }
+  H2Equality result;
+  result.groups = *by_level.joint;
+  EquivalenceOptions equivalence_options;
+  equivalence_options.margin = options.margin;
+  result.tests = equivalence(result.groups, equivalence_options);
+  for (Condition condition : result.tests.conditions) {
+    condition.detail = value == 0 ? "AUC" : "C";
+    panel.conditions.push_back(std::move(condition));
+  }
+  PermutationOptions permutation;
+  permutation.permutations = options.permutations;
+  permutation.seed = options.trials.seed;
+  permutation.analysis = kFirstStream +
+                         kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind) + 1 +
+                         static_cast<std::uint32_t>(value);
+  result.range = range_under_equality(data.group->codes,
+                                      data.cluster.codes,
+                                      range_of(scores, value, data.group->levels.size()),
+                                      permutation);
+  return result;
+}
+
+void score_levels(const H1Data& data, const H2Options& options, H2Panel& panel) {
+  const double level = options.trials.level;
+  const Statistic scores = scores_of(data);
+  const ScoresByGroup auc =
+      auc_by_group(data.score(0), data.success, *data.group, data.cluster.codes, level);
+  for (std::size_t g = 0; g < panel.levels.size(); ++g) {
+    take(auc.groups[g], "AUC", panel.levels[g].auc, panel.levels[g]);
+  }
+  panel.auc = equality(auc, data, scores, 0, options, panel);
+  if (data.censored) {
+    const ScoresByGroup c =
+        concordance_by_group(*data.censored, data.timed(0), *data.group, data.cluster, level);
+    for (std::size_t g = 0; g < panel.levels.size(); ++g) {
+      take(c.groups[g], "C", panel.levels[g].c, panel.levels[g]);
+    }
+    panel.c = equality(c, data, scores, 1, options, panel);
+  }
+  bootstrap_levels(data, scores, options, panel);
+}
+
+H2Panel panel_of(const DataTable& table, const H2Options& options, H1PanelKind kind) {
+  H2Panel panel;
+  panel.trials.kind = kind;
+  const H1Data data = panel_data(table, options.trials, panel.trials);
+  panel.missing = panel.trials.rows.front().missing;
+  panel.trials.rows.clear();
+  panel.predictor = data.names.front();
+  panel.higher = data.higher.front();
+  if (!can_be_scored(panel.trials)) {
+    return panel;
+  }
+  if (data.group->levels.size() < 2) {
+    panel.conditions.push_back(
+        {ConditionKind::one_group, ConditionSeverity::error, options.trials.group, ""});
+    return panel;
+  }
+  panel.sd = standard_deviation(data.predictors.front());
+  count_levels(data, panel);
+  score_levels(data, options, panel);
+  add_group_effects(data, options.trials.level, panel);
+  add_interactions(data, panel);
+  return panel;
+}
+
+void validate(const H2Options& options) {
+  if (options.trials.predictors.size() != 1 || options.trials.group.empty()) {
+    throw std::invalid_argument("H2 needs one predictor and a group");
+  }
+  if (!(options.trials.level > 0.0 && options.trials.level < 1.0)) {
+    throw std::invalid_argument("H2: the level must be in (0, 1)");
+  }
+  if (options.trials.replicates < 1 || options.permutations < 1 || !(options.margin > 0.0)) {
+    throw std::invalid_argument("H2 needs a replicate, a permutation and a margin above 0");
+  }
+}
+
+}  // namespace
+
+H2Table hypothesis_h2(const DataTable& table, const H2Options& options) {
+  validate(options);
+  H2Table h2;
+  h2.options = options;
+  h2.trials = table.rows;
+  h2.panels.push_back(panel_of(table, options, H1PanelKind::paper));
+  if (has_landmark(table, options.trials)) {
+    h2.panels.push_back(panel_of(table, options, H1PanelKind::landmark));
+  }
+  h2.outcome_missing = table.rows - h2.panels.front().trials.trials;
+  return h2;
+}
+
+std::vector<std::string> columns_of(const H2Options& options) { return columns_of(options.trials); }
+
+}  // namespace tcert

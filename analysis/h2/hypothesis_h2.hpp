@@ -1,0 +1,89 @@
+#pragma once
+/// \file
+/// H2: the early certificate margin predicts as well in every lighting (or other group), on any
+/// table that H1 takes. Absence of a difference is tested, not read off a test of difference.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/basics/chi_square.hpp"
+#include "analysis/equivalence/equivalence.hpp"
+#include "analysis/equivalence/range_permutation.hpp"
+#include "analysis/h1/hypothesis_h1.hpp"
+#include "datasets/data_table.hpp"
+
+namespace tcert {
+
+struct H2Options {
+  H1Options trials;  ///< Which trials and columns; the first predictor is under test, `group` holds
+                     ///< the groups ("lighting" unless named).
+  double margin = 0.05;  ///< Of AUC and of C.
+  std::size_t permutations = 2000;
+};
+
+/// One group.
+struct H2Level {
+  std::string name;
+  std::size_t trials = 0;
+  std::size_t successes = 0;  ///< Also the events of C and Cox.
+  std::size_t clusters = 0;
+  H1Score auc;  ///< Closed form: clustered DeLong within the group.
+  H1Score c;    ///< Closed form: clustered jackknife within the group.
+  /// Per standard deviation of the whole panel towards the better side, cluster-robust.
+  H1HazardRatio odds;        ///< Of success; logistic.
+  H1HazardRatio censored;    ///< Of egress; failures leave the risk set when they fail.
+  H1HazardRatio at_limit;    ///< Failures stay at risk to the trial limit.
+  H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
+  Conditions conditions;
+};
+
+/// AUC or C of all groups.
+struct H2Equality {
+  GroupEstimates groups;  ///< With their joint covariance.
+  Equivalence tests;
+  RangeUnderEquality range;
+};
+
+/// Does the effect of the predictor differ between groups? Cluster-robust Wald of group x
+/// predictor.
+struct H2Interaction {
+  std::string model;
+  std::optional<ChiSquareTest> test;
+  Conditions conditions;
+};
+
+struct H2Panel {
+  H1Panel trials;  ///< Who is in it, as H1 counts; its rows are empty.
+  std::string predictor;
+  HigherMeans higher = HigherMeans::success;
+  std::size_t missing = 0;   ///< Trials of the panel without the predictor.
+  std::optional<double> sd;  ///< Of the predictor in the whole panel.
+  std::vector<H2Level> levels;
+  std::optional<H2Equality> auc;  ///< Empty if a group has no AUC or no variance.
+  std::optional<H2Equality> c;
+  std::vector<H2Interaction> interactions;  ///< Logistic; Cox; Cox stratified.
+  /// Likelihood ratio of the interaction in a mixed model, where one was fitted.
+  std::optional<ChiSquareTest> mixed_interaction;
+  Conditions conditions;  ///< Beside those of `trials`.
+};
+
+struct H2Table {
+  std::size_t trials = 0;           ///< Rows of the table.
+  std::size_t outcome_missing = 0;  ///< Of those, left out everywhere.
+  H2Options options;
+  std::vector<H2Panel> panels;  ///< Paper, and landmark where the table has its column.
+};
+
+/// Panels are made as H1's, of trials whose group is known. Every resample draws whole clusters for
+/// all groups jointly, so their BCa intervals share draws. \throws FormulaError if a column is not
+/// there or holds the wrong kind; std::invalid_argument if an option is out of range.
+/// O((replicates + permutations groups) trials log trials).
+[[nodiscard]] H2Table hypothesis_h2(const DataTable& table, const H2Options& options);
+
+/// Names of the columns that it looks for.
+[[nodiscard]] std::vector<std::string> columns_of(const H2Options& options);
+
+}  // namespace tcert

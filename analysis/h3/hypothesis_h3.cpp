@@ -1,0 +1,403 @@
+#include "analysis/h3/hypothesis_h3.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "analysis/basics/proportion.hpp"
+#include "analysis/basics/quantile.hpp"
+#include "analysis/h3/pareto.hpp"
+#include "analysis/replay/replay.hpp"
+#include "analysis/resampling/bootstrap.hpp"
+#include "datasets/csv_write.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint32_t kH3Stream = 0x48330000;
+constexpr std::size_t kFewClusters = 30;
+const char* const kAllLightings = "all";
+
+using CaseKey = std::pair<std::string, double>;
+
+/// The columns of the table, as they are used.
+struct Rows {
+  std::vector<std::string> trial, algorithm, lighting, cluster, law;
+  std::vector<double> success, beta, length, time, gated_time, speed, gated_speed, latency, stalls,
+      kept;
+};
+
+const DataColumn& column_of(const DataTable& table, const std::string& name) {
+  const DataColumn* column = table.find(name);
+  if (column == nullptr) {
+    throw std::invalid_argument("h3: the table has no column '" + name + "'");
+  }
+  return *column;
+}
+
+std::vector<double> numbers(const DataTable& table, const std::string& name) {
+  const DataColumn& column = column_of(table, name);
+  if (column.is_text) {
+    throw std::invalid_argument("h3: column '" + name + "' holds text, expected numbers");
+  }
+  return column.numbers;
+}
+
+std::vector<std::string> words(const DataTable& table, const std::string& name) {
+  const DataColumn& column = column_of(table, name);
+  std::vector<std::string> out(table.rows);
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    if (!column.is_text) {
+      append_number(out[i], column.numbers[i]);
+    } else if (column.text.codes[i] != Factor::kMissing) {
+      out[i] = column.text.levels[column.text.codes[i]];
+    }
+  }
+  return out;
+}
+
+Rows rows_of(const DataTable& table, const H3Options& options) {
+  Rows rows;
+  rows.trial = words(table, "trial_id");
+  rows.algorithm = words(table, "algorithm");
+  rows.lighting = words(table, "lighting");
+  rows.law = words(table, "speed_law");
+  rows.cluster = words(table, options.cluster.empty() ? "trial_id" : options.cluster);
+  rows.success = numbers(table, "success");
+  rows.beta = numbers(table, "beta_per_m");
+  rows.length = numbers(table, "length_m");
+  rows.time = numbers(table, "logged_time_s");
+  rows.gated_time = numbers(table, "gated_time_s");
+  rows.speed = numbers(table, "speed_cmd_mps");
+  rows.gated_speed = numbers(table, "gated_speed_cmd_mps");
+  rows.latency = numbers(table, "loop_latency_ms");
+  rows.stalls = numbers(table, "stalls");
+  rows.kept = numbers(table, "kept");
+  return rows;
+}
+
+/// One trial of the two algorithms: the row of each case.
+struct Trial {
+  bool baseline = false;
+  bool success = false;
+  std::map<CaseKey, std::size_t> row;
+  [[nodiscard]] std::size_t any_row() const { return row.begin()->second; }
+};
+
+/// The trials of a group that succeed, as arrays that the bootstrap runs over.
+struct Advance {
+  std::vector<std::uint8_t> baseline;
+  std::vector<double> length;
+  std::vector<double> time;
+  std::vector<std::vector<double>> gated_time;  ///< [case][trial]
+};
+
+// Values of the statistic: three of the group, then four a case.
+enum GroupValue : std::size_t { value_ungated, value_baseline, value_gap, group_values };
+enum CaseValue : std::size_t {
+  value_gated,
+  value_gain,
+  value_gain_share,
+  value_recovered,
+  case_values
+};
+
+double rate(double length_m, double time_s) {
+  return rate_of_advance(length_m, time_s).value_or(kNaN);
+}
+
+void rates(const Advance& advance,
+           std::span<const std::uint32_t> multiplicity,
+           std::span<double> values) {
+  double length = 0.0;
+  double time = 0.0;
+  double baseline_length = 0.0;
+  double baseline_time = 0.0;
+  for (std::size_t i = 0; i < advance.length.size(); ++i) {
+    const double times = multiplicity[i];
+    (advance.baseline[i] != 0 ? baseline_length : length) += times * advance.length[i];
+    (advance.baseline[i] != 0 ? baseline_time : time) += times * advance.time[i];
+  }
+  values[value_ungated] = rate(length, time);
+  values[value_baseline] = rate(baseline_length, baseline_time);
+  values[value_gap] = values[value_baseline] - values[value_ungated];
+  for (std::size_t c = 0; c < advance.gated_time.size(); ++c) {
+    double gated_time = 0.0;
+    for (std::size_t i = 0; i < advance.length.size(); ++i) {
+      gated_time += advance.baseline[i] != 0 ? 0.0 : multiplicity[i] * advance.gated_time[c][i];
+    }
+    const std::span<double> of_case = values.subspan(group_values + c * case_values, case_values);
+    of_case[value_gated] = rate(length, gated_time);
+    of_case[value_gain] = of_case[value_gated] - values[value_ungated];
+    of_case[value_gain_share] = of_case[value_gated] / values[value_ungated] - 1.0;
+    of_case[value_recovered] = of_case[value_gain] / values[value_gap];
+  }
+}
+
+/// What is computed of one lighting.
+class Group {
+ public:
+  Group(const Rows& rows,
+        const std::vector<Trial>& trials,
+        const std::set<CaseKey>& cases,
+        const H3Options& options)
+      : rows_(rows), trials_(trials), cases_(cases.begin(), cases.end()), options_(options) {}
+
+  H3Group result(std::string lighting) {
+    group_.lighting = std::move(lighting);
+    count();
+    advance();
+    for (std::size_t c = 0; c < cases_.size(); ++c) {
+      group_.cases.push_back(case_of(c));
+    }
+    mark_front();
+    return std::move(group_);
+  }
+
+ private:
+  [[nodiscard]] std::optional<double> median_of(bool baseline,
+                                                const std::vector<double>& column,
+                                                const CaseKey* key = nullptr) const {
+    std::vector<double> values;
+    for (const Trial& trial : trials_) {
+      const double value = column[key == nullptr ? trial.any_row() : trial.row.at(*key)];
+      if (trial.baseline == baseline && !std::isnan(value)) {
+        values.push_back(value);
+      }
+    }
+    return median(values);
+  }
+
+  void count() {
+    for (const Trial& trial : trials_) {
+      (trial.baseline ? group_.baseline_trials : group_.trials) += 1;
+      (trial.baseline ? group_.baseline_successes : group_.successes) += trial.success ? 1 : 0;
+    }
+    group_.speed_cmd_mps = median_of(false, rows_.speed);
+    group_.baseline_speed_cmd_mps = median_of(true, rows_.speed);
+    group_.latency_ms = median_of(false, rows_.latency);
+  }
+
+  void advance() {
+    auto data = std::make_shared<Advance>();
+    data->gated_time.resize(cases_.size());
+    std::map<std::string, std::uint32_t> codes;
+    std::vector<std::uint32_t> cluster;
+    for (const Trial& trial : trials_) {
+      const std::size_t row = trial.any_row();
+      if (!trial.success || std::isnan(rows_.length[row]) || std::isnan(rows_.time[row])) {
+        continue;
+      }
+      data->baseline.push_back(trial.baseline ? 1 : 0);
+      data->length.push_back(rows_.length[row]);
+      data->time.push_back(rows_.time[row]);
+      for (std::size_t c = 0; c < cases_.size(); ++c) {
+        data->gated_time[c].push_back(rows_.gated_time[trial.row.at(cases_[c])]);
+      }
+      const auto code = static_cast<std::uint32_t>(codes.size());
+      cluster.push_back(codes.emplace(rows_.cluster[row], code).first->second);
+    }
+    group_.clusters = codes.size();
+    if (cluster.empty()) {
+      group_.conditions.push_back(
+          {ConditionKind::no_rows, ConditionSeverity::warning, "success", "no trial succeeds"});
+      return;
+    }
+    if (group_.clusters < kFewClusters) {
+      group_.conditions.push_back({ConditionKind::few_clusters,
+                                   ConditionSeverity::note,
+                                   options_.cluster,
+                                   std::to_string(group_.clusters)});
+    }
+    Statistic statistic;
+    statistic.rows = cluster.size();
+    statistic.values = group_values + case_values * cases_.size();
+    statistic.make_kernel = [data]() -> StatisticKernel {
+      return [data](std::span<const std::uint32_t> multiplicity, std::span<double> values) {
+        rates(*data, multiplicity, values);
+      };
+    };
+    bootstrap_ = bootstrap(statistic,
+                           ResamplingPlan::of_clusters(cluster),
+                           {options_.replicates, options_.seed, kH3Stream});
+    group_.ungated = estimate(value_ungated);
+    group_.baseline = estimate(value_baseline);
+    group_.gap = estimate(value_gap);
+  }
+
+  [[nodiscard]] H3Estimate estimate(std::size_t value) {
+    H3Estimate out;
+    if (bootstrap_.observed.empty() || std::isnan(bootstrap_.observed[value])) {
+      return out;
+    }
+    const BootstrapEstimate found = bootstrap_estimate(bootstrap_, value, options_.level);
+    out.value = found.observed;
+    out.bca = found.interval;
+    for (const Condition& condition : found.conditions) {
+      if (!has(group_.conditions, condition.kind)) {
+        group_.conditions.push_back(condition);
+      }
+    }
+    return out;
+  }
+
+  H3Case case_of(std::size_t c) {
+    H3Case out;
+    std::tie(out.law, out.beta_per_m) = cases_[c];
+    const std::size_t first = group_values + c * case_values;
+    out.gated = estimate(first + value_gated);
+    out.gain = estimate(first + value_gain);
+    out.gain_share = estimate(first + value_gain_share);
+    const auto& gap = group_.gap.bca;
+    if (gap && (gap->low > 0.0 || gap->high < 0.0)) {
+      out.recovered = estimate(first + value_recovered);
+    }
+    out.speed_cmd_mps = median_of(false, rows_.gated_speed, &cases_[c]);
+    for (const Trial& trial : trials_) {
+      const std::size_t row = trial.row.at(cases_[c]);
+      if (!trial.baseline) {
+        out.kept += trial.success && rows_.kept[row] == 1.0 ? 1 : 0;
+        out.stalls += static_cast<std::size_t>(rows_.stalls[row]);
+        out.stalled_trials += rows_.stalls[row] > 0.0 ? 1 : 0;
+      }
+    }
+    out.lost = group_.successes - out.kept;
+    if (group_.trials > 0) {
+      out.lost_share = static_cast<double>(out.lost) / static_cast<double>(group_.trials);
+      out.lost_upper = clopper_pearson_upper(out.lost, group_.trials, options_.level);
+      out.non_inferior = *out.lost_upper < options_.loss_margin;
+    }
+    if (group_.successes > 0) {
+      out.retained = static_cast<double>(out.kept) / static_cast<double>(group_.successes);
+      out.retained_interval = wilson_interval(out.kept, group_.successes, options_.level);
+    }
+    return out;
+  }
+
+  void mark_front() {
+    std::vector<GainAndRetention> points;
+    for (const H3Case& one : group_.cases) {
+      points.push_back({one.gain_share.value.value_or(kNaN), one.retained.value_or(kNaN)});
+    }
+    const std::vector<bool> front = pareto_front(points);
+    for (std::size_t c = 0; c < front.size(); ++c) {
+      group_.cases[c].on_front = front[c];
+    }
+  }
+
+  const Rows& rows_;
+  const std::vector<Trial>& trials_;
+  std::vector<CaseKey> cases_;
+  const H3Options& options_;
+  H3Group group_;
+  BootstrapResult bootstrap_;
+};
+
+/// Trials by lighting, each with its rows; trials that lack a case are refused.
+struct Grouped {
+  std::map<std::string, std::vector<Trial>> by_lighting;
+  std::set<CaseKey> cases;
+  std::size_t unknown = 0;
+};
+
+Grouped grouped(const Rows& rows, const H3Options& options) {
+  Grouped out;
+  std::map<std::string, std::pair<std::string, Trial>> by_id;
+  std::set<std::string> unknown;
+  for (std::size_t i = 0; i < rows.trial.size(); ++i) {
+    const bool baseline = rows.algorithm[i] == options.baseline;
+    if (!baseline && rows.algorithm[i] != options.gated) {
+      continue;
+    }
+    if (std::isnan(rows.success[i])) {
+      unknown.insert(rows.trial[i]);
+      continue;
+    }
+    auto& [lighting, trial] = by_id[rows.trial[i]];
+    lighting = rows.lighting[i];
+    trial.baseline = baseline;
+    trial.success = rows.success[i] == 1.0;
+    const CaseKey key{rows.law[i], rows.beta[i]};
+    out.cases.insert(key);
+    if (!trial.row.emplace(key, i).second) {
+      throw std::invalid_argument("h3: trial '" + rows.trial[i] + "' has two rows of " + key.first);
+    }
+  }
+  for (auto& [id, entry] : by_id) {
+    if (entry.second.row.size() != out.cases.size()) {
+      throw std::invalid_argument("h3: trial '" + id + "' lacks a row of some law and beta");
+    }
+    out.by_lighting[entry.first].push_back(std::move(entry.second));
+  }
+  out.unknown = unknown.size();
+  return out;
+}
+
+void require(const H3Options& options) {
+  const auto inside = [](double share) { return share > 0.0 && share < 1.0; };
+  if (!inside(options.level) || !inside(options.loss_margin) || options.replicates == 0) {
+    throw std::invalid_argument("h3: level and loss margin must lie in (0, 1), replicates above 0");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> columns_of(const H3Options& options) {
+  std::vector<std::string> columns{"trial_id",
+                                   "algorithm",
+                                   "lighting",
+                                   "success",
+                                   "speed_law",
+                                   "beta_per_m",
+                                   "length_m",
+                                   "logged_time_s",
+                                   "gated_time_s",
+                                   "speed_cmd_mps",
+                                   "gated_speed_cmd_mps",
+                                   "loop_latency_ms",
+                                   "stalls",
+                                   "kept",
+                                   "synthetic_seed"};
+  if (!options.cluster.empty()) {
+    columns.push_back(options.cluster);
+  }
+  return columns;
+}
+
+H3Table hypothesis_h3(const DataTable& replays, const H3Options& options) {
+  require(options);
+  H3Table table;
+  table.options = options;
+  const Rows rows = rows_of(replays, options);
+  Grouped trials = grouped(rows, options);
+  table.unknown = trials.unknown;
+  std::vector<Trial> all;
+  for (const auto& [lighting, some] : trials.by_lighting) {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  if (all.empty()) {
+    table.conditions.push_back(
+        {ConditionKind::no_rows,
+         ConditionSeverity::error,
+         "algorithm",
+         "no trial of '" + options.gated + "' or '" + options.baseline + "'"});
+    return table;
+  }
+  table.groups.push_back(Group(rows, all, trials.cases, options).result(kAllLightings));
+  if (trials.by_lighting.size() > 1) {
+    for (const auto& [lighting, some] : trials.by_lighting) {
+      table.groups.push_back(Group(rows, some, trials.cases, options).result(lighting));
+    }
+  }
+  return table;
+}
+
+}  // namespace tcert

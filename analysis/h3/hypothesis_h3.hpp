@@ -1,0 +1,87 @@
+#pragma once
+/// \file
+/// H3: gating the speed by the margin recovers rate of advance without losing successes (paper 3.5,
+/// 4.4), on a table of replays: one row a trial, speed law and beta.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/basics/condition.hpp"
+#include "analysis/basics/interval.hpp"
+#include "datasets/data_table.hpp"
+
+namespace tcert {
+
+struct H3Options {
+  std::string gated = "M3";       ///< Algorithm that is gated.
+  std::string baseline = "CB-V";  ///< Algorithm whose lead is to be recovered.
+  std::string cluster = "day";    ///< Column of the unit of resampling; empty: trials.
+  double level = 0.95;            ///< Of intervals and of the one-sided bound; in (0, 1).
+  double loss_margin = 0.05;      ///< Loss of successes that would still do; in (0, 1).
+  std::size_t replicates = 2000;
+  std::uint64_t seed = 1;
+};
+
+/// Columns of the table that are used.
+[[nodiscard]] std::vector<std::string> columns_of(const H3Options& options);
+
+struct H3Estimate {
+  std::optional<double> value;
+  std::optional<Interval> bca;  ///< Clusters of both algorithms resampled jointly.
+};
+
+/// One speed law and beta under one lighting. Rates are total length over total time of the trials
+/// that succeed ungated, in m/min; a stall counts in them at the retreat speed.
+struct H3Case {
+  std::string law;
+  double beta_per_m = 0.0;
+  H3Estimate gated;                     ///< Rate of advance.
+  H3Estimate gain;                      ///< gated - ungated.
+  H3Estimate gain_share;                ///< gated / ungated - 1.
+  H3Estimate recovered;                 ///< gain / gap; NA unless the gap's interval excludes 0.
+  std::optional<double> speed_cmd_mps;  ///< Median of the trials' gated medians.
+  std::size_t kept = 0;                 ///< Successes that the replay keeps.
+  std::size_t lost = 0;
+  std::optional<double> lost_share;           ///< lost / trials.
+  std::optional<double> lost_upper;           ///< Clopper-Pearson, one-sided.
+  std::optional<bool> non_inferior;           ///< lost_upper < loss_margin.
+  std::optional<double> retained;             ///< kept / successes.
+  std::optional<Interval> retained_interval;  ///< Wilson.
+  std::size_t stalls = 0;                     ///< Of all trials.
+  std::size_t stalled_trials = 0;
+  bool on_front = false;  ///< Of {gain_share, retained}, among the cases of the group.
+};
+
+/// One lighting, or all of them together.
+struct H3Group {
+  std::string lighting;
+  std::size_t trials = 0;  ///< Of the gated algorithm, with a known outcome.
+  std::size_t successes = 0;
+  std::size_t baseline_trials = 0;
+  std::size_t baseline_successes = 0;
+  std::size_t clusters = 0;  ///< Among the successes of both.
+  H3Estimate ungated;
+  H3Estimate baseline;
+  H3Estimate gap;  ///< baseline - ungated.
+  std::optional<double> speed_cmd_mps;
+  std::optional<double> baseline_speed_cmd_mps;
+  std::optional<double> latency_ms;  ///< Median of the gated algorithm's medians, as logged.
+  std::vector<H3Case> cases;
+  Conditions conditions;
+};
+
+struct H3Table {
+  H3Options options;
+  std::vector<H3Group> groups;  ///< All lightings together first, then each, by name.
+  std::size_t unknown = 0;      ///< Trials of the two algorithms without an outcome, left out.
+  Conditions conditions;        ///< Of the table as a whole; an error leaves no groups.
+};
+
+/// \throws std::invalid_argument if a column is not there or an option is out of range.
+[[nodiscard]] H3Table hypothesis_h3(const DataTable& replays, const H3Options& options);
+
+}  // namespace tcert

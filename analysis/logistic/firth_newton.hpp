@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// Newton's method on Firth's penalised likelihood, over all coefficients or a subspace of them.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "analysis/logistic/binomial_newton.hpp"
+#include "analysis/logistic/firth_likelihood.hpp"
+
+namespace tcert {
+
+struct FirthNewtonResult {
+  Termination termination = Termination::converged;
+  int iterations = 0;  ///< Steps taken.
+  Eigen::VectorXd coefficients;
+  FirthLikelihood at;      ///< At `coefficients`.
+  double last_step = 0.0;  ///< Its length in standard errors.
+
+  [[nodiscard]] bool converged() const noexcept { return termination == Termination::converged; }
+};
+
+/// Maximises from `start` over start + span(`subspace`), or without one over everything. Steps are
+/// Newton's with the exact Hessian; where that is not negative definite, with the information, as
+/// Firth scoring takes them. \pre the columns of `design` are orthonormal.
+/// O(rows columns^3) an iteration.
+[[nodiscard]] FirthNewtonResult maximise_firth(const Eigen::MatrixXd& design,
+                                               const BinomialRows& rows,
+                                               const Eigen::VectorXd& start,
+                                               const std::optional<Eigen::MatrixXd>& subspace,
+                                               const NewtonOptions& options);
+
+}  // namespace tcert

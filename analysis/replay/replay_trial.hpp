@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// A studied trial at every speed law of a grid: what `replay` and H3 do with each trial.
+
+#include <optional>
+#include <tcert/guards.hpp>
+#include <vector>
+
+#include "analysis/replay/replay_record.hpp"
+#include "analysis/trials/parameters.hpp"
+#include "analysis/trials/study.hpp"
+#include "datasets/bundle.hpp"
+
+namespace tcert {
+
+struct ReplaySetup {
+  std::vector<SpeedLaw> laws;
+  TrackingErrorTable tracking_error;
+  bool replan = false;  ///< Also ask for routes; needs a course with a goal.
+};
+
+struct ReplayedTrial {
+  ReplayRecord record;
+  std::vector<GuardedTick> guarded;  ///< One per tick.
+};
+
+/// One entry a law, in their order. Thread-safe. \throws std::invalid_argument if a law or a
+/// parameter is out of range. \pre the trial is not rejected.
+[[nodiscard]] std::vector<ReplayedTrial> replay_trial(const StudiedTrial& trial,
+                                                      const BundleInfo& info,
+                                                      const ParameterSet& parameters,
+                                                      const ReplaySetup& setup);
+
+}  // namespace tcert

@@ -1,0 +1,66 @@
+#include "analysis/replay/tracking_error_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace tcert {
+namespace {
+
+const std::vector<double>& numbers(const DataTable& table, const std::string& name) {
+  const DataColumn* column = table.find(name);
+  if (column == nullptr || column->is_text) {
+    throw std::invalid_argument("tracking error: needs a column of numbers '" + name + "'");
+  }
+  for (const double value : column->numbers) {
+    if (!std::isfinite(value)) {
+      throw std::invalid_argument("tracking error: a cell of '" + name + "' is missing");
+    }
+  }
+  return column->numbers;
+}
+
+std::vector<double> knots_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+std::size_t place_of(const std::vector<double>& knots, double value) {
+  return static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), value) -
+                                  knots.begin());
+}
+
+}  // namespace
+
+TrackingErrorGrid tracking_error_grid(const DataTable& table) {
+  const auto& speed = numbers(table, "speed_mps");
+  const auto& acceleration = numbers(table, "acceleration_mps2");
+  const auto& disturbance = numbers(table, "disturbance");
+  const auto& radius = numbers(table, "radius_m");
+  TrackingErrorGrid grid{knots_of(speed), knots_of(acceleration), knots_of(disturbance), {}};
+  const std::size_t knots =
+      grid.speed_mps.size() * grid.acceleration_mps2.size() * grid.disturbance.size();
+  grid.radius_m.assign(knots, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    const std::size_t row = place_of(grid.speed_mps, speed[i]) * grid.acceleration_mps2.size() +
+                            place_of(grid.acceleration_mps2, acceleration[i]);
+    double& knot =
+        grid.radius_m[row * grid.disturbance.size() + place_of(grid.disturbance, disturbance[i])];
+    if (!std::isnan(knot)) {
+      throw std::invalid_argument("tracking error: row " + std::to_string(i + 1) +
+                                  " repeats a knot of the grid");
+    }
+    knot = radius[i];
+  }
+  if (table.rows != knots) {
+    throw std::invalid_argument("tracking error: " + std::to_string(knots - table.rows) +
+                                " knots of the grid have no row");
+  }
+  return grid;
+}
+
+}  // namespace tcert

@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// A tracking-error grid from a table of its knots.
+
+#include <tcert/tracking_error.hpp>
+
+#include "datasets/data_table.hpp"
+
+namespace tcert {
+
+/// One row a knot, in any order: speed_mps, acceleration_mps2, disturbance, radius_m.
+/// \throws std::invalid_argument if a column is not there, a cell is missing, or the rows are not
+/// every knot of a full grid once.
+[[nodiscard]] TrackingErrorGrid tracking_error_grid(const DataTable& table);
+
+}  // namespace tcert

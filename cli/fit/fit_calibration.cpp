@@ -1,0 +1,107 @@
+#include <limits>
+#include <numeric>
+
+#include "analysis/calibration/calibration.hpp"
+#include "analysis/calibration/out_of_fold.hpp"
+#include "cli/errors.hpp"
+#include "cli/fit/fit.hpp"
+#include "reports/fit/calibration_report.hpp"
+
+namespace tcert::cli {
+namespace {
+
+std::vector<double> as_vector(const Eigen::VectorXd& values) {
+  return {values.data(), values.data() + values.size()};
+}
+
+/// The given probabilities: the formula's only predictor.
+std::vector<double> given(const FitRequest& request) {
+  const ModelFrame& frame = request.frame;
+  std::vector<double> values;
+  std::size_t others = 0;
+  for (std::size_t k = 0; k < frame.columns.size(); ++k) {
+    if (frame.term_of[k] == 0) {
+      continue;
+    }
+    if (frame.columns[k] == request.options.predicted) {
+      values = as_vector(frame.design.col(static_cast<Eigen::Index>(k)));
+    } else {
+      ++others;
+    }
+  }
+  if (others > 0 || values.empty()) {
+    throw UsageError("--predicted " + request.options.predicted + ": the formula is to be '" +
+                     frame.response + " ~ " + request.options.predicted + "'");
+  }
+  return values;
+}
+
+/// Folds of whole clusters; rows are their own without one.
+Folds folds_of(const LogisticInput& input, const FitOptions& options) {
+  const auto rows = static_cast<std::size_t>(input.design.rows());
+  std::vector<std::uint8_t> success(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    success[i] = input.successes[static_cast<Eigen::Index>(i)] == 1.0 ? 1 : 0;
+  }
+  std::vector<std::uint32_t> cluster(rows);
+  std::iota(cluster.begin(), cluster.end(), 0U);
+  FoldOptions fold_options;
+  fold_options.folds = static_cast<std::size_t>(options.folds);
+  fold_options.seed = options.seed;
+  return assign_folds(success, input.cluster ? input.cluster->codes : cluster, fold_options);
+}
+
+void add(const Conditions& more, Conditions& conditions) {
+  conditions.insert(conditions.end(), more.begin(), more.end());
+}
+
+void predict(const LogisticInput& input,
+             const FitOptions& options,
+             CalibrationSource& source,
+             Conditions& conditions) {
+  const Folds folds = folds_of(input, options);
+  add(folds.conditions, conditions);
+  source.folds = folds.count;
+  source.probability.assign(source.rows.size(), std::numeric_limits<double>::quiet_NaN());
+  if (folds.count < 2) {
+    return;
+  }
+  OutOfFold predicted = out_of_fold_probabilities(input, folds);
+  source.probability = std::move(predicted.probability);
+  add(predicted.conditions, conditions);
+  for (const std::uint32_t fold : folds.of_row) {
+    source.fold.push_back(fold + 1);
+  }
+}
+
+}  // namespace
+
+FitReport fit_calibration(const FitRequest& request) {
+  const LogisticInput input = logistic_input(request.frame);
+  if (input.trials.size() > 0 || input.weights.size() > 0) {
+    throw UsageError("calibration takes one trial a row: no cbind() and no --weights");
+  }
+  CalibrationSource source;
+  source.rows = request.frame.rows;
+  source.predicted = request.options.predicted;
+  Conditions conditions = input.conditions;
+  Calibration result;
+  if (!has_error(conditions)) {
+    source.outcome = as_vector(input.successes);
+    if (source.predicted.empty()) {
+      predict(input, request.options, source, conditions);
+    } else {
+      source.probability = given(request);
+    }
+    CalibrationOptions options;
+    options.level = request.options.level;
+    result = calibration(
+        source.outcome, source.probability, input.cluster ? &*input.cluster : nullptr, options);
+  } else {
+    source.rows.clear();
+  }
+  result.conditions.insert(result.conditions.begin(), conditions.begin(), conditions.end());
+  return calibration_report(result, source);
+}
+
+}  // namespace tcert::cli

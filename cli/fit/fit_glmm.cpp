@@ -1,0 +1,44 @@
+#include "analysis/glmm/glmm.hpp"
+#include "analysis/glmm/glmm_comparison.hpp"
+#include "analysis/glmm/glmm_profile.hpp"
+#include "cli/errors.hpp"
+#include "cli/fit/fit.hpp"
+#include "reports/fit/glmm_report.hpp"
+
+namespace tcert::cli {
+namespace {
+
+GlmmOptions glmm_options(const FitOptions& options, const GlmmInput& input) {
+  GlmmOptions result;
+  result.level = options.level;
+  if (options.quadrature != 0) {
+    require_range("quadrature", options.quadrature, 1, kMostQuadrature);
+    if (options.quadrature > 1 && !is_single_intercept(input)) {
+      throw UsageError("--quadrature above 1 is for a single random intercept, (1 | group)");
+    }
+    result.quadrature = options.quadrature;
+  }
+  return result;
+}
+
+}  // namespace
+
+FitReport fit_mixed_model(const FitRequest& request) {
+  if (request.frame.cluster || request.frame.strata || request.options.robust) {
+    throw UsageError("glmm takes no cluster, strata or --robust: write (1 | group)");
+  }
+  const GlmmInput input = glmm_input(request.frame);
+  const GlmmOptions options = glmm_options(request.options, input);
+  const GlmmFit fit = fit_glmm(input, options);
+  GlmmProfile profile;
+  if (request.options.profile) {
+    profile = glmm_profile(input, options);
+  }
+  std::vector<DroppedTerm> dropped;
+  if (request.options.drop1) {
+    dropped = drop_terms(input, options);
+  }
+  return glmm_report(fit, profile, dropped);
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,40 @@
+#include "cli/guard_options.hpp"
+
+#include <stdexcept>
+
+#include "analysis/replay/tracking_error_grid.hpp"
+#include "cli/data_file.hpp"
+#include "cli/errors.hpp"
+#include "cli/inputs.hpp"
+#include "cli/result_folder.hpp"
+
+namespace tcert::cli {
+
+void add_tracking_error_option(po::options_description& own, std::string& path) {
+  own.add_options()(
+      "tracking-error",
+      po::value(&path)->value_name("FILE"),
+      "a table speed_mps, acceleration_mps2, disturbance, radius_m: a full grid that never falls; "
+      "unless given a declared one, for a control loop of 20 ms");
+}
+
+TrackingErrorTable tracking_error_table(const std::string& path, const CommonOptions& common) {
+  if (path.empty()) {
+    return TrackingErrorTable();
+  }
+  const DataFile file = read_data_file(path, {}, common);
+  try {
+    return TrackingErrorTable(tracking_error_grid(file.table));
+  } catch (const std::invalid_argument& error) {
+    throw BadData("'" + path + "': " + error.what());
+  }
+}
+
+std::optional<ManifestFile> tracking_error_input(const std::string& path) {
+  if (path.empty()) {
+    return std::nullopt;
+  }
+  return ManifestFile{std::filesystem::path(path).filename().string(), digest_file(path)};
+}
+
+}  // namespace tcert::cli

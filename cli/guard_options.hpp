@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// What the commands that guard a run have in common: the tracking-error table.
+
+#include <optional>
+#include <string>
+#include <tcert/guards.hpp>
+
+#include "analysis/trials/parameters.hpp"
+#include "cli/options.hpp"
+#include "reports/manifest.hpp"
+
+namespace tcert::cli {
+
+/// Adds --tracking-error.
+void add_tracking_error_option(po::options_description& own, std::string& path);
+
+/// The table of the file, or the declared one if `path` is empty. \throws NoInput, BadData.
+[[nodiscard]] TrackingErrorTable tracking_error_table(const std::string& path,
+                                                      const CommonOptions& common);
+
+/// The file as an input of the manifest; empty without one.
+[[nodiscard]] std::optional<ManifestFile> tracking_error_input(const std::string& path);
+
+}  // namespace tcert::cli

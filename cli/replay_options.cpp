@@ -1,0 +1,49 @@
+#include "cli/replay_options.hpp"
+
+#include "cli/data_file.hpp"
+#include "cli/errors.hpp"
+#include "cli/guard_options.hpp"
+
+namespace tcert::cli {
+namespace {
+
+std::vector<SpeedLawKind> kinds_of(const std::string& list) {
+  std::vector<SpeedLawKind> kinds;
+  for (const std::string& word : words_of(list)) {
+    if (word != "squash" && word != "clip") {
+      throw UsageError("--laws: found '" + word + "', expected squash or clip");
+    }
+    kinds.push_back(word == "squash" ? SpeedLawKind::squash : SpeedLawKind::clip);
+  }
+  return kinds;
+}
+
+}  // namespace
+
+void add_replay_law_options(po::options_description& own, ReplayLawOptions& options) {
+  own.add_options()("laws",
+                    po::value(&options.laws)->value_name("LIST")->default_value(options.laws),
+                    "speed laws to replay at: squash (3.5), clip (4.4, G1)")(
+      "betas",
+      po::value(&options.betas)->value_name("LIST")->default_value(options.betas),
+      "their sensitivities in 1/m");
+  add_tracking_error_option(own, options.tracking_error);
+}
+
+ReplaySetup replay_setup(const ReplayLawOptions& options,
+                         const ParameterSet& parameters,
+                         const CommonOptions& common) {
+  const std::vector<double> betas = numbers_of("betas", options.betas);
+  for (const double beta : betas) {
+    require_range("betas", beta, 1e-6, 1e6);
+  }
+  ReplaySetup setup;
+  setup.laws = law_grid(parameters.speed_law, kinds_of(options.laws), betas);
+  if (setup.laws.empty()) {
+    throw UsageError("--laws and --betas: nothing to replay at");
+  }
+  setup.tracking_error = tracking_error_table(options.tracking_error, common);
+  return setup;
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// The options of `tcert replay` and of H3 on a bundle: which speed laws, which tracking error.
+
+#include <string>
+
+#include "analysis/replay/replay_trial.hpp"
+#include "cli/inputs.hpp"
+#include "cli/options.hpp"
+
+namespace tcert::cli {
+
+struct ReplayLawOptions {
+  std::string laws = "squash,clip";
+  std::string betas = "5,10,20";
+  std::string tracking_error;
+};
+
+void add_replay_law_options(po::options_description& own, ReplayLawOptions& options);
+
+/// \throws UsageError for an unknown law or a beta that is not above 0; NoInput, BadData of the
+/// tracking-error table.
+[[nodiscard]] ReplaySetup replay_setup(const ReplayLawOptions& options,
+                                       const ParameterSet& parameters,
+                                       const CommonOptions& common);
+
+}  // namespace tcert::cli

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// The agreement of probabilities with outcomes as tables.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/calibration/calibration.hpp"
+#include "reports/fit/fit_report.hpp"
+
+namespace tcert {
+
+/// Where the probabilities came from, one each a row.
+struct CalibrationSource {
+  std::vector<std::size_t> rows;  ///< Of the table, counted from 0.
+  std::vector<double> outcome;
+  std::vector<double> probability;  ///< NaN where a fold has no fit.
+  std::vector<std::size_t> fold;    ///< From 1; empty if the probabilities were given.
+  std::size_t folds = 0;            ///< 0 if the probabilities were given.
+  std::string predicted;            ///< The column of given probabilities.
+};
+
+[[nodiscard]] FitReport calibration_report(const Calibration& calibration,
+                                           const CalibrationSource& source);
+
+}  // namespace tcert

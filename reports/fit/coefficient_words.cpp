@@ -1,0 +1,53 @@
+#include "reports/fit/coefficient_words.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "reports/fit/cells.hpp"
+
+namespace tcert {
+
+std::string_view reason_without_estimate(CoefficientKind kind) {
+  switch (kind) {
+    case CoefficientKind::finite:
+      return "";
+    case CoefficientKind::not_estimable:
+      return "not estimable";
+    case CoefficientKind::plus_infinity:
+      return "+infinity";
+    case CoefficientKind::minus_infinity:
+      return "-infinity";
+    case CoefficientKind::diverging:
+      return "diverging";
+    case CoefficientKind::unknown:
+      return "unknown";
+  }
+  return "";
+}
+
+std::optional<double> odds(const std::optional<double>& log_odds) {
+  return log_odds ? std::optional(std::exp(*log_odds)) : std::nullopt;
+}
+
+Table drop_table(const std::vector<DroppedTerm>& dropped, std::string_view deviance_heading) {
+  Table table;
+  table.name = "drop1";
+  table.title = "Likelihood-ratio test of each term";
+  table.columns = {text_column("term", "term"),
+                   integer_column("df", "df"),
+                   number_column("deviance", std::string(deviance_heading)),
+                   number_column("AIC", "AIC without"),
+                   number_column("statistic", "chi-squared"),
+                   p_column()};
+  for (const DroppedTerm& one : dropped) {
+    table.add_row({one.term,
+                   integer_cell(one.df),
+                   number_cell(one.deviance),
+                   number_cell(one.aic),
+                   number_cell(one.chi_squared),
+                   p_cell(one.p_value)});
+  }
+  return table;
+}
+
+}  // namespace tcert

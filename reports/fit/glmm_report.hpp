@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// A logistic mixed model as tables, with broom.mixed's column names.
+
+#include <vector>
+
+#include "analysis/glmm/glmm.hpp"
+#include "analysis/glmm/glmm_profile.hpp"
+#include "analysis/logistic/logistic_drop.hpp"
+#include "reports/fit/fit_report.hpp"
+
+namespace tcert {
+
+/// `profile` and `dropped` are empty if they were not asked for.
+[[nodiscard]] FitReport glmm_report(const GlmmFit& fit,
+                                    const GlmmProfile& profile,
+                                    const std::vector<DroppedTerm>& dropped);
+
+}  // namespace tcert

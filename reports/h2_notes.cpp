@@ -1,0 +1,97 @@
+#include "reports/h2_notes.hpp"
+
+#include "reports/fit/cells.hpp"
+#include "reports/h1_notes.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+namespace {
+
+std::string panel_name(const H2Panel& panel) { return std::string(to_string(panel.trials.kind)); }
+
+std::string cluster_note(const H1Options& options) {
+  return options.cluster.empty()
+             ? "Trials are taken as independent: no cluster was named."
+             : "Clusters: column '" + options.cluster +
+                   "'. Resamples draw whole clusters for all groups jointly; with fewer than 30 of "
+                   "them intervals tend to be too narrow, and tests reject too often.";
+}
+
+void add_conditions(const H2Table& h2, std::vector<std::string>& notes) {
+  for (const H2Panel& panel : h2.panels) {
+    const auto add = [&](const Conditions& conditions, const std::string& where) {
+      for (const Condition& condition : conditions) {
+        notes.push_back(panel_name(panel) + " panel" + where + ": " + to_string(condition) + ".");
+      }
+    };
+    add(panel.trials.conditions, "");
+    add(panel.conditions, "");
+    for (const H2Level& level : panel.levels) {
+      add(level.conditions, ", " + level.name);
+    }
+    for (const H2Interaction& one : panel.interactions) {
+      add(one.conditions, ", interaction, " + one.model);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> h2_level_notes(const H2Table& h2) {
+  const H1Options& options = h2.options.trials;
+  std::vector<std::string> notes;
+  std::string limits;
+  std::string sds;
+  for (const H2Panel& panel : h2.panels) {
+    notes.push_back(h1_panel_note(options, panel.trials));
+    if (panel.missing > 0) {
+      notes.push_back(panel.predictor + " is missing in " + std::to_string(panel.missing) +
+                      " trials of the " + panel_name(panel) + " panel.");
+    }
+    limits += (limits.empty() ? "" : ", ") + significant(panel.trials.limit_s, 6) + " s (" +
+              panel_name(panel) + ")";
+    if (panel.sd) {
+      sds += (sds.empty() ? "" : ", ") + significant(*panel.sd, kShownDigits) + " (" +
+             panel_name(panel) + ")";
+    }
+  }
+  notes.push_back(cluster_note(options));
+  notes.push_back(
+      "AUC: Pr(a success outranks a failure) within the group, in the a-priori direction, ties one "
+      "half. C: Pr(the better value goes with earlier egress) within the group. BCa of " +
+      std::to_string(options.replicates) + " resamples, seed " + std::to_string(options.seed) +
+      ".");
+  notes.push_back("Ratios are per standard deviation of the whole panel, " + sds +
+                  ", towards the better side, cluster-robust. OR: of success, logistic. HR: of "
+                  "egress, Cox with "
+                  "Efron ties; at limit: failures stay at risk to " +
+                  limits + "; stratified: by '" + options.strata + "', failures censored.");
+  if (h2.outcome_missing > 0) {
+    notes.push_back(std::to_string(h2.outcome_missing) +
+                    " trials without an outcome are left out.");
+  }
+  add_conditions(h2, notes);
+  return notes;
+}
+
+std::vector<std::string> h2_equality_notes(const H2Table& h2) {
+  return {
+      "Equivalent: the 90 % interval of every pair's difference lies within -+" +
+          significant(h2.options.margin, kShownDigits) +
+          " (two one-sided tests at 5 % each, all pairs to pass, no correction). Smallest margin: "
+          "at which they just would have.",
+      "Margin with 80 % power: at which groups that are truly equal would be found so with "
+      "probability 0.8 at least; normal approximation with the largest standard error of a pair, "
+      "SE (1.645 + z(1 - 0.1 / pairs)). A smaller margin than that could hardly be shown here.",
+      "Chi-squared: clustered Wald test that all are equal. 'Not significant' is not equality; and "
+      "with "
+      "22 days of simulated trials the test called equal groups different in 8 to 11 % of studies "
+      "at a "
+      "nominal 5 %.",
+      "Max - min is descriptive: equal groups have one above 0 too. Expected: its mean when the "
+      "groups' names are permuted within clusters (" +
+          std::to_string(h2.options.permutations) + " permutations, seed " +
+          std::to_string(h2.options.trials.seed) + "); p: of as large a one."};
+}
+
+}  // namespace tcert

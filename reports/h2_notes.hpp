@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// What stands below the tables of H2.
+
+#include <string>
+#include <vector>
+
+#include "analysis/h2/hypothesis_h2.hpp"
+
+namespace tcert {
+
+[[nodiscard]] std::vector<std::string> h2_level_notes(const H2Table& h2);
+[[nodiscard]] std::vector<std::string> h2_equality_notes(const H2Table& h2);
+
+}  // namespace tcert

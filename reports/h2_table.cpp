@@ -1,0 +1,322 @@
+#include "reports/h2_table.hpp"
+
+#include <string>
+#include <utility>
+
+#include "reports/fit/cells.hpp"
+#include "reports/h2_notes.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr int kDecimals = 3;
+
+std::string panel_name(const H2Panel& panel) { return std::string(to_string(panel.trials.kind)); }
+
+TableCell estimate(const std::optional<double>& value, const std::optional<Interval>& interval) {
+  if (!value) {
+    return {};
+  }
+  Estimate cell{*value};
+  if (interval) {
+    cell.low = interval->low;
+    cell.high = interval->high;
+  }
+  return cell;
+}
+
+TableCell estimate(const H1Score& score) { return estimate(score.value, score.bca); }
+TableCell ratio(const H1HazardRatio& one) { return estimate(one.ratio, one.interval); }
+
+Column estimate_column(std::string name, std::string heading) {
+  return {std::move(name), std::move(heading), "", ColumnKind::estimate, kDecimals};
+}
+
+Column plain_column(std::string name, std::string heading) {
+  return {std::move(name), std::move(heading), "", ColumnKind::number, kDecimals};
+}
+
+std::string level_text(const H2Table& h2) {
+  return significant(100.0 * h2.options.trials.level, kShownDigits) + " %";
+}
+
+TableCell yes_or_no(const std::optional<bool>& answer) {
+  return answer ? TableCell{std::string(*answer ? "yes" : "no")} : TableCell{};
+}
+
+std::optional<double> statistic(const std::optional<ChiSquareTest>& test) {
+  return test ? std::optional(test->statistic) : std::nullopt;
+}
+std::optional<double> p_value(const std::optional<ChiSquareTest>& test) {
+  return test ? std::optional(test->p_value) : std::nullopt;
+}
+TableCell df(const std::optional<ChiSquareTest>& test) {
+  return test ? integer_cell(test->df) : TableCell{};
+}
+
+/// AUC and C of a panel, those that there are.
+std::vector<std::pair<std::string, const H2Equality*>> equalities(const H2Panel& panel) {
+  std::vector<std::pair<std::string, const H2Equality*>> all;
+  if (panel.auc) {
+    all.emplace_back("AUC", &*panel.auc);
+  }
+  if (panel.c) {
+    all.emplace_back("C", &*panel.c);
+  }
+  return all;
+}
+
+Table pair_table(const H2Table& h2) {
+  Table table;
+  table.name = "h2_pairs";
+  table.title = "H2: differences of all pairs, with 90 % intervals";
+  table.columns = {text_column("panel", "panel"),
+                   text_column("quantity", "of"),
+                   text_column("first", "first"),
+                   text_column("second", "second"),
+                   estimate_column("difference", "difference [90 %]"),
+                   plain_column("std_error", "SE"),
+                   p_column("p_tost", "p of equivalence"),
+                   text_column("equivalent", "equivalent"),
+                   plain_column("smallest_margin", "smallest margin")};
+  for (const H2Panel& panel : h2.panels) {
+    for (const auto& [quantity, equality] : equalities(panel)) {
+      for (const EquivalencePair& pair : equality->tests.pairs) {
+        table.add_row({panel_name(panel),
+                       quantity,
+                       equality->groups.names[pair.first],
+                       equality->groups.names[pair.second],
+                       estimate(pair.difference, pair.interval),
+                       number_cell(pair.standard_error),
+                       p_cell(pair.p_value),
+                       yes_or_no(pair.equivalent),
+                       number_cell(pair.smallest_margin)});
+      }
+    }
+  }
+  return table;
+}
+
+Table interaction_table(const H2Table& h2) {
+  Table table;
+  table.name = "h2_interaction";
+  table.title = "H2: does the effect of the predictor differ between groups?";
+  table.columns = {text_column("panel", "panel"),
+                   text_column("model", "model"),
+                   text_column("test", "test"),
+                   number_column("statistic", "chi-squared"),
+                   integer_column("df", "df"),
+                   p_column("p", "p")};
+  for (const H2Panel& panel : h2.panels) {
+    const auto add =
+        [&](const std::string& model, const char* test, const std::optional<ChiSquareTest>& one) {
+          table.add_row({panel_name(panel),
+                         model,
+                         std::string(test),
+                         number_cell(statistic(one)),
+                         df(one),
+                         p_cell(p_value(one))});
+        };
+    for (const H2Interaction& one : panel.interactions) {
+      add(one.model, "cluster-robust Wald", one.test);
+    }
+    if (panel.mixed_interaction) {
+      add("logistic, mixed", "likelihood ratio", panel.mixed_interaction);
+    }
+  }
+  table.footnotes = {
+      "Group x predictor beside both by themselves. A robust Wald test of few clusters rejects too "
+      "often."};
+  return table;
+}
+
+Table closed_form_table(const H2Table& h2) {
+  Table table;
+  table.name = "h2_closed_form";
+  table.title = "Closed forms by cluster";
+  table.columns = {text_column("panel", "panel"),
+                   text_column("group", "group"),
+                   number_column("auc_std_error", "SE of AUC"),
+                   number_column("auc_low", "low"),
+                   number_column("auc_high", "high"),
+                   number_column("c_std_error", "SE of C"),
+                   number_column("c_low", "low"),
+                   number_column("c_high", "high"),
+                   p_column("or_p", "p of OR"),
+                   p_column("hr_censored_p", "p of HR, censored"),
+                   p_column("hr_at_limit_p", "p of HR, at limit"),
+                   p_column("hr_stratified_p", "p of HR, stratified")};
+  for (const H2Panel& panel : h2.panels) {
+    for (const H2Level& level : panel.levels) {
+      table.add_row({panel_name(panel),
+                     level.name,
+                     number_cell(level.auc.std_error),
+                     low_cell(level.auc.closed_form),
+                     high_cell(level.auc.closed_form),
+                     number_cell(level.c.std_error),
+                     low_cell(level.c.closed_form),
+                     high_cell(level.c.closed_form),
+                     p_cell(level.odds.p_value),
+                     p_cell(level.censored.p_value),
+                     p_cell(level.at_limit.p_value),
+                     p_cell(level.stratified.p_value)});
+    }
+  }
+  return table;
+}
+
+/// Every entry of the joint covariances, one a row.
+Table covariance_table(const H2Table& h2) {
+  Table table;
+  table.name = "h2_covariance";
+  table.title = "Covariance of the groups' AUCs and Cs";
+  table.columns = {text_column("panel", "panel"),
+                   text_column("quantity", "of"),
+                   text_column("first", "first"),
+                   text_column("second", "second"),
+                   number_column("covariance", "covariance")};
+  for (const H2Panel& panel : h2.panels) {
+    for (const auto& [quantity, equality] : equalities(panel)) {
+      const GroupEstimates& groups = equality->groups;
+      for (std::size_t i = 0; i < groups.names.size(); ++i) {
+        for (std::size_t j = i; j < groups.names.size(); ++j) {
+          table.add_row({panel_name(panel),
+                         quantity,
+                         groups.names[i],
+                         groups.names[j],
+                         number_cell(groups.covariance(static_cast<Eigen::Index>(i),
+                                                       static_cast<Eigen::Index>(j)))});
+        }
+      }
+    }
+  }
+  return table;
+}
+
+void add_conditions(const H2Table& h2, FitReport& report) {
+  const auto add = [&](const Conditions& conditions) {
+    report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
+  };
+  for (const H2Panel& panel : h2.panels) {
+    add(panel.trials.conditions);
+    add(panel.conditions);
+    for (const H2Level& level : panel.levels) {
+      for (Condition condition : level.conditions) {
+        // One group without an estimate leaves those of the others.
+        if (condition.severity == ConditionSeverity::error) {
+          condition.severity = ConditionSeverity::warning;
+        }
+        condition.detail = level.name + (condition.detail.empty() ? "" : ": " + condition.detail);
+        report.conditions.push_back(std::move(condition));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Table h2_level_table(const H2Table& h2) {
+  Table table;
+  table.name = "h2";
+  table.title =
+      "H2: " + h2.options.trials.predictors.front().column + " by " + h2.options.trials.group;
+  table.n = static_cast<std::int64_t>(h2.trials);
+  table.columns = {text_column("panel", "panel"),
+                   text_column("group", h2.options.trials.group),
+                   integer_column("n", "n"),
+                   integer_column("events", "successes"),
+                   integer_column("clusters", "clusters"),
+                   estimate_column("auc", "AUC [" + level_text(h2) + " BCa]"),
+                   estimate_column("c", "C [" + level_text(h2) + " BCa]"),
+                   estimate_column("or", "OR per SD"),
+                   estimate_column("hr_censored", "HR per SD, failures censored"),
+                   estimate_column("hr_at_limit", "HR, failures at limit"),
+                   estimate_column("hr_stratified", "HR, stratified")};
+  for (const H2Panel& panel : h2.panels) {
+    for (const H2Level& level : panel.levels) {
+      table.add_row({panel_name(panel),
+                     level.name,
+                     integer_cell(level.trials),
+                     integer_cell(level.successes),
+                     integer_cell(level.clusters),
+                     estimate(level.auc),
+                     estimate(level.c),
+                     ratio(level.odds),
+                     ratio(level.censored),
+                     ratio(level.at_limit),
+                     ratio(level.stratified)});
+    }
+  }
+  table.footnotes = h2_level_notes(h2);
+  return table;
+}
+
+Table h2_equality_table(const H2Table& h2) {
+  Table table;
+  table.name = "h2_equality";
+  table.title = "H2: equality of the groups";
+  table.columns = {text_column("panel", "panel"),
+                   text_column("quantity", "of"),
+                   plain_column("margin", "margin"),
+                   text_column("equivalent", "equivalent"),
+                   p_column("p_tost", "p of equivalence"),
+                   plain_column("smallest_margin", "smallest margin"),
+                   plain_column("margin_80", "margin with 80 % power"),
+                   number_column("statistic", "chi-squared"),
+                   integer_column("df", "df"),
+                   p_column("p", "p of a difference"),
+                   plain_column("range", "max - min"),
+                   plain_column("range_expected", "expected if equal"),
+                   plain_column("range_95", "95 % below"),
+                   p_column("range_p", "p by permutation")};
+  for (const H2Panel& panel : h2.panels) {
+    for (const auto& [quantity, equality] : equalities(panel)) {
+      const Equivalence& tests = equality->tests;
+      table.add_row({panel_name(panel),
+                     quantity,
+                     number_cell(tests.options.margin),
+                     yes_or_no(tests.equivalent),
+                     p_cell(tests.p_value),
+                     number_cell(tests.smallest_margin),
+                     number_cell(tests.margin_with_power),
+                     number_cell(statistic(tests.heterogeneity)),
+                     df(tests.heterogeneity),
+                     p_cell(p_value(tests.heterogeneity)),
+                     number_cell(tests.range),
+                     number_cell(equality->range.expected),
+                     number_cell(equality->range.upper),
+                     p_cell(equality->range.p_value)});
+    }
+  }
+  table.footnotes = h2_equality_notes(h2);
+  return table;
+}
+
+FitReport h2_report(const H2Table& h2) {
+  const H1Options& options = h2.options.trials;
+  FitReport report;
+  report.model = "h2";
+  Record summary("summary", "Options");
+  summary.integer("trials", "trials", h2.trials)
+      .integer("outcome_missing", "without outcome", h2.outcome_missing)
+      .text("predictor", "predictor", options.predictors.front().column)
+      .text("group", "group", options.group)
+      .text("success", "outcome", options.success)
+      .text("time", "time", options.time)
+      .text("cluster", "cluster", options.cluster)
+      .text("strata", "strata", options.strata)
+      .number("landmark_s", "landmark [s]", options.landmark_s)
+      .number("margin", "margin", h2.options.margin)
+      .number("level", "level", options.level)
+      .integer("replicates", "replicates", options.replicates)
+      .integer("permutations", "permutations", h2.options.permutations)
+      .integer("seed", "seed", options.seed);
+  report.summary = std::move(summary).table();
+  report.tables = {
+      h2_level_table(h2), h2_equality_table(h2), pair_table(h2), interaction_table(h2)};
+  report.details = {closed_form_table(h2), covariance_table(h2)};
+  add_conditions(h2, report);
+  return report;
+}
+
+}  // namespace tcert

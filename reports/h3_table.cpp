@@ -1,0 +1,184 @@
+#include "reports/h3_table.hpp"
+
+#include <string>
+
+#include "reports/fit/cells.hpp"
+
+namespace tcert {
+namespace {
+
+TableCell estimate(const H3Estimate& one) {
+  if (!one.value) {
+    return {};
+  }
+  Estimate cell{*one.value};
+  if (one.bca) {
+    cell.low = one.bca->low;
+    cell.high = one.bca->high;
+  }
+  return cell;
+}
+
+TableCell share(const std::optional<double>& value, const std::optional<Interval>& interval) {
+  return value && interval ? TableCell{Estimate{*value, interval->low, interval->high}}
+                           : number_cell(value);
+}
+
+TableCell truth(const std::optional<bool>& value) {
+  return value ? TableCell{std::string(*value ? "yes" : "no")} : TableCell{};
+}
+
+Column estimate_column(std::string name, std::string heading, std::string unit, int decimals) {
+  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::estimate, decimals};
+}
+
+Column plain_column(std::string name, std::string heading, std::string unit, int decimals) {
+  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
+}
+
+std::string percent(double fraction) { return significant(100.0 * fraction, kShownDigits) + " %"; }
+
+std::vector<std::string> notes(const H3Table& h3) {
+  const H3Options& o = h3.options;
+  std::vector<std::string> notes = {
+      "A replay can only lose successes: it cannot see failures that speed would cause.",
+      "Laws: squash is that of section 3.5, on the tick margin; clip that of 4.4 (G1), on the "
+      "robust margin, where the guards G2 and G3 halt.",
+      "Rates: total length over total time of the trials that succeed ungated, standing still "
+      "included; a stall counts at the retreat speed, so that no trial drops out of the pair. "
+      "Commanded speed: median of the trials' medians.",
+      "Gain: gated less ungated '" + o.gated + "', the same trials. Gap: '" + o.baseline +
+          "' less ungated '" + o.gated +
+          "'; its share that is recovered is NA unless the gap's "
+          "interval excludes 0.",
+      "Intervals of rates, gains and shares: BCa, " + percent(o.level) + ", " +
+          std::to_string(o.replicates) + " resamples of whole '" +
+          (o.cluster.empty() ? "trial" : o.cluster) +
+          "' clusters of both algorithms jointly, seed " + std::to_string(o.seed) + ".",
+      "Lost: successes that stall or pass the trial limit, of all trials. Non-inferior: the "
+      "one-sided " +
+          percent(o.level) + " Clopper-Pearson bound of that loss is below " +
+          percent(o.loss_margin) +
+          ". Retained: of the successes, Wilson. Both take trials as independent.",
+      "Front: on the Pareto front of {relative gain, retained} within its lighting."};
+  if (h3.unknown > 0) {
+    notes.push_back(std::to_string(h3.unknown) + " trials without an outcome are left out.");
+  }
+  for (const H3Group& group : h3.groups) {
+    for (const Condition& condition : group.conditions) {
+      notes.push_back(group.lighting + ": " + to_string(condition) + ".");
+    }
+  }
+  return notes;
+}
+
+}  // namespace
+
+Table h3_table(const H3Table& h3) {
+  Table table;
+  table.name = "h3";
+  table.title = "H3: speed gated by the margin, against '" + h3.options.baseline + "'";
+  table.columns = {text_column("lighting", "lighting"),
+                   text_column("speed_law", "law"),
+                   plain_column("beta_per_m", "beta", "1/m", 0),
+                   estimate_column("gated_m_per_min", "gated", "m/min", 2),
+                   estimate_column("gain_m_per_min", "gain", "m/min", 2),
+                   estimate_column("gain_share", "relative gain", "", 3),
+                   estimate_column("gap_recovered", "share of gap", "", 2),
+                   plain_column("gated_speed_cmd_mps", "commanded", "m/s", 3),
+                   integer_column("lost", "lost"),
+                   plain_column("lost_share", "share lost", "", 3),
+                   plain_column("lost_upper", "bound", "", 3),
+                   text_column("non_inferior", "non-inferior"),
+                   estimate_column("retained", "retained", "", 3),
+                   integer_column("stalls", "stalls"),
+                   integer_column("stalled_trials", "trials with stalls"),
+                   text_column("on_front", "front")};
+  for (const H3Group& group : h3.groups) {
+    for (const H3Case& one : group.cases) {
+      table.add_row({group.lighting,
+                     one.law,
+                     Number{one.beta_per_m},
+                     estimate(one.gated),
+                     estimate(one.gain),
+                     estimate(one.gain_share),
+                     estimate(one.recovered),
+                     number_cell(one.speed_cmd_mps),
+                     integer_cell(one.lost),
+                     number_cell(one.lost_share),
+                     number_cell(one.lost_upper),
+                     truth(one.non_inferior),
+                     share(one.retained, one.retained_interval),
+                     integer_cell(one.stalls),
+                     integer_cell(one.stalled_trials),
+                     truth(one.on_front)});
+    }
+  }
+  table.n =
+      h3.groups.empty()
+          ? 0
+          : static_cast<std::int64_t>(h3.groups.front().trials + h3.groups.front().baseline_trials);
+  table.footnotes = notes(h3);
+  return table;
+}
+
+Table h3_baseline_table(const H3Table& h3) {
+  Table table;
+  table.name = "h3_baseline";
+  table.title = "Ungated rates of advance";
+  table.columns = {
+      text_column("lighting", "lighting"),
+      integer_column("trials", h3.options.gated + " trials"),
+      integer_column("successes", "successes"),
+      integer_column("baseline_trials", h3.options.baseline + " trials"),
+      integer_column("baseline_successes", "successes"),
+      integer_column("clusters", "clusters"),
+      estimate_column("ungated_m_per_min", h3.options.gated, "m/min", 2),
+      estimate_column("baseline_m_per_min", h3.options.baseline, "m/min", 2),
+      estimate_column("gap_m_per_min", "gap", "m/min", 2),
+      plain_column("speed_cmd_mps", h3.options.gated + " commanded", "m/s", 3),
+      plain_column("baseline_speed_cmd_mps", h3.options.baseline + " commanded", "m/s", 3),
+      plain_column("loop_latency_ms", "latency p50", "ms", 2)};
+  for (const H3Group& group : h3.groups) {
+    table.add_row({group.lighting,
+                   integer_cell(group.trials),
+                   integer_cell(group.successes),
+                   integer_cell(group.baseline_trials),
+                   integer_cell(group.baseline_successes),
+                   integer_cell(group.clusters),
+                   estimate(group.ungated),
+                   estimate(group.baseline),
+                   estimate(group.gap),
+                   number_cell(group.speed_cmd_mps),
+                   number_cell(group.baseline_speed_cmd_mps),
+                   number_cell(group.latency_ms)});
+  }
+  table.footnotes = {
+      "Latency: median of the trials' medians of the policy loop, as logged; a replay does not "
+      "change it."};
+  return table;
+}
+
+FitReport h3_report(const H3Table& h3) {
+  FitReport report;
+  report.model = "h3";
+  Record summary("summary", "Options");
+  summary.text("gated", "gated", h3.options.gated)
+      .text("baseline", "baseline", h3.options.baseline)
+      .text("cluster", "cluster", h3.options.cluster)
+      .number("level", "level", h3.options.level)
+      .number("loss_margin", "loss margin", h3.options.loss_margin)
+      .integer("replicates", "replicates", h3.options.replicates)
+      .integer("seed", "seed", h3.options.seed)
+      .integer("outcome_missing", "without outcome", h3.unknown);
+  report.summary = std::move(summary).table();
+  report.tables = {h3_table(h3), h3_baseline_table(h3)};
+  report.conditions = h3.conditions;
+  for (const H3Group& group : h3.groups) {
+    report.conditions.insert(
+        report.conditions.end(), group.conditions.begin(), group.conditions.end());
+  }
+  return report;
+}
+
+}  // namespace tcert

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The table of H3: speed gained and successes kept, by speed law, beta and lighting.
+
+#include "analysis/h3/hypothesis_h3.hpp"
+#include "reports/fit/fit_report.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+/// One row a lighting, law and beta: rates of advance, gain, share of the gap, successes lost and
+/// retained, stalls, the Pareto front.
+[[nodiscard]] Table h3_table(const H3Table& h3);
+
+/// One row a lighting: the two algorithms ungated, the gap between them, latency.
+[[nodiscard]] Table h3_baseline_table(const H3Table& h3);
+
+/// Both tables and the options, as a document.
+[[nodiscard]] FitReport h3_report(const H3Table& h3);
+
+}  // namespace tcert

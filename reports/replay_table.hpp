@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// replay.csv: every trial at every speed law, one row each; what H3 is computed from.
+
+#include <string>
+#include <vector>
+
+#include "analysis/replay/replay_record.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+/// Columns of the table, no rows.
+[[nodiscard]] Table replay_table();
+[[nodiscard]] std::vector<TableCell> replay_row(const ReplayRecord& record);
+
+/// What the replays come to, added up: one row a law and beta; for people.
+class ReplayTotals {
+ public:
+  void add(const ReplayRecord& record);
+  [[nodiscard]] Table table() const;
+
+ private:
+  struct Total {
+    SpeedLaw law;
+    std::size_t trials = 0;
+    std::size_t successes = 0;
+    std::size_t kept = 0;
+    double length_m = 0.0;
+    double time_s = 0.0;
+    double gated_time_s = 0.0;
+    std::size_t stalls = 0;
+    std::size_t margin_trips = 0;
+    std::size_t force_trips = 0;
+    std::size_t replan_trips = 0;
+    ReplanSummary replans;
+    bool replanned = false;
+  };
+  std::vector<Total> totals_;
+};
+
+}  // namespace tcert

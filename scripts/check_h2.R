@@ -1,0 +1,257 @@
+# Recomputes every deterministic cell of the H2 tables. Sourced by check_hypotheses.R, whose panels, AUC, C and
+# Cox functions it uses.
+
+# Numbers by value, names by byte.
+levels_of <- function(group) {
+  if (is.numeric(group)) as.character(sort(unique(group))) else sort(unique(group), method = "radix")
+}
+
+#' The panel's rows of one group.
+part_of <- function(d, level) {
+  rows <- as.character(d$group) == level
+  e <- d
+  e$y <- d$y[rows]
+  e$cluster <- d$cluster[rows]
+  e$x <- d$x[rows, 1]
+  e$scaled <- d$scaled[rows, 1, drop = FALSE]
+  e$strata <- d$strata[rows]
+  e$n <- sum(rows)
+  if (!is.null(d$censored)) {
+    e$censored <- d$censored[rows]
+    e$at_limit <- d$at_limit[rows]
+  }
+  e
+}
+
+both_classes <- function(e) length(unique(e$y)) == 2
+
+# ---- Effects within a group --------------------------------------------------------------------
+
+# Sandwich over clusters, at the optimum: glm's own covariance is of the step before the last.
+glm_at_optimum <- function(x, y, cluster) {
+  X <- cbind(1, x)
+  start <- glm.fit(X, y, family = binomial(), control = exact_glm)$coefficients
+  for (step in 1:3) {
+    p <- plogis(drop(X %*% start))
+    bread <- solve(crossprod(X * sqrt(p * (1 - p))))
+    start <- start + drop(bread %*% crossprod(X, y - p))
+  }
+  p <- plogis(drop(X %*% start))
+  bread <- solve(crossprod(X * sqrt(p * (1 - p))))
+  meat <- crossprod(rowsum(X * (y - p), cluster))
+  list(coef = start, var = bread %*% meat %*% bread)
+}
+
+# A group in which an effect runs to infinity has none: R says so by an error or by an absurd value.
+or_na <- function(expected, size) {
+  value <- tryCatch(suppressWarnings(expected), error = function(e) rep(NA_real_, size))
+  if (anyNA(value) || any(!is.finite(value)) || (size == 4 && abs(log(value[1])) > 30)) {
+    return(rep(NA_real_, size))
+  }
+  value
+}
+
+odds_ratio <- function(e) {
+  fit <- glm_at_optimum(e$scaled, e$y, e$cluster)
+  se <- sqrt(fit$var[2, 2])
+  half <- qnorm((1 + e$level) / 2) * se
+  c(exp(fit$coef[[2]] + c(0, -half, half)), two_sided(fit$coef[[2]], se))
+}
+
+check_ratio <- function(column, p_column, where, h2, forms, expected) {
+  found <- c(unlist(h2[paste0(column, c("", "_low", "_high"))]), forms[[p_column]])
+  quantity <- paste("H2", column, c("", "CI", "CI", "p"))
+  for (i in 1:4) check(quantity[i], where, found[i], expected[i], FITTED)
+}
+
+check_level <- function(d, level, h2, forms) {
+  e <- part_of(d, level)
+  where <- paste(d$name, level)
+  check("H2 n", where, h2$n, e$n)
+  check("H2 events", where, h2$events, sum(e$y))
+  check("H2 clusters", where, h2$clusters, length(unique(e$cluster)))
+  if (!both_classes(e)) return(invisible(check("H2 AUC", where, h2$auc, NA)))
+  auc <- auc_by_ranks(e$x, e$y)
+  se <- sqrt(auc_variance(e$x, e))
+  check("H2 AUC", where, h2$auc, auc)
+  check("H2 AUC clustered SE", where, forms$auc_std_error, se)
+  check("H2 AUC clustered CI", where, c(forms$auc_low, forms$auc_high), wald(auc, se, d$level))
+  check_ratio("or", "or_p", where, h2, forms, or_na(odds_ratio(e), 4))
+  if (is.null(d$censored)) return(invisible())
+  fit <- c_of(e$x, e$censored, e$cluster)
+  check("H2 C", where, h2$c, fit$concordance)
+  if (is.na(fit$concordance)) fit$var <- NA  # R says 0.
+  check("H2 C clustered SE", where, forms$c_std_error, sqrt(fit$var))
+  check("H2 C clustered CI", where, c(forms$c_low, forms$c_high),
+        wald(fit$concordance, sqrt(fit$var), d$level))
+  ratio <- function(...) or_na(hazard_ratio(e$scaled, ...), 4)
+  check_ratio("hr_censored", "hr_censored_p", where, h2, forms, ratio(e$censored, e))
+  check_ratio("hr_at_limit", "hr_at_limit_p", where, h2, forms, ratio(e$at_limit, e))
+  check_ratio("hr_stratified", "hr_stratified_p", where, h2, forms,
+              if (is.null(d$strata)) rep(NA, 4) else ratio(e$censored, e, TRUE))
+}
+
+# ---- Joint covariances -------------------------------------------------------------------------
+
+#' A row a cluster of the panel, a column a group: summed influences. `of_part` gives them by cluster name.
+influence_of <- function(d, levels, of_part) {
+  clusters <- unique(d$cluster)
+  sapply(levels, function(level) {
+    own <- of_part(part_of(d, level))
+    sums <- setNames(numeric(length(clusters)), clusters)
+    sums[names(own)] <- own
+    sums
+  })
+}
+
+auc_groups <- function(d, levels) {
+  parts <- lapply(levels, function(level) part_of(d, level))
+  U <- influence_of(d, levels, function(e) {
+    p <- auc_parts(e$x, e$y, e$cluster)
+    clusters <- length(unique(e$cluster))
+    sqrt(clusters / (clusters - 1)) * (p$success + p$failure)
+  })
+  covariance <- crossprod(U)
+  diag(covariance) <- sapply(parts, function(e) auc_variance(e$x, e))
+  list(values = sapply(parts, function(e) auc_by_ranks(e$x, e$y)), covariance = covariance)
+}
+
+c_groups <- function(d, levels) {
+  U <- influence_of(d, levels, function(e) {
+    rowsum(c_of(e$x, e$censored)$dfbeta, e$cluster)[, 1]
+  })
+  list(values = sapply(levels, function(level) {
+    e <- part_of(d, level)
+    unname(c_of(e$x, e$censored)$concordance)
+  }), covariance = crossprod(U))
+}
+
+wald_statistic <- function(estimate, covariance) {
+  drop(t(estimate) %*% solve(covariance, estimate))
+}
+
+# ---- Equality ----------------------------------------------------------------------------------
+
+check_pairs <- function(where, found, groups, pairs, margin) {
+  z <- qnorm(0.95)
+  d <- groups$values[pairs[1, ]] - groups$values[pairs[2, ]]
+  V <- groups$covariance
+  se <- sqrt(diag(V)[pairs[1, ]] + diag(V)[pairs[2, ]] - 2 * V[t(pairs)])
+  check("H2 difference", where, found$difference, d)
+  check("H2 difference SE", where, found$std_error, se)
+  check("H2 difference 90 % CI", where, c(found$difference_low, found$difference_high),
+        c(d - z * se, d + z * se))
+  p <- pmax(pnorm((d + margin) / se, lower.tail = FALSE), pnorm((d - margin) / se))
+  check("H2 TOST p", where, found$p_tost, p)
+  check_text("H2 equivalent", where, found$equivalent,
+             ifelse(d - z * se > -margin & d + z * se < margin, "yes", "no"))
+  check("H2 smallest margin", where, found$smallest_margin, abs(d) + z * se)
+  list(se = se, p = p, smallest = abs(d) + z * se)
+}
+
+check_equality <- function(d, quantity, levels, groups, result) {
+  where <- paste(d$name, quantity)
+  if (anyNA(groups$values) || anyNA(groups$covariance)) {
+    rows <- sum(unlist(result$h2_equality["panel"]) == d$name & unlist(result$h2_equality["quantity"]) == quantity)
+    check("H2 rows without a joint covariance", where, rows, 0)
+    return(invisible())
+  }
+  pick <- function(table) table[table$panel == d$name & table$quantity == quantity, , drop = FALSE]
+  pairs <- combn(length(levels), 2)
+  margin <- result$summary$margin
+  found <- pick(result$h2_equality)
+  own <- check_pairs(where, pick(result$h2_pairs), groups, pairs, margin)
+  covariance <- pick(result$h2_covariance)
+  V <- groups$covariance
+  scale <- sqrt(diag(V)[match(covariance$first, levels)] * diag(V)[match(covariance$second, levels)])
+  expected <- V[cbind(match(covariance$first, levels), match(covariance$second, levels))]
+  # A covariance near 0 is a sum that cancels: judged on the scale of the variances.
+  check("H2 1 + correlation", where, 1 + covariance$covariance / scale, 1 + expected / scale)
+  check("H2 TOST p of all", where, found$p_tost, max(own$p))
+  check_text("H2 all equivalent", where, found$equivalent, if (all(own$smallest < margin)) "yes" else "no")
+  check("H2 smallest margin of all", where, found$smallest_margin, max(own$smallest))
+  check("H2 margin with 80 % power", where, found$margin_80,
+        max(own$se) * (qnorm(0.95) + qnorm(1 - 0.2 / ncol(pairs) / 2)))
+  L <- cbind(1, -diag(length(levels) - 1))
+  chi <- tryCatch(wald_statistic(L %*% groups$values, L %*% V %*% t(L)), error = function(e) NA)
+  df <- length(levels) - 1
+  check("H2 heterogeneity", where, found$statistic, chi)
+  check("H2 heterogeneity df", where, found$df, if (is.na(chi)) NA else df)
+  check("H2 heterogeneity p", where, found$p, pchisq(chi, df, lower.tail = FALSE))
+  check("H2 max - min", where, found$range, diff(range(groups$values)))
+  found
+}
+
+# Another permutation with other draws: close, never equal.
+inform_of_permutation <- function(d, levels, found, permutations = 300) {
+  set.seed(1)
+  rows <- split(seq_len(d$n), d$cluster)
+  group <- as.character(d$group)
+  ranges <- replicate(permutations, {
+    shuffled <- group
+    for (own in rows) shuffled[own] <- group[own[sample.int(length(own))]]
+    diff(range(sapply(levels, function(level) {
+      in_group <- shuffled == level
+      auc_by_ranks(d$x[in_group, 1], d$y[in_group])
+    })))
+  })
+  ranges <- ranges[!is.na(ranges)]  # A small group may get one class.
+  cat(sprintf("%s, max - min of AUC expected if equal: tool %.4f, R %.4f: %s (not counted)\n", d$name,
+              found$range_expected, mean(ranges),
+              if (abs(found$range_expected - mean(ranges)) < 4 * sd(ranges) / sqrt(length(ranges)))
+                "within error" else "NOT within error"))
+}
+
+# ---- Interaction -------------------------------------------------------------------------------
+
+interaction_design <- function(d, levels) {
+  x <- d$scaled[, 1]
+  dummies <- sapply(levels[-1], function(level) as.numeric(as.character(d$group) == level))
+  cbind(x, dummies, dummies * x)
+}
+
+cox_wald <- function(x, outcome, d, last, stratified) {
+  formula <- if (stratified) outcome ~ x + strata(d$strata) else outcome ~ x
+  environment(formula) <- environment()
+  fit <- at_optimum(formula, coxph(formula, cluster = d$cluster, ties = "efron", control = exact_cox),
+                    d$cluster)
+  wald_statistic(coef(fit)[last], fit$var[last, last])
+}
+
+check_interactions <- function(d, levels, found) {
+  x <- interaction_design(d, levels)
+  k <- length(levels) - 1
+  last <- ncol(x) - (k - 1):0
+  expected <- function(model) {
+    switch(model,
+           logistic = {
+             fit <- glm_at_optimum(x, d$y, d$cluster)
+             wald_statistic(fit$coef[last + 1], fit$var[last + 1, last + 1])
+           },
+           Cox = cox_wald(x, d$censored, d, last, FALSE),
+           "Cox, stratified" = cox_wald(x, d$censored, d, last, TRUE))
+  }
+  for (i in seq_len(nrow(found))) {
+    where <- paste(d$name, found$model[i])
+    chi <- tryCatch(expected(found$model[i]), error = function(e) NA)
+    check("H2 interaction", where, found$statistic[i], chi, FITTED)
+    check("H2 interaction df", where, found$df[i], if (is.na(chi)) NA else k)
+    # d log p is about half of d chi-squared.
+    check("H2 interaction p", where, found$p[i], pchisq(chi, k, lower.tail = FALSE),
+          FITTED * (1 + if (is.na(chi)) 0 else chi))
+  }
+}
+
+check_h2_panel <- function(d, result) {
+  levels <- levels_of(d$group)
+  h2 <- rows_of(result$h2, d$name)
+  forms <- rows_of(result$h2_closed_form, d$name)
+  check_text("H2 groups", d$name, h2$group, levels)
+  for (i in seq_along(levels)) check_level(d, levels[i], h2[i, ], forms[i, ])
+  if (all(sapply(levels, function(level) both_classes(part_of(d, level))))) {
+    found <- check_equality(d, "AUC", levels, auc_groups(d, levels), result)
+    inform_of_permutation(d, levels, found)
+  }
+  if (!is.null(d$censored)) check_equality(d, "C", levels, c_groups(d, levels), result)
+  check_interactions(d, levels, rows_of(result$h2_interaction, d$name))
+}

@@ -1,0 +1,30 @@
+// A small part of the simulation of micro-studies: that it is sane.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coverage/gate_study.hpp"
+
+namespace tcert {
+namespace {
+
+TEST(GateCoverage, SetsOfAFewStudiesCoverTheLargeSamplePoint) {
+  coverage::GateOptions options;
+  options.studies = 16;
+  options.replicates = 199;
+  const coverage::GateSummary summary = coverage::run_gates(options);
+  EXPECT_LT(std::abs(summary.point_m), 0.025) << "declared at 0, moved by sensor noise";
+  EXPECT_GT(summary.slope_per_m, 40.0);
+  EXPECT_LE(summary.separated, 2U);
+  ASSERT_EQ(summary.methods.size(), 4U);
+  for (const coverage::GateCoverage& method : summary.methods) {
+    EXPECT_GE(method.covered, 0.8) << method.method;
+    EXPECT_LE(method.unbounded, 2U) << method.method;
+    EXPECT_GT(method.median_width_m, 0.002);
+    EXPECT_LT(method.median_width_m, 0.03);
+  }
+}
+
+}  // namespace
+}  // namespace tcert

@@ -1,0 +1,159 @@
+#include "analysis/h3/hypothesis_h3.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "support/data_table.hpp"
+
+namespace tcert {
+namespace {
+
+const std::string kHeader =
+    "trial_id,algorithm,lighting,day,success,speed_law,beta_per_m,length_m,logged_time_s,"
+    "gated_time_s,speed_cmd_mps,gated_speed_cmd_mps,loop_latency_ms,stalls,kept\n";
+
+/// Two days of two gated trials that succeed, one that fails, and a baseline trial a day, at two
+/// betas. At beta 20 the second trial of day b stalls.
+std::string small_study() {
+  std::string csv = kHeader;
+  const auto add = [&](const std::string& id,
+                       const std::string& algorithm,
+                       const std::string& day,
+                       int success,
+                       double length,
+                       double time,
+                       double gated_5,
+                       double gated_20,
+                       int stalls_20) {
+    for (const bool steep : {false, true}) {
+      const int stalls = steep ? stalls_20 : 0;
+      csv += id + ',' + algorithm + ",Dark," + day + ',' + std::to_string(success) + ",squash," +
+             (steep ? "20," : "5,") + std::to_string(length) + ',' + std::to_string(time) + ',' +
+             std::to_string(steep ? gated_20 : gated_5) + ",0.12,0.15,19.6," +
+             std::to_string(stalls) + ',' + (success == 1 && stalls == 0 ? "1" : "0") + '\n';
+    }
+  };
+  add("t1", "M3", "a", 1, 6.0, 60.0, 50.0, 40.0, 0);
+  add("t2", "M3", "a", 1, 6.0, 70.0, 50.0, 40.0, 0);
+  add("t3", "M3", "b", 1, 6.0, 60.0, 55.0, 45.0, 0);
+  add("t4", "M3", "b", 1, 6.0, 50.0, 45.0, 35.0, 2);
+  add("t5", "M3", "b", 0, 3.0, 90.0, 90.0, 90.0, 1);
+  add("c1", "CB-V", "a", 1, 6.0, 30.0, 30.0, 30.0, 0);
+  add("c2", "CB-V", "b", 1, 6.0, 30.0, 30.0, 30.0, 0);
+  add("x1", "M1", "b", 1, 6.0, 10.0, 10.0, 10.0, 0);
+  return csv;
+}
+
+H3Table h3_of(const std::string& csv, std::size_t replicates = 200) {
+  H3Options options;
+  options.replicates = replicates;
+  return hypothesis_h3(test_support::table_of(csv), options);
+}
+
+TEST(HypothesisH3, ASmallStudyByHand) {
+  const H3Table found = h3_of(small_study());
+  ASSERT_EQ(found.groups.size(), 1U) << "one lighting is all of them";
+  const H3Group& all = found.groups[0];
+  EXPECT_EQ(all.lighting, "all");
+  EXPECT_EQ(all.trials, 5U);
+  EXPECT_EQ(all.successes, 4U);
+  EXPECT_EQ(all.baseline_successes, 2U);
+  EXPECT_EQ(all.clusters, 2U);
+  // 24 m in 240 s, 12 m in 60 s.
+  EXPECT_NEAR(all.ungated.value.value(), 6.0, 1e-12);
+  EXPECT_NEAR(all.baseline.value.value(), 12.0, 1e-12);
+  EXPECT_NEAR(all.gap.value.value(), 6.0, 1e-12);
+  EXPECT_NEAR(all.latency_ms.value(), 19.6, 1e-12);
+  ASSERT_EQ(all.cases.size(), 2U);
+  const H3Case& gentle = all.cases[0];
+  EXPECT_EQ(gentle.law, "squash");
+  EXPECT_EQ(gentle.beta_per_m, 5.0);
+  // 24 m in 200 s.
+  EXPECT_NEAR(gentle.gated.value.value(), 7.2, 1e-12);
+  EXPECT_NEAR(gentle.gain.value.value(), 1.2, 1e-12);
+  EXPECT_NEAR(gentle.gain_share.value.value(), 0.2, 1e-12);
+  EXPECT_EQ(gentle.kept, 4U);
+  EXPECT_EQ(gentle.lost, 0U);
+  EXPECT_NEAR(gentle.lost_upper.value(), 1.0 - std::pow(0.05, 1.0 / 5.0), 1e-12);
+  EXPECT_FALSE(gentle.non_inferior.value());
+  const H3Case& steep = all.cases[1];
+  // 24 m in 160 s; the trial that stalls stays in the pair.
+  EXPECT_NEAR(steep.gated.value.value(), 9.0, 1e-12);
+  EXPECT_EQ(steep.kept, 3U);
+  EXPECT_EQ(steep.lost, 1U);
+  EXPECT_NEAR(steep.lost_share.value(), 0.2, 1e-12);
+  EXPECT_NEAR(steep.retained.value(), 0.75, 1e-12);
+  EXPECT_EQ(steep.stalls, 3U);
+  EXPECT_EQ(steep.stalled_trials, 2U);
+  EXPECT_TRUE(gentle.on_front) << "nothing keeps more";
+  EXPECT_TRUE(steep.on_front) << "nothing gains more";
+}
+
+TEST(HypothesisH3, ReplicatesAreRatiosOverDays) {
+  const H3Table found = h3_of(small_study(), 500);
+  const H3Group& all = found.groups[0];
+  // Day a alone: 12 m in 130 s; day b alone: 12 m in 110 s. All resamples lie between.
+  ASSERT_TRUE(all.ungated.bca);
+  EXPECT_GE(all.ungated.bca->low, 12.0 / 130.0 * 60.0 - 1e-9);
+  EXPECT_LE(all.ungated.bca->high, 12.0 / 110.0 * 60.0 + 1e-9);
+  // The gap is the baseline's constant 12 less that: its interval excludes 0.
+  ASSERT_TRUE(all.gap.bca);
+  EXPECT_GT(all.gap.bca->low, 0.0);
+  EXPECT_NEAR(all.cases[0].recovered.value.value(), 0.2, 1e-12);
+  EXPECT_NEAR(all.cases[1].recovered.value.value(), 0.5, 1e-12);
+}
+
+TEST(HypothesisH3, WithoutABaselineThereIsNoGap) {
+  std::string csv = small_study();
+  for (std::size_t at = csv.find("CB-V"); at != std::string::npos; at = csv.find("CB-V")) {
+    csv.replace(at, 4, "TVFH");
+  }
+  const H3Table found = h3_of(csv);
+  EXPECT_FALSE(found.groups[0].gap.value);
+  EXPECT_FALSE(found.groups[0].cases[0].recovered.value);
+  EXPECT_TRUE(found.groups[0].cases[0].gain.value);
+}
+
+TEST(HypothesisH3, OrderOfRowsChangesNothing) {
+  const std::string csv = small_study();
+  std::string turned = kHeader;
+  std::vector<std::string> lines;
+  for (std::size_t from = kHeader.size(); from < csv.size();) {
+    const std::size_t end = csv.find('\n', from) + 1;
+    lines.push_back(csv.substr(from, end - from));
+    from = end;
+  }
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    turned += *line;
+  }
+  const H3Table one = h3_of(csv);
+  const H3Table other = h3_of(turned);
+  ASSERT_TRUE(one.groups[0].gap.bca && other.groups[0].gap.bca);
+  EXPECT_EQ(one.groups[0].gap.bca->low, other.groups[0].gap.bca->low);
+  EXPECT_EQ(one.groups[0].cases[1].gain.bca->high, other.groups[0].cases[1].gain.bca->high);
+}
+
+TEST(HypothesisH3, SaysWhatItCannotUse) {
+  H3Options options;
+  EXPECT_THROW((void)hypothesis_h3(test_support::table_of("a,b\n1,2\n"), options),
+               std::invalid_argument);
+  const std::string csv = small_study();
+  const std::string cut = csv.substr(0, csv.rfind('\n', csv.size() - 2) + 1);
+  EXPECT_NO_THROW((void)hypothesis_h3(test_support::table_of(cut), options)) << "of M1";
+  const std::size_t c2 = csv.find("c2,");
+  const std::size_t end = csv.find('\n', c2) + 1;
+  EXPECT_THROW(
+      (void)hypothesis_h3(test_support::table_of(csv.substr(0, c2) + csv.substr(end)), options),
+      std::invalid_argument)
+      << "a trial that lacks a beta";
+  options.gated = "nobody";
+  options.baseline = "no one";
+  EXPECT_TRUE(
+      has(hypothesis_h3(test_support::table_of(csv), options).conditions, ConditionKind::no_rows));
+}
+
+}  // namespace
+}  // namespace tcert
