@@ -43,8 +43,7 @@ Table coefficient_table(const LogisticFit& fit,
       cells.push_back(high_cell(profile));
     }
     cells.push_back(number_cell(odds(one.estimate)));
-    cells.emplace_back(one.kind == CoefficientKind::finite ? std::string()
-                                                           : std::string(word(one.kind)));
+    cells.emplace_back(std::string(reason_without_estimate(one.kind)));
     table.add_row(std::move(cells));
   }
   return table;

@@ -44,7 +44,8 @@ class FitOptions : public ::testing::Test {
 };
 
 TEST_F(FitOptions, OfAnotherKindAreRefused) {
-  expect_refused(fit("roc", "y ~ x", {"--weights", "w"}), "--weights is for glm, cox, km and");
+  expect_refused(fit("roc", "y ~ x", {"--weights", "w"}),
+                 "--weights is for glm, glmm, cox, km and");
   expect_refused(fit("glm", "y ~ x", {"--ties", "efron"}), "--ties is for cox");
   expect_refused(fit("glm", "y ~ x", {"--interval", "bogus"}), "--interval is for km");
   expect_refused(fit("glm", "y ~ x", {"--partial", "nonsense"}), "--partial is for roc");
@@ -59,7 +60,7 @@ TEST_F(FitOptions, PartsOfAFormulaThatDoNothingAreRefused) {
     expect_refused(fit(kind, "y ~ x + strata(f)"), "strata() is for cox, km and concordance");
   }
   expect_refused(fit("cox", "Surv(t, s) ~ x + (1 | g)"), "use --cluster");
-  expect_refused(fit("roc", "y ~ x + offset(w)"), "offset() is for glm and cox");
+  expect_refused(fit("roc", "y ~ x + offset(w)"), "offset() is for glm");
 }
 
 TEST_F(FitOptions, AReferenceNeedsAFactorOfTheFormula) {
