@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "analysis/basics/proportion.hpp"
+#include "analysis/basics/binomial_interval.hpp"
 #include "analysis/logistic/binomial_likelihood.hpp"
 
 namespace tcert {
@@ -46,7 +46,7 @@ std::vector<GateCalibration> calibrate(const Passes& passes, const EvenChance& e
     group.mean_margin_m /= count;
     group.predicted /= count;
     group.observed = static_cast<double>(group.successes) / count;
-    group.observed_interval = wilson_interval(group.successes, group.passes, level);
+    group.observed_interval = wilson(group.successes, group.passes, level).value();
     groups.push_back(group);
   }
   return groups;

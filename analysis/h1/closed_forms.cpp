@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/basics/chi_square.hpp"
+#include "analysis/basics/standard_deviation.hpp"
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/cox/cox.hpp"
 #include "analysis/h1/hazard_ratio.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "analysis/basics/standard_deviation.hpp"
 #include "analysis/model/variable.hpp"
 
 namespace tcert {
@@ -44,12 +45,6 @@ CoxData in_strata(const CoxData& cox, const H1Data& data, Conditions& conditions
 }
 
 }  // namespace
-
-double standard_deviation(const std::vector<double>& values) {
-  const Eigen::Map<const Eigen::VectorXd> x(values.data(),
-                                            static_cast<Eigen::Index>(values.size()));
-  return std::sqrt((x.array() - x.mean()).square().sum() / static_cast<double>(values.size() - 1));
-}
 
 Eigen::VectorXd per_sd(const H1Data& data, std::size_t k) {
   const std::vector<double>& values = data.predictors[k];

@@ -12,9 +12,6 @@
 
 namespace tcert {
 
-/// With n - 1 in the denominator.
-[[nodiscard]] double standard_deviation(const std::vector<double>& values);
-
 /// Predictor `k` of the panel in standard deviations of the panel, rising towards the better side.
 [[nodiscard]] Eigen::VectorXd per_sd(const H1Data& data, std::size_t k);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "analysis/basics/standard_deviation.hpp"
 #include "analysis/concordance/concordance_replicates.hpp"
 #include "analysis/roc/auc_statistic.hpp"
 
@@ -67,15 +68,6 @@ std::vector<std::uint32_t> as_multiplicity(std::span<const std::uint8_t> train) 
 }
 
 }  // namespace
-
-double standard_deviation(const std::vector<double>& values) {
-  const Eigen::Map<const Eigen::VectorXd> x(values.data(),
-                                            static_cast<Eigen::Index>(values.size()));
-  if (x.size() < 2 || x.minCoeff() == x.maxCoeff()) {
-    return 0.0;
-  }
-  return std::sqrt((x.array() - x.mean()).square().sum() / static_cast<double>(values.size() - 1));
-}
 
 H1Model::H1Model(const H1Data& data, const std::vector<std::size_t>& columns) : data_(data) {
   const auto rows = static_cast<Eigen::Index>(data.rows());

@@ -17,9 +17,6 @@
 
 namespace tcert {
 
-/// Exactly 0 for equal values, whatever their mean rounds to.
-[[nodiscard]] double standard_deviation(const std::vector<double>& values);
-
 /// A logistic model of success for the AUC and a Cox model of egress for C, on the same predictors,
 /// each scaled to its standard deviation. Both are scored by their fixed part.
 class H1Model {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/basics/standard_deviation.hpp"
 #include "analysis/concordance/concordance_statistic.hpp"
 #include "analysis/equivalence/scores_by_group.hpp"
 #include "analysis/equivalence/statistic_by_group.hpp"

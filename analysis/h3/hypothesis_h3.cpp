@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-#include "analysis/basics/proportion.hpp"
+#include "analysis/basics/binomial_interval.hpp"
 #include "analysis/basics/quantile.hpp"
 #include "analysis/h3/pareto.hpp"
 #include "analysis/replay/replay.hpp"
@@ -277,7 +277,7 @@ class Group {
     }
     if (group_.successes > 0) {
       out.retained = static_cast<double>(out.kept) / static_cast<double>(group_.successes);
-      out.retained_interval = wilson_interval(out.kept, group_.successes, options_.level);
+      out.retained_interval = wilson(out.kept, group_.successes, options_.level);
     }
     return out;
   }
