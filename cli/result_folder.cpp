@@ -88,6 +88,10 @@ void ResultFolder::commit(Manifest manifest) {
 }
 
 bool is_current(const std::filesystem::path& folder, Manifest expected) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    return false;
+  }
   std::ifstream file(folder / "manifest.json", std::ios::binary);
   const std::string found{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   expected.outputs = folder_outputs(folder);

@@ -77,7 +77,7 @@ TEST_F(HypothesesCommand, SaysWhatIsWrongWithTheCall) {
     EXPECT_EQ(failed.exit_code, 2) << to_string(failed);
     EXPECT_NE(failed.err.find(text), std::string::npos) << failed.err;
   };
-  expect_usage({"h4"}, "unknown hypothesis 'h4', expected h1 or h2");
+  expect_usage({"h4"}, "unknown hypothesis 'h4', expected h1, h2 or h3");
   expect_usage({"h2", "--group", "lightning"}, "did you mean 'lighting'?");
   expect_usage({"h2", "--margin", "0"}, "--margin");
   expect_usage({"h2", "--baselines", "dwell"}, "--baselines");

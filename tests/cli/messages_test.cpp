@@ -101,7 +101,10 @@ TEST(Messages, TheHelpListsEveryColumnOfTheResults) {
     const std::string label = file.find("series/") == 0 ? "series/<trial_id>.csv" : file;
     const std::string text = work.read("r/" + file);
     std::string header = text.substr(0, text.find('\n'));
-    header += ',';
+    // Columns of the bundle's own come last.
+    const std::string last = ",median_loop_latency_ms";
+    const std::size_t own = header.find(last);
+    header = (own == std::string::npos ? header : header.substr(0, own + last.size())) + ',';
     for (std::size_t begin = 0; begin < header.size();) {
       const std::size_t comma = header.find(',', begin);
       const std::string column = header.substr(begin, comma - begin);

@@ -123,22 +123,23 @@ TEST(ModelFrame, NamesWhatIsWrongWithTheRows) {
     const ModelFrame made = model_frame(parse_formula(formula), table_of(csv));
     return made.conditions.empty() ? "none" : to_string(made.conditions.front());
   };
-  EXPECT_EQ(
-      first_of("x,t,s\n1,2,1\n2,-1,0\n3,0,1\n", "Surv(t, s) ~ x"),
-      "error: column 't': a time that is not above 0: found -1 in row 2 (and 1 more); correct "
-      "the cell or leave the row out");
+  EXPECT_EQ(first_of("x,t,s\n1,2,1\n2,-1,0\n3,0,1\n", "Surv(t, s) ~ x"),
+            "error: column 't': a time that is not above 0: found -1 in row 2 (line 3) (and 1 "
+            "more); correct "
+            "the cell or leave the row out");
   EXPECT_EQ(first_of("x,t,s\n1,2,1\n2,1,2\n", "Surv(t, s) ~ x"),
-            "error: column 's': neither 0 nor 1: found 2 in row 2; write 'column == value' for the "
+            "error: column 's': neither 0 nor 1: found 2 in row 2 (line 3); write 'column == "
+            "value' for the "
             "value that counts as 1");
-  EXPECT_EQ(
-      first_of("x,y\n1,1\nInf,0\n", "y ~ x"),
-      "error: column 'x': an infinite value: found Inf in row 2; make the cell NA or correct it");
+  EXPECT_EQ(first_of("x,y\n1,1\nInf,0\n", "y ~ x"),
+            "error: column 'x': an infinite value: found Inf in row 2 (line 3); make the cell NA "
+            "or correct it");
   EXPECT_EQ(first_of("x,y\nNA,1\nNaN,0\n", "y ~ x"),
             "note: column 'x': rows with a missing value are left out: 2 of 2 (x in 2)");
-  EXPECT_EQ(
-      first_of("a,b,e\n2,1,1\n", "Surv(a, b, e) ~ 1"),
-      "error: column 'b': a start that is not before its stop: found start 2, stop 1 in row 1; "
-      "correct the cells or leave the row out");
+  EXPECT_EQ(first_of("a,b,e\n2,1,1\n", "Surv(a, b, e) ~ 1"),
+            "error: column 'b': a start that is not before its stop: found start 2, stop 1 in row "
+            "1 (line 2); "
+            "correct the cells or leave the row out");
 }
 
 TEST(ModelFrame, ABinaryOutcomeIsZeroAndOne) {
