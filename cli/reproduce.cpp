@@ -73,7 +73,8 @@ std::vector<Table> tables_of(const StudyRecord& study, const H1Table& h1) {
           issuance_table(h1),
           tc_early_table(h1),
           h1_success_table(h1),
-          h1_time_table(h1)};
+          h1_time_table(h1),
+          h1_mixed_table(h1)};
 }
 
 void write_tables(const std::vector<Table>& tables, const ResultFolder& folder) {

@@ -163,7 +163,7 @@ FitReport h1_report(const H1Table& h1) {
       .integer("folds", "folds", h1.options.folds)
       .integer("seed", "seed", h1.options.seed);
   report.summary = std::move(summary).table();
-  report.tables = {h1_success_table(h1), h1_time_table(h1)};
+  report.tables = {h1_success_table(h1), h1_time_table(h1), h1_mixed_table(h1)};
   report.details.push_back(case_level_table(h1));
   add_incidence_tables(h1, report);
   report.details.push_back(closed_form_table(h1));

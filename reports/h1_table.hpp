@@ -21,6 +21,9 @@ namespace tcert {
 /// "early certificate margin against contact heuristics"; other predictors by their columns.
 [[nodiscard]] std::string h1_subject(const H1Table& h1);
 
+/// Success again, by the paper's model: odds ratios and variances of a logistic mixed model.
+[[nodiscard]] Table h1_mixed_table(const H1Table& h1);
+
 /// All of H1 as a document: the two tables above; as details the case-level figures, incidence by
 /// quartile, closed-form standard errors and folds.
 [[nodiscard]] FitReport h1_report(const H1Table& h1);

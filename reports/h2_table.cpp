@@ -121,7 +121,7 @@ Table interaction_table(const H2Table& h2) {
       add(one.model, "cluster-robust Wald", one.test);
     }
     if (panel.mixed_interaction) {
-      add("logistic, mixed", "likelihood ratio", panel.mixed_interaction);
+      add(panel.mixed_interaction->model, "likelihood ratio", panel.mixed_interaction->test);
     }
   }
   table.footnotes = {

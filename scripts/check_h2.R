@@ -229,16 +229,19 @@ check_interactions <- function(d, levels, found) {
              wald_statistic(fit$coef[last + 1], fit$var[last + 1, last + 1])
            },
            Cox = cox_wald(x, d$censored, d, last, FALSE),
-           "Cox, stratified" = cox_wald(x, d$censored, d, last, TRUE))
+           "Cox, stratified" = cox_wald(x, d$censored, d, last, TRUE),
+           "logistic, mixed" = mixed_ratio(x, d, last))
   }
   for (i in seq_len(nrow(found))) {
     where <- paste(d$name, found$model[i])
     chi <- tryCatch(expected(found$model[i]), error = function(e) NA)
-    check("H2 interaction", where, found$statistic[i], chi, FITTED)
+    mixed <- found$model[i] == "logistic, mixed"
+    fitted <- if (mixed) 1e-5 else FITTED
+    check("H2 interaction", where, found$statistic[i], chi, fitted)
     check("H2 interaction df", where, found$df[i], if (is.na(chi)) NA else k)
     # d log p is about half of d chi-squared.
     check("H2 interaction p", where, found$p[i], pchisq(chi, k, lower.tail = FALSE),
-          FITTED * (1 + if (is.na(chi)) 0 else chi))
+          fitted * (1 + if (is.na(chi)) 0 else chi))
   }
 }
 

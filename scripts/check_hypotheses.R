@@ -4,7 +4,7 @@
 #   Rscript scripts/check_hypotheses.R TCERT FEATURES.csv [h1 | h2] [options of `tcert hypotheses`...]
 #   Rscript scripts/check_hypotheses.R h3 TCERT REPLAY.csv [options of `tcert hypotheses h3`...]
 #
-# Needs the packages survival, pROC and jsonlite. Of the tool's answer only the numbers to be checked,
+# Needs the packages survival, pROC, lme4 and jsonlite. Of the tool's answer only the numbers to be checked,
 # the options it says it used, the folds and the times of the incidence table are read; all else
 # comes from the CSV table. Bootstrap intervals are random: one of them is compared loosely and not
 # counted. Exit status 1 if a cell disagrees.
@@ -15,6 +15,7 @@ suppressPackageStartupMessages({
 })
 this_file <- sub("^--file=", "", grep("^--file=", commandArgs(FALSE), value = TRUE))
 source(file.path(dirname(this_file), "check_cells.R"))
+source(file.path(dirname(this_file), "check_mixed.R"))
 source(file.path(dirname(this_file), "check_h2.R"))
 
 # ---- What is asked for -----------------------------------------------------------------------
@@ -507,7 +508,8 @@ inform_of_bootstrap <- function(d, h1, replicates = 1000) {
 }
 
 check_panel <- function(d, result) {
-  part <- lapply(result[c("h1", "h1_time", "h1_case_level", "h1_closed_form", "h1_folds")],
+  part <- lapply(result[c("h1", "h1_time", "h1_case_level", "h1_closed_form", "h1_folds",
+                          "h1_mixed")],
                  rows_of, panel = d$name)
   fold <- fold_of_rows(d, part$h1_folds)
   timed <- !is.null(d$censored)
@@ -516,6 +518,7 @@ check_panel <- function(d, result) {
   p_c <- if (timed) check_c(d, part$h1_time, part$h1_closed_form, fold)
   check_holm(d, part$h1, part$h1_time, p_auc, p_c)
   check_likelihood_ratios(d, part$h1, if (timed) part$h1_time)
+  check_mixed(d, part$h1_mixed)
   check_case_level_auc(d, part$h1_case_level)
   if (timed) {
     check_hazard_ratios(d, part$h1_time, part$h1_closed_form)

@@ -134,6 +134,15 @@ CoxData cox_of(const SurvivalOutcome& outcome,
   return cox;
 }
 
+void add_spreads(const H1Data& data, H1Panel& panel) {
+  for (std::size_t r = 0; r < panel.rows.size(); ++r) {
+    H1Row& row = panel.rows[r];
+    if (row.kind != H1RowKind::together) {
+      row.sd = standard_deviation(data.predictors[row.kind == H1RowKind::added ? 0 : r]);
+    }
+  }
+}
+
 void add_hazard_ratios(const H1Data& data, const H1Options& options, H1Panel& panel) {
   if (!data.censored) {
     return;
@@ -151,7 +160,6 @@ void add_hazard_ratios(const H1Data& data, const H1Options& options, H1Panel& pa
     const std::size_t k = added ? 0 : r;
     const auto& others = added ? rivals : std::vector<std::size_t>{};
     const CoxData censored = cox_of(*data.censored, data, k, others);
-    row.sd = standard_deviation(data.predictors[k]);
     row.censored = hazard_ratio(censored, data, options.level, false, row.conditions);
     row.at_limit = hazard_ratio(
         cox_of(*data.at_limit, data, k, others), data, options.level, false, row.conditions);
@@ -198,6 +206,7 @@ void add_closed_forms(const H1Data& data,
                       H1Panel& panel) {
   add_clustered(data, options, panel);
   add_case_level(data, options, panel);
+  add_spreads(data, panel);
   add_hazard_ratios(data, options, panel);
   add_likelihood_ratios(data, models, panel);
 }

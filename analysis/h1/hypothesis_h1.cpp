@@ -8,6 +8,7 @@
 #include "analysis/h1/closed_forms.hpp"
 #include "analysis/h1/incidence_by_quartile.hpp"
 #include "analysis/h1/joint_statistic.hpp"
+#include "analysis/h1/mixed_effects.hpp"
 #include "analysis/h1/model_scores.hpp"
 #include "analysis/h1/out_of_fold.hpp"
 #include "analysis/h1/panel_data.hpp"
@@ -140,6 +141,7 @@ H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind k
   add_closed_forms(data, models, options, panel);
   if (options.models) {
     add_out_of_fold(data, models, options, panel);
+    add_mixed_effects(data, options, panel);
   }
   add_incidence_by_quartile(data, panel);
   adjust(panel);

@@ -45,7 +45,7 @@ struct H1Options {
   double level = 0.95;
   std::size_t replicates = 2000;
   std::size_t folds = 5;
-  bool models = true;  ///< The rows of models and what is out of fold.
+  bool models = true;  ///< The rows of models, what is out of fold, and mixed models.
   std::uint64_t seed = 1;
   std::vector<std::string> required;  ///< Columns that may not be absent, though they could be.
 };
@@ -64,6 +64,25 @@ struct H1HazardRatio {
   std::optional<double> ratio;
   std::optional<Interval> interval;
   std::optional<double> p_value;
+};
+
+struct H1OddsRatio {
+  std::optional<double> ratio;
+  std::optional<Interval> interval;  ///< Wald, on the log scale.
+};
+
+/// Logistic mixed model of success with a random intercept by cluster (paper 3.2), fitted by
+/// adaptive quadrature; empty where clusters are single trials.
+struct H1MixedModel {
+  H1OddsRatio per_sd;                ///< Per standard deviation towards the better side.
+  H1OddsRatio per_cm;                ///< Of a predictor in metres.
+  std::optional<double> p_value;     ///< Wald, of the predictor.
+  std::optional<double> lr_p_value;  ///< Row `added`: likelihood ratio against the rivals alone.
+  std::optional<double> sd_cluster;  ///< Of the random intercept, in log odds.
+  std::optional<double> icc;
+  std::optional<double> r2_marginal;
+  std::optional<double> r2_conditional;
+  std::optional<double> log_likelihood;
 };
 
 enum class H1RowKind : std::uint8_t {
@@ -105,6 +124,7 @@ struct H1Row {
   H1HazardRatio censored;    ///< Failures leave the risk set when they fail.
   H1HazardRatio at_limit;    ///< Failures stay at risk to the trial limit.
   H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
+  H1MixedModel mixed;
   Conditions conditions;
 };
 

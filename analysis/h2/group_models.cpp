@@ -3,10 +3,12 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/basics/chi_square.hpp"
 #include "analysis/basics/wald_test.hpp"
 #include "analysis/cox/cox.hpp"
 #include "analysis/equivalence/scores_by_group.hpp"
 #include "analysis/h1/hazard_ratio.hpp"
+#include "analysis/h1/mixed_effects.hpp"
 #include "analysis/logistic/logistic.hpp"
 #include "analysis/model/variable.hpp"
 
@@ -180,6 +182,33 @@ H2Interaction cox_interaction(const H1Data& data, const Interaction& terms, bool
   return result;
 }
 
+/// Likelihood ratio of the products, with a random intercept by cluster.
+void add_mixed_interaction(const H1Data& data,
+                           const Interaction& terms,
+                           const std::string& cluster,
+                           H2Panel& panel) {
+  if (!panel.trials.has_clusters || panel.trials.clusters == data.rows()) {
+    return;
+  }
+  GlmmOptions options;
+  options.test_terms = false;
+  const GlmmFit with = fit_glmm(mixed_input(data, terms.design, terms.columns, cluster), options);
+  const Eigen::Index main_columns = terms.design.cols() - terms.products;
+  const GlmmFit without =
+      fit_glmm(mixed_input(data,
+                           terms.design.leftCols(main_columns),
+                           {terms.columns.begin(), terms.columns.begin() + main_columns},
+                           cluster),
+               options);
+  H2Interaction result{"logistic, mixed", std::nullopt, {}};
+  if (with.log_likelihood && without.log_likelihood && with.rank > without.rank) {
+    result.test = chi_square_test(2.0 * (*with.log_likelihood - *without.log_likelihood),
+                                  with.rank - without.rank);
+  }
+  add_conditions(with.conditions, result.conditions);
+  panel.mixed_interaction = std::move(result);
+}
+
 }  // namespace
 
 void add_group_effects(const H1Data& data, double level, H2Panel& panel) {
@@ -203,7 +232,7 @@ void add_group_effects(const H1Data& data, double level, H2Panel& panel) {
   }
 }
 
-void add_interactions(const H1Data& data, H2Panel& panel) {
+void add_interactions(const H1Data& data, const std::string& cluster, H2Panel& panel) {
   const Interaction terms = interaction_of(data);
   panel.interactions.push_back(logistic_interaction(data, terms));
   if (data.censored) {
@@ -212,6 +241,7 @@ void add_interactions(const H1Data& data, H2Panel& panel) {
       panel.interactions.push_back(cox_interaction(data, terms, true));
     }
   }
+  add_mixed_interaction(data, terms, cluster, panel);
 }
 
 }  // namespace tcert

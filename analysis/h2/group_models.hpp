@@ -11,6 +11,7 @@ namespace tcert {
 void add_group_effects(const H1Data& data, double level, H2Panel& panel);
 
 /// Fills `interactions`: predictor, groups and their products; Cox if there are times.
-void add_interactions(const H1Data& data, H2Panel& panel);
+/// Also `mixed_interaction`, where clusters hold several trials.
+void add_interactions(const H1Data& data, const std::string& cluster, H2Panel& panel);
 
 }  // namespace tcert

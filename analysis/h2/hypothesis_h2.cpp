@@ -162,7 +162,7 @@ H2Panel panel_of(const DataTable& table, const H2Options& options, H1PanelKind k
   count_levels(data, panel);
   score_levels(data, options, panel);
   add_group_effects(data, options.trials.level, panel);
-  add_interactions(data, panel);
+  add_interactions(data, options.trials.cluster, panel);
   return panel;
 }
 

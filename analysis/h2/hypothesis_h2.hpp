@@ -65,8 +65,8 @@ struct H2Panel {
   std::optional<H2Equality> auc;  ///< Empty if a group has no AUC or no variance.
   std::optional<H2Equality> c;
   std::vector<H2Interaction> interactions;  ///< Logistic; Cox; Cox stratified.
-  /// Likelihood ratio of the interaction in a mixed model, where one was fitted.
-  std::optional<ChiSquareTest> mixed_interaction;
+  /// Likelihood ratio of the interaction in a mixed model with a random intercept by cluster.
+  std::optional<H2Interaction> mixed_interaction;
   Conditions conditions;  ///< Beside those of `trials`.
 };
 
