@@ -7,8 +7,6 @@
 namespace tcert {
 namespace {
 
-std::string panel_name(const H2Panel& panel) { return std::string(to_string(panel.trials.kind)); }
-
 std::string cluster_note(const H1Options& options) {
   return options.cluster.empty()
              ? "Trials are taken as independent: no cluster was named."
@@ -21,7 +19,8 @@ void add_conditions(const H2Table& h2, std::vector<std::string>& notes) {
   for (const H2Panel& panel : h2.panels) {
     const auto add = [&](const Conditions& conditions, const std::string& where) {
       for (const Condition& condition : conditions) {
-        notes.push_back(panel_name(panel) + " panel" + where + ": " + to_string(condition) + ".");
+        notes.push_back(h2_panel_name(h2, panel) + " panel" + where + ": " + to_string(condition) +
+                        ".");
       }
     };
     add(panel.trials.conditions, "");
@@ -32,10 +31,18 @@ void add_conditions(const H2Table& h2, std::vector<std::string>& notes) {
     for (const H2Interaction& one : panel.interactions) {
       add(one.conditions, ", interaction, " + one.model);
     }
+    if (panel.mixed_interaction) {
+      add(panel.mixed_interaction->conditions, ", interaction, " + panel.mixed_interaction->model);
+    }
   }
 }
 
 }  // namespace
+
+std::string h2_panel_name(const H2Table& h2, const H2Panel& panel) {
+  const bool alone = h2.panels.size() == 1 && panel.trials.kind == H1PanelKind::paper;
+  return alone ? "table" : std::string(to_string(panel.trials.kind));
+}
 
 std::vector<std::string> h2_level_notes(const H2Table& h2) {
   const H1Options& options = h2.options.trials;
@@ -46,13 +53,13 @@ std::vector<std::string> h2_level_notes(const H2Table& h2) {
     notes.push_back(h1_panel_note(options, panel.trials, h2.panels.size() == 1));
     if (panel.missing > 0) {
       notes.push_back(panel.predictor + " is missing in " + std::to_string(panel.missing) +
-                      " trials of the " + panel_name(panel) + " panel.");
+                      " trials of the " + h2_panel_name(h2, panel) + " panel.");
     }
     limits += (limits.empty() ? "" : ", ") + significant(panel.trials.limit_s, 6) + " s (" +
-              panel_name(panel) + ")";
+              h2_panel_name(h2, panel) + ")";
     if (panel.sd) {
       sds += (sds.empty() ? "" : ", ") + significant(*panel.sd, kShownDigits) + " (" +
-             panel_name(panel) + ")";
+             h2_panel_name(h2, panel) + ")";
     }
   }
   notes.push_back(cluster_note(options));

@@ -11,8 +11,6 @@ namespace {
 
 constexpr int kDecimals = 3;
 
-std::string panel_name(const H2Panel& panel) { return std::string(to_string(panel.trials.kind)); }
-
 TableCell estimate(const std::optional<double>& value, const std::optional<Interval>& interval) {
   if (!value) {
     return {};
@@ -82,7 +80,7 @@ Table pair_table(const H2Table& h2) {
   for (const H2Panel& panel : h2.panels) {
     for (const auto& [quantity, equality] : equalities(panel)) {
       for (const EquivalencePair& pair : equality->tests.pairs) {
-        table.add_row({panel_name(panel),
+        table.add_row({h2_panel_name(h2, panel),
                        quantity,
                        equality->groups.names[pair.first],
                        equality->groups.names[pair.second],
@@ -110,7 +108,7 @@ Table interaction_table(const H2Table& h2) {
   for (const H2Panel& panel : h2.panels) {
     const auto add =
         [&](const std::string& model, const char* test, const std::optional<ChiSquareTest>& one) {
-          table.add_row({panel_name(panel),
+          table.add_row({h2_panel_name(h2, panel),
                          model,
                          std::string(test),
                          number_cell(statistic(one)),
@@ -148,7 +146,7 @@ Table closed_form_table(const H2Table& h2) {
                    p_column("hr_stratified_p", "p of HR, stratified")};
   for (const H2Panel& panel : h2.panels) {
     for (const H2Level& level : panel.levels) {
-      table.add_row({panel_name(panel),
+      table.add_row({h2_panel_name(h2, panel),
                      level.name,
                      number_cell(level.auc.std_error),
                      low_cell(level.auc.closed_form),
@@ -180,7 +178,7 @@ Table covariance_table(const H2Table& h2) {
       const GroupEstimates& groups = equality->groups;
       for (std::size_t i = 0; i < groups.names.size(); ++i) {
         for (std::size_t j = i; j < groups.names.size(); ++j) {
-          table.add_row({panel_name(panel),
+          table.add_row({h2_panel_name(h2, panel),
                          quantity,
                          groups.names[i],
                          groups.names[j],
@@ -234,7 +232,7 @@ Table h2_level_table(const H2Table& h2) {
                    estimate_column("hr_stratified", "HR, stratified")};
   for (const H2Panel& panel : h2.panels) {
     for (const H2Level& level : panel.levels) {
-      table.add_row({panel_name(panel),
+      table.add_row({h2_panel_name(h2, panel),
                      level.name,
                      integer_cell(level.trials),
                      integer_cell(level.successes),
@@ -272,7 +270,7 @@ Table h2_equality_table(const H2Table& h2) {
   for (const H2Panel& panel : h2.panels) {
     for (const auto& [quantity, equality] : equalities(panel)) {
       const Equivalence& tests = equality->tests;
-      table.add_row({panel_name(panel),
+      table.add_row({h2_panel_name(h2, panel),
                      quantity,
                      number_cell(tests.options.margin),
                      yes_or_no(tests.equivalent),

@@ -368,8 +368,15 @@ at_optimum <- function(formula, fit, cluster, steps = 3) {
 hazard_ratio <- function(x, outcome, d, stratified = FALSE) {
   formula <- if (stratified) outcome ~ x + strata(d$strata) else outcome ~ x
   environment(formula) <- environment()
-  fit <- at_optimum(formula, coxph(formula, cluster = d$cluster, ties = "efron", control = exact_cox),
-                    d$cluster)
+  infinite <- FALSE
+  first <- withCallingHandlers(
+    coxph(formula, cluster = d$cluster, ties = "efron", control = exact_cox),
+    warning = function(w) {
+      infinite <<- infinite || grepl("infinite|did not converge", conditionMessage(w))
+      invokeRestart("muffleWarning")
+    })
+  if (infinite) return(rep(NA, 4))  # A monotone likelihood has no ratio.
+  fit <- at_optimum(formula, first, d$cluster)
   beta <- coef(fit)[[1]]
   se <- sqrt(fit$var[1, 1])
   z <- qnorm((1 + d$level) / 2)

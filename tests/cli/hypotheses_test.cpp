@@ -53,7 +53,7 @@ TEST_F(HypothesesCommand, H2HasItsTablesInEveryFormat) {
   EXPECT_EQ(h2["h2_equality"].size(), 2U);
   EXPECT_EQ(h2["h2_equality"][0]["margin"], 0.05);
   EXPECT_EQ(h2["h2_pairs"].size(), 2U);
-  EXPECT_EQ(h2["h2_interaction"].size(), 3U);
+  EXPECT_EQ(h2["h2_interaction"].size(), 4U);
   EXPECT_EQ(h2["h2_covariance"].size(), 6U);
   for (const char* format : {"text", "md", "tex", "csv", "jsonl"}) {
     const ProcessResult text = run({"h2", "--permutations", "100", "--format", format});

@@ -9,7 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "analysis/basics/chi_square.hpp"
+#include "analysis/glmm/glmm.hpp"
 #include "analysis/model/expression.hpp"
+#include "analysis/model/formula.hpp"
+#include "analysis/model/model_frame.hpp"
 #include "analysis/roc/roc.hpp"
 #include "datasets/random.hpp"
 #include "support/data_table.hpp"
@@ -47,6 +51,38 @@ H1Options options_for(const std::string& rival = "noise") {
                         {rival, HigherMeans::failure, ""}};
   options.replicates = 200;
   return options;
+}
+
+TEST(HypothesisH1, HasTheMixedModelThatFitGives) {
+  const DataTable table = table_of(trials_csv(12, 20));
+  const H1Panel panel = hypothesis_h1(table, options_for()).panels.front();
+  const auto fit = [&](const std::string& formula) {
+    return fit_glmm(glmm_input(model_frame(parse_formula(formula), table)));
+  };
+  const GlmmFit alone = fit("success ~ tc_early + (1 | day)");
+  const GlmmFit rival = fit("success ~ noise + (1 | day)");
+  const GlmmFit both = fit("success ~ tc_early + noise + (1 | day)");
+  const H1MixedModel& mixed = panel.rows[0].mixed;
+  const double slope = alone.coefficients[1].estimate.value();
+  EXPECT_NEAR(std::log(mixed.per_sd.ratio.value()), slope * panel.rows[0].sd.value(), 1e-7);
+  EXPECT_NEAR(std::log(mixed.per_cm.ratio.value()), 0.01 * slope, 1e-9);
+  EXPECT_NEAR(mixed.sd_cluster.value(), alone.random[0].sd[0], 1e-6);
+  EXPECT_NEAR(mixed.log_likelihood.value(), alone.log_likelihood.value(), 1e-9);
+  // Towards the better side: fewer is better.
+  EXPECT_NEAR(std::log(panel.rows[1].mixed.per_sd.ratio.value()),
+              -rival.coefficients[1].estimate.value() * panel.rows[1].sd.value(),
+              1e-7);
+  EXPECT_FALSE(panel.rows[1].mixed.per_cm.ratio) << "no metres";
+  EXPECT_FALSE(panel.rows[2].mixed.per_sd.ratio) << "no single ratio";
+  const double statistic = 2.0 * (*both.log_likelihood - *rival.log_likelihood);
+  EXPECT_NEAR(panel.rows[3].mixed.lr_p_value.value(), chi_square_test(statistic, 1).p_value, 1e-9);
+}
+
+TEST(HypothesisH1, HasNoMixedModelWhereTrialsAreTheirOwnClusters) {
+  H1Options options = options_for();
+  options.cluster = "";
+  const H1Panel panel = hypothesis_h1(table_of(trials_csv(4, 20)), options).panels.front();
+  EXPECT_FALSE(panel.rows[0].mixed.per_sd.ratio);
 }
 
 TEST(HypothesisH1, ScoresEveryRowByClusters) {
