@@ -3,27 +3,23 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "analysis/experiment/cell_scores.hpp"
 #include "analysis/h3/hypothesis_h3.hpp"
 #include "analysis/model/expression.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/experiment/cell_files.hpp"
+#include "cli/experiment/cell_scorer.hpp"
 #include "cli/inputs.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/result_folder.hpp"
-#include "datasets/bytes.hpp"
 #include "datasets/csv_write.hpp"
 #include "reports/experiment/cells_table.hpp"
-#include "reports/experiment/cells_text.hpp"
 #include "reports/features_table.hpp"
-#include "reports/sha256.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -56,17 +52,6 @@ std::optional<ResultStore> store_of(const BatchOptions& options) {
   return folder ? std::optional(ResultStore(*folder)) : std::nullopt;
 }
 
-DataTable table_of(const std::string& csv, const char* name) {
-  CsvOptions options;
-  options.file = name;
-  DataTableResult read = read_data_table(Bytes::copy_of(csv), {}, options);
-  if (!read.table) {
-    throw std::logic_error("a table of a cell cannot be read back: " +
-                           to_string(read.diagnostics.front()));
-  }
-  return std::move(*read.table);
-}
-
 H3Options h3_of(const BatchOptions& options, const CommonOptions& common) {
   H3Options h3;
   h3.cluster = options.cluster;
@@ -86,107 +71,6 @@ H1Options h1_of(const BatchOptions& options,
   h1.landmark_s = full.early_window.time_s;
   return h1;
 }
-
-/// What a batch needs to know of itself to score its tables.
-struct Scoring {
-  const CellFiles& files;
-  H1Options h1;
-  H3Options h3;
-  const ResultStore* store;
-
-  /// The rows kept under the digest of `key`, or those that `make` makes.
-  CellRows kept(const std::string& key, const std::function<CellRows()>& make) const {
-    const std::string digest = sha256("program " + program_digest() + '\n' + key);
-    if (const auto stored = store != nullptr ? store->get(digest) : std::nullopt) {
-      return cell_rows_from(*stored);
-    }
-    CellRows rows = make();
-    if (store != nullptr) {
-      store->put(digest, to_text(rows));
-    }
-    return rows;
-  }
-};
-
-/// H1 and issuance by table of features, each distinct one once.
-class FeatureScorer {
- public:
-  explicit FeatureScorer(const Scoring& scoring)
-      : scoring_(scoring), rows_(scoring.files.features.size()) {}
-
-  /// Panels, then issuance as the last row. `full` and `cell` are indices of tables of features.
-  const CellRows& rows(std::size_t cell, std::size_t full, double landmark_s) {
-    if (!rows_[cell]) {
-      rows_[cell] = scoring_.kept(key_of(cell, full, landmark_s),
-                                  [&] { return scored(cell, full, landmark_s); });
-    }
-    return *rows_[cell];
-  }
-
- private:
-  CellRows scored(std::size_t cell, std::size_t full, double landmark_s) {
-    if (!full_) {
-      full_ = table_of(scoring_.files.features[full], "features.csv");
-    }
-    std::optional<DataTable> own;
-    if (cell != full) {
-      own = table_of(scoring_.files.features[cell], "features.csv");
-    }
-    const CellScores scores = cell_scores(own ? *own : *full_, *full_, landmark_s, scoring_.h1);
-    CellRows rows = cell_panels(scores);
-    rows.push_back(cell_issuance(scores.issuance));
-    return rows;
-  }
-
-  [[nodiscard]] std::string key_of(std::size_t cell, std::size_t full, double landmark_s) const {
-    const H1Options& h1 = scoring_.h1;
-    // The full method has no changes from itself; a cell with the same features has changes of 0.
-    std::string text = cell == full ? "scores of the full method\n" : "scores of a cell\n";
-    for (const std::size_t table : {cell, full}) {
-      text += sha256(scoring_.files.features[table]) + '\n';
-    }
-    text += h1.cluster + '\n' + h1.strata + '\n';
-    text += std::to_string(h1.replicates) + ' ' + std::to_string(h1.seed) + '\n';
-    append_number(text, h1.landmark_s);
-    text += ' ';
-    append_number(text, landmark_s);
-    return text;
-  }
-
-  const Scoring& scoring_;
-  std::vector<std::optional<CellRows>> rows_;
-  std::optional<DataTable> full_;
-};
-
-/// H3 by table of replays, each distinct one once.
-class SpeedScorer {
- public:
-  explicit SpeedScorer(const Scoring& scoring)
-      : scoring_(scoring), rows_(scoring.files.replays.size()) {}
-
-  const CellRows& rows(std::size_t cell) {
-    if (!rows_[cell]) {
-      rows_[cell] = scoring_.kept(key_of(cell), [&] { return scored(cell); });
-    }
-    return *rows_[cell];
-  }
-
- private:
-  [[nodiscard]] CellRows scored(std::size_t cell) const {
-    const DataTable replays = table_of(scoring_.files.replays[cell], "replay.csv");
-    std::vector<TableCell> row = cell_speed(hypothesis_h3(replays, scoring_.h3));
-    return row.empty() ? CellRows{} : CellRows{std::move(row)};
-  }
-
-  [[nodiscard]] std::string key_of(std::size_t cell) const {
-    const H3Options& h3 = scoring_.h3;
-    return "speed of a cell\n" + sha256(scoring_.files.replays[cell]) + '\n' + h3.cluster + '\n' +
-           std::to_string(h3.replicates) + ' ' + std::to_string(h3.seed);
-  }
-
-  const Scoring& scoring_;
-  std::vector<std::optional<CellRows>> rows_;
-};
 
 std::vector<PlannedCell> planned(std::vector<Cell> cells, const OpenedBundle& opened) {
   cells.insert(cells.begin(), Cell{kFull, {}});
