@@ -5,25 +5,7 @@
 namespace tcert {
 namespace {
 
-TableCell cell_of(const H1OddsRatio& one) {
-  if (!one.ratio) {
-    return {};
-  }
-  Estimate cell{*one.ratio};
-  if (one.interval) {
-    cell.low = one.interval->low;
-    cell.high = one.interval->high;
-  }
-  return cell;
-}
-
-Column estimate_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::estimate, 3};
-}
-
-Column plain_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::number, 3};
-}
+TableCell ratio(const H1OddsRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
 }  // namespace
 
@@ -39,17 +21,17 @@ Table h1_mixed_table(const H1Table& h1) {
                    estimate_column("or_per_cm", "OR per cm [" + level + "]"),
                    p_column("p", "p"),
                    p_column("lr_p", "p of adding"),
-                   plain_column("sd_cluster", "SD of clusters"),
-                   plain_column("icc", "ICC"),
-                   plain_column("r2_marginal", "R2 marginal"),
-                   plain_column("r2_conditional", "R2 conditional"),
-                   plain_column("loglik", "log-likelihood")};
+                   fixed_column("sd_cluster", "SD of clusters"),
+                   fixed_column("icc", "ICC"),
+                   fixed_column("r2_marginal", "R2 marginal"),
+                   fixed_column("r2_conditional", "R2 conditional"),
+                   fixed_column("loglik", "log-likelihood")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
       table.add_row({panel_name(h1, panel),
                      row.name,
-                     cell_of(row.mixed.per_sd),
-                     cell_of(row.mixed.per_cm),
+                     ratio(row.mixed.per_sd),
+                     ratio(row.mixed.per_cm),
                      p_cell(row.mixed.p_value),
                      p_cell(row.mixed.lr_p_value),
                      number_cell(row.mixed.sd_cluster),

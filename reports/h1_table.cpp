@@ -10,31 +10,9 @@
 namespace tcert {
 namespace {
 
-constexpr int kDecimals = 3;
+TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.bca); }
 
-TableCell estimate(const std::optional<double>& value, const std::optional<Interval>& interval) {
-  if (!value) {
-    return {};
-  }
-  Estimate cell{*value};
-  if (interval) {
-    cell.low = interval->low;
-    cell.high = interval->high;
-  }
-  return cell;
-}
-
-TableCell estimate(const H1Score& score) { return estimate(score.value, score.bca); }
-
-TableCell ratio(const H1HazardRatio& one) { return estimate(one.ratio, one.interval); }
-
-Column estimate_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::estimate, kDecimals};
-}
-
-Column plain_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::number, kDecimals};
-}
+TableCell ratio(const H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
 bool is_single(const H1Row& row) {
   return row.kind == H1RowKind::predictor || row.kind == H1RowKind::rival;
@@ -97,7 +75,7 @@ Table h1_success_table(const H1Table& h1) {
                    estimate_column("auc_gain", "gain of AUC [" + level_text(h1) + " BCa]"),
                    p_column("p", "p"),
                    p_column("p_holm", "p Holm"),
-                   plain_column("auc_out_of_fold", "out of fold")};
+                   fixed_column("auc_out_of_fold", "out of fold")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
       table.add_row({panel_name(h1, panel),
@@ -129,11 +107,11 @@ Table h1_time_table(const H1Table& h1) {
                    estimate_column("c_gain", "gain of C [" + level_text(h1) + " BCa]"),
                    p_column("p", "p"),
                    p_column("p_holm", "p Holm"),
-                   plain_column("c_out_of_fold", "out of fold"),
+                   fixed_column("c_out_of_fold", "out of fold"),
                    estimate_column("hr_censored", "HR per SD, failures censored"),
                    estimate_column("hr_at_limit", "HR, failures at limit"),
                    estimate_column("hr_stratified", "HR, stratified"),
-                   plain_column("sd", "SD")};
+                   fixed_column("sd", "SD")};
   table.columns.back().significant = kShownDigits;
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {

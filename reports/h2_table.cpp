@@ -9,37 +9,11 @@
 namespace tcert {
 namespace {
 
-constexpr int kDecimals = 3;
-
-TableCell estimate(const std::optional<double>& value, const std::optional<Interval>& interval) {
-  if (!value) {
-    return {};
-  }
-  Estimate cell{*value};
-  if (interval) {
-    cell.low = interval->low;
-    cell.high = interval->high;
-  }
-  return cell;
-}
-
-TableCell estimate(const H1Score& score) { return estimate(score.value, score.bca); }
-TableCell ratio(const H1HazardRatio& one) { return estimate(one.ratio, one.interval); }
-
-Column estimate_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::estimate, kDecimals};
-}
-
-Column plain_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::number, kDecimals};
-}
+TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.bca); }
+TableCell ratio(const H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
 std::string level_text(const H2Table& h2) {
   return significant(100.0 * h2.options.trials.level, kShownDigits) + " %";
-}
-
-TableCell yes_or_no(const std::optional<bool>& answer) {
-  return answer ? TableCell{std::string(*answer ? "yes" : "no")} : TableCell{};
 }
 
 std::optional<double> statistic(const std::optional<ChiSquareTest>& test) {
@@ -73,10 +47,10 @@ Table pair_table(const H2Table& h2) {
                    text_column("first", "first"),
                    text_column("second", "second"),
                    estimate_column("difference", "difference [90 %]"),
-                   plain_column("std_error", "SE"),
+                   fixed_column("std_error", "SE"),
                    p_column("p_tost", "p of equivalence"),
                    text_column("equivalent", "equivalent"),
-                   plain_column("smallest_margin", "smallest margin")};
+                   fixed_column("smallest_margin", "smallest margin")};
   for (const H2Panel& panel : h2.panels) {
     for (const auto& [quantity, equality] : equalities(panel)) {
       for (const EquivalencePair& pair : equality->tests.pairs) {
@@ -84,10 +58,10 @@ Table pair_table(const H2Table& h2) {
                        quantity,
                        equality->groups.names[pair.first],
                        equality->groups.names[pair.second],
-                       estimate(pair.difference, pair.interval),
+                       estimate_cell(pair.difference, pair.interval),
                        number_cell(pair.standard_error),
                        p_cell(pair.p_value),
-                       yes_or_no(pair.equivalent),
+                       yes_or_no_cell(pair.equivalent),
                        number_cell(pair.smallest_margin)});
       }
     }
@@ -255,17 +229,17 @@ Table h2_equality_table(const H2Table& h2) {
   table.title = "H2: equality of the groups";
   table.columns = {text_column("panel", "panel"),
                    text_column("quantity", "of"),
-                   plain_column("margin", "margin"),
+                   fixed_column("margin", "margin"),
                    text_column("equivalent", "equivalent"),
                    p_column("p_tost", "p of equivalence"),
-                   plain_column("smallest_margin", "smallest margin"),
-                   plain_column("margin_80", "margin with 80 % power"),
+                   fixed_column("smallest_margin", "smallest margin"),
+                   fixed_column("margin_80", "margin with 80 % power"),
                    number_column("statistic", "chi-squared"),
                    integer_column("df", "df"),
                    p_column("p", "p of a difference"),
-                   plain_column("range", "max - min"),
-                   plain_column("range_expected", "expected if equal"),
-                   plain_column("range_95", "95 % below"),
+                   fixed_column("range", "max - min"),
+                   fixed_column("range_expected", "expected if equal"),
+                   fixed_column("range_95", "95 % below"),
                    p_column("range_p", "p by permutation")};
   for (const H2Panel& panel : h2.panels) {
     for (const auto& [quantity, equality] : equalities(panel)) {
@@ -273,7 +247,7 @@ Table h2_equality_table(const H2Table& h2) {
       table.add_row({h2_panel_name(h2, panel),
                      quantity,
                      number_cell(tests.options.margin),
-                     yes_or_no(tests.equivalent),
+                     yes_or_no_cell(tests.equivalent),
                      p_cell(tests.p_value),
                      number_cell(tests.smallest_margin),
                      number_cell(tests.margin_with_power),

@@ -7,33 +7,11 @@
 namespace tcert {
 namespace {
 
-TableCell estimate(const H3Estimate& one) {
-  if (!one.value) {
-    return {};
-  }
-  Estimate cell{*one.value};
-  if (one.bca) {
-    cell.low = one.bca->low;
-    cell.high = one.bca->high;
-  }
-  return cell;
-}
+TableCell estimate(const H3Estimate& one) { return estimate_cell(one.value, one.bca); }
 
 TableCell share(const std::optional<double>& value, const std::optional<Interval>& interval) {
   return value && interval ? TableCell{Estimate{*value, interval->low, interval->high}}
                            : number_cell(value);
-}
-
-TableCell truth(const std::optional<bool>& value) {
-  return value ? TableCell{std::string(*value ? "yes" : "no")} : TableCell{};
-}
-
-Column estimate_column(std::string name, std::string heading, std::string unit, int decimals) {
-  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::estimate, decimals};
-}
-
-Column plain_column(std::string name, std::string heading, std::string unit, int decimals) {
-  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
 }
 
 std::string percent(double fraction) { return significant(100.0 * fraction, kShownDigits) + " %"; }
@@ -80,15 +58,15 @@ Table h3_table(const H3Table& h3) {
   table.title = "H3: speed gated by the margin, against '" + h3.options.baseline + "'";
   table.columns = {text_column("lighting", "lighting"),
                    text_column("speed_law", "law"),
-                   plain_column("beta_per_m", "beta", "1/m", 0),
+                   fixed_column("beta_per_m", "beta", "1/m", 0),
                    estimate_column("gated_m_per_min", "gated", "m/min", 2),
                    estimate_column("gain_m_per_min", "gain", "m/min", 2),
                    estimate_column("gain_share", "relative gain", "", 3),
                    estimate_column("gap_recovered", "share of gap", "", 2),
-                   plain_column("gated_speed_cmd_mps", "commanded", "m/s", 3),
+                   fixed_column("gated_speed_cmd_mps", "commanded", "m/s", 3),
                    integer_column("lost", "lost"),
-                   plain_column("lost_share", "share lost", "", 3),
-                   plain_column("lost_upper", "bound", "", 3),
+                   fixed_column("lost_share", "share lost", "", 3),
+                   fixed_column("lost_upper", "bound", "", 3),
                    text_column("non_inferior", "non-inferior"),
                    estimate_column("retained", "retained", "", 3),
                    integer_column("stalls", "stalls"),
@@ -107,11 +85,11 @@ Table h3_table(const H3Table& h3) {
                      integer_cell(one.lost),
                      number_cell(one.lost_share),
                      number_cell(one.lost_upper),
-                     truth(one.non_inferior),
+                     yes_or_no_cell(one.non_inferior),
                      share(one.retained, one.retained_interval),
                      integer_cell(one.stalls),
                      integer_cell(one.stalled_trials),
-                     truth(one.on_front)});
+                     yes_or_no_cell(one.on_front)});
     }
   }
   table.n =
@@ -136,9 +114,9 @@ Table h3_baseline_table(const H3Table& h3) {
       estimate_column("ungated_m_per_min", h3.options.gated, "m/min", 2),
       estimate_column("baseline_m_per_min", h3.options.baseline, "m/min", 2),
       estimate_column("gap_m_per_min", "gap", "m/min", 2),
-      plain_column("speed_cmd_mps", h3.options.gated + " commanded", "m/s", 3),
-      plain_column("baseline_speed_cmd_mps", h3.options.baseline + " commanded", "m/s", 3),
-      plain_column("loop_latency_ms", "latency p50", "ms", 2)};
+      fixed_column("speed_cmd_mps", h3.options.gated + " commanded", "m/s", 3),
+      fixed_column("baseline_speed_cmd_mps", h3.options.baseline + " commanded", "m/s", 3),
+      fixed_column("loop_latency_ms", "latency p50", "ms", 2)};
   for (const H3Group& group : h3.groups) {
     table.add_row({group.lighting,
                    integer_cell(group.trials),

@@ -11,19 +11,7 @@ namespace {
 /// Of an H1Score or an H3Estimate.
 template <class Score>
 TableCell estimate(const Score& score) {
-  if (!score.value) {
-    return {};
-  }
-  Estimate cell{*score.value};
-  if (score.bca) {
-    cell.low = score.bca->low;
-    cell.high = score.bca->high;
-  }
-  return cell;
-}
-
-Column estimate_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::estimate, 3};
+  return estimate_cell(score.value, score.bca);
 }
 
 /// The rival over which the certificate gains least; null without a rival that has a gain.

@@ -24,6 +24,23 @@ TableCell high_cell(const std::optional<Interval>& interval) {
   return interval ? number_cell(interval->high) : TableCell{};
 }
 
+TableCell estimate_cell(const std::optional<double>& value,
+                        const std::optional<Interval>& interval) {
+  if (!value) {
+    return {};
+  }
+  Estimate cell{*value};
+  if (interval) {
+    cell.low = interval->low;
+    cell.high = interval->high;
+  }
+  return cell;
+}
+
+TableCell yes_or_no_cell(const std::optional<bool>& answer) {
+  return answer ? TableCell{std::string(*answer ? "yes" : "no")} : TableCell{};
+}
+
 Column text_column(std::string name, std::string heading) {
   return {std::move(name), std::move(heading), "", ColumnKind::text};
 }
@@ -36,6 +53,14 @@ Column number_column(std::string name, std::string heading) {
   Column column{std::move(name), std::move(heading), "", ColumnKind::number};
   column.significant = kShownDigits;
   return column;
+}
+
+Column fixed_column(std::string name, std::string heading, std::string unit, int decimals) {
+  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
+}
+
+Column estimate_column(std::string name, std::string heading, std::string unit, int decimals) {
+  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::estimate, decimals};
 }
 
 Column p_column(std::string name, std::string heading) {

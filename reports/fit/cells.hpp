@@ -23,10 +23,25 @@ inline constexpr int kShownDigits = 4;
 [[nodiscard]] TableCell low_cell(const std::optional<Interval>& interval);
 [[nodiscard]] TableCell high_cell(const std::optional<Interval>& interval);
 
+/// The value with its interval, if there is one; missing without a value.
+[[nodiscard]] TableCell estimate_cell(const std::optional<double>& value,
+                                      const std::optional<Interval>& interval);
+/// "yes", "no" or missing.
+[[nodiscard]] TableCell yes_or_no_cell(const std::optional<bool>& answer);
+
 [[nodiscard]] Column text_column(std::string name, std::string heading);
 [[nodiscard]] Column integer_column(std::string name, std::string heading);
 /// Printed with kShownDigits significant digits.
 [[nodiscard]] Column number_column(std::string name, std::string heading);
+/// Printed with a fixed number of decimals: a value, a value with its interval.
+[[nodiscard]] Column fixed_column(std::string name,
+                                  std::string heading,
+                                  std::string unit = {},
+                                  int decimals = 3);
+[[nodiscard]] Column estimate_column(std::string name,
+                                     std::string heading,
+                                     std::string unit = {},
+                                     int decimals = 3);
 [[nodiscard]] Column p_column(std::string name = "p.value", std::string heading = "p");
 
 /// A table of one row, made column by column.
