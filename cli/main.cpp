@@ -5,6 +5,7 @@
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "datasets/atomic_file.hpp"
@@ -78,6 +79,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::string who = "tcert";
   try {
+    watch_interrupts();
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     who = name_of(arguments);
     return run(arguments);

@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +17,29 @@ namespace tcert {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Temporaries that have no name yet. Never destroyed: an interrupt may come at any time.
+struct Unfinished {
+  std::mutex mutex;
+  std::set<fs::path> paths;
+};
+
+Unfinished& unfinished() {
+  static auto* const all = new Unfinished;
+  return *all;
+}
+
+void begin(const fs::path& temporary) {
+  Unfinished& all = unfinished();
+  const std::lock_guard lock(all.mutex);
+  all.paths.insert(temporary);
+}
+
+void forget(const fs::path& temporary) noexcept {
+  Unfinished& all = unfinished();
+  const std::lock_guard lock(all.mutex);
+  all.paths.erase(temporary);
+}
 
 [[noreturn]] void fail(const char* action, const fs::path& path, int error) {
   throw WriteError(std::string(action) + " '" + path.string() +
@@ -101,7 +126,13 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
     create_folders(folder_of(path_));
     do {
       temporary_ = temporary_name(path_);
+      begin(temporary_);
       descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor_ < 0) {
+        const int error = errno;
+        forget(temporary_);
+        errno = error;
+      }
     } while (descriptor_ < 0 && errno == EEXIST);
   }
   if (descriptor_ < 0) {
@@ -115,6 +146,7 @@ AtomicFile::~AtomicFile() {
   }
   if (!temporary_.empty()) {
     ::unlink(temporary_.c_str());
+    forget(temporary_);
   }
 }
 
@@ -143,6 +175,7 @@ void AtomicFile::commit(Durable durable) {
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
     fail("cannot rename to", path_, errno);
   }
+  forget(temporary_);
   temporary_.clear();
   if (durable == Durable::yes) {
     sync_folder(folder_of(path_));
@@ -170,7 +203,11 @@ AtomicFolder::AtomicFolder(const fs::path& path, bool replace)
   bool created = false;
   while (!created) {
     staging_ = temporary_name(path_);
+    begin(staging_);
     created = fs::create_directory(staging_, error);
+    if (!created) {
+      forget(staging_);
+    }
     if (error) {
       fail("cannot create the folder", path_, error.value());
     }
@@ -181,13 +218,20 @@ AtomicFolder::~AtomicFolder() {
   if (!staging_.empty()) {
     std::error_code ignored;
     fs::remove_all(staging_, ignored);
+    forget(staging_);
   }
+}
+
+void AtomicFolder::abandon() noexcept {
+  forget(staging_);
+  staging_.clear();
 }
 
 void AtomicFolder::commit() {
   sync_file_system_of(staging_);
   // rename(2) replaces an empty folder by itself; a full one is exchanged and then removed.
   if (::rename(staging_.c_str(), path_.c_str()) == 0) {
+    forget(staging_);
     staging_.clear();
   } else if (const int error = errno; !replace_ || !exchange(staging_, path_)) {
     fail("cannot rename to", path_, error);
@@ -195,7 +239,24 @@ void AtomicFolder::commit() {
   sync_folder(folder_of(path_));
   if (!staging_.empty()) {
     std::error_code ignored;
-    fs::remove_all(std::exchange(staging_, {}), ignored);
+    fs::remove_all(staging_, ignored);
+    forget(staging_);
+    staging_.clear();
+  }
+}
+
+// Whoever still writes into a folder may make a file behind us, so it is tried more than once.
+void remove_unfinished() noexcept {
+  Unfinished& all = unfinished();
+  all.mutex.lock();
+  for (const fs::path& path : all.paths) {
+    std::error_code error;
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      fs::remove_all(path, error);
+      if (!error && !fs::exists(path, error)) {
+        break;
+      }
+    }
   }
 }
 

@@ -61,10 +61,17 @@ class AtomicFolder {
   /// \throws WriteError.
   void commit();
 
+  /// Leaves the hidden folder as it is for people to look into, and forgets it.
+  void abandon() noexcept;
+
  private:
   std::filesystem::path path_;
   std::filesystem::path staging_;
   bool replace_ = false;
 };
+
+/// Removes the temporaries of all files and folders that are not committed, for a process that is
+/// about to end: whoever would create or commit one afterwards waits for ever.
+void remove_unfinished() noexcept;
 
 }  // namespace tcert

@@ -38,18 +38,27 @@ TickLineParser::TickLineParser(const Robot& robot,
       columns_(tick_columns(robot)),
       row_(columns_.columns.size(), kMissing),
       readings_(robot.rays.size()) {
+  restart(first_line, problems);
+}
+
+void TickLineParser::restart(std::string_view first_line, DiagnosticGroups& problems) {
+  restarted_ = last_ns_.has_value();
+  names_.clear();
   if (without_spaces_before(first_line).starts_with('{')) {
     format_ = TickLineFormat::json_lines;
+    ready_ = true;
     names_.push_back(columns_.time_column);
     for (const NumberColumn& column : columns_.columns) {
       names_.push_back(column.name);
     }
     return;
   }
+  format_ = TickLineFormat::csv;
   CsvOptions csv;
   csv.file = options_.file;
   csv.rename = options_.rename;
   csv.preamble_records = 0;
+  csv.decimal_comma = options_.decimal_comma;
   const Bytes header_bytes = Bytes::copy_of(first_line);
   const auto header = find_header(header_bytes.view(), csv, required_names(columns_), problems);
   ready_ = header.has_value();
@@ -156,9 +165,10 @@ std::optional<TickLine> TickLineParser::to_tick() {
                         static_cast<double>(time_ns_ - *first_ns_) > 1e10 * *options_.trial_limit_s;
   ran_too_long_ = ran_too_long_ || too_long;
   last_ns_ = time_ns_;
-  return TickLine{{time_ns_, row.pose, readings_, row.stale, row.segment_start || gap || too_long},
-                  row.speed_cmd_mps,
-                  row.yaw_rate_cmd_rps};
+  const bool starts = row.segment_start || gap || too_long || restarted_;
+  restarted_ = false;
+  return TickLine{
+      {time_ns_, row.pose, readings_, row.stale, starts}, row.speed_cmd_mps, row.yaw_rate_cmd_rps};
 }
 
 std::optional<TickLine> TickLineParser::parse(std::string_view text, std::size_t line) {

@@ -34,6 +34,7 @@ struct TickLineOptions {
   double max_gap_s = 1.0;                 ///< A longer step starts a segment, as it does in a file.
   std::optional<double> trial_limit_s{};  ///< Ten times later a segment starts, as in a file.
   std::map<std::string, std::string> rename{};  ///< Foreign column name -> ours, of CSV.
+  bool decimal_comma = false;                   ///< Of CSV whose separator is the semicolon.
 };
 
 /// Reads lines of ticks.csv, or objects with the same keys of which null or none is missing. The
@@ -47,6 +48,10 @@ class TickLineParser {
                  std::string_view first_line,
                  TickLineOptions options,
                  DiagnosticGroups& problems);
+
+  /// Begins another stream of the same run, whose first line is `first_line`: a producer that came
+  /// back. Times must go on rising, and its first tick starts a segment.
+  void restart(std::string_view first_line, DiagnosticGroups& problems);
 
   [[nodiscard]] TickLineFormat format() const noexcept { return format_; }
 
@@ -81,6 +86,7 @@ class TickLineParser {
   std::optional<std::int64_t> first_ns_;
   std::optional<std::int64_t> last_ns_;
   bool ran_too_long_ = false;
+  bool restarted_ = false;
   std::size_t line_ = 0;
   std::vector<Diagnostic> problems_;
 };

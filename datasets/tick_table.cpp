@@ -36,10 +36,20 @@ double value_or_missing(const std::vector<double>& values, std::size_t i) {
 }  // namespace
 
 TickFormat::TickFormat(const Robot& robot, const TickTable& ticks)
-    : has_command_(has_any(ticks.speed_cmd_mps) || has_any(ticks.yaw_rate_cmd_rps)),
-      header_("time_s,x_m,y_m,yaw_rad") {
+    : has_command_(has_any(ticks.speed_cmd_mps) || has_any(ticks.yaw_rate_cmd_rps)) {
   for (std::size_t k = 0; k < robot.rays.size(); ++k) {
     has_force_.push_back(has_any_force(ticks, k) ? 1 : 0);
+  }
+  name_columns(robot);
+}
+
+TickFormat::TickFormat(const Robot& robot) : has_force_(robot.rays.size(), 1), has_command_(true) {
+  name_columns(robot);
+}
+
+void TickFormat::name_columns(const Robot& robot) {
+  header_ = "time_s,x_m,y_m,yaw_rad";
+  for (std::size_t k = 0; k < robot.rays.size(); ++k) {
     header_ += ',' + value_column(robot.rays[k]);
     if (has_force_[k] != 0) {
       header_ += ',' + force_column(robot.rays[k]);
@@ -50,24 +60,32 @@ TickFormat::TickFormat(const Robot& robot, const TickTable& ticks)
 }
 
 void TickFormat::append_row(std::string& out, const TickTable& ticks, std::size_t i) const {
-  append_seconds(out, ticks.time_ns[i]);
-  const Pose& pose = ticks.poses[i];
-  append_cell(out, pose.position.x_m);
-  append_cell(out, pose.position.y_m);
-  append_cell(out, pose.yaw_rad);
-  for (std::size_t k = 0; k < ticks.rays; ++k) {
-    const RayReading& reading = ticks.readings[i * ticks.rays + k];
-    append_cell(out, reading.value);
+  append_row(out,
+             ticks[i],
+             value_or_missing(ticks.speed_cmd_mps, i),
+             value_or_missing(ticks.yaw_rate_cmd_rps, i));
+}
+
+void TickFormat::append_row(std::string& out,
+                            const Tick& tick,
+                            double speed_cmd_mps,
+                            double yaw_rate_cmd_rps) const {
+  append_seconds(out, tick.time_ns);
+  append_cell(out, tick.pose.position.x_m);
+  append_cell(out, tick.pose.position.y_m);
+  append_cell(out, tick.pose.yaw_rad);
+  for (std::size_t k = 0; k < has_force_.size(); ++k) {
+    append_cell(out, tick.rays[k].value);
     if (has_force_[k] != 0) {
-      append_cell(out, reading.fsr_n);
+      append_cell(out, tick.rays[k].fsr_n);
     }
   }
   if (has_command_) {
-    append_cell(out, value_or_missing(ticks.speed_cmd_mps, i));
-    append_cell(out, value_or_missing(ticks.yaw_rate_cmd_rps, i));
+    append_cell(out, speed_cmd_mps);
+    append_cell(out, yaw_rate_cmd_rps);
   }
-  out += ticks.stale[i] != 0 ? ",1" : ",0";
-  out += ticks.segment_start[i] != 0 ? ",1\n" : ",0\n";
+  out += tick.stale ? ",1" : ",0";
+  out += tick.segment_start ? ",1\n" : ",0\n";
 }
 
 std::string to_ticks_csv(const Robot& robot, const TickTable& ticks) {

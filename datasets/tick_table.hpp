@@ -21,13 +21,24 @@ class TickFormat {
   /// The columns that `ticks` needs. \pre ticks.rays is the number of rays of `robot`.
   TickFormat(const Robot& robot, const TickTable& ticks);
 
+  /// All columns: for ticks that are not known yet.
+  explicit TickFormat(const Robot& robot);
+
   /// With its line end.
   [[nodiscard]] const std::string& header() const noexcept { return header_; }
 
   /// Appends row `i` with its line end. \pre i < ticks.size(); a table of the same robot.
   void append_row(std::string& out, const TickTable& ticks, std::size_t i) const;
 
+  /// Appends one tick with its line end. \pre as many readings as the robot has rays.
+  void append_row(std::string& out,
+                  const Tick& tick,
+                  double speed_cmd_mps,
+                  double yaw_rate_cmd_rps) const;
+
  private:
+  void name_columns(const Robot& robot);
+
   std::vector<std::uint8_t> has_force_;  // per ray
   bool has_command_ = false;
   std::string header_;

@@ -3,23 +3,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
+#include <tcert/flag_word.hpp>
 
 #include "datasets/csv_write.hpp"
 #include "reports/audit.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr std::array<std::pair<TickFlag, std::string_view>, 7> kFlagWords = {{
-    {flag_stale, "stale"},
-    {flag_bad_input, "bad_input"},
-    {flag_missing_ray, "missing_ray"},
-    {flag_break, "break"},
-    {flag_capacity_exceeded, "capacity_exceeded"},
-    {flag_start_outside, "start_outside"},
-    {flag_goal_reached, "goal_reached"},
-}};
 
 struct SeriesColumn {
   std::string_view name;
@@ -51,7 +41,7 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
     {"flags",
      "",
      "words with + between: stale, bad_input, missing_ray, break, capacity_exceeded, "
-     "start_outside, goal_reached"},
+     "start_outside, goal_reached, memory_evicted"},
     {"issued", "", "1 once a certificate is issued, else 0"},
 });
 
@@ -75,10 +65,10 @@ void append_cell(std::string& out, std::uint32_t value) {
 
 void append_flags(std::string& out, std::uint32_t flags) {
   std::string_view separator;
-  for (const auto& [flag, word] : kFlagWords) {
+  for (std::uint32_t flag = 1; flag != 0; flag <<= 1U) {
     if ((flags & flag) != 0) {
       out += separator;
-      out += word;
+      out += flag_word(flag);
       separator = "+";
     }
   }

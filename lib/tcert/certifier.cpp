@@ -84,7 +84,7 @@ CertifiedTick Certifier::State::unchanged(const Tick& tick, std::uint32_t flag) 
   same.time_ns = tick.time_ns;
   same.left_m = same.right_m = same.width_m = same.turn_radius_m = kMissing;
   same.margin_m = kMissing;
-  same.contacts = same.new_contacts = 0;
+  same.contacts = same.new_contacts = same.labels_raised = 0;
   same.flags = lasting_flags | flag;
   return same;
 }
@@ -161,6 +161,7 @@ void Certifier::State::certify(const Tick& tick) noexcept {
     proxies.restart_windows();
   }
   const Evidence evidence = weigh(tick);
+  const std::uint64_t raised_before = walk.labels_raised();
   if (!began) {
     lasting_flags |= evidence.in_start ? 0U : flag_start_outside;
     walk.begin(evidence, !evidence.in_start);
@@ -175,6 +176,7 @@ void Certifier::State::certify(const Tick& tick) noexcept {
   last_position = position;
 
   lasting_flags |= walk.capacity_exceeded() ? flag_capacity_exceeded : 0U;
+  lasting_flags |= memory.evicted() ? flag_memory_evicted : 0U;
   lasting_flags |= evidence.in_goal ? flag_goal_reached : 0U;
   out.flags |= lasting_flags;
   out.time_ns = tick.time_ns;
@@ -184,6 +186,7 @@ void Certifier::State::certify(const Tick& tick) noexcept {
   out.certificate_m = certificate_m();
   out.nodes = static_cast<std::uint32_t>(walk.graph().nodes().size());
   out.edges = static_cast<std::uint32_t>(walk.graph().edges().size());
+  out.labels_raised = static_cast<std::uint32_t>(walk.labels_raised() - raised_before);
   out.issued = out.issued || out.certificate_m > 0.0;
 }
 
@@ -191,6 +194,7 @@ Certifier::Certifier(const Robot& robot,
                      const Course& course,
                      const CertificateParameters& parameters) {
   validate(robot);
+  validate(course);
   validate(parameters);
   state_ = std::make_unique<State>(robot, course, parameters);
   reset();

@@ -14,7 +14,8 @@ namespace tcert {
 
 class CorridorGraph;
 
-/// Conditions met at a tick, or'ed together in CertifiedTick::flags. The last three stay set.
+/// Conditions met at a tick, or'ed together in CertifiedTick::flags. From flag_capacity_exceeded on
+/// they stay set.
 enum TickFlag : std::uint32_t {
   flag_stale = 1U << 0U,              ///< The tick was skipped as evidence.
   flag_bad_input = 1U << 1U,          ///< Pose not finite or time not increasing: skipped.
@@ -23,6 +24,7 @@ enum TickFlag : std::uint32_t {
   flag_capacity_exceeded = 1U << 4U,  ///< Nodes or edges are used up; new evidence is ignored.
   flag_start_outside = 1U << 5U,      ///< The first tick lies outside S: never a certificate.
   flag_goal_reached = 1U << 6U,       ///< The robot has been inside G.
+  flag_memory_evicted = 1U << 7U,  ///< Contact memory that still counted gave way: V_t may be high.
 };
 
 /// What is known after a tick. Lengths in metres. NaN means not known at this tick;
@@ -43,6 +45,7 @@ struct CertifiedTick {
   std::uint32_t new_contacts = 0;      ///< Rays whose contact began at this tick.
   std::uint32_t nodes = 0;
   std::uint32_t edges = 0;
+  std::uint32_t labels_raised = 0;  ///< Work of this tick in the graph; at most 8 (edges + 2).
   std::uint32_t flags = 0;
   bool issued = false;  ///< T_t > 0 now or earlier.
 };
@@ -61,12 +64,20 @@ struct Bottleneck {
 
 /// Certificate of one trial, tick by tick.
 ///
-/// The constructor takes all memory. `update` and `reset` are noexcept, allocate nothing, take no
-/// lock and make no system call. One thread at a time. The graph's views stay valid until the
-/// next `update` or `reset`.
+/// - Lifetime: the constructor copies all that it is given and takes all memory. `update` and
+///   `reset` are noexcept, allocate nothing, take no lock, make no system call and read no clock.
+///   The views of ray_margins() and graph() stay valid until the next `update` or `reset`.
+/// - Threads: one at a time; different certifiers are independent. Nothing global is kept.
+/// - Capacity is that of the parameters. When nodes or edges are used up, new evidence is ignored
+///   and flag_capacity_exceeded stays set: T_t is then never above that of a run with more. When
+///   contact memory that still counts has to give way, flag_memory_evicted stays set: V_t may then
+///   be too high by at most lambda_M; T_t does not depend on it.
+/// - Work of one `update`: at most two edges change, and each raises every label at most once per
+///   edge, so that at most 8 (edges + 2) labels rise; the path is compared with the nodes nearby,
+///   all of them at worst. Both are bounded by the capacity.
 class Certifier {
  public:
-  /// \throws std::invalid_argument if the robot or the parameters are out of range.
+  /// \throws std::invalid_argument if robot, course or parameters are out of range; std::bad_alloc.
   Certifier(const Robot& robot, const Course& course, const CertificateParameters& parameters);
   ~Certifier();
   Certifier(Certifier&& other) noexcept;
@@ -74,8 +85,11 @@ class Certifier {
   Certifier(const Certifier& other) = delete;
   Certifier& operator=(const Certifier& other) = delete;
 
-  /// Takes the next tick. A tick with a pose that is not finite, a time that does not increase or
-  /// the wrong number of rays is skipped and flagged; a ray without a reading is flagged.
+  /// Takes the next tick. Refused input is flagged, never thrown and never credited: a pose that is
+  /// not finite, a time that does not increase, a wrong number of rays (flag_bad_input: the tick is
+  /// skipped, and the next one is judged by the last good time); a stale tick (flag_stale:
+  /// skipped); a reading that is NaN or infinite (flag_missing_ray: its side counts as the half
+  /// body).
   CertifiedTick update(const Tick& tick) noexcept;
 
   /// m_t(theta_k) of the last fresh tick, one per ray (paper 3.1): the margin of heading along it.

@@ -7,6 +7,7 @@ namespace tcert {
 namespace {
 
 constexpr std::size_t kProbes = 16;
+constexpr double kNothing = 1e-6;  // moves V_t by less than a micrometre
 
 // Cells whose centres lie within a radius of a point, block by block.
 class NearCells {
@@ -90,6 +91,7 @@ void ContactMemory::clear() noexcept {
   if (!empty_) {
     std::fill(blocks_.begin(), blocks_.end(), Block{});
     empty_ = true;
+    evicted_ = false;
   }
 }
 
@@ -139,6 +141,7 @@ ContactMemory::Block& ContactMemory::claim(std::int32_t bx,
   }
   Block& block = blocks_[faintest];
   if (block.halvings < 0.0 || block.bx != bx || block.by != by) {
+    evicted_ = evicted_ || (block.halvings >= 0.0 && least > kNothing);
     block = Block{bx, by, halvings, {}};
     return block;
   }

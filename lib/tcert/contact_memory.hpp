@@ -14,7 +14,8 @@ namespace tcert {
 /// Values on a hash grid; each contact raises the cells near it, all halve every half-life.
 ///
 /// Cells are kept in blocks of 4 x 4, so that a neighbourhood is few look-ups. The constructor
-/// takes all memory. Where the table is full, the faintest block nearby gives way.
+/// takes all memory. Where the table is full, the faintest block nearby gives way; evicted() says
+/// so if that still held anything.
 class ContactMemory {
  public:
   explicit ContactMemory(const CertificateParameters& parameters);
@@ -28,6 +29,9 @@ class ContactMemory {
 
   /// Largest memory at the cell centres within `radius_m` of `centre`; 0 if there are none.
   [[nodiscard]] double largest_within(Point centre, double radius_m, double time_s) const noexcept;
+
+  /// True once memory above 10^-6 was forgotten for want of room, until the next clear.
+  [[nodiscard]] bool evicted() const noexcept { return evicted_; }
 
  private:
   static constexpr std::int32_t kSide = 4;  // cells along a block
@@ -47,6 +51,7 @@ class ContactMemory {
   std::vector<double> column_weights_;
   std::vector<double> row_weights_;
   bool empty_ = true;
+  bool evicted_ = false;
 };
 
 }  // namespace tcert

@@ -41,6 +41,10 @@ class CorridorWalk {
   [[nodiscard]] double reached_m() const noexcept;
   [[nodiscard]] double edge_margin_m() const noexcept { return pending_.margin_m(); }
   [[nodiscard]] bool capacity_exceeded() const noexcept { return capacity_exceeded_; }
+  /// Labels raised since the last clear, of both sets.
+  [[nodiscard]] std::uint64_t labels_raised() const noexcept {
+    return through_.raised() + reached_.raised();
+  }
   /// u, the last node passed; kNone before begin() and once capacity has run out.
   [[nodiscard]] std::uint32_t last_node() const noexcept { return at_node_; }
   [[nodiscard]] const CorridorGraph& graph() const noexcept { return graph_; }

@@ -50,6 +50,19 @@ void validate(const Ray& ray) {
   require(is_monotone(clearance), name + "calibration clearance_m must be monotone");
 }
 
+bool is_finite(Point p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
+
+void validate(const Region& region, const std::string& name) {
+  if (const auto* disc = std::get_if<Disc>(&region)) {
+    require(is_finite(disc->centre) && std::isfinite(disc->radius_m), name + " must be finite");
+    require(disc->radius_m > 0.0, name + ": the radius of the disc must be above 0");
+    return;
+  }
+  const auto& vertices = std::get_if<Polygon>(&region)->vertices;
+  require(vertices.size() >= 3, name + ": a polygon needs at least three vertices");
+  require(std::all_of(vertices.begin(), vertices.end(), is_finite), name + " must be finite");
+}
+
 }  // namespace
 
 double calibrated_clearance(const Calibration& calibration, double bend_rad) noexcept {
@@ -90,6 +103,15 @@ void validate(const Robot& robot) {
           "curvature_buffer_per_m must not be negative");
   for (const Ray& ray : robot.rays) {
     validate(ray);
+  }
+}
+
+void validate(const Course& course) {
+  if (course.start) {
+    validate(*course.start, "start");
+  }
+  if (course.goal) {
+    validate(*course.goal, "goal");
   }
 }
 

@@ -56,4 +56,8 @@ struct Course {
 /// \throws std::invalid_argument naming the member that is out of range.
 void validate(const Robot& robot);
 
+/// \throws std::invalid_argument unless regions are finite, discs have a radius above 0 and
+/// polygons at least three vertices.
+void validate(const Course& course);
+
 }  // namespace tcert

@@ -3,55 +3,37 @@
 
 #include <benchmark/benchmark.h>
 
-#include <numbers>
 #include <random>
 #include <tcert/certifier.hpp>
 #include <tcert/corridor_graph.hpp>
 #include <vector>
 
 #include "support/allocations.hpp"
+#include "support/lap.hpp"
 
 namespace {
 
 using namespace tcert;
 
-constexpr double kStep_m = 0.017;  // 0.17 m/s at 10 Hz
+using test_support::Lap;
 
-struct Lap {
-  Robot robot;
-  Course course;
-  std::vector<Pose> poses;  // one lap
+/// A tenth of the ticks in contact.
+std::vector<std::vector<RayReading>> make_readings() {
   std::vector<std::vector<RayReading>> readings;
-};
-
-Lap make_lap(std::size_t nodes) {
-  Lap lap;
-  const double square = 0.5 * std::numbers::pi;
-  lap.robot.rays = {{"left", {0.2, 0.1}, square, 0.7, RayKind::range, {}},
-                    {"right", {0.2, -0.1}, -square, 0.7, RayKind::range, {}},
-                    {"ahead", {0.3, 0.0}, 0.0, 0.5, RayKind::range, {}}};
-  const double length_m = 0.25 * static_cast<double>(nodes);
-  const double radius_m = length_m / (2.0 * std::numbers::pi);
-  const auto steps = static_cast<std::size_t>(length_m / kStep_m);
-  for (std::size_t k = 0; k < steps; ++k) {
-    const double a = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(steps);
-    lap.poses.push_back({radius_m * Point{std::sin(a), 1.0 - std::cos(a)}, a});
-  }
-  lap.course.start = Disc{lap.poses[0].position, 0.3};
-  lap.course.goal = Disc{lap.poses[steps / 2].position, 0.3};
   std::mt19937 engine(1);
   const auto uniform = [&engine](double low, double high) {
     return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
   };
   for (std::size_t k = 0; k < 9973; ++k) {
     const double force_n = engine() % 10 == 0 ? 1.0 : 0.0;
-    lap.readings.push_back({{uniform(0.2, 0.5), force_n}, {uniform(0.2, 0.5), 0.0}, {0.5, 0.0}});
+    readings.push_back({{uniform(0.2, 0.5), force_n}, {uniform(0.2, 0.5), 0.0}, {0.5, 0.0}});
   }
-  return lap;
+  return readings;
 }
 
 void certifier_update(benchmark::State& state) {
-  const Lap lap = make_lap(static_cast<std::size_t>(state.range(0)));
+  const Lap lap = test_support::make_lap(static_cast<std::size_t>(state.range(0)));
+  const auto readings = make_readings();
   CertificateParameters parameters;
   parameters.max_nodes = static_cast<std::uint32_t>(state.range(0)) + 64;
   parameters.max_edges = 2 * parameters.max_nodes;
@@ -62,7 +44,7 @@ void certifier_update(benchmark::State& state) {
   const auto next = [&] {
     tick.time_ns += 100'000'000;
     tick.pose = lap.poses[k % lap.poses.size()];
-    tick.rays = lap.readings[k % lap.readings.size()];
+    tick.rays = readings[k % readings.size()];
     ++k;
     out = certifier.update(tick);
   };

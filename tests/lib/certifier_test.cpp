@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -7,6 +9,7 @@
 #include <tcert/corridor_graph.hpp>
 
 #include "support/allocations.hpp"
+#include "support/lap.hpp"
 #include "support/random_run.hpp"
 #include "support/widest_oracle.hpp"
 
@@ -250,6 +253,57 @@ TEST(Certifier, ASmallCapacityNeverCertifiesMore) {
   }
 }
 
+TEST(Certifier, RaisesNoMoreLabelsATickThanTheGraphBounds) {
+  for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
+    SCOPED_TRACE(seed);
+    for (const CertifiedTick& tick : certify(random_run(seed, kTicks))) {
+      ASSERT_LE(tick.labels_raised, 8 * (tick.edges + 2));
+    }
+  }
+}
+
+// The worst case: one narrow place at the start of a long corridor turns out to be wide, and every
+// label behind it rises at one tick.
+TEST(Certifier, RaisesAWholeCorridorAtOneTickAndStaysWithinTheBound) {
+  const test_support::Lap lap = test_support::make_lap(500);
+  Certifier certifier(lap.robot, lap.course, {});
+  std::uint32_t most = 0;
+  for (std::size_t k = 0; k < 2 * lap.poses.size() + 100; ++k) {
+    const bool narrow = k >= 40 && k < 60;
+    const double range_m = narrow ? 0.3 : 0.5;
+    const std::array<RayReading, 3> readings{{{range_m, 0.0}, {range_m, 0.0}, {0.5, 0.0}}};
+    const auto time_ns = static_cast<std::int64_t>(k) * 100'000'000;
+    const CertifiedTick tick =
+        certifier.update({time_ns, lap.poses[k % lap.poses.size()], readings, false, false});
+    ASSERT_LE(tick.labels_raised, 8 * (tick.edges + 2));
+    most = std::max(most, tick.labels_raised);
+  }
+  EXPECT_GT(most, 900U) << "not the worst case";
+}
+
+TEST(Certifier, SaysWhenContactMemoryGaveWay) {
+  const test_support::Lap lap = test_support::make_lap(200);
+  CertificateParameters parameters;
+  parameters.max_memory_cells = 256;
+  Certifier certifier(lap.robot, lap.course, parameters);
+  Certifier roomy(lap.robot, lap.course, {});
+  std::uint32_t flags = 0;
+  for (std::size_t k = 0; k < lap.poses.size(); ++k) {
+    const std::array<RayReading, 3> readings{{{0.4, 1.0}, {0.4, 1.0}, {0.5, 0.0}}};
+    const Tick tick{
+        static_cast<std::int64_t>(k) * 100'000'000, lap.poses[k], readings, false, false};
+    const CertifiedTick now = certifier.update(tick);
+    const CertifiedTick expected = roomy.update(tick);
+    ASSERT_EQ(expected.flags & flag_memory_evicted, 0U);
+    ASSERT_EQ(now.certificate_m, expected.certificate_m);
+    ASSERT_EQ(flags & ~now.flags & flag_memory_evicted, 0U) << "it stays set";
+    flags = now.flags;
+  }
+  EXPECT_NE(flags & flag_memory_evicted, 0U);
+  certifier.reset();
+  EXPECT_EQ(certifier.update({0, lap.poses[0], {}, false, false}).flags, flag_bad_input);
+}
+
 TEST(Certifier, UpdateAllocatesNothing) {
   const RandomRun run = random_run(3, 5000);
   for (const auto reading : {CurvatureReading::path, CurvatureReading::contact}) {
@@ -257,11 +311,13 @@ TEST(Certifier, UpdateAllocatesNothing) {
     parameters.curvature = reading;
     Certifier certifier(run.robot, run.course, parameters);
     const std::size_t before = test_support::allocation_count();
+    const std::size_t mallocs = test_support::malloc_count();
     for (const Tick& tick : run.ticks) {
       certifier.update(tick);
     }
     certifier.reset();
     EXPECT_EQ(test_support::allocation_count(), before);
+    EXPECT_EQ(test_support::malloc_count(), mallocs);
   }
 }
 

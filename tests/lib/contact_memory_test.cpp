@@ -51,6 +51,20 @@ TEST(ContactMemory, LosesTheFaintestCellsWhenItIsFull) {
   EXPECT_GT(memory.largest_within({99.05, 0.05}, 0.2, 99.0), 0.05);
 }
 
+TEST(ContactMemory, SaysWhenWhatItLosesStillCounted) {
+  CertificateParameters parameters;
+  parameters.max_memory_cells = 256;
+  for (const double apart_s : {1.0, 10'000.0}) {
+    ContactMemory memory(parameters);
+    for (int k = 0; k < 100; ++k) {
+      memory.add({0.05 + k, 0.05}, 5.0, apart_s * k);
+    }
+    EXPECT_EQ(memory.evicted(), apart_s == 1.0) << "faded memory is no loss";
+    memory.clear();
+    EXPECT_FALSE(memory.evicted());
+  }
+}
+
 TEST(ContactMemory, ForgetsATrial) {
   ContactMemory memory{CertificateParameters{}};
   memory.add({0.05, 0.05}, 5.0, 0.0);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 #include <tcert/robot.hpp>
 
@@ -40,6 +41,20 @@ TEST(Robot, RefusesWhatNoRobotCanBe) {
   EXPECT_THROW(validate(robot), std::invalid_argument);
   robot.rays[0].calibration = {{0.0, 0.5, 1.0}, {0.6, 0.3, 0.3}};
   EXPECT_NO_THROW(validate(robot));
+}
+
+TEST(Course, RefusesRegionsThatAreNone) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NO_THROW(validate(Course{}));
+  EXPECT_NO_THROW(validate(Course{Disc{{}, 0.5}, Polygon{{{0, 0}, {1, 0}, {0, 1}}}}));
+  for (const Region& region : {Region(Disc{{}, 0.0}),
+                               Region(Disc{{kNaN, 0.0}, 1.0}),
+                               Region(Disc{{}, kNaN}),
+                               Region(Polygon{{{0, 0}, {1, 0}}}),
+                               Region(Polygon{{{0, 0}, {1, 0}, {0, kNaN}}})}) {
+    EXPECT_THROW(validate(Course{region, {}}), std::invalid_argument);
+    EXPECT_THROW(validate(Course{{}, region}), std::invalid_argument);
+  }
 }
 
 }  // namespace

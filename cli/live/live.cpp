@@ -1,0 +1,456 @@
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tcert/certifier.hpp>
+#include <tcert/guards.hpp>
+#include <utility>
+
+#include "cli/errors.hpp"
+#include "cli/guard_options.hpp"
+#include "cli/inputs.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/live/line_buffer.hpp"
+#include "cli/live/patient_output.hpp"
+#include "cli/live/producer.hpp"
+#include "cli/live/tick_source.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/result_folder.hpp"
+#include "datasets/bundle_files.hpp"
+#include "datasets/bundle_json.hpp"
+#include "datasets/bundle_recorder.hpp"
+#include "datasets/bytes.hpp"
+#include "datasets/tick_line.hpp"
+#include "reports/audit.hpp"
+#include "reports/features_table.hpp"
+#include "reports/series.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kText =
+    R"(Certify ticks as they arrive: reads ticks, writes one row of the series per tick, at once.
+
+The rows are those that 'certify' writes for the same ticks, byte for byte; with --guards those that
+'replay --series' writes, with the speed v_t and the guards G1-G3 at the end. A line that is not a
+tick is reported on stderr and skipped; the exit code is then 3.
+
+Ticks come from stdin, or with --listen from one producer after the other on a Unix socket, or as
+datagrams of whole lines on UDP, which only this machine can send. A producer that comes back
+begins with a header again (or with JSON); its first tick is a break of the path.
+
+--record DIR writes the ticks as a bundle with one trial, which 'certify' reads back to the same
+series. It appears when the run ends, by the end of the input, SIGINT or SIGTERM; until then, and
+if the process is killed, it is the hidden folder .DIR.*.tmp beside it, which can be read as well.
+
+--audit FILE writes one row for every guard that began or ceased to trip, with its cause, at once.
+
+Usage: tcert live --bundle BUNDLE [options] < ticks
+
+Example:
+  robot_driver | tcert live --bundle results/corpus/bundle.json
+  tcert live --bundle corpus --input-format jsonl --set beta_per_m=20 < ticks.jsonl
+  robot_driver | tcert live --bundle corpus --guards --audit audit.csv --set speed_law=clip
+  tcert live --bundle corpus --listen unix:/run/ticks --record run17
+  tcert live --bundle corpus --listen udp:5005 --stale-after 0.5 > series.csv
+
+Cost: about a microsecond of certifying per tick; memory does not grow with the run.
+)";
+
+struct LiveOptions {
+  std::string bundle;
+  std::string input_format = "auto";
+  bool ray_margins = false;
+  bool guards = false;
+  std::string audit;
+  std::string tracking_error;
+  std::string listen;
+  std::string record;
+  std::string slow_consumer = "auto";
+  double stale_after_s = 1.0;
+};
+
+CommandLine command_line(LiveOptions& o) {
+  CommandLine line{
+      "live", kText, uses_parameters | uses_decimal_comma, po::options_description("Options"), {}};
+  line.own.add_options()("bundle",
+                         po::value(&o.bundle)->value_name("PATH"),
+                         "the bundle, or its bundle.json, that describes robot and course")(
+      "input-format",
+      po::value(&o.input_format)->value_name("WORD")->default_value(o.input_format),
+      "of the ticks: csv (a header, then rows as in ticks.csv), jsonl, or auto to see")(
+      "ray-margins", po::bool_switch(&o.ray_margins), "one more column a ray: its own margin")(
+      "guards",
+      po::bool_switch(&o.guards),
+      "more columns: gated speed, robust margin, force limit, which guards trip")(
+      "audit",
+      po::value(&o.audit)->value_name("FILE"),
+      "log of the guards: when each began and ceased to trip, and why")(
+      "listen",
+      po::value(&o.listen)->value_name("WHERE"),
+      "take ticks from unix:PATH or udp:PORT (port 0: any that is free) in place of stdin")(
+      "record",
+      po::value(&o.record)->value_name("DIR"),
+      "write the ticks as a bundle; DIR must not be there, or be empty")(
+      "stale-after",
+      po::value(&o.stale_after_s)->value_name("S")->default_value(o.stale_after_s, "1"),
+      "say on stderr when no tick has come for so long; 0: never")(
+      "slow-consumer",
+      po::value(&o.slow_consumer)->value_name("WORD")->default_value(o.slow_consumer),
+      "when rows are not read: wait, so that who writes ticks waits too; drop rows, never ticks; "
+      "or "
+      "auto: wait for stdin, drop with --listen");
+  add_tracking_error_option(line.own, o.tracking_error);
+  return line;
+}
+
+void require_known(const LiveOptions& o) {
+  if (o.input_format != "auto" && o.input_format != "csv" && o.input_format != "jsonl") {
+    throw UsageError("--input-format: found '" + o.input_format + "', expected auto, csv or jsonl");
+  }
+  if (o.slow_consumer != "auto" && o.slow_consumer != "wait" && o.slow_consumer != "drop") {
+    throw UsageError("--slow-consumer: found '" + o.slow_consumer +
+                     "', expected auto, wait or drop");
+  }
+  require_range("stale-after", o.stale_after_s, 0.0, 1e6);
+}
+
+/// Rows that are on disk, as far as the system goes, before the next tick is looked at.
+class AuditLog {
+ public:
+  AuditLog(const std::string& path, const GuardParameters& parameters)
+      : file_(path), parameters_(parameters) {
+    file_.write(audit_header());
+    file_.flush();
+  }
+
+  void add(const Tick& tick, const CertifiedTick& certified, const GuardedTick& guarded) {
+    rows_.clear();
+    append_audit_rows(rows_, tick, certified, guarded, parameters_);
+    if (!rows_.empty()) {
+      file_.write(rows_);
+      file_.flush();
+    }
+  }
+
+  void close() { file_.close(); }
+
+ private:
+  ResultFile file_;
+  const GuardParameters& parameters_;
+  std::string rows_;
+};
+
+BundleInfo describe(const std::string& path) {
+  if (path.empty()) {
+    throw UsageError("needs --bundle");
+  }
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw NoInput("no bundle at '" + path + "'");
+  }
+  const bool is_json = std::filesystem::path(path).extension() == ".json";
+  if (!is_json && !BundleFiles(path).contains("bundle.json")) {
+    throw BadData("'" + path + "' holds no bundle.json: name a bundle or its bundle.json");
+  }
+  BytesResult bytes = is_json ? read_file(path) : BundleFiles(path).read("bundle.json");
+  if (!bytes.bytes) {
+    throw BadData("'" + path + "': " + bytes.problem);
+  }
+  DiagnosticGroups problems;
+  auto info = parse_bundle_json(bytes.bytes->view(), problems);
+  say(problems.take());
+  if (!info) {
+    throw BadData("'" + path + "' is not a bundle.json that can be used");
+  }
+  return std::move(*info);
+}
+
+/// The record, which may fail without ending the run.
+class LiveRecord {
+ public:
+  LiveRecord(const std::string& folder, BundleInfo info)
+      : folder_(folder), recorder_(std::in_place, folder, std::move(info), "live") {}
+
+  void add(const TickLine& line, const CertifiedTick& certified, StatusLines& status) {
+    if (!recorder_) {
+      return;
+    }
+    first_ns_ = first_ns_.value_or(line.tick.time_ns);
+    last_ns_ = line.tick.time_ns;
+    if (!goal_ns_ && (certified.flags & flag_goal_reached) != 0) {
+      goal_ns_ = last_ns_;
+    }
+    try {
+      recorder_->add(line.tick, line.speed_cmd_mps, line.yaw_rate_cmd_rps);
+    } catch (const WriteError& error) {
+      give_up(error, status);
+    }
+  }
+
+  /// False if it could not be written. Whether a run that did not reach G failed is for people to
+  /// say: its success is left open.
+  bool close(StatusLines& status) {
+    if (!recorder_) {
+      return false;
+    }
+    if (recorder_->ticks() == 0) {
+      status.say("tcert live: no tick, nothing recorded.");
+      return true;
+    }
+    TrialRow row;
+    row.time_s = 1e-9 * static_cast<double>(goal_ns_.value_or(last_ns_) - *first_ns_);
+    if (goal_ns_) {
+      row.success = true;
+      row.end_reason = EndReason::goal;
+    }
+    try {
+      const std::size_t ticks = recorder_->ticks();
+      recorder_->close(std::move(row));
+      status.say("tcert live: " + std::to_string(ticks) + " ticks recorded in '" + folder_ + "'.");
+    } catch (const WriteError& error) {
+      give_up(error, status);
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  void give_up(const WriteError& error, StatusLines& status) {
+    status.say(std::string("tcert live: recording ended: ") + error.what() +
+               "; what there is lies in '" + recorder_->staging().string() + "'");
+    recorder_.reset();
+  }
+
+  std::string folder_;
+  std::optional<BundleRecorder> recorder_;
+  std::optional<std::int64_t> first_ns_;
+  std::optional<std::int64_t> goal_ns_;
+  std::int64_t last_ns_ = 0;
+};
+
+constexpr int kLastRows_ms = 2000;
+
+/// Says when ticks have stopped coming, and when they come again.
+class StallWatch {
+ public:
+  StallWatch(double after_s, StatusLines& status) : after_(after_s), status_(status) {}
+
+  void tick() {
+    const Clock::time_point now = Clock::now();
+    if (stalled_) {
+      status_.say("tcert live: ticks again, after " + seconds(now - last_) + " s");
+    }
+    stalled_ = false;
+    last_ = now;
+  }
+
+  void look() {
+    if (!stalled_ && after_.count() > 0.0 && Clock::now() - last_ >= after_) {
+      stalled_ = true;
+      status_.say("tcert live: stale: no tick for " + seconds(Clock::now() - last_) +
+                  " s, the last row is no longer current");
+    }
+  }
+
+  /// For poll: -1 if there is nothing to wait for.
+  [[nodiscard]] int left_ms() const {
+    if (stalled_ || !(after_.count() > 0.0)) {
+      return -1;
+    }
+    const Seconds left = after_ - (Clock::now() - last_);
+    return static_cast<int>(std::clamp(std::ceil(1000.0 * left.count()), 0.0, 1e6));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  static std::string seconds(Seconds span) {
+    return std::to_string(static_cast<int>(span.count())) + '.' +
+           std::to_string(static_cast<int>(10.0 * span.count()) % 10);
+  }
+
+  Seconds after_;
+  StatusLines& status_;
+  Clock::time_point last_ = Clock::now();
+  bool stalled_ = false;
+};
+
+/// Takes lines until the producer ends or an interrupt comes. `take` is given every tick; false
+/// ends it too.
+template <typename Take>
+void follow(Producer& producer,
+            TickSource& source,
+            RowSink& rows,
+            StallWatch& stall,
+            int interrupt,
+            Take take) {
+  LineBuffer lines;
+  std::string bytes;
+  std::string line;
+  std::size_t too_long = 0;
+  const auto take_lines = [&] {
+    while (lines.next(line)) {
+      const auto tick = source.take(line);
+      if (tick && !take(*tick)) {
+        return false;
+      }
+    }
+    for (; too_long < lines.too_long(); ++too_long) {
+      source.reject("a line of more than 1 MiB");
+    }
+    return true;
+  };
+  for (;;) {
+    std::array<pollfd, 3> wait{{{interrupt, POLLIN, 0},
+                                {producer.descriptor(), POLLIN, 0},
+                                {rows.waits() ? STDOUT_FILENO : -1, POLLOUT, 0}}};
+    ::poll(wait.data(), wait.size(), stall.left_ms());
+    if (wait[0].revents != 0) {
+      return;
+    }
+    if (wait[2].revents != 0) {
+      rows.drain();
+    }
+    stall.look();
+    if (wait[1].revents == 0) {
+      continue;
+    }
+    const Producer::Event event = producer.receive(bytes);
+    if (event == Producer::Event::came) {
+      source.restart();
+    }
+    lines.add(bytes);
+    if (event == Producer::Event::left || event == Producer::Event::end) {
+      lines.end();
+    }
+    if (!take_lines() || event == Producer::Event::end) {
+      return;
+    }
+  }
+}
+
+/// What there is to say at the end; nothing if all went well.
+void report(const TickSource& source,
+            const Producer& producer,
+            const RowSink& rows,
+            StatusLines& status,
+            bool has_reader) {
+  const auto say = [&](std::size_t count, const char* what) {
+    if (count > 0) {
+      status.say("tcert live: " + std::to_string(count) + what);
+    }
+  };
+  say(source.bad_lines(), " bad lines were skipped.");
+  say(producer.lost(), " datagrams were lost by the system before they were read.");
+  say(rows.dropped(), " rows were dropped: whoever reads them is too slow. No tick was.");
+  say(status.dropped(), " lines of status were dropped.");
+  if (!has_reader) {
+    status.say("tcert live: nobody reads the rows any more; ended.");
+  }
+}
+
+/// The record of this run, with everything in it that certifying it again needs.
+BundleInfo info_of_record(BundleInfo info, const Robot& robot, ParameterSet parameters) {
+  info.robot = robot;
+  info.provenance = "recorded by tcert live; described by: " + info.provenance;
+  info.parameters.clear();
+  parameters.robot = {};
+  const ParameterSet defaults;
+  for (const ParameterInfo& parameter : parameter_table()) {
+    if (std::string value = parameter.get(parameters); value != parameter.get(defaults)) {
+      info.parameters.emplace(parameter.key, std::move(value));
+    }
+  }
+  return info;
+}
+
+int run(Arguments arguments) {
+  LiveOptions options;
+  CommonOptions common;
+  if (!parse(command_line(options), common, arguments)) {
+    return exit_done;
+  }
+  require_known(options);
+  const BundleInfo info = describe(options.bundle);
+  const ParameterSet parameters = effective_parameters(info.parameters, common);
+  const Robot robot = effective_robot(info, parameters);
+  Certifier certifier(robot, info.course, parameters.certificate);
+  Guards guards(parameters.speed_law,
+                parameters.guards,
+                tracking_error_table(options.tracking_error, common));
+  const SeriesFormat format{
+      parameters.speed_law, options.ray_margins, synthetic_label(info), options.guards};
+  std::optional<AuditLog> audit;
+  if (!options.audit.empty()) {
+    audit.emplace(options.audit, parameters.guards);
+  }
+  std::optional<LiveRecord> record;
+  if (!options.record.empty()) {
+    record.emplace(options.record, info_of_record(info, robot, parameters));
+  }
+  StatusLines status;
+  const int interrupt = interrupt_descriptor();
+  const std::unique_ptr<Producer> producer = open_producer(options.listen);
+  const bool listens = !options.listen.empty();
+  if (listens) {
+    status.say("tcert live: listening on " + producer->name());
+  }
+  const bool drops =
+      options.slow_consumer == "drop" || (options.slow_consumer == "auto" && listens);
+  RowSink rows(drops ? RowSink::WhenSlow::drop : RowSink::WhenSlow::wait, interrupt);
+  TickSource source(robot,
+                    info,
+                    {producer->name(), options.input_format, common.decimal_comma, !listens},
+                    status);
+  StallWatch stall(options.stale_after_s, status);
+  std::string row;
+  const auto take = [&](const TickLine& line) {
+    stall.tick();
+    const CertifiedTick certified = certifier.update(line.tick);
+    const GuardedTick guarded = guards.update(line.tick, certified);
+    if (record) {
+      record->add(line, certified, status);
+    }
+    row.clear();
+    append_series_row(
+        row, line.tick, certified, certifier.ray_margins(), format, guarded, line.yaw_rate_cmd_rps);
+    const bool go_on = rows.put(row);
+    if (audit) {
+      audit->add(line.tick, certified, guarded);
+    }
+    return go_on;
+  };
+  bool has_reader = true;
+  try {
+    if (rows.put(series_header(format, robot))) {
+      follow(*producer, source, rows, stall, interrupt, take);
+    }
+    rows.finish(kLastRows_ms);
+  } catch (const BrokenPipe&) {
+    has_reader = false;  // whoever read the rows has had enough: the run ends as by a signal
+  }
+  if (audit) {
+    audit->close();
+  }
+  const bool recorded = !record || record->close(status);
+  report(source, *producer, rows, status, has_reader);
+  if (!recorded) {
+    return exit_cannot_write;
+  }
+  return source.bad_lines() > 0 ? exit_rejected : exit_done;
+}
+
+}  // namespace
+
+const Command kLive = {"live", "certify ticks as they arrive", run};
+
+}  // namespace tcert::cli

@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// Writing for somebody who may read slowly or not at all.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace tcert::cli {
+
+/// Rows on stdout, each whole and at once.
+class RowSink {
+ public:
+  enum class WhenSlow {
+    wait,  ///< Until the reader has room: then whoever sends the ticks waits as well.
+    drop,  ///< Up to 1 MiB waits here; a row that finds no room is dropped and counted.
+  };
+
+  /// A wait ends when `interrupt` becomes readable.
+  RowSink(WhenSlow when_slow, int interrupt) : when_slow_(when_slow), interrupt_(interrupt) {}
+
+  /// False if an interrupt came first. \throws BrokenPipe if nobody reads any more, WriteError.
+  [[nodiscard]] bool put(std::string_view row);
+
+  /// Writes as much as the reader has room for.
+  void drain();
+
+  /// Drains for up to `patience_ms`; what is left then is dropped.
+  void finish(int patience_ms);
+
+  [[nodiscard]] bool waits() const noexcept { return at_ < pending_.size(); }
+  [[nodiscard]] std::size_t dropped() const noexcept { return dropped_; }
+
+ private:
+  void write_some();
+
+  WhenSlow when_slow_;
+  int interrupt_;
+  std::string pending_;
+  std::size_t at_ = 0;
+  std::size_t dropped_ = 0;
+};
+
+/// Lines on stderr that never wait: one that finds no room is dropped and counted.
+class StatusLines {
+ public:
+  void say(std::string_view line);
+  [[nodiscard]] std::size_t dropped() const noexcept { return dropped_; }
+
+ private:
+  std::size_t dropped_ = 0;
+};
+
+}  // namespace tcert::cli

@@ -1,0 +1,407 @@
+#include <tcert/tcert.h>
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <tcert/certifier.hpp>
+#include <tcert/flag_word.hpp>
+#include <tcert/guards.hpp>
+#include <vector>
+
+struct tcert_certifier {
+  tcert::Certifier certifier;
+  tcert::Guards guards;
+  std::vector<tcert::RayReading> readings;  // one more than rays, so that a wrong number shows
+};
+
+namespace tcert {
+namespace {
+
+class WrongSize : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Sizes that a caller of this ABI version may have been compiled with.
+template <typename Struct>
+bool is_known_size(std::uint32_t size) noexcept {
+  return size == sizeof(Struct);
+}
+
+template <typename Struct>
+void require_size(const Struct& given, const char* name) {
+  if (!is_known_size<Struct>(given.struct_size)) {
+    throw WrongSize(std::string(name) + ".struct_size is " + std::to_string(given.struct_size) +
+                    "; this library knows " + std::to_string(sizeof(Struct)));
+  }
+}
+
+void require(bool holds, const std::string& what) {
+  if (!holds) {
+    throw std::invalid_argument(what);
+  }
+}
+
+/// Between a member of the C struct and one of ours, which have the same value.
+template <typename From, typename To>
+void assign(const From& from, To& to) noexcept {
+  to = static_cast<To>(from);
+}
+
+template <typename From, typename To>
+void copy_certificate(const From& from, To& to) noexcept {
+  assign(from.clearance, to.clearance);
+  assign(from.curvature, to.curvature);
+  assign(from.unknown, to.unknown);
+  assign(from.side_angle_rad, to.side_angle_rad);
+  assign(from.side_window_m, to.side_window_m);
+  assign(from.travel_deadband_m, to.travel_deadband_m);
+  assign(from.curvature_window_m, to.curvature_window_m);
+  assign(from.curvature_min_travel_m, to.curvature_min_travel_m);
+  assign(from.min_curvature_per_m, to.min_curvature_per_m);
+  assign(from.contact_spacing_m, to.contact_spacing_m);
+  assign(from.contact_literal_spacing_m, to.contact_literal_spacing_m);
+  assign(from.contact_window_m, to.contact_window_m);
+  assign(from.contact_flatness, to.contact_flatness);
+  assign(from.sigma_contact_m, to.sigma_contact_m);
+  assign(from.contact_on_n, to.contact_on_n);
+  assign(from.contact_off_n, to.contact_off_n);
+  assign(from.contact_slack_m, to.contact_slack_m);
+  assign(from.edge_length_m, to.edge_length_m);
+  assign(from.merge_radius_m, to.merge_radius_m);
+  assign(from.merge_angle_rad, to.merge_angle_rad);
+  assign(from.reversal_m, to.reversal_m);
+  assign(from.max_step_m, to.max_step_m);
+  assign(from.memory_weight_m, to.memory_weight_m);
+  assign(from.memory_cell_m, to.memory_cell_m);
+  assign(from.memory_gain, to.memory_gain);
+  assign(from.force_cap_n, to.force_cap_n);
+  assign(from.memory_sigma_m, to.memory_sigma_m);
+  assign(from.memory_half_life_s, to.memory_half_life_s);
+  assign(from.max_nodes, to.max_nodes);
+  assign(from.max_edges, to.max_edges);
+  assign(from.max_memory_cells, to.max_memory_cells);
+}
+
+template <typename From, typename To>
+void copy_speed_law(const From& from, To& to) noexcept {
+  assign(from.min_speed_mps, to.min_speed_mps);
+  assign(from.max_speed_mps, to.max_speed_mps);
+  assign(from.beta_per_m, to.beta_per_m);
+}
+
+template <typename From, typename To>
+void copy_guards(const From& from, To& to) noexcept {
+  assign(from.replan_margin_m, to.replan_margin_m);
+  assign(from.min_force_n, to.min_force_n);
+  assign(from.force_per_m, to.force_per_m);
+  assign(from.disturbance, to.disturbance);
+}
+
+tcert_parameters defaults() noexcept {
+  tcert_parameters c{};
+  c.struct_size = sizeof c;
+  copy_certificate(CertificateParameters{}, c);
+  const SpeedLaw law;
+  copy_speed_law(law, c);
+  c.speed_law = static_cast<std::int32_t>(law.kind);
+  const GuardParameters guards;
+  copy_guards(guards, c);
+  c.guard_mode = static_cast<std::int32_t>(guards.mode);
+  return c;
+}
+
+void require_word(const char* name, std::int32_t value, std::int32_t last) {
+  require(value >= 0 && value <= last,
+          std::string(name) + " is " + std::to_string(value) + "; it must be from 0 to " +
+              std::to_string(last));
+}
+
+std::vector<double> list(const double* values, std::size_t count, const std::string& name) {
+  require(values != nullptr || count == 0, name + " is null");
+  return {values, values + count};
+}
+
+Ray to_ray(const tcert_ray& c) {
+  Ray ray;
+  ray.name = c.name != nullptr ? c.name : "";
+  require_word("ray kind", c.kind, TCERT_RANGE);
+  ray.mount = {c.mount.x_m, c.mount.y_m};
+  ray.bearing_rad = c.bearing_rad;
+  ray.reach_m = c.reach_m;
+  ray.kind = static_cast<RayKind>(c.kind);
+  if (ray.kind == RayKind::bend) {
+    ray.calibration = {list(c.bend_rad, c.knots, "ray '" + ray.name + "': bend_rad"),
+                       list(c.clearance_m, c.knots, "ray '" + ray.name + "': clearance_m")};
+  }
+  return ray;
+}
+
+Robot to_robot(const tcert_robot& c) {
+  require_size(c, "robot");
+  Robot robot;
+  robot.body_width_m = c.body_width_m;
+  robot.min_turn_radius_m = c.min_turn_radius_m;
+  robot.tracking_buffer_m = c.tracking_buffer_m;
+  robot.curvature_buffer_per_m = c.curvature_buffer_per_m;
+  require(c.rays != nullptr || c.ray_count == 0, "robot.rays is null");
+  for (std::uint32_t k = 0; k < c.ray_count; ++k) {
+    robot.rays.push_back(to_ray(c.rays[k]));
+  }
+  return robot;
+}
+
+std::optional<Region> to_region(const tcert_region& c, const std::string& name) {
+  require_word((name + ".kind").c_str(), c.kind, TCERT_POLYGON);
+  if (c.kind == TCERT_NONE) {
+    return std::nullopt;
+  }
+  if (c.kind == TCERT_DISC) {
+    return Disc{{c.centre.x_m, c.centre.y_m}, c.radius_m};
+  }
+  require(c.vertices != nullptr || c.vertex_count == 0, name + ".vertices is null");
+  Polygon polygon;
+  for (std::uint32_t i = 0; i < c.vertex_count; ++i) {
+    polygon.vertices.push_back({c.vertices[i].x_m, c.vertices[i].y_m});
+  }
+  return polygon;
+}
+
+Course to_course(const tcert_course& c) {
+  require_size(c, "course");
+  return {to_region(c.start, "start"), to_region(c.goal, "goal")};
+}
+
+TrackingErrorTable to_table(const tcert_parameters& c) {
+  if (c.tracking_radius_m == nullptr) {
+    return TrackingErrorTable();
+  }
+  const std::size_t cells = std::size_t{c.tracking_speeds} * c.tracking_accelerations *
+                            std::size_t{c.tracking_disturbances};
+  return TrackingErrorTable(
+      {list(c.tracking_speed_mps, c.tracking_speeds, "tracking_speed_mps"),
+       list(c.tracking_acceleration_mps2, c.tracking_accelerations, "tracking_acceleration_mps2"),
+       list(c.tracking_disturbance, c.tracking_disturbances, "tracking_disturbance"),
+       list(c.tracking_radius_m, cells, "tracking_radius_m")});
+}
+
+Guards to_guards(const tcert_parameters& c) {
+  require_word("speed_law", c.speed_law, TCERT_CLIP);
+  require_word("guard_mode", c.guard_mode, TCERT_GUARDS_WATCH);
+  SpeedLaw law;
+  copy_speed_law(c, law);
+  law.kind = static_cast<SpeedLawKind>(c.speed_law);
+  GuardParameters guards;
+  copy_guards(c, guards);
+  guards.mode = static_cast<GuardMode>(c.guard_mode);
+  return {law, guards, to_table(c)};
+}
+
+CertificateParameters to_certificate(const tcert_parameters& c) {
+  require_word("clearance", c.clearance, TCERT_CLEARANCE_RADIAL);
+  require_word("curvature", c.curvature, TCERT_CURVATURE_NONE);
+  require_word("unknown", c.unknown, TCERT_UNKNOWN_FREE);
+  CertificateParameters parameters;
+  copy_certificate(c, parameters);
+  return parameters;
+}
+
+void say(char* message, std::size_t size, const char* text) noexcept {
+  if (message == nullptr || size == 0) {
+    return;
+  }
+  const std::size_t length = std::min(std::strlen(text), size - 1);
+  std::memcpy(message, text, length);
+  message[length] = '\0';
+}
+
+tcert_output to_output(const CertifiedTick& certified, const GuardedTick& guarded) noexcept {
+  tcert_output out{};
+  out.struct_size = sizeof out;
+  out.flags = certified.flags;
+  out.time_ns = certified.time_ns;
+  out.travel_m = certified.travel_m;
+  out.left_m = certified.left_m;
+  out.right_m = certified.right_m;
+  out.width_m = certified.width_m;
+  out.turn_radius_m = certified.turn_radius_m;
+  out.margin_m = certified.margin_m;
+  out.edge_margin_m = certified.edge_margin_m;
+  out.memory = certified.memory;
+  out.corridor_value_m = certified.corridor_value_m;
+  out.certificate_m = certified.certificate_m;
+  out.series_m = series_value(certified);
+  out.contacts = certified.contacts;
+  out.new_contacts = certified.new_contacts;
+  out.nodes = certified.nodes;
+  out.edges = certified.edges;
+  out.labels_raised = certified.labels_raised;
+  out.issued = certified.issued ? 1U : 0U;
+  out.tracking_error_m = guarded.tracking_error_m;
+  out.robust_margin_m = guarded.robust_margin_m;
+  out.force_n = guarded.force_n;
+  out.force_limit_n = guarded.force_limit_n;
+  out.speed_mps = guarded.speed_mps;
+  out.retreat_speed_mps = guarded.retreat_speed_mps;
+  out.triggers = guarded.triggers;
+  out.triggers_began = guarded.began;
+  return out;
+}
+
+}  // namespace
+}  // namespace tcert
+
+using namespace tcert;
+
+std::uint32_t tcert_abi_version(void) noexcept { return TCERT_ABI_VERSION; }
+
+const char* tcert_version(void) noexcept { return TCERT_VERSION; }
+
+const char* tcert_status_text(tcert_status status) noexcept {
+  switch (status) {
+    case TCERT_OK:
+      return "done";
+    case TCERT_ERROR_ARGUMENT:
+      return "a null pointer where there must be none";
+    case TCERT_ERROR_VERSION:
+      return "a struct_size that this library does not know: header and library differ";
+    case TCERT_ERROR_PARAMETER:
+      return "robot, course or parameters out of range";
+    case TCERT_ERROR_MEMORY:
+      return "not enough memory";
+    case TCERT_ERROR_INTERNAL:
+      return "internal error";
+  }
+  return "unknown status";
+}
+
+const char* tcert_flag_text(std::uint32_t flag) noexcept { return flag_word(flag); }
+
+tcert_status tcert_parameters_init_sized(tcert_parameters* parameters,
+                                         std::uint32_t struct_size) noexcept {
+  if (parameters == nullptr) {
+    return TCERT_ERROR_ARGUMENT;
+  }
+  if (!is_known_size<tcert_parameters>(struct_size)) {
+    return TCERT_ERROR_VERSION;
+  }
+  *parameters = defaults();
+  return TCERT_OK;
+}
+
+tcert_status tcert_create(const tcert_robot* robot,
+                          const tcert_course* course,
+                          const tcert_parameters* parameters,
+                          tcert_certifier** certifier,
+                          char* message,
+                          std::size_t message_size) noexcept {
+  if (certifier != nullptr) {
+    *certifier = nullptr;
+  }
+  if (robot == nullptr || course == nullptr || parameters == nullptr || certifier == nullptr) {
+    say(message, message_size, tcert_status_text(TCERT_ERROR_ARGUMENT));
+    return TCERT_ERROR_ARGUMENT;
+  }
+  tcert_status status = TCERT_ERROR_INTERNAL;
+  try {
+    require_size(*parameters, "parameters");
+    const Robot known = to_robot(*robot);
+    *certifier =
+        new tcert_certifier{Certifier(known, to_course(*course), to_certificate(*parameters)),
+                            to_guards(*parameters),
+                            std::vector<RayReading>(known.rays.size() + 1)};
+    say(message, message_size, "");
+    return TCERT_OK;
+  } catch (const WrongSize& error) {
+    status = TCERT_ERROR_VERSION;
+    say(message, message_size, error.what());
+  } catch (const std::invalid_argument& error) {
+    status = TCERT_ERROR_PARAMETER;
+    say(message, message_size, error.what());
+  } catch (const std::bad_alloc&) {
+    status = TCERT_ERROR_MEMORY;
+    say(message, message_size, tcert_status_text(status));
+  } catch (const std::exception& error) {
+    say(message, message_size, error.what());
+  } catch (...) {
+    say(message, message_size, tcert_status_text(status));
+  }
+  return status;
+}
+
+tcert_status tcert_update(tcert_certifier* certifier,
+                          const tcert_tick* tick,
+                          tcert_output* output) noexcept {
+  if (certifier == nullptr || tick == nullptr || output == nullptr ||
+      (tick->readings == nullptr && tick->reading_count > 0)) {
+    return TCERT_ERROR_ARGUMENT;
+  }
+  if (!is_known_size<tcert_tick>(tick->struct_size) ||
+      !is_known_size<tcert_output>(output->struct_size)) {
+    return TCERT_ERROR_VERSION;
+  }
+  std::vector<RayReading>& readings = certifier->readings;
+  const std::size_t count = std::min<std::size_t>(tick->reading_count, readings.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    readings[k] = {tick->readings[k].value, tick->readings[k].force_n};
+  }
+  const Tick felt{tick->time_ns,
+                  {{tick->x_m, tick->y_m}, tick->yaw_rad},
+                  std::span(readings).first(count),
+                  tick->stale != 0,
+                  tick->segment_start != 0};
+  const CertifiedTick certified = certifier->certifier.update(felt);
+  *output = to_output(certified, certifier->guards.update(felt, certified));
+  return TCERT_OK;
+}
+
+tcert_status tcert_ray_margins(const tcert_certifier* certifier,
+                               double* margins_m,
+                               std::uint32_t count) noexcept {
+  if (certifier == nullptr || (margins_m == nullptr && count > 0)) {
+    return TCERT_ERROR_ARGUMENT;
+  }
+  const auto known = certifier->certifier.ray_margins();
+  for (std::size_t k = 0; k < count; ++k) {
+    margins_m[k] = k < known.size() ? known[k] : kMissing;
+  }
+  return TCERT_OK;
+}
+
+tcert_status tcert_find_bottleneck(const tcert_certifier* certifier,
+                                   tcert_bottleneck* bottleneck,
+                                   std::int32_t* found) noexcept {
+  if (certifier == nullptr || bottleneck == nullptr || found == nullptr) {
+    return TCERT_ERROR_ARGUMENT;
+  }
+  if (!is_known_size<tcert_bottleneck>(bottleneck->struct_size)) {
+    return TCERT_ERROR_VERSION;
+  }
+  const auto narrowest = certifier->certifier.bottleneck();
+  *found = narrowest ? 1 : 0;
+  if (narrowest) {
+    *bottleneck = {sizeof *bottleneck,
+                   narrowest->edge,
+                   narrowest->pose.position.x_m,
+                   narrowest->pose.position.y_m,
+                   narrowest->pose.yaw_rad,
+                   narrowest->margin_m,
+                   narrowest->width_m,
+                   narrowest->turn_radius_m};
+  }
+  return TCERT_OK;
+}
+
+tcert_status tcert_reset(tcert_certifier* certifier) noexcept {
+  if (certifier == nullptr) {
+    return TCERT_ERROR_ARGUMENT;
+  }
+  certifier->certifier.reset();
+  certifier->guards.reset();
+  return TCERT_OK;
+}
+
+void tcert_destroy(tcert_certifier* certifier) noexcept { delete certifier; }
