@@ -17,15 +17,16 @@
 #include "cli/inputs.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/live/line_buffer.hpp"
+#include "cli/live/live_record.hpp"
 #include "cli/live/patient_output.hpp"
 #include "cli/live/producer.hpp"
+#include "cli/live/stall_watch.hpp"
 #include "cli/live/tick_source.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
 #include "datasets/bundle_files.hpp"
 #include "datasets/bundle_json.hpp"
-#include "datasets/bundle_recorder.hpp"
 #include "datasets/bytes.hpp"
 #include "datasets/tick_line.hpp"
 #include "reports/audit.hpp"
@@ -173,116 +174,7 @@ BundleInfo describe(const std::string& path) {
   return std::move(*info);
 }
 
-/// The record, which may fail without ending the run.
-class LiveRecord {
- public:
-  LiveRecord(const std::string& folder, BundleInfo info)
-      : folder_(folder), recorder_(std::in_place, folder, std::move(info), "live") {}
-
-  void add(const TickLine& line, const CertifiedTick& certified, StatusLines& status) {
-    if (!recorder_) {
-      return;
-    }
-    first_ns_ = first_ns_.value_or(line.tick.time_ns);
-    last_ns_ = line.tick.time_ns;
-    if (!goal_ns_ && (certified.flags & flag_goal_reached) != 0) {
-      goal_ns_ = last_ns_;
-    }
-    try {
-      recorder_->add(line.tick, line.speed_cmd_mps, line.yaw_rate_cmd_rps);
-    } catch (const WriteError& error) {
-      give_up(error, status);
-    }
-  }
-
-  /// False if it could not be written. Whether a run that did not reach G failed is for people to
-  /// say: its success is left open.
-  bool close(StatusLines& status) {
-    if (!recorder_) {
-      return false;
-    }
-    if (recorder_->ticks() == 0) {
-      status.say("tcert live: no tick, nothing recorded.");
-      return true;
-    }
-    TrialRow row;
-    row.time_s = 1e-9 * static_cast<double>(goal_ns_.value_or(last_ns_) - *first_ns_);
-    if (goal_ns_) {
-      row.success = true;
-      row.end_reason = EndReason::goal;
-    }
-    try {
-      const std::size_t ticks = recorder_->ticks();
-      recorder_->close(std::move(row));
-      status.say("tcert live: " + std::to_string(ticks) + " ticks recorded in '" + folder_ + "'.");
-    } catch (const WriteError& error) {
-      give_up(error, status);
-      return false;
-    }
-    return true;
-  }
-
- private:
-  void give_up(const WriteError& error, StatusLines& status) {
-    status.say(std::string("tcert live: recording ended: ") + error.what() +
-               "; what there is lies in '" + recorder_->staging().string() + "'");
-    recorder_.reset();
-  }
-
-  std::string folder_;
-  std::optional<BundleRecorder> recorder_;
-  std::optional<std::int64_t> first_ns_;
-  std::optional<std::int64_t> goal_ns_;
-  std::int64_t last_ns_ = 0;
-};
-
 constexpr int kLastRows_ms = 2000;
-
-/// Says when ticks have stopped coming, and when they come again.
-class StallWatch {
- public:
-  StallWatch(double after_s, StatusLines& status) : after_(after_s), status_(status) {}
-
-  void tick() {
-    const Clock::time_point now = Clock::now();
-    if (stalled_) {
-      status_.say("tcert live: ticks again, after " + seconds(now - last_) + " s");
-    }
-    stalled_ = false;
-    last_ = now;
-  }
-
-  void look() {
-    if (!stalled_ && after_.count() > 0.0 && Clock::now() - last_ >= after_) {
-      stalled_ = true;
-      status_.say("tcert live: stale: no tick for " + seconds(Clock::now() - last_) +
-                  " s, the last row is no longer current");
-    }
-  }
-
-  /// For poll: -1 if there is nothing to wait for.
-  [[nodiscard]] int left_ms() const {
-    if (stalled_ || !(after_.count() > 0.0)) {
-      return -1;
-    }
-    const Seconds left = after_ - (Clock::now() - last_);
-    return static_cast<int>(std::clamp(std::ceil(1000.0 * left.count()), 0.0, 1e6));
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  using Seconds = std::chrono::duration<double>;
-
-  static std::string seconds(Seconds span) {
-    return std::to_string(static_cast<int>(span.count())) + '.' +
-           std::to_string(static_cast<int>(10.0 * span.count()) % 10);
-  }
-
-  Seconds after_;
-  StatusLines& status_;
-  Clock::time_point last_ = Clock::now();
-  bool stalled_ = false;
-};
 
 /// Takes lines until the producer ends or an interrupt comes. `take` is given every tick; false
 /// ends it too.
@@ -356,21 +248,6 @@ void report(const TickSource& source,
   if (!has_reader) {
     status.say("tcert live: nobody reads the rows any more; ended.");
   }
-}
-
-/// The record of this run, with everything in it that certifying it again needs.
-BundleInfo info_of_record(BundleInfo info, const Robot& robot, ParameterSet parameters) {
-  info.robot = robot;
-  info.provenance = "recorded by tcert live; described by: " + info.provenance;
-  info.parameters.clear();
-  parameters.robot = {};
-  const ParameterSet defaults;
-  for (const ParameterInfo& parameter : parameter_table()) {
-    if (std::string value = parameter.get(parameters); value != parameter.get(defaults)) {
-      info.parameters.emplace(parameter.key, std::move(value));
-    }
-  }
-  return info;
 }
 
 int run(Arguments arguments) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/allocations.hpp"
+#include "support/c_words.hpp"
 #include "support/random_run.hpp"
 
 namespace tcert {
@@ -18,68 +19,9 @@ namespace {
 
 using test_support::random_run;
 
-/// A run in the words of C. Keeps what the structs point to.
-struct CRun {
-  explicit CRun(const test_support::Run& run) {
-    for (const Ray& ray : run.robot.rays) {
-      rays.push_back({ray.name.c_str(),
-                      {ray.mount.x_m, ray.mount.y_m},
-                      ray.bearing_rad,
-                      ray.reach_m,
-                      TCERT_RANGE,
-                      0,
-                      nullptr,
-                      nullptr});
-    }
-    robot = {sizeof robot,
-             static_cast<std::uint32_t>(rays.size()),
-             rays.data(),
-             run.robot.body_width_m,
-             run.robot.min_turn_radius_m,
-             run.robot.tracking_buffer_m,
-             run.robot.curvature_buffer_per_m};
-    course.struct_size = sizeof course;
-    course.start = disc(std::get<Disc>(*run.course.start));
-    course.goal = disc(std::get<Disc>(*run.course.goal));
-    EXPECT_EQ(tcert_parameters_init(&parameters), TCERT_OK);
-  }
-
-  static tcert_region disc(const Disc& disc) {
-    return {TCERT_DISC, 0, {disc.centre.x_m, disc.centre.y_m}, disc.radius_m, nullptr};
-  }
-
-  [[nodiscard]] tcert_status create(tcert_certifier*& certifier) {
-    return tcert_create(&robot, &course, &parameters, &certifier, message.data(), message.size());
-  }
-
-  std::vector<tcert_ray> rays;
-  tcert_robot robot{};
-  tcert_course course{};
-  tcert_parameters parameters{};
-  std::array<char, 200> message{};
-};
-
-tcert_tick to_c(const Tick& tick, std::vector<tcert_reading>& readings) {
-  readings.clear();
-  for (const RayReading& reading : tick.rays) {
-    readings.push_back({reading.value, reading.fsr_n});
-  }
-  return {sizeof(tcert_tick),
-          static_cast<std::uint32_t>(readings.size()),
-          readings.data(),
-          tick.time_ns,
-          tick.pose.position.x_m,
-          tick.pose.position.y_m,
-          tick.pose.yaw_rad,
-          tick.stale ? 1 : 0,
-          tick.segment_start ? 1 : 0};
-}
-
-tcert_output empty_output() {
-  tcert_output out{};
-  out.struct_size = sizeof out;
-  return out;
-}
+using test_support::CSetup;
+using test_support::empty_output;
+using test_support::to_c;
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -119,7 +61,7 @@ TEST(CApi, GivesTheBitsOfTheCppInterfaceWithoutAnAllocation) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     const test_support::Run run = random_run(seed, 800);
-    CRun c(run);
+    CSetup c(run.robot, run.course);
     c.parameters.speed_law = seed % 2 == 0 ? TCERT_SQUASH : TCERT_CLIP;
     c.parameters.beta_per_m = 7.0;
     c.parameters.guard_mode = TCERT_GUARDS_ACT;
@@ -165,7 +107,7 @@ TEST(CApi, GivesTheBitsOfTheCppInterfaceWithoutAnAllocation) {
 
 TEST(CApi, FlagsWhatItRefusesAndNeverFails) {
   const test_support::Run run = random_run(1, 10);
-  CRun c(run);
+  CSetup c(run.robot, run.course);
   tcert_certifier* certifier = nullptr;
   ASSERT_EQ(c.create(certifier), TCERT_OK);
   std::vector<tcert_reading> readings;
@@ -214,7 +156,7 @@ TEST(CApi, FlagsWhatItRefusesAndNeverFails) {
 TEST(CApi, SaysWhatIsWrongWithWhatItIsMadeFrom) {
   const test_support::Run run = random_run(1, 1);
   const auto expect_refused = [&](const auto& change, tcert_status status, const char* reason) {
-    CRun c(run);
+    CSetup c(run.robot, run.course);
     change(c);
     auto* certifier = reinterpret_cast<tcert_certifier*>(&c);
     EXPECT_EQ(c.create(certifier), status) << reason;
@@ -223,37 +165,38 @@ TEST(CApi, SaysWhatIsWrongWithWhatItIsMadeFrom) {
   };
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   expect_refused(
-      [](CRun& c) { c.robot.body_width_m = -1.0; }, TCERT_ERROR_PARAMETER, "body_width_m");
-  expect_refused([](CRun& c) { c.rays[1].reach_m = 0.0; }, TCERT_ERROR_PARAMETER, "ray 'right'");
-  expect_refused([](CRun& c) { c.rays[0].kind = TCERT_BEND; }, TCERT_ERROR_PARAMETER, "knots");
-  expect_refused([](CRun& c) { c.rays[0].kind = 7; }, TCERT_ERROR_PARAMETER, "ray kind");
-  expect_refused([](CRun& c) { c.robot.rays = nullptr; }, TCERT_ERROR_PARAMETER, "rays is null");
+      [](CSetup& c) { c.robot.body_width_m = -1.0; }, TCERT_ERROR_PARAMETER, "body_width_m");
+  expect_refused([](CSetup& c) { c.rays[1].reach_m = 0.0; }, TCERT_ERROR_PARAMETER, "ray 'right'");
+  expect_refused([](CSetup& c) { c.rays[0].kind = TCERT_BEND; }, TCERT_ERROR_PARAMETER, "knots");
+  expect_refused([](CSetup& c) { c.rays[0].kind = 7; }, TCERT_ERROR_PARAMETER, "ray kind");
+  expect_refused([](CSetup& c) { c.robot.rays = nullptr; }, TCERT_ERROR_PARAMETER, "rays is null");
   expect_refused(
-      [](CRun& c) { c.course.goal.radius_m = 0.0; }, TCERT_ERROR_PARAMETER, "radius of the disc");
-  expect_refused([](CRun& c) { c.course.start.centre.x_m = kNaN; }, TCERT_ERROR_PARAMETER, "start");
-  expect_refused([](CRun& c) { c.course.start.kind = TCERT_POLYGON; },
+      [](CSetup& c) { c.course.goal.radius_m = 0.0; }, TCERT_ERROR_PARAMETER, "radius of the disc");
+  expect_refused(
+      [](CSetup& c) { c.course.start.centre.x_m = kNaN; }, TCERT_ERROR_PARAMETER, "start");
+  expect_refused([](CSetup& c) { c.course.start.kind = TCERT_POLYGON; },
                  TCERT_ERROR_PARAMETER,
                  "at least three vertices");
   expect_refused(
-      [](CRun& c) { c.parameters.max_nodes = 1; }, TCERT_ERROR_PARAMETER, "max_nodes is 1");
-  expect_refused([](CRun& c) { c.parameters.clearance = 9; }, TCERT_ERROR_PARAMETER, "clearance");
+      [](CSetup& c) { c.parameters.max_nodes = 1; }, TCERT_ERROR_PARAMETER, "max_nodes is 1");
+  expect_refused([](CSetup& c) { c.parameters.clearance = 9; }, TCERT_ERROR_PARAMETER, "clearance");
   expect_refused(
-      [](CRun& c) { c.parameters.guard_mode = -1; }, TCERT_ERROR_PARAMETER, "guard_mode");
+      [](CSetup& c) { c.parameters.guard_mode = -1; }, TCERT_ERROR_PARAMETER, "guard_mode");
   expect_refused(
-      [](CRun& c) { c.parameters.beta_per_m = 0.0; }, TCERT_ERROR_PARAMETER, "beta_per_m");
-  expect_refused([](CRun& c) { c.parameters.tracking_radius_m = &c.parameters.beta_per_m; },
+      [](CSetup& c) { c.parameters.beta_per_m = 0.0; }, TCERT_ERROR_PARAMETER, "beta_per_m");
+  expect_refused([](CSetup& c) { c.parameters.tracking_radius_m = &c.parameters.beta_per_m; },
                  TCERT_ERROR_PARAMETER,
                  "");
   expect_refused(
-      [](CRun& c) { c.parameters.struct_size = 8; }, TCERT_ERROR_VERSION, "struct_size is 8");
-  expect_refused([](CRun& c) { c.course.struct_size = 0; }, TCERT_ERROR_VERSION, "course");
+      [](CSetup& c) { c.parameters.struct_size = 8; }, TCERT_ERROR_VERSION, "struct_size is 8");
+  expect_refused([](CSetup& c) { c.course.struct_size = 0; }, TCERT_ERROR_VERSION, "course");
   tcert_certifier* certifier = nullptr;
   EXPECT_EQ(tcert_create(nullptr, nullptr, nullptr, &certifier, nullptr, 0), TCERT_ERROR_ARGUMENT);
 }
 
 TEST(CApi, TakesCalibrationPolygonsAndATrackingErrorTable) {
   const test_support::Run run = random_run(1, 1);
-  CRun c(run);
+  CSetup c(run.robot, run.course);
   const std::array<double, 2> bend{0.0, 1.0};
   const std::array<double, 2> clearance{0.6, 0.0};
   c.rays[0].kind = TCERT_BEND;
