@@ -46,7 +46,7 @@ bool LiveRecord::close(StatusLines& status) {
     return true;
   }
   TrialRow row;
-  row.time_s = 1e-9 * static_cast<double>(goal_ns_.value_or(last_ns_) - *first_ns_);
+  row.time_s = static_cast<double>(goal_ns_.value_or(last_ns_) - *first_ns_) / 1e9;
   if (goal_ns_) {
     row.success = true;
     row.end_reason = EndReason::goal;

@@ -15,6 +15,7 @@
 #include <random>
 #include <string>
 #include <tcert/certifier.hpp>
+#include <tcert/corridor_graph.hpp>
 #include <tcert/guards.hpp>
 
 #include "support/allocations.hpp"
