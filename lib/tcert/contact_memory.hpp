@@ -34,12 +34,11 @@ class ContactMemory {
   [[nodiscard]] bool evicted() const noexcept { return evicted_; }
 
  private:
-  static constexpr std::int32_t kSide = 4;  // cells along a block
   struct Block {
     std::int32_t bx = 0;
     std::int32_t by = 0;
-    double halvings = -1.0;  // time of the values in half-lives; negative: not used
-    std::array<double, std::size_t{kSide} * kSide> values{};
+    double halvings = -1.0;           // time of the values in half-lives; negative: not used
+    std::array<double, 16> values{};  // 4 rows of 4
   };
   [[nodiscard]] std::size_t slot_of(std::int32_t bx, std::int32_t by) const noexcept;
   [[nodiscard]] const Block* find(std::int32_t bx, std::int32_t by) const noexcept;
@@ -50,6 +49,9 @@ class ContactMemory {
   // Scratch of add(): exp(-d^2 / 2 sigma^2) by column and by row of the cells near a contact.
   std::vector<double> column_weights_;
   std::vector<double> row_weights_;
+  double ratio_fall_ = 0.0;   // exp(-cell^2 / sigma^2)
+  double faded_since_ = 0.0;  // in half-lives; fading_ is 2 to this
+  double fading_ = 1.0;
   bool empty_ = true;
   bool evicted_ = false;
 };

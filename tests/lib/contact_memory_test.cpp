@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <tcert/contact_memory.hpp>
+#include <vector>
 
 namespace tcert {
 namespace {
@@ -13,6 +16,43 @@ TEST(ContactMemory, RisesWithForceAndFallsOffWithDistance) {
   const double at_15_cm = 0.05 * std::exp(-0.5 * (0.1 * 0.1) / (0.15 * 0.15));
   EXPECT_NEAR(memory.largest_within({0.15, 0.05}, 0.01, 0.0), at_15_cm, 1e-15);
   EXPECT_EQ(memory.largest_within({0.65, 0.05}, 0.01, 0.0), 0.0);  // cut at 3 sigma
+}
+
+// Against every cell by itself, each weight and each fading computed anew.
+TEST(ContactMemory, IsTheFormulaAtEveryCell) {
+  std::mt19937 engine(1);
+  const auto uniform = [&engine](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
+  };
+  for (const double sigma_m : {0.15, 0.04, 0.6}) {
+    CertificateParameters parameters;
+    parameters.memory_sigma_m = sigma_m;
+    ContactMemory memory(parameters);
+    constexpr int kCells = 60;
+    std::vector<double> values(kCells * kCells, 0.0);
+    const auto centre = [](int k) { return 0.1 * (k - kCells / 2) + 0.05; };
+    double time_s = 0.0;
+    for (int k = 0; k < 200; ++k) {
+      const double elapsed_s = k % 3 == 0 ? 0.0 : uniform(0.0, 3.0);
+      time_s += elapsed_s;
+      const Point contact{uniform(-1.0, 1.0), uniform(-1.0, 1.0)};
+      const double force_n = uniform(0.0, 7.0);
+      memory.add(contact, force_n, time_s);
+      for (int cell = 0; cell < kCells * kCells; ++cell) {
+        double& value = values[static_cast<std::size_t>(cell)];
+        const Point at{centre(cell % kCells), centre(cell / kCells)};
+        const double d_m = distance(at, contact);
+        value *= std::exp2(-elapsed_s / 20.0);
+        if (d_m <= 3.0 * sigma_m) {
+          value += (1.0 - value) * 0.1 * std::min(force_n, 5.0) / 5.0 *
+                   std::exp(-d_m * d_m / (2.0 * sigma_m * sigma_m));
+        }
+        if (k % 20 == 19) {
+          ASSERT_NEAR(memory.largest_within(at, 0.01, time_s), value, 1e-12);
+        }
+      }
+    }
+  }
 }
 
 TEST(ContactMemory, SaturatesAtOne) {
