@@ -93,12 +93,12 @@ void copy_speed_law(const From& from, To& to) noexcept {
   assign(from.beta_per_m, to.beta_per_m);
 }
 
-template <typename From, typename To>
-void copy_guards(const From& from, To& to) noexcept {
-  assign(from.replan_margin_m, to.replan_margin_m);
-  assign(from.min_force_n, to.min_force_n);
-  assign(from.force_per_m, to.force_per_m);
-  assign(from.disturbance, to.disturbance);
+GuardParameters to_guard_parameters(const tcert_parameters& c) noexcept {
+  return {static_cast<GuardMode>(c.guard_mode),
+          c.replan_margin_m,
+          c.guard_min_force_n,
+          c.guard_force_per_m,
+          c.guard_disturbance};
 }
 
 tcert_parameters defaults() noexcept {
@@ -109,8 +109,11 @@ tcert_parameters defaults() noexcept {
   copy_speed_law(law, c);
   c.speed_law = static_cast<std::int32_t>(law.kind);
   const GuardParameters guards;
-  copy_guards(guards, c);
   c.guard_mode = static_cast<std::int32_t>(guards.mode);
+  c.replan_margin_m = guards.replan_margin_m;
+  c.guard_min_force_n = guards.min_force_n;
+  c.guard_force_per_m = guards.force_per_m;
+  c.guard_disturbance = guards.disturbance;
   return c;
 }
 
@@ -194,10 +197,7 @@ Guards to_guards(const tcert_parameters& c) {
   SpeedLaw law;
   copy_speed_law(c, law);
   law.kind = static_cast<SpeedLawKind>(c.speed_law);
-  GuardParameters guards;
-  copy_guards(c, guards);
-  guards.mode = static_cast<GuardMode>(c.guard_mode);
-  return {law, guards, to_table(c)};
+  return {law, to_guard_parameters(c), to_table(c)};
 }
 
 CertificateParameters to_certificate(const tcert_parameters& c) {

@@ -145,7 +145,8 @@ typedef struct tcert_course {
 } tcert_course;
 
 /** Every parameter of certificate, speed law and guards; tcert_parameters_init sets the defaults.
- * What each means and when to change it: tcert/parameters.hpp, speed_law.hpp, guards.hpp. */
+ * What each means and when to change it: `tcert help parameters`, which has the same names, and
+ * tcert/parameters.hpp, speed_law.hpp, guards.hpp. */
 typedef struct tcert_parameters {
   uint32_t struct_size;
 
@@ -189,9 +190,9 @@ typedef struct tcert_parameters {
   int32_t guard_mode; /**< tcert_guard_mode. */
   uint32_t reserved;  /**< 0. */
   double replan_margin_m;
-  double min_force_n;
-  double force_per_m;
-  double disturbance;
+  double guard_min_force_n;
+  double guard_force_per_m;
+  double guard_disturbance;
 
   /** The tracking-error table: radii on a full grid, row-major, the disturbance running fastest.
    * Null radii stand for the declared table. */

@@ -37,7 +37,7 @@ Parameters = struct(
     ("max_nodes", c_uint32), ("max_edges", c_uint32), ("max_memory_cells", c_uint32),
     ("speed_law", c_int32), *doubles("min_speed_mps max_speed_mps beta_per_m"),
     ("guard_mode", c_int32), ("reserved", c_uint32),
-    *doubles("replan_margin_m min_force_n force_per_m disturbance"),
+    *doubles("replan_margin_m guard_min_force_n guard_force_per_m guard_disturbance"),
     ("tracking_speeds", c_uint32), ("tracking_accelerations", c_uint32),
     ("tracking_disturbances", c_uint32), ("reserved_2", c_uint32),
     ("tracking_speed_mps", c_void_p), ("tracking_acceleration_mps2", c_void_p),
