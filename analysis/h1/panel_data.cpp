@@ -92,7 +92,7 @@ Columns columns_of_table(const DataTable& table, const H1Options& options, H1Pan
   Columns columns;
   columns.success = outcome(table, options.success);
   columns.time = finite_numbers(table, options.time);
-  columns.log_end = numbers_if_there(table, "end_s");
+  columns.log_end = finite_numbers(table, "end_s");
   columns.end = columns.time;
   for (std::size_t row = 0; row < table.rows; ++row) {
     columns.end[row] = std::isnan(columns.end[row]) ? columns.log_end[row] : columns.end[row];

@@ -249,6 +249,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "update_latency FILE [TICKS]\n");
     return 2;
   }
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   std::ifstream stream(argv[1], std::ios::binary);
   const TickFile file = test_support::read_tick_file(stream);
   time_trials(file, argc == 3 ? std::strtoull(argv[2], nullptr, 10) : 10'000'000);
