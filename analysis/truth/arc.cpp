@@ -16,7 +16,7 @@ void lower_to(const Arc& arc,
               double& least) noexcept {
   const double middle = obstacles.at(pose_at(arc, from + 0.5 * length).position);
   least = std::min(least, middle);
-  if (middle - 0.5 * length >= least - tolerance) {
+  if (least <= 0.0 || middle - 0.5 * length >= least - tolerance) {
     return;
   }
   lower_to(arc, from, 0.5 * length, obstacles, tolerance, least);

@@ -1,5 +1,7 @@
 #include "analysis/truth/truth.hpp"
 
+#include "analysis/truth/curvature_value.hpp"
+
 namespace tcert {
 
 ClearanceValue clearance_value(const World& world, double step_m) {
