@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/truth/cell_grid.hpp"
-#include "analysis/truth/region_distance.hpp"
+#include "datasets/worlds/region_distance.hpp"
 
 namespace tcert {
 

@@ -7,7 +7,7 @@
 #include <queue>
 #include <stdexcept>
 
-#include "analysis/truth/region_distance.hpp"
+#include "datasets/worlds/region_distance.hpp"
 
 namespace tcert {
 namespace {

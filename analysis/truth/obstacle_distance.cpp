@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/truth/region_distance.hpp"
+#include "datasets/worlds/region_distance.hpp"
 
 namespace tcert {
 namespace {
