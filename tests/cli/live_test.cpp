@@ -284,7 +284,8 @@ TEST_F(Live, TakesDatagramsOnLoopback) {
   prepare(1);
   start({"--listen", "udp:0"});
   const std::string said = "udp:127.0.0.1:";
-  ASSERT_TRUE(eventually([&] { return err().find(said) != std::string::npos && err().ends_with("\n"); }));
+  ASSERT_TRUE(
+      eventually([&] { return err().find(said) != std::string::npos && err().ends_with("\n"); }));
   const std::string text = err();
   const auto port = std::stoul(text.substr(text.find(said) + said.size()));
   sockaddr_in address{};
