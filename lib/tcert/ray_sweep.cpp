@@ -63,7 +63,7 @@ void RaySweep::advance(Point mount,
   if (step_m < rule.least_step_m) {
     return;
   }
-  const double lost_m = 0.5 * step_m;
+  const double lost_m = rule.lost_share * step_m;
   const double begin_m = begin_in_body ? 0.0 : lost_m;
   const double end_m = least_m_ - lost_m;
   if (step_m > rule.least_obstacle_m || end_m <= begin_m) {

@@ -101,7 +101,10 @@ bool covers(const Region& region, const Box& box) noexcept {
 SweptArea::SweptArea(const Robot& robot,
                      const Course& course,
                      const CertificateParameters& parameters)
-    : rule_{parameters.swept_cell_m, parameters.travel_deadband_m, parameters.least_obstacle_m},
+    : rule_{parameters.swept_cell_m,
+            parameters.travel_deadband_m,
+            parameters.least_obstacle_m,
+            0.5 / std::tan(0.5 * parameters.sharpest_corner_rad)},
       body_radius_m_(0.5 * robot.body_width_m),
       reach_m_(body_radius_m_),
       rays_(robot.rays),
@@ -151,7 +154,7 @@ void SweptArea::sweep(const Pose& pose, std::span<const double> clearances_m) no
   mark_body(here.position);
   for (std::size_t k = 0; k < rays_.size(); ++k) {
     const Ray& ray = rays_[k];
-    const bool in_body = norm(ray.mount) + 0.5 * rule_.least_obstacle_m <= body_radius_m_;
+    const bool in_body = norm(ray.mount) + rule_.lost_share * rule_.least_obstacle_m <= body_radius_m_;
     sweeps_[k].advance(transform(here, ray.mount),
                        direction(here.yaw_rad + ray.bearing_rad),
                        clearances_m[k],
