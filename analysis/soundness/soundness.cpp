@@ -59,8 +59,8 @@ SoundnessOutcome certify(const TickTable& ticks,
 WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
                          const SoundnessOptions& options,
                          std::uint64_t index) {
-  const RandomWorld drawn = draw_random_world(
-      options.family.value_or(mixed_family(index)), options.seed, index);
+  const RandomWorld drawn =
+      draw_random_world(options.family.value_or(mixed_family(index)), options.seed, index);
   const Robot& robot = corpus_robot();
   WorldOutcome world;
   world.family = drawn.family;
@@ -129,12 +129,11 @@ double upper_value(const RandomWorld& drawn, const Robot& robot) {
 std::vector<WorldOutcome> study_soundness(const std::vector<SoundnessMethod>& methods,
                                           const SoundnessOptions& options) {
   std::vector<WorldOutcome> worlds(options.worlds);
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, options.worlds, 16), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-          worlds[i] = study_world(methods, options, options.first + i);
-        }
-      });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options.worlds, 16), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      worlds[i] = study_world(methods, options, options.first + i);
+    }
+  });
   return worlds;
 }
 

@@ -29,7 +29,7 @@ struct SoundnessMethod {
 struct SoundnessOptions {
   std::size_t worlds = 1000;
   std::uint64_t seed = 1;
-  std::uint64_t first = 0;         ///< Number of the first world.
+  std::uint64_t first = 0;            ///< Number of the first world.
   std::optional<WorldFamily> family;  ///< Empty: mixed.
 };
 
@@ -48,7 +48,7 @@ struct WorldOutcome {
   std::uint32_t ticks = 0;
   unsigned lanes = 1;
   unsigned explored = 1;
-  bool reached = false;  ///< The run got to its end.
+  bool reached = false;                    ///< The run got to its end.
   std::vector<SoundnessOutcome> outcomes;  ///< One per method.
 };
 
@@ -69,9 +69,9 @@ struct SoundnessSummary {
   std::size_t worlds = 0;
   std::uint64_t ticks = 0;
   std::size_t issued = 0;
-  std::size_t spurious = 0;    ///< Issued although T <= 0.
+  std::size_t spurious = 0;       ///< Issued although T <= 0.
   std::size_t untraversable = 0;  ///< Worlds with T <= 0.
-  std::size_t violations = 0;  ///< Worlds with T_t > T at some tick.
+  std::size_t violations = 0;     ///< Worlds with T_t > T at some tick.
   std::uint64_t violating_ticks = 0;
   double largest_excess_m = 0.0;  ///< Largest T_t - T where above 0; else 0.
   double violation_bound = 1.0;   ///< One-sided 95 % Clopper-Pearson bound of the worlds' rate.

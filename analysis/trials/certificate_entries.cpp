@@ -62,14 +62,15 @@ void add_swept_area(ParameterEntries& table) {
   using P = CertificateParameters;
   const auto group = &ParameterSet::certificate;
   constexpr Stage kStage = Stage::certify;
-  table.push_back(number({"swept_cell_m",
-                          "m",
-                          kStage,
-                          "Cell of the swept area (clearance=swept); smaller credits more and costs "
-                          "more."},
-                         group,
-                         &P::swept_cell_m,
-                         kAboveZero));
+  table.push_back(
+      number({"swept_cell_m",
+              "m",
+              kStage,
+              "Cell of the swept area (clearance=swept); smaller credits more and costs "
+              "more."},
+             group,
+             &P::swept_cell_m,
+             kAboveZero));
   table.push_back(number({"least_obstacle_m",
                           "m",
                           kStage,

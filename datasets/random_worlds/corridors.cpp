@@ -9,10 +9,10 @@
 namespace tcert {
 namespace {
 
-constexpr double kStart = 0.6;        // of S's middle from the lane's end, and of G's from the other
-constexpr double kFirstGate = 0.75;   // from S's middle, and the last one's from G's
+constexpr double kStart = 0.6;       // of S's middle from the lane's end, and of G's from the other
+constexpr double kFirstGate = 0.75;  // from S's middle, and the last one's from G's
 constexpr double kGateSpacing = 0.55;
-constexpr double kIntoGoal = 0.15;    // driven beyond G's middle
+constexpr double kIntoGoal = 0.15;  // driven beyond G's middle
 
 void draw_lane_gates(WalledLane& lane, std::uint32_t most, RandomStream& random) {
   const double last = length_of(lane) - kStart - kFirstGate;
@@ -88,8 +88,8 @@ RandomWorld draw_bends(RandomStream& random) {
   for (std::uint32_t i = 0, count = 1 + random.below(3); i < count; ++i) {
     const double least = 0.5 * lane.width_m + kWallThickness + 0.05;
     const double radius = random.uniform(least, least + 1.0);
-    const double side = heading == 0.0 ? (random.below(2) == 0 ? 1.0 : -1.0)
-                                       : std::copysign(1.0, -heading);
+    const double side =
+        heading == 0.0 ? (random.below(2) == 0 ? 1.0 : -1.0) : std::copysign(1.0, -heading);
     const double to = side * random.uniform(0.2, kMostTurn);
     lane.pieces.push_back({radius * std::abs(to - heading), side / radius});
     heading = to;

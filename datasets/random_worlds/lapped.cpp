@@ -71,7 +71,8 @@ RandomWorld draw_loop(RandomStream& random) {
         continue;
       }
       LaneGate gate;
-      gate.along_m = length_of(half) * (i == 0 ? random.uniform(0.27, 0.40) : random.uniform(0.6, 0.73));
+      gate.along_m =
+          length_of(half) * (i == 0 ? random.uniform(0.27, 0.40) : random.uniform(0.6, 0.73));
       gate.width_m = std::min(draw_gate_width(random), width - 0.1);
       gate.offset_m = random.uniform(-1.0, 1.0) * std::min(0.08, 0.5 * (width - gate.width_m));
       gate.length_m = random.uniform(0.10, 0.25);
@@ -89,17 +90,17 @@ RandomWorld draw_loop(RandomStream& random) {
 
   const std::uint32_t first = random.below(2);
   const std::vector<Point> there = path_along(halves[first], 0.0, length_of(halves[first]));
-  const std::vector<Point> back =
-      path_along(halves[1 - first], length_of(halves[1 - first]), 0.0);
+  const std::vector<Point> back = path_along(halves[1 - first], length_of(halves[1 - first]), 0.0);
   const std::uint32_t laps = random.below(4) == 0 ? 0 : 2 + random.below(2);
   std::vector<Point> path = there;
   for (std::uint32_t lap = 0; lap < laps; ++lap) {
     append(path, back);
     append(path, there);
   }
-  append(path, path_along(halves[1 - first],
-                          length_of(halves[1 - first]),
-                          length_of(halves[1 - first]) - kIntoGoal));
+  append(path,
+         path_along(halves[1 - first],
+                    length_of(halves[1 - first]),
+                    length_of(halves[1 - first]) - kIntoGoal));
   drawn.legs = {{path, false}};
   drawn.lanes = 2;
   drawn.explored = laps == 0 ? 1 : 2;

@@ -64,7 +64,8 @@ std::vector<double> headings_of(const std::vector<Point>& points) {
   constexpr std::size_t kSpan = 2;
   std::vector<double> headings(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point way = points[std::min(i + kSpan, points.size() - 1)] - points[i - std::min(i, kSpan)];
+    const Point way =
+        points[std::min(i + kSpan, points.size() - 1)] - points[i - std::min(i, kSpan)];
     headings[i] = std::atan2(way.y_m, way.x_m);
   }
   return headings;
@@ -102,7 +103,8 @@ Pose pose_on(const Track& track, double at, std::size_t& segment) noexcept {
 
 class Follower {
  public:
-  Follower(const WallIndex& walls, double speed_mps) : walls_(walls), step_m_(speed_mps * kDriveStep) {}
+  Follower(const WallIndex& walls, double speed_mps)
+      : walls_(walls), step_m_(speed_mps * kDriveStep) {}
 
   void stand(int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -162,8 +164,7 @@ WallIndex feelable_walls(const RandomWorld& drawn) {
     return {drawn.world, kSensingRange};
   }
   World walled = drawn.world;
-  walled.obstacles.insert(
-      walled.obstacles.end(), drawn.edge_walls.begin(), drawn.edge_walls.end());
+  walled.obstacles.insert(walled.obstacles.end(), drawn.edge_walls.begin(), drawn.edge_walls.end());
   return {walled, kSensingRange};
 }
 

@@ -15,8 +15,8 @@ namespace tcert {
 
 /// Follows the legs exactly, at the drawn speed, heading along the way (backing: against it) and
 /// straying by smooth waves. A run that would touch a wall is driven again with a quarter of the
-/// waves, then with none; one that does not fit even so backs off 0.4 m from there and ends. The body
-/// is never nearer than w_B/2 + 0.5 mm to a wall.
+/// waves, then with none; one that does not fit even so backs off 0.4 m from there and ends. The
+/// body is never nearer than w_B/2 + 0.5 mm to a wall.
 [[nodiscard]] Drive follow_legs(const RandomWorld& drawn,
                                 const WallIndex& walls,
                                 std::uint64_t seed,

@@ -109,8 +109,7 @@ void add_gates(World& world, const WalledLane& lane) {
 }
 
 std::vector<Point> path_along(const WalledLane& lane, double from_m, double to_m) {
-  const auto steps =
-      std::max(1, static_cast<int>(std::ceil(std::abs(to_m - from_m) / kPathStep)));
+  const auto steps = std::max(1, static_cast<int>(std::ceil(std::abs(to_m - from_m) / kPathStep)));
   std::vector<Point> points;
   for (int i = 0; i <= steps; ++i) {
     const double along = from_m + (to_m - from_m) * i / steps;

@@ -37,8 +37,9 @@ struct Certifier::State {
         parameters(p),
         proxies(r, p),
         memory(p),
-        swept(p.clearance == ClearanceReading::swept ? std::make_optional<SweptMargins>(r, course, p)
-                                                     : std::nullopt),
+        swept(p.clearance == ClearanceReading::swept
+                  ? std::make_optional<SweptMargins>(r, course, p)
+                  : std::nullopt),
         walk(p, swept ? &*swept : nullptr),
         ray_margins(r.rays.size(), kMissing) {}
 

@@ -55,8 +55,7 @@ std::uint32_t CorridorGraph::add_node(const Node& node) noexcept {
 CorridorGraph::Recorded CorridorGraph::record_pass(EdgeEnd a,
                                                    EdgeEnd b,
                                                    const Pass& pass) noexcept {
-  return record_pass(
-      a, b, pass, {pass.margin_m, pass.narrowest, pass.width_m, pass.turn_radius_m});
+  return record_pass(a, b, pass, {pass.margin_m, pass.narrowest, pass.width_m, pass.turn_radius_m});
 }
 
 CorridorGraph::Recorded CorridorGraph::record_pass(EdgeEnd a,

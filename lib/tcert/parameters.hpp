@@ -41,9 +41,9 @@ struct CertificateParameters {
 
   // Swept area (clearance = swept).
   double swept_cell_m = 0.02;
-  double least_obstacle_m = 0.08;  ///< No obstacle is narrower.
+  double least_obstacle_m = 0.08;                       ///< No obstacle is narrower.
   double sharpest_corner_rad = 0.5 * std::numbers::pi;  ///< No obstacle has a sharper corner.
-  double swept_lag_m = 1.0;        ///< Travel after which the clearance of a place is settled.
+  double swept_lag_m = 1.0;  ///< Travel after which the clearance of a place is settled.
 
   // Turn radius.
   double curvature_window_m = 0.25;

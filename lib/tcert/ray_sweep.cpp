@@ -6,6 +6,8 @@
 namespace tcert {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 // Half the extent of an upright square of half-width 1 across the direction `u`.
 double half_extent(Point u) noexcept { return std::abs(u.x_m) + std::abs(u.y_m); }
 
@@ -30,6 +32,17 @@ void add_range(Point p, Point q, double low, double high, double& from, double& 
     from = std::min({from, p.x_m, q.x_m});
     to = std::max({to, p.x_m, q.x_m});
   }
+}
+
+// Where the ray of a turning body pivots it stands still, and beyond it goes the other way.
+constexpr double kShortOfPivot = 0.95;
+
+// How far along the first of two rays, from `a` along `u` and from `b` along `v`, the other crosses
+// it; infinity if they part.
+double crossing_m(Point a, Point u, Point b, Point v) noexcept {
+  const double sine = cross(v, u);
+  const double along_m = sine == 0.0 ? -1.0 : cross(v, b - a) / sine;
+  return along_m >= 0.0 ? along_m : kInfinity;
 }
 
 }  // namespace
@@ -57,31 +70,38 @@ void RaySweep::advance(Point mount,
   }
   const Strip& last = strip(0);
   least_m_ = std::min(least_m_, clearance_m);
-  const double mount_step_m = distance(last.mount, mount);
-  const double step_m =
-      std::max(mount_step_m, distance(last.mount + least_m_ * last.u, mount + least_m_ * u));
+  const Point step = mount - last.mount;
+  const double tip_step_m = norm(step + least_m_ * (u - last.u));
+  const double step_m = std::max(norm(step), tip_step_m);
   if (step_m < rule.least_step_m) {
     return;
   }
+  // Both borders are square to the rays' middle direction, so that rays that slide along themselves
+  // make no slanted strip; depths are along it, from the last mount.
+  const Point middle = (1.0 / norm(last.u + u)) * (last.u + u);
+  const double cosine = dot(u, middle);
+  const double offset_m = dot(step, middle);
   const double lost_m = rule.lost_share * step_m;
-  const double begin_m = begin_in_body ? 0.0 : lost_m;
-  const double end_m = least_m_ - lost_m;
-  if (step_m > rule.least_obstacle_m || end_m <= begin_m) {
+  const double begin_m = std::max(0.0, offset_m) + (begin_in_body ? 0.0 : lost_m);
+  const double pivot_m = crossing_m(last.mount, last.u, mount, u);
+  const double end_m = std::min(least_m_ * cosine + std::min(0.0, offset_m) - lost_m,
+                                kShortOfPivot * pivot_m * cosine);
+  if (step_m > rule.least_obstacle_m || !(end_m > begin_m)) {
     anchor(mount, u, clearance_m);
     return;
   }
-  const Point near_last = last.mount + begin_m * last.u;
-  const Point far_last = last.mount + end_m * last.u;
-  const Point near_now = mount + begin_m * u;
-  const Point far_now = mount + end_m * u;
+  const Point near_last = last.mount + (begin_m / cosine) * last.u;
+  const Point far_last = last.mount + (end_m / cosine) * last.u;
+  const Point near_now = mount + ((begin_m - offset_m) / cosine) * u;
+  const Point far_now = mount + ((end_m - offset_m) / cosine) * u;
   const double ahead_near = cross(last.u, near_now - last.mount);
   const double ahead_far = cross(last.u, far_now - last.mount);
   const double behind_near = -cross(u, near_last - mount);
   const double behind_far = -cross(u, far_last - mount);
-  const double side = ahead_far + behind_far < 0.0 ? -1.0 : 1.0;
+  const double side = ahead_near + behind_near < 0.0 ? -1.0 : 1.0;
   const bool crosses = side * ahead_near < 0.0 || side * ahead_far < 0.0 ||
                        side * behind_near < 0.0 || side * behind_far < 0.0;
-  if (crosses || ahead_far == 0.0) {
+  if (crosses || ahead_near + ahead_far == 0.0) {
     anchor(mount, u, clearance_m);
     return;
   }
@@ -128,12 +148,13 @@ void RaySweep::mark_passed(const SweepRule& rule, SweptCells& cells) const noexc
   const Point back{back_m * before.u.y_m, -back_m * before.u.x_m};
   const std::array<Point, 4> corners{
       s.near_from + back, s.far_from + back, s.far_from + s.far_along, s.near_from + s.near_along};
-  const auto [low, high] = std::minmax({corners[0].y_m, corners[1].y_m, corners[2].y_m, corners[3].y_m});
+  const auto [low, high] =
+      std::minmax({corners[0].y_m, corners[1].y_m, corners[2].y_m, corners[3].y_m});
   const std::int32_t last_row = cell_index(high, rule.cell_m);
   for (std::int32_t iy = cell_index(low, rule.cell_m); iy <= last_row; ++iy) {
     const double bottom = static_cast<double>(iy) * rule.cell_m;
     const double top = static_cast<double>(iy + 1) * rule.cell_m;
-    double from = std::numeric_limits<double>::infinity();
+    double from = kInfinity;
     double to = -from;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       add_range(corners[k], corners[(k + 1) % corners.size()], bottom, top, from, to);

@@ -19,8 +19,8 @@ struct SweepRule {
 
 /// The last positions of one ray. Two neighbours span a strip, as long as the smallest clearance
 /// read at them or between, less what an obstacle that neither of the two met can reach in between:
-/// if it is wider than the distance d that the ray's tip moved, only a corner can, and one of angle a
-/// no further than d / (2 tan(a / 2)). A cell is free if, while the ray went from before it to
+/// if it is wider than the distance d that the ray's tip moved, only a corner can, and one of angle
+/// a no further than d / (2 tan(a / 2)). A cell is free if, while the ray went from before it to
 /// behind it, the cell lay within every strip on the way.
 class RaySweep {
  public:
@@ -53,9 +53,9 @@ class RaySweep {
 
   std::array<Strip, kKept> strips_{};
   std::size_t newest_ = 0;
-  std::size_t count_ = 0;    // of positions kept; the oldest one ends no strip
-  double side_ = 1.0;        // +1: the ray moves to its left
-  double least_m_ = 0.0;     // clearance since the newest position
+  std::size_t count_ = 0;  // of positions kept; the oldest one ends no strip
+  double side_ = 1.0;      // +1: the ray moves to its left
+  double least_m_ = 0.0;   // clearance since the newest position
 };
 
 }  // namespace tcert

@@ -154,7 +154,8 @@ void SweptArea::sweep(const Pose& pose, std::span<const double> clearances_m) no
   mark_body(here.position);
   for (std::size_t k = 0; k < rays_.size(); ++k) {
     const Ray& ray = rays_[k];
-    const bool in_body = norm(ray.mount) + rule_.lost_share * rule_.least_obstacle_m <= body_radius_m_;
+    const bool in_body =
+        norm(ray.mount) + rule_.lost_share * rule_.least_obstacle_m <= body_radius_m_;
     sweeps_[k].advance(transform(here, ray.mount),
                        direction(here.yaw_rad + ray.bearing_rad),
                        clearances_m[k],
@@ -168,7 +169,8 @@ void SweptArea::sweep(const Pose& pose, std::span<const double> clearances_m) no
 void SweptArea::mark_body(Point centre) noexcept {
   const double cell_m = rule_.cell_m;
   const std::int32_t last_row = floor_index((centre.y_m + body_radius_m_) / cell_m);
-  for (std::int32_t iy = floor_index((centre.y_m - body_radius_m_) / cell_m); iy <= last_row; ++iy) {
+  for (std::int32_t iy = floor_index((centre.y_m - body_radius_m_) / cell_m); iy <= last_row;
+       ++iy) {
     const double below = centre.y_m - static_cast<double>(iy) * cell_m;
     const double above = static_cast<double>(iy + 1) * cell_m - centre.y_m;
     const double furthest = std::max(below, above);

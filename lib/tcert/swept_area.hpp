@@ -20,8 +20,8 @@ struct SweptClearance {
 };
 
 /// A grid of cells in the frame of the first tick, so that the certificate does not depend on the
-/// frame of the log. Whatever is not swept, the open front too, counts as occupied; S and G count as
-/// swept. The constructor takes all memory.
+/// frame of the log. Whatever is not swept, the open front too, counts as occupied; S and G count
+/// as swept. The constructor takes all memory.
 class SweptArea {
  public:
   SweptArea(const Robot& robot, const Course& course, const CertificateParameters& parameters);

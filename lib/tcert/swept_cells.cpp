@@ -56,7 +56,8 @@ void SweptCells::mark_run(std::int32_t iy, std::int32_t first, std::int32_t last
   const std::int32_t by = block_of(iy);
   for (std::int32_t bx = block_of(first); first <= last; ++bx) {
     const std::int32_t end = std::min(last, bx * kSide + kSide - 1);
-    const std::uint64_t ones = (std::uint64_t{2} << within(end)) - (std::uint64_t{1} << within(first));
+    const std::uint64_t ones =
+        (std::uint64_t{2} << within(end)) - (std::uint64_t{1} << within(first));
     const std::uint64_t cells = ones << (8U * within(iy));
     first = end + 1;
 

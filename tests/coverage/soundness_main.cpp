@@ -93,8 +93,9 @@ int main(int argc, char** argv) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   const auto mixed = mixed_methods();
   const std::vector<WorldOutcome> worlds = study(mixed, options);
-  std::printf("worlds_of,method,noise,worlds,ticks,issued,untraversable,issued_untraversable,"
-              "violating_worlds,violating_ticks,largest_excess_m,rate,upper_95\n");
+  std::printf(
+      "worlds_of,method,noise,worlds,ticks,issued,untraversable,issued_untraversable,"
+      "violating_worlds,violating_ticks,largest_excess_m,rate,upper_95\n");
   print_rates("mixed", mixed, worlds);
   for (const WorldFamily family : kMixedFamilies) {
     std::vector<WorldOutcome> of_family;

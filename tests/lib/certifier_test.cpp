@@ -252,8 +252,7 @@ TEST(Certifier, KnowsNothingOfTheFuture) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     const RandomRun run = random_run(seed, kTicks);
-    const auto parameters =
-        reading(seed < 10 ? ClearanceReading::width : ClearanceReading::swept);
+    const auto parameters = reading(seed < 10 ? ClearanceReading::width : ClearanceReading::swept);
     const auto whole = certify(run, parameters);
     for (const std::size_t cut : {std::size_t{1}, std::size_t{17}, kTicks / 3, kTicks - 1}) {
       RandomRun start = run;
