@@ -20,13 +20,15 @@ namespace {
 
 constexpr double kNoPath = ClearanceValue::kNoPath;
 
-// Enough for the longest run; a certifier is built for every world, since its course differs.
+// Enough for the longest run; a certifier is built for every world, since its course differs. The
+// contact memory, which T_t does not use, is kept as small as can be.
 CertificateParameters small(ClearanceReading clearance) {
   CertificateParameters parameters;
   parameters.clearance = clearance;
-  parameters.max_nodes = 512;
-  parameters.max_edges = 1024;
-  parameters.max_memory_cells = 2048;
+  parameters.max_nodes = 400;
+  parameters.max_edges = 600;
+  parameters.memory_sigma_m = 0.01;
+  parameters.max_memory_cells = 1024;
   parameters.max_swept_cells = 1U << 18U;
   return parameters;
 }

@@ -102,11 +102,13 @@ RandomWorld draw_bends(RandomStream& random) {
   return corridor_world(lane, random);
 }
 
-// Two straights joined by a half turn about the end of the wall. The end room is as long as the
+// Two straights joined by a half turn about the end of the wall, half of them too narrow for the
+// turning limit. The end room is as long as the
 // corridors are wide, so that only the outer walls limit the turn.
 RandomWorld draw_u_turn(RandomStream& random) {
   RandomWorld drawn;
-  drawn.corridor_m = random.uniform(0.47, 0.95);
+  drawn.corridor_m =
+      random.below(2) == 0 ? random.uniform(0.465, 0.60) : random.uniform(0.60, 0.95);
   drawn.wall_m = random.uniform(0.10, 0.12);
   drawn.passage_m = drawn.corridor_m;
   const double length = random.uniform(2.2, 2.8);  // of the thin wall; it ends at x = 0

@@ -18,16 +18,10 @@ std::string_view name_of(WorldFamily family) noexcept {
 }
 
 WorldFamily mixed_family(std::uint64_t index) noexcept {
-  constexpr std::array kShares{WorldFamily::gates,
-                               WorldFamily::discs,
-                               WorldFamily::bends,
-                               WorldFamily::gates,
-                               WorldFamily::loop,
-                               WorldFamily::discs,
-                               WorldFamily::bends,
-                               WorldFamily::gates,
-                               WorldFamily::figure_eight,
-                               WorldFamily::discs};
+  using enum WorldFamily;
+  constexpr std::array kShares{gates, discs, bends, gates, loop,  discs,       bends,
+                               gates, discs, bends, discs, gates, bends,       discs,
+                               gates, discs, bends, gates, discs, figure_eight};
   return kShares[index % kShares.size()];
 }
 

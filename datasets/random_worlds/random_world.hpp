@@ -47,7 +47,7 @@ struct RandomWorld {
   double wobble_m = 0.0;  ///< How far the run strays to either side.
 };
 
-/// Shares of the mixed families: gates 3, bends 2, discs 3, figure_eight 1, loop 1 in ten.
+/// Shares of the mixed families: gates 6, bends 5, discs 7, figure_eight 1, loop 1 in twenty.
 [[nodiscard]] WorldFamily mixed_family(std::uint64_t index) noexcept;
 
 /// The same (family, seed, index) gives the same world. Obstacles are at least 0.1 m wide.

@@ -192,12 +192,16 @@ void CorridorWalk::join(const Crossing& crossing, const Evidence& now) noexcept 
   }
 }
 
-// What has been swept since may have raised the margins of passes nearby.
+// What has been swept since may have raised the margins of passes nearby. Before G is reached that
+// need not be known.
 void CorridorWalk::look_again() noexcept {
   if (swept_ == nullptr) {
     return;
   }
-  swept_->look_again([this](EdgeEnd from, EdgeEnd to, const Certified& certified) noexcept {
+  if (goal_entered_) {
+    swept_->look_at_open_steps();
+  }
+  swept_->hand_out([this](EdgeEnd from, EdgeEnd to, const Certified& certified) noexcept {
     const std::uint32_t edge = graph_.find_edge(from, to);
     if (edge != kNone && graph_.certify(edge, certified)) {
       through_.relax_edge(graph_, edge);

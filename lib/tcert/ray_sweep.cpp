@@ -124,6 +124,10 @@ bool RaySweep::passed(Point middle, double half_m) const noexcept {
   if (side_ * cross(now.u, middle - now.mount) + half_m * half_extent(now.u) > 0.0) {
     return false;
   }
+  const Strip& last = strip(1);
+  if (side_ * cross(last.u, middle - last.mount) + half_m * half_extent(last.u) <= 0.0) {
+    return false;  // it was passed, or lost, before
+  }
   for (std::size_t back = 0; back + 1 < count_; ++back) {
     const Strip& s = strip(back);
     const Strip& before = strip(back + 1);
@@ -140,14 +144,12 @@ bool RaySweep::passed(Point middle, double half_m) const noexcept {
   return false;
 }
 
-// Candidates are the cells that meet the newest strip or lie within a cell's diagonal before it.
+// What the ray passes with this strip is behind it now and was not, all of it, behind it before; so
+// it meets the strip.
 void RaySweep::mark_passed(const SweepRule& rule, SweptCells& cells) const noexcept {
   const Strip& s = strip(0);
-  const Strip& before = strip(1);
-  const double back_m = 1.5 * rule.cell_m * side_;
-  const Point back{back_m * before.u.y_m, -back_m * before.u.x_m};
   const std::array<Point, 4> corners{
-      s.near_from + back, s.far_from + back, s.far_from + s.far_along, s.near_from + s.near_along};
+      s.near_from, s.far_from, s.far_from + s.far_along, s.near_from + s.near_along};
   const auto [low, high] =
       std::minmax({corners[0].y_m, corners[1].y_m, corners[2].y_m, corners[3].y_m});
   const std::int32_t last_row = cell_index(high, rule.cell_m);

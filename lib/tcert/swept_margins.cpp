@@ -60,7 +60,9 @@ void SweptMargins::add(const Evidence& now) noexcept {
       newest.turn_slack_m = now.turn_slack_m;
       newest.certified.turn_radius_m = now.turn_radius_m;
     }
-    evaluate(newest);
+    newest.seen = false;
+    newest.open = true;
+    newest.certified.margin_m = -needed_width_m_;
     return;
   }
   Step next;
@@ -100,7 +102,6 @@ Certified SweptMargins::finish_pass(EdgeEnd from, EdgeEnd to) noexcept {
   pass.from = from;
   pass.to = to;
   pass.last = next_step_ - 1;
-  refresh();
   const Certified now = margin_of(pass);
   pass.margin_m = now.margin_m;
   followed(pass_count_) = pass;
@@ -117,16 +118,14 @@ void SweptMargins::push(const Step& next) noexcept {
   }
   Step& pushed = step(next_step_);
   pushed = next;
+  pushed.certified.margin_m = -needed_width_m_;
   ++next_step_;
-  evaluate(pushed);
 }
 
-// Its margin goes into the passes that it is part of; passes without open steps are let go.
+// Its margin goes into the passes that it is part of.
 void SweptMargins::settle_oldest() noexcept {
   Step& oldest = step(first_step_);
-  if (oldest.open) {
-    evaluate(oldest);
-  }
+  look_at(oldest);
   if (current_.first <= first_step_) {
     current_.settled = smaller(current_.settled, oldest.certified);
   }
@@ -137,25 +136,29 @@ void SweptMargins::settle_oldest() noexcept {
     }
   }
   ++first_step_;
+}
+
+void SweptMargins::forget_settled_passes() noexcept {
   while (pass_count_ > 0 && followed(0).last < first_step_) {
     first_pass_ = (first_pass_ + 1) % passes_.size();
     --pass_count_;
   }
 }
 
-void SweptMargins::evaluate(Step& s) noexcept {
+void SweptMargins::look_at(Step& s) noexcept {
+  if (s.seen && (!s.open || !area_.is_free(*s.clearance.nearest))) {
+    return;
+  }
+  s.seen = true;
   s.clearance = area_.clearance(s.from, s.to);
   s.open = s.clearance.nearest.has_value();
   s.certified.width_m = 2.0 * (s.clearance.distance_m - s.spread_m);
   s.certified.margin_m = std::min(s.certified.width_m - needed_width_m_, s.turn_slack_m);
 }
 
-void SweptMargins::refresh() noexcept {
+void SweptMargins::look_at_open_steps() noexcept {
   for (std::uint64_t n = first_step_; n < next_step_; ++n) {
-    Step& s = step(n);
-    if (s.open && area_.is_free(*s.clearance.nearest)) {
-      evaluate(s);
-    }
+    look_at(step(n));
   }
 }
 

@@ -12,9 +12,10 @@
 namespace tcert {
 
 /// The path as steps: straight pieces from tick to tick, and from a crossing to the node that the
-/// path closes at. A pass is a run of steps; its margin is the smallest of theirs. Steps older than
-/// the lag are settled, their margin stays. The constructor takes all memory; when there is no room
-/// the oldest are settled early.
+/// path closes at. A pass is a run of steps; its margin is the smallest of theirs. A step counts
+/// for nothing until it is looked at, at the latest when it is older than the lag: then its margin
+/// is settled. The constructor takes all memory; when there is no room the oldest are settled
+/// early.
 class SweptMargins {
  public:
   SweptMargins(const Robot& robot, const Course& course, const CertificateParameters& parameters);
@@ -34,11 +35,12 @@ class SweptMargins {
   /// Ends the pass: it is followed until its steps are settled. Its margin as known so far.
   Certified finish_pass(EdgeEnd from, EdgeEnd to) noexcept;
 
-  /// Looks at the open steps again; calls raise(from, to, certified) for each finished pass whose
-  /// margin has risen. O(open steps).
+  /// Looks at all open steps as things stand now. O(open steps).
+  void look_at_open_steps() noexcept;
+
+  /// Calls raise(from, to, certified) for each finished pass whose margin has risen.
   template <typename Raise>
-  void look_again(Raise raise) noexcept {
-    refresh();
+  void hand_out(Raise raise) noexcept {
     for (std::size_t i = 0; i < pass_count_; ++i) {
       FollowedPass& pass = followed(i);
       const Certified now = margin_of(pass);
@@ -47,6 +49,7 @@ class SweptMargins {
         raise(pass.from, pass.to, now);
       }
     }
+    forget_settled_passes();
   }
 
   [[nodiscard]] SweptArea& area() noexcept { return area_; }
@@ -60,6 +63,7 @@ class SweptMargins {
     double travel_m = 0.0;
     double turn_slack_m = 0.0;
     SweptClearance clearance;
+    bool seen = false;
     bool open = true;  // its nearest cell may yet be swept
     Certified certified;
   };
@@ -77,8 +81,8 @@ class SweptMargins {
   }
   void push(const Step& step) noexcept;
   void settle_oldest() noexcept;
-  void evaluate(Step& step) noexcept;
-  void refresh() noexcept;
+  void look_at(Step& step) noexcept;
+  void forget_settled_passes() noexcept;
   [[nodiscard]] Certified margin_of(const FollowedPass& pass) noexcept;
 
   SweptArea area_;

@@ -29,7 +29,18 @@ std::vector<WorldOutcome> study(const std::vector<SoundnessMethod>& methods,
     std::vector<WorldOutcome> batch = study_soundness(methods, options);
     all.insert(all.end(), batch.begin(), batch.end());
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    std::fprintf(stderr, "%zu of %zu worlds, %.0f s\n", all.size(), worlds, took.count());
+    std::fprintf(
+        stderr, "%zu of %zu worlds, %.0f s; with a violation:", all.size(), worlds, took.count());
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const SoundnessSummary s = summarise(all, m);
+      std::fprintf(stderr,
+                   " %s%s %zu (%.4f m)",
+                   methods[m].name.c_str(),
+                   methods[m].noise ? " with noise" : "",
+                   s.violations,
+                   s.largest_excess_m);
+    }
+    std::fprintf(stderr, "\n");
   }
   return all;
 }
