@@ -8,6 +8,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// A cell that a border only touches is a candidate whatever the last bit says.
+constexpr double kRounding = 1e-6;
+
 // Half the extent of an upright square of half-width 1 across the direction `u`.
 double half_extent(Point u) noexcept { return std::abs(u.x_m) + std::abs(u.y_m); }
 
@@ -152,8 +155,9 @@ void RaySweep::mark_passed(const SweepRule& rule, SweptCells& cells) const noexc
       s.near_from, s.far_from, s.far_from + s.far_along, s.near_from + s.near_along};
   const auto [low, high] =
       std::minmax({corners[0].y_m, corners[1].y_m, corners[2].y_m, corners[3].y_m});
-  const std::int32_t last_row = cell_index(high, rule.cell_m);
-  for (std::int32_t iy = cell_index(low, rule.cell_m); iy <= last_row; ++iy) {
+  const double rounding_m = kRounding * rule.cell_m;
+  const std::int32_t last_row = cell_index(high + rounding_m, rule.cell_m);
+  for (std::int32_t iy = cell_index(low - rounding_m, rule.cell_m); iy <= last_row; ++iy) {
     const double bottom = static_cast<double>(iy) * rule.cell_m;
     const double top = static_cast<double>(iy + 1) * rule.cell_m;
     double from = kInfinity;
@@ -164,8 +168,8 @@ void RaySweep::mark_passed(const SweepRule& rule, SweptCells& cells) const noexc
     if (from > to) {
       continue;
     }
-    const std::int32_t last = cell_index(to, rule.cell_m);
-    for (std::int32_t ix = cell_index(from, rule.cell_m); ix <= last; ++ix) {
+    const std::int32_t last = cell_index(to + rounding_m, rule.cell_m);
+    for (std::int32_t ix = cell_index(from - rounding_m, rule.cell_m); ix <= last; ++ix) {
       const Point middle{(static_cast<double>(ix) + 0.5) * rule.cell_m, 0.5 * (bottom + top)};
       if (passed(middle, 0.5 * rule.cell_m)) {
         cells.mark({ix, iy});

@@ -50,9 +50,10 @@ Lap make_lap(std::size_t nodes) {
   return lap;
 }
 
-void certifier_update(benchmark::State& state) {
+void certifier_update(benchmark::State& state, ClearanceReading clearance) {
   const Lap lap = make_lap(static_cast<std::size_t>(state.range(0)));
   CertificateParameters parameters;
+  parameters.clearance = clearance;
   parameters.max_nodes = static_cast<std::uint32_t>(state.range(0)) + 64;
   parameters.max_edges = 2 * parameters.max_nodes;
   Certifier certifier(lap.robot, lap.course, parameters);
@@ -80,6 +81,8 @@ void certifier_update(benchmark::State& state) {
   state.counters["edges"] = out.edges;
   state.counters["allocations"] = static_cast<double>(allocations);
 }
-BENCHMARK(certifier_update)->Arg(64)->Arg(512)->Arg(4096);
+BENCHMARK_CAPTURE(certifier_update, width, ClearanceReading::width)->Arg(64)->Arg(512)->Arg(4096);
+BENCHMARK_CAPTURE(certifier_update, radial, ClearanceReading::radial)->Arg(512);
+BENCHMARK_CAPTURE(certifier_update, swept, ClearanceReading::swept)->Arg(64)->Arg(512)->Arg(4096);
 
 }  // namespace
