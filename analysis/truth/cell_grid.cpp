@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/truth/region_distance.hpp"
+#include "datasets/worlds/region_distance.hpp"
 
 namespace tcert {
 namespace {

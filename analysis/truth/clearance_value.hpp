@@ -29,7 +29,7 @@ void require_regions(const World& world);
 /// True if all obstacles, S and G are discs, so that exact_disc_clearance takes the world.
 [[nodiscard]] bool is_disc_field(const World& world) noexcept;
 
-/// Exact, up to rounding, for discs of any radii.
+/// Exact, up to rounding, for discs of any radii. Discs less than 2 nm apart touch: no path.
 ///
 /// Blow up every obstacle and the walls that the bounds make by c, and call the union, less S and
 /// G, B(c). A disc of radius c gets from S to G iff B(c) does not separate them (inside S and G

@@ -207,8 +207,11 @@ class Field {
   double widest_ = 0.0;
 };
 
+/// A gap narrower than this is what rounding leaves of none.
+constexpr double kTouching = 1e-9;
+
 ClearanceValue value_of(const Birth& birth) {
-  if (birth.clearance_m <= 0.0) {
+  if (birth.clearance_m <= kTouching) {
     return {};
   }
   return {birth.clearance_m, birth.clearance_m, birth.clearance_m, birth.at};

@@ -6,6 +6,7 @@
 #include <tcert/robot.hpp>
 #include <vector>
 
+#include "analysis/truth/arc.hpp"
 #include "analysis/truth/clearance_value.hpp"
 #include "analysis/truth/slack.hpp"
 #include "datasets/world.hpp"
@@ -25,7 +26,7 @@ struct Truth {
   double upper_m = ClearanceValue::kNoPath;
   bool exact_clearance = false;  ///< Discs only: upper_m is the exact clearance-only value.
   ClearanceValue clearance;
-  std::vector<Pose> path;  ///< That attains lower_m, if the search with curvature found one.
+  std::vector<Arc> path;  ///< That attains lower_m, if the search with curvature found one.
 };
 
 /// Clearance-only value, exact where the world is a field of discs.
