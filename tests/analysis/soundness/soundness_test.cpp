@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/truth/truth.hpp"
 #include "datasets/corpus/tentacles.hpp"
 
 namespace tcert {
@@ -103,6 +104,17 @@ TEST(Soundness, ValueOfAUTurnIsTheBestClearance) {
   // Without a thickness: negative between the body's width and R_min + r_B.
   EXPECT_LT(u_turn_value(0.57, 0.0, robot), 0.0);
   EXPECT_GT(u_turn_value(0.58, 0.0, robot), 0.0);
+}
+
+// A path that the search with the turning limit finds round the wall is no better than the formula.
+TEST(Soundness, NoPathThatIsFoundBeatsTheValueOfAUTurn) {
+  const Robot& robot = corpus_robot();
+  for (const std::uint64_t i : {0, 1, 2}) {
+    const RandomWorld drawn = draw_random_world(WorldFamily::u_turn, 5, i);
+    const Truth found = truth_of(drawn.world, robot, {});
+    EXPECT_LE(found.lower_m, u_turn_value(drawn.corridor_m, drawn.wall_m, robot) + 1e-9)
+        << drawn.world.name;
+  }
 }
 
 TEST(Soundness, SummaryCountsWorlds) {
