@@ -10,7 +10,7 @@ namespace tcert {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLaneGates = 2;
+constexpr int kLaneGates = 2;
 constexpr double kRounding = 3e-4;  // how much wider rounded vertices may make a gate
 constexpr double kIntoGoal = 0.15;
 
