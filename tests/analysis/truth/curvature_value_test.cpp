@@ -118,8 +118,6 @@ TEST(CurvatureValue, TheUTurnIsNegativeWhereTheBodyFitsButCannotTurn) {
           exact, std::min(2.0 * delta - body.body_width_m, width - delta - body.min_turn_radius_m));
     }
     const Truth truth = truth_of(world, body);
-    std::printf(
-        "U-turn %.2f: T %.4f in [%.4f, %.4f]\n", width, exact, truth.lower_m, truth.upper_m);
     EXPECT_LE(truth.lower_m, exact + 2e-3) << width;  // the wall is 1 mm thick
     EXPECT_GE(truth.upper_m, exact - 2e-3) << width;
     EXPECT_GE(truth.lower_m, exact - 0.03) << width;

@@ -3,6 +3,7 @@
 /// Random worlds of discs for tests.
 
 #include <cstdint>
+#include <string>
 
 #include "datasets/random.hpp"
 #include "datasets/world.hpp"
