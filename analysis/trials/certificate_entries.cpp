@@ -11,10 +11,10 @@ void add_clearance(ParameterEntries& table) {
                         "",
                         kStage,
                         "How the two sides make a free width; radial is for a body that turns on "
-                        "the spot."},
+                        "the spot, swept takes T_t from the area really swept."},
                        group,
                        &P::clearance,
-                       {"width", "radial"}));
+                       {"width", "radial", "swept"}));
   table.push_back(
       word({"curvature",
             "",
@@ -56,6 +56,53 @@ void add_clearance(ParameterEntries& table) {
                          group,
                          &P::travel_deadband_m,
                          kAboveZero));
+}
+
+void add_swept_area(ParameterEntries& table) {
+  using P = CertificateParameters;
+  const auto group = &ParameterSet::certificate;
+  constexpr Stage kStage = Stage::certify;
+  table.push_back(
+      number({"swept_cell_m",
+              "m",
+              kStage,
+              "Cell of the swept area (clearance=swept); smaller credits more and costs "
+              "more."},
+             group,
+             &P::swept_cell_m,
+             kAboveZero));
+  table.push_back(number({"least_obstacle_m",
+                          "m",
+                          kStage,
+                          "No obstacle is narrower: two readings of a ray further apart sweep "
+                          "nothing; lower it where there are posts or cables."},
+                         group,
+                         &P::least_obstacle_m,
+                         kNotNegative));
+  table.push_back(number({"sharpest_corner_rad",
+                          "rad",
+                          kStage,
+                          "No obstacle has a sharper corner, which could reach in between two "
+                          "readings; pi for smooth walls."},
+                         group,
+                         &P::sharpest_corner_rad,
+                         {0.0, 3.1415926535897932, false}));
+  table.push_back(number({"swept_lag_m",
+                          "m",
+                          kStage,
+                          "Travel after which the clearance of a place is settled; at least body "
+                          "and reach."},
+                         group,
+                         &P::swept_lag_m,
+                         kAboveZero));
+  table.push_back(number({"max_swept_cells",
+                          "",
+                          kStage,
+                          "Cells that the swept area has room for; raise it when the capacity flag "
+                          "appears."},
+                         group,
+                         &P::max_swept_cells,
+                         {2, double{1U << 28U}, true}));
 }
 
 void add_curvature(ParameterEntries& table) {
@@ -274,6 +321,7 @@ void add_memory(ParameterEntries& table) {
 
 void add_certificate_entries(ParameterEntries& table) {
   add_clearance(table);
+  add_swept_area(table);
   add_curvature(table);
   add_graph(table);
   add_memory(table);

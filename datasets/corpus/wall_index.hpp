@@ -1,10 +1,11 @@
 #pragma once
 /// \file
-/// The walls of a world as segments, found by where the robot stands.
+/// The walls of a world as segments and circles, found by where the robot stands.
 
 #include <cstddef>
 #include <cstdint>
 #include <tcert/geometry.hpp>
+#include <tcert/region.hpp>
 #include <utility>
 #include <vector>
 
@@ -17,11 +18,10 @@ struct Segment {
   Point b;
 };
 
-/// Edges of a world's polygons on a grid; each cell lists what lies within `range_m` of any point
-/// of it. Immutable; safe for concurrent use.
+/// Edges of a world's polygons and its discs on a grid; each cell lists what lies within `range_m`
+/// of any point of it. The bounds themselves are no wall. Immutable; safe for concurrent use.
 class WallIndex {
  public:
-  /// \throws std::invalid_argument if an obstacle is a disc: the courses have polygons only.
   WallIndex(const World& world, double range_m);
 
   /// Distance from `origin` along the unit vector `u` to the first wall, at most `reach`.
@@ -32,10 +32,16 @@ class WallIndex {
   /// other, a few rounds; and whether it is then free to within 1 mm. \pre radius <= range_m.
   [[nodiscard]] std::pair<Point, bool> pushed_out(Point centre, double radius) const noexcept;
 
+  /// Distance from `p`, which is free, to the nearest wall; what is further than range_m may be
+  /// overlooked.
+  [[nodiscard]] double distance_from(Point p) const noexcept;
+
  private:
   struct Cell {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
+    std::uint32_t first_disc = 0;
+    std::uint32_t last_disc = 0;
   };
   [[nodiscard]] Cell cell_at(Point p) const noexcept;
 
@@ -44,6 +50,7 @@ class WallIndex {
   std::size_t rows_ = 0;
   std::vector<Cell> cells_;
   std::vector<Segment> near_;  // cell by cell
+  std::vector<Disc> near_discs_;
 };
 
 }  // namespace tcert

@@ -59,6 +59,10 @@ void copy_certificate(const From& from, To& to) noexcept {
   assign(from.side_angle_rad, to.side_angle_rad);
   assign(from.side_window_m, to.side_window_m);
   assign(from.travel_deadband_m, to.travel_deadband_m);
+  assign(from.swept_cell_m, to.swept_cell_m);
+  assign(from.least_obstacle_m, to.least_obstacle_m);
+  assign(from.sharpest_corner_rad, to.sharpest_corner_rad);
+  assign(from.swept_lag_m, to.swept_lag_m);
   assign(from.curvature_window_m, to.curvature_window_m);
   assign(from.curvature_min_travel_m, to.curvature_min_travel_m);
   assign(from.min_curvature_per_m, to.min_curvature_per_m);
@@ -84,6 +88,7 @@ void copy_certificate(const From& from, To& to) noexcept {
   assign(from.max_nodes, to.max_nodes);
   assign(from.max_edges, to.max_edges);
   assign(from.max_memory_cells, to.max_memory_cells);
+  assign(from.max_swept_cells, to.max_swept_cells);
 }
 
 template <typename From, typename To>
@@ -201,7 +206,7 @@ Guards to_guards(const tcert_parameters& c) {
 }
 
 CertificateParameters to_certificate(const tcert_parameters& c) {
-  require_word("clearance", c.clearance, TCERT_CLEARANCE_RADIAL);
+  require_word("clearance", c.clearance, TCERT_CLEARANCE_SWEPT);
   require_word("curvature", c.curvature, TCERT_CURVATURE_NONE);
   require_word("unknown", c.unknown, TCERT_UNKNOWN_FREE);
   CertificateParameters parameters;

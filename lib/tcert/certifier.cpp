@@ -5,6 +5,7 @@
 #include <tcert/contact_memory.hpp>
 #include <tcert/corridor_walk.hpp>
 #include <tcert/proxies.hpp>
+#include <tcert/swept_margins.hpp>
 #include <utility>
 #include <vector>
 
@@ -36,7 +37,10 @@ struct Certifier::State {
         parameters(p),
         proxies(r, p),
         memory(p),
-        walk(p),
+        swept(p.clearance == ClearanceReading::swept
+                  ? std::make_optional<SweptMargins>(r, course, p)
+                  : std::nullopt),
+        walk(p, swept ? &*swept : nullptr),
         ray_margins(r.rays.size(), kMissing) {}
 
   [[nodiscard]] double needed_width_m() const noexcept {
@@ -58,6 +62,7 @@ struct Certifier::State {
   CertificateParameters parameters;
   Proxies proxies;
   ContactMemory memory;
+  std::optional<SweptMargins> swept;
   CorridorWalk walk;
   std::vector<double> ray_margins;
 
@@ -132,7 +137,8 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
           local.turn_radius_m,
           parameters.memory_weight_m * out.memory,
           in_start,
-          lies_in(course.goal, position)};
+          lies_in(course.goal, position),
+          turn_slack_m};
 }
 
 // Ablation A2 credits what lies ahead of the last node with the reach of the rays.
@@ -162,6 +168,14 @@ void Certifier::State::certify(const Tick& tick) noexcept {
   }
   const Evidence evidence = weigh(tick);
   const std::uint64_t raised_before = walk.labels_raised();
+  if (swept) {
+    if (!began) {
+      swept->area().begin(tick.pose);
+    } else if (broken) {
+      swept->area().break_path();
+    }
+    swept->area().sweep(tick.pose, proxies.clearances());
+  }
   if (!began) {
     lasting_flags |= evidence.in_start ? 0U : flag_start_outside;
     walk.begin(evidence, !evidence.in_start);
@@ -175,7 +189,8 @@ void Certifier::State::certify(const Tick& tick) noexcept {
   gap_before_next = false;
   last_position = position;
 
-  lasting_flags |= walk.capacity_exceeded() ? flag_capacity_exceeded : 0U;
+  const bool exceeded = walk.capacity_exceeded() || (swept && swept->area().full());
+  lasting_flags |= exceeded ? flag_capacity_exceeded : 0U;
   lasting_flags |= memory.evicted() ? flag_memory_evicted : 0U;
   lasting_flags |= evidence.in_goal ? flag_goal_reached : 0U;
   out.flags |= lasting_flags;
@@ -239,9 +254,9 @@ std::optional<Bottleneck> Certifier::bottleneck() const noexcept {
       return narrowest;
     }
     const Edge& edge = graph.edges()[index];
-    const Pass& pass = edge.pass;
-    if (!narrowest || pass.margin_m < narrowest->margin_m) {
-      narrowest = {index, pass.narrowest, pass.margin_m, pass.width_m, pass.turn_radius_m};
+    const Certified& found = edge.certified;
+    if (!narrowest || found.margin_m < narrowest->margin_m) {
+      narrowest = {index, found.narrowest, found.margin_m, found.width_m, found.turn_radius_m};
     }
     // The path came along the edge from its other end, which it had entered by the other side.
     const EdgeEnd from = edge.ends[0] == entered ? edge.ends[1] : edge.ends[0];

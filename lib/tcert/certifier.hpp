@@ -17,13 +17,14 @@ class CorridorGraph;
 /// Conditions met at a tick, or'ed together in CertifiedTick::flags. From flag_capacity_exceeded on
 /// they stay set.
 enum TickFlag : std::uint32_t {
-  flag_stale = 1U << 0U,              ///< The tick was skipped as evidence.
-  flag_bad_input = 1U << 1U,          ///< Pose not finite or time not increasing: skipped.
-  flag_missing_ray = 1U << 2U,        ///< A ray has no reading; its side gets no credit.
-  flag_break = 1U << 3U,              ///< The path broke here; a new component starts.
-  flag_capacity_exceeded = 1U << 4U,  ///< Nodes or edges are used up; new evidence is ignored.
-  flag_start_outside = 1U << 5U,      ///< The first tick lies outside S: never a certificate.
-  flag_goal_reached = 1U << 6U,       ///< The robot has been inside G.
+  flag_stale = 1U << 0U,        ///< The tick was skipped as evidence.
+  flag_bad_input = 1U << 1U,    ///< Pose not finite or time not increasing: skipped.
+  flag_missing_ray = 1U << 2U,  ///< A ray has no reading; its side gets no credit.
+  flag_break = 1U << 3U,        ///< The path broke here; a new component starts.
+  flag_capacity_exceeded =
+      1U << 4U,  ///< Nodes, edges or swept cells are used up; new evidence is ignored.
+  flag_start_outside = 1U << 5U,   ///< The first tick lies outside S: never a certificate.
+  flag_goal_reached = 1U << 6U,    ///< The robot has been inside G.
   flag_memory_evicted = 1U << 7U,  ///< Contact memory that still counted gave way: V_t may be high.
 };
 

@@ -55,23 +55,29 @@ std::uint32_t CorridorGraph::add_node(const Node& node) noexcept {
 CorridorGraph::Recorded CorridorGraph::record_pass(EdgeEnd a,
                                                    EdgeEnd b,
                                                    const Pass& pass) noexcept {
+  return record_pass(a, b, pass, {pass.margin_m, pass.narrowest, pass.width_m, pass.turn_radius_m});
+}
+
+CorridorGraph::Recorded CorridorGraph::record_pass(EdgeEnd a,
+                                                   EdgeEnd b,
+                                                   const Pass& pass,
+                                                   const Certified& certified) noexcept {
   assert(a.node < node_count_ && b.node < node_count_);
-  for (std::uint32_t half = first_half_[a.node]; half != kNone; half = next_half_[half]) {
-    Edge& edge = edges_[half / 2];
-    if (edge.ends[half % 2] != a || edge.ends[1 - half % 2] != b) {
-      continue;
+  const std::uint32_t known = find_edge(a, b);
+  if (known != kNone) {
+    Edge& edge = edges_[known];
+    const bool felt_rose = pass.margin_m > edge.pass.margin_m;
+    if (felt_rose) {
+      edge.pass = pass;
     }
-    if (pass.margin_m <= edge.pass.margin_m) {
-      return {half / 2, false};
-    }
-    edge.pass = pass;
-    return {half / 2, true};
+    const bool certified_rose = certify(known, certified);
+    return {known, felt_rose || certified_rose};
   }
   if (edges_full()) {
     return {};
   }
   const std::uint32_t index = edge_count_++;
-  edges_[index] = {{a, b}, pass};
+  edges_[index] = {{a, b}, pass, certified};
   for (std::uint32_t end = 0; end < 2; ++end) {
     const std::uint32_t half = 2 * index + end;
     const std::uint32_t node = edges_[index].ends[end].node;
@@ -79,6 +85,24 @@ CorridorGraph::Recorded CorridorGraph::record_pass(EdgeEnd a,
     first_half_[node] = half;
   }
   return {index, true};
+}
+
+std::uint32_t CorridorGraph::find_edge(EdgeEnd a, EdgeEnd b) const noexcept {
+  for (std::uint32_t half = first_half_[a.node]; half != kNone; half = next_half_[half]) {
+    const Edge& edge = edges_[half / 2];
+    if (edge.ends[half % 2] == a && edge.ends[1 - half % 2] == b) {
+      return half / 2;
+    }
+  }
+  return kNone;
+}
+
+bool CorridorGraph::certify(std::uint32_t edge, const Certified& certified) noexcept {
+  const bool rises = certified.margin_m > edges_[edge].certified.margin_m;
+  if (rises) {
+    edges_[edge].certified = certified;
+  }
+  return rises;
 }
 
 std::span<const Node> CorridorGraph::nodes() const noexcept {

@@ -50,10 +50,20 @@ struct Node {
   bool in_goal = false;   ///< Tied to the sink.
 };
 
-/// Undirected; `pass` is the pass with the largest margin so far, so the margin never falls.
+/// A margin that T_t counts on, and where it was decided.
+struct Certified {
+  double margin_m = 0.0;
+  Pose narrowest;
+  double width_m = 0.0;
+  double turn_radius_m = 0.0;
+};
+
+/// Undirected; `pass` is the pass with the largest margin so far, so the margin never falls, and
+/// no more does what is certified. Both are the same but for `clearance=swept`.
 struct Edge {
   std::array<EdgeEnd, 2> ends;
-  Pass pass;
+  Pass pass;            ///< By what was felt at once: for V_t.
+  Certified certified;  ///< For T_t.
 };
 
 /// Nodes, edges and adjacency in memory taken by the constructor; a member that needs more says
@@ -76,6 +86,14 @@ class CorridorGraph {
   /// Records a pass between two ends: a new edge, or perhaps a larger margin of the edge that has
   /// the same ends. O(edges at the first end).
   Recorded record_pass(EdgeEnd a, EdgeEnd b, const Pass& pass) noexcept;
+  /// The same with a margin for T_t of its own.
+  Recorded record_pass(EdgeEnd a, EdgeEnd b, const Pass& pass, const Certified& certified) noexcept;
+
+  /// Index of the edge with these ends; kNone if there is none. O(edges at the first end).
+  [[nodiscard]] std::uint32_t find_edge(EdgeEnd a, EdgeEnd b) const noexcept;
+
+  /// Raises what is certified of an edge; false if it is no more than before.
+  bool certify(std::uint32_t edge, const Certified& certified) noexcept;
 
   [[nodiscard]] std::span<const Node> nodes() const noexcept;
   [[nodiscard]] std::span<const Edge> edges() const noexcept;

@@ -10,8 +10,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-CorridorWalk::CorridorWalk(const CertificateParameters& parameters)
+CorridorWalk::CorridorWalk(const CertificateParameters& parameters, SweptMargins* swept)
     : parameters_(parameters),
+      swept_(swept),
       graph_(parameters.max_nodes,
              parameters.max_edges,
              2.0 * parameters.merge_radius_m + parameters.max_step_m),
@@ -37,6 +38,9 @@ double CorridorWalk::pending_value_m(const Evidence& now) const noexcept {
 
 void CorridorWalk::begin(const Evidence& evidence, bool outside_start) noexcept {
   outside_start_ = outside_start;
+  if (swept_ != nullptr) {
+    swept_->begin(evidence);
+  }
   start_component(evidence, -kInfinity);
   goal_entered_ = evidence.in_goal;
   corridor_value_m_ = pending_value_m(evidence);
@@ -46,14 +50,16 @@ void CorridorWalk::begin(const Evidence& evidence, bool outside_start) noexcept 
 void CorridorWalk::advance_after_break(const Evidence& evidence, double bridge_m) noexcept {
   const std::uint32_t before = at_node_;
   const Side left_by = left_by_;
+  if (swept_ != nullptr) {
+    swept_->break_path(evidence);
+  }
   start_component(evidence, corridor_value_m_);
   if (bridge_m > -kInfinity && before != kNone && at_node_ != kNone) {
     const EdgeEnd to{at_node_, Side::back};
-    at_node_ = before;
-    left_by_ = left_by;
-    record(to, {bridge_m, evidence.pose, evidence.width_m, evidence.turn_radius_m, {}, {}});
-    at_node_ = to.node;
-    left_by_ = Side::front;
+    keep(graph_.record_pass(
+        {before, left_by},
+        to,
+        {bridge_m, evidence.pose, evidence.width_m, evidence.turn_radius_m, {}, {}}));
   }
   goal_entered_ = goal_entered_ || evidence.in_goal;
   corridor_value_m_ = pending_value_m(evidence);
@@ -62,6 +68,9 @@ void CorridorWalk::advance_after_break(const Evidence& evidence, double bridge_m
 
 void CorridorWalk::advance(const Evidence& evidence) noexcept {
   pending_.add(evidence);
+  if (swept_ != nullptr) {
+    swept_->add(evidence);
+  }
   follow_motion(evidence);
   if (!cross(evidence)) {
     const Side entered = forward_ ? Side::back : Side::front;
@@ -77,6 +86,9 @@ void CorridorWalk::advance(const Evidence& evidence) noexcept {
       const Side entered = forward_ ? Side::back : Side::front;
       close_at_new_node(evidence, entered, opposite(entered));
     }
+  }
+  if (evidence.in_goal) {
+    look_again();
   }
   corridor_value_m_ = pending_value_m(evidence);
   last_ = evidence;
@@ -110,7 +122,7 @@ CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
   if (off_axis > parameters_.merge_angle_rad) {
     return {};
   }
-  return {node, before_m < 0.0 ? Side::back : Side::front, distance2};
+  return {node, before_m < 0.0 ? Side::back : Side::front, distance2, at.position + off};
 }
 
 // Of the known nodes other than u, the nearest to where the path crosses it; ties: lowest index.
@@ -143,11 +155,12 @@ CorridorWalk::Crossing CorridorWalk::nearest_crossing(const Evidence& now) const
 bool CorridorWalk::cross(const Evidence& now) noexcept {
   const Crossing known = nearest_crossing(now);
   if (known.node != kNone) {
+    join(known, now);
     if (at_node_ != kNone) {
       record({known.node, known.entered}, pending_.finish());
     }
     leave(known.node, opposite(known.entered), now);
-    pending_.restart(last_);
+    restart_pass(last_);
     pending_.add(now);
     return true;
   }
@@ -158,10 +171,42 @@ bool CorridorWalk::cross(const Evidence& now) noexcept {
   if (own.node == kNone) {
     return false;
   }
+  join(own, now);
   leave(own.node, opposite(own.entered), now);
-  pending_.restart(last_);
+  restart_pass(last_);
   pending_.add(now);
   return true;
+}
+
+void CorridorWalk::restart_pass(const Evidence& first) noexcept {
+  pending_.restart(first);
+  if (swept_ != nullptr) {
+    swept_->start_pass();
+  }
+}
+
+// Between where the path crosses a node's line and the node itself the body must fit too.
+void CorridorWalk::join(const Crossing& crossing, const Evidence& now) noexcept {
+  if (swept_ != nullptr) {
+    swept_->add_join(crossing.at, now, graph_.nodes()[crossing.node]);
+  }
+}
+
+// What has been swept since may have raised the margins of passes nearby. Before G is reached that
+// need not be known.
+void CorridorWalk::look_again() noexcept {
+  if (swept_ == nullptr) {
+    return;
+  }
+  if (goal_entered_) {
+    swept_->look_at_open_steps();
+  }
+  swept_->hand_out([this](EdgeEnd from, EdgeEnd to, const Certified& certified) noexcept {
+    const std::uint32_t edge = graph_.find_edge(from, to);
+    if (edge != kNone && graph_.certify(edge, certified)) {
+      through_.relax_edge(graph_, edge);
+    }
+  });
 }
 
 void CorridorWalk::leave(std::uint32_t node, Side side, const Evidence& now) noexcept {
@@ -198,7 +243,7 @@ void CorridorWalk::close_at_new_node(const Evidence& now, Side entered, Side lef
   forward_ = left == Side::front;
   progress_m_ = 0.0;
   furthest_m_ = 0.0;
-  pending_.restart(now);
+  restart_pass(now);
 }
 
 void CorridorWalk::start_component(const Evidence& now, double corridor_value_m) noexcept {
@@ -212,7 +257,7 @@ void CorridorWalk::start_component(const Evidence& now, double corridor_value_m)
   forward_ = true;
   progress_m_ = 0.0;
   furthest_m_ = 0.0;
-  pending_.restart(now);
+  restart_pass(now);
 }
 
 std::uint32_t CorridorWalk::lay_node(const Evidence& now) noexcept {
@@ -231,7 +276,16 @@ std::uint32_t CorridorWalk::lay_node(const Evidence& now) noexcept {
 }
 
 void CorridorWalk::record(EdgeEnd to, const Pass& pass) noexcept {
-  const CorridorGraph::Recorded recorded = graph_.record_pass({at_node_, left_by_}, to, pass);
+  const EdgeEnd from{at_node_, left_by_};
+  if (swept_ == nullptr) {
+    keep(graph_.record_pass(from, to, pass));
+    return;
+  }
+  keep(graph_.record_pass(from, to, pass, swept_->finish_pass(from, to)));
+  look_again();
+}
+
+void CorridorWalk::keep(const CorridorGraph::Recorded& recorded) noexcept {
   if (recorded.edge == kNone) {
     capacity_exceeded_ = true;
   }

@@ -6,6 +6,7 @@
 #include <tcert/corridor_graph.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/pending_pass.hpp>
+#include <tcert/swept_margins.hpp>
 #include <tcert/widest_labels.hpp>
 
 namespace tcert {
@@ -18,7 +19,8 @@ namespace tcert {
 /// crosses. Two sets of labels: T_t's on (node, side), V_t's on nodes, for a robot may back out.
 class CorridorWalk {
  public:
-  explicit CorridorWalk(const CertificateParameters& parameters);
+  /// With `swept`, T_t takes its margins from there; it must outlive the walk.
+  explicit CorridorWalk(const CertificateParameters& parameters, SweptMargins* swept = nullptr);
 
   void clear() noexcept;
 
@@ -59,6 +61,7 @@ class CorridorWalk {
     std::uint32_t node = kNone;
     Side entered = Side::back;
     double distance2 = 0.0;
+    Point at;
   };
   [[nodiscard]] Crossing crossing_of(std::uint32_t node, const Evidence& now) const noexcept;
   [[nodiscard]] Crossing nearest_crossing(const Evidence& now) const noexcept;
@@ -69,9 +72,14 @@ class CorridorWalk {
   void start_component(const Evidence& now, double corridor_value_m) noexcept;
   [[nodiscard]] std::uint32_t lay_node(const Evidence& now) noexcept;
   void record(EdgeEnd to, const Pass& pass) noexcept;
+  void keep(const CorridorGraph::Recorded& recorded) noexcept;
+  void restart_pass(const Evidence& first) noexcept;
+  void join(const Crossing& crossing, const Evidence& now) noexcept;
+  void look_again() noexcept;
   [[nodiscard]] double pending_value_m(const Evidence& now) const noexcept;
 
   CertificateParameters parameters_;
+  SweptMargins* swept_;
   CorridorGraph graph_;
   WidestLabels through_;
   WidestLabels reached_;

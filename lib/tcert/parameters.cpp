@@ -1,6 +1,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -37,6 +38,13 @@ void validate(const CertificateParameters& p) {
   require("side_angle_rad", p.side_angle_rad, Bound::not_negative);
   require("side_window_m", p.side_window_m, Bound::not_negative);
   require("travel_deadband_m", p.travel_deadband_m, Bound::above_zero);
+  require("swept_cell_m", p.swept_cell_m, Bound::above_zero);
+  require("least_obstacle_m", p.least_obstacle_m, Bound::not_negative);
+  require("sharpest_corner_rad", p.sharpest_corner_rad, Bound::above_zero);
+  if (p.sharpest_corner_rad > std::numbers::pi) {
+    throw std::invalid_argument("sharpest_corner_rad must be at most pi");
+  }
+  require("swept_lag_m", p.swept_lag_m, Bound::above_zero);
   require("curvature_window_m", p.curvature_window_m, Bound::above_zero);
   require("curvature_min_travel_m", p.curvature_min_travel_m, Bound::above_zero);
   require("min_curvature_per_m", p.min_curvature_per_m, Bound::above_zero);
@@ -68,6 +76,7 @@ void validate(const CertificateParameters& p) {
   require_count("max_nodes", p.max_nodes);
   require_count("max_edges", p.max_edges);
   require_count("max_memory_cells", p.max_memory_cells);
+  require_count("max_swept_cells", p.max_swept_cells);
 }
 
 }  // namespace tcert

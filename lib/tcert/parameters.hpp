@@ -11,6 +11,7 @@ namespace tcert {
 enum class ClearanceReading {
   width,   ///< left + right: the width across the heading.
   radial,  ///< 2 min(left, right): the disc centred on the robot.
+  swept,   ///< T_t by the disc that fits into the swept area; what a tick says at once by width.
 };
 
 /// How the turn radius at a tick is read (paper 3.1, P2).
@@ -37,6 +38,12 @@ struct CertificateParameters {
   double side_angle_rad = std::numbers::pi / 6.0;
   double side_window_m = 0.0;
   double travel_deadband_m = 0.01;  ///< Travel counts once the robot is this far off; > 0.
+
+  // Swept area (clearance = swept).
+  double swept_cell_m = 0.02;
+  double least_obstacle_m = 0.08;                       ///< No obstacle is narrower.
+  double sharpest_corner_rad = 0.5 * std::numbers::pi;  ///< No obstacle has a sharper corner.
+  double swept_lag_m = 1.0;  ///< Travel after which the clearance of a place is settled.
 
   // Turn radius.
   double curvature_window_m = 0.25;
@@ -72,6 +79,7 @@ struct CertificateParameters {
   std::uint32_t max_nodes = 4096;
   std::uint32_t max_edges = 8192;
   std::uint32_t max_memory_cells = 65536;
+  std::uint32_t max_swept_cells = 1U << 22U;
 };
 
 /// \throws std::invalid_argument naming the parameter, its value and the range it must lie in.

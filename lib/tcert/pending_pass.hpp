@@ -19,6 +19,7 @@ struct Evidence {
   double memory_deduction_m = 0.0;  ///< lambda_M M_t.
   bool in_start = false;
   bool in_goal = false;
+  double turn_slack_m = 0.0;  ///< The turn radius' part of m_t.
 };
 
 /// Running minimum of the margin, and samples for the profiles: every tick up to a fixed number,

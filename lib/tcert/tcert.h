@@ -69,7 +69,11 @@ typedef enum tcert_status {
 
 enum tcert_ray_kind { TCERT_BEND = 0, TCERT_RANGE = 1 };
 enum tcert_region_kind { TCERT_NONE = 0, TCERT_DISC = 1, TCERT_POLYGON = 2 };
-enum tcert_clearance { TCERT_CLEARANCE_WIDTH = 0, TCERT_CLEARANCE_RADIAL = 1 };
+enum tcert_clearance {
+  TCERT_CLEARANCE_WIDTH = 0,
+  TCERT_CLEARANCE_RADIAL = 1,
+  TCERT_CLEARANCE_SWEPT = 2
+};
 enum tcert_curvature {
   TCERT_CURVATURE_PATH = 0,
   TCERT_CURVATURE_CONTACT = 1,
@@ -156,6 +160,10 @@ typedef struct tcert_parameters {
   double side_angle_rad;
   double side_window_m;
   double travel_deadband_m;
+  double swept_cell_m;
+  double least_obstacle_m;
+  double sharpest_corner_rad;
+  double swept_lag_m;
   double curvature_window_m;
   double curvature_min_travel_m;
   double min_curvature_per_m;
@@ -181,6 +189,8 @@ typedef struct tcert_parameters {
   uint32_t max_nodes;
   uint32_t max_edges;
   uint32_t max_memory_cells;
+  uint32_t max_swept_cells;
+  uint32_t reserved_1; /**< 0. */
 
   int32_t speed_law; /**< tcert_speed_law. */
   double min_speed_mps;

@@ -62,8 +62,9 @@ void WidestLabels::relax(const CorridorGraph& graph,
   const Edge& e = graph.edges()[edge];
   const EdgeEnd from = e.ends[from_end];
   const EdgeEnd to = e.ends[1 - from_end];
+  const double margin_m = kind_ == Kind::sided ? e.certified.margin_m : e.pass.margin_m;
   raise(state_of(to.node, opposite(to.side)),
-        std::min(leaving(from.node, from.side), e.pass.margin_m),
+        std::min(leaving(from.node, from.side), margin_m),
         edge);
 }
 

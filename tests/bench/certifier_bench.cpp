@@ -31,10 +31,11 @@ std::vector<std::vector<RayReading>> make_readings() {
   return readings;
 }
 
-void certifier_update(benchmark::State& state) {
+void certifier_update(benchmark::State& state, ClearanceReading clearance) {
   const Lap lap = test_support::make_lap(static_cast<std::size_t>(state.range(0)));
   const auto readings = make_readings();
   CertificateParameters parameters;
+  parameters.clearance = clearance;
   parameters.max_nodes = static_cast<std::uint32_t>(state.range(0)) + 64;
   parameters.max_edges = 2 * parameters.max_nodes;
   Certifier certifier(lap.robot, lap.course, parameters);
@@ -62,6 +63,8 @@ void certifier_update(benchmark::State& state) {
   state.counters["edges"] = out.edges;
   state.counters["allocations"] = static_cast<double>(allocations);
 }
-BENCHMARK(certifier_update)->Arg(64)->Arg(512)->Arg(4096);
+BENCHMARK_CAPTURE(certifier_update, width, ClearanceReading::width)->Arg(64)->Arg(512)->Arg(4096);
+BENCHMARK_CAPTURE(certifier_update, radial, ClearanceReading::radial)->Arg(512);
+BENCHMARK_CAPTURE(certifier_update, swept, ClearanceReading::swept)->Arg(64)->Arg(512)->Arg(4096);
 
 }  // namespace

@@ -33,6 +33,12 @@ std::vector<CertifiedTick> certify(const RandomRun& run,
   return series;
 }
 
+CertificateParameters reading(ClearanceReading clearance) {
+  CertificateParameters parameters;
+  parameters.clearance = clearance;
+  return parameters;
+}
+
 // NaN equals NaN, and nothing else is forgiven.
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -56,27 +62,31 @@ void expect_same(const CertifiedTick& a, const CertifiedTick& b) {
 }
 
 TEST(Certifier, NeverFallsAndEqualsASearchFromScratchAtEveryTick) {
-  std::size_t connected = 0;
-  for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
-    SCOPED_TRACE(seed);
-    const RandomRun run = random_run(seed, kTicks);
-    Certifier certifier(run.robot, run.course, {});
-    double last = kNoPath;
-    std::uint32_t last_edges = 0;
-    for (const Tick& tick : run.ticks) {
-      const CertifiedTick now = certifier.update(tick);
-      ASSERT_GE(now.certificate_m, last);
-      last = now.certificate_m;
-      // A search costs; the graph changes only where an edge is new or, seldom, where one rises.
-      if (now.edges != last_edges || tick.time_ns % 1'000'000'000 == 0) {
-        const bool tied = (now.flags & flag_start_outside) == 0;
-        ASSERT_EQ(now.certificate_m, test_support::certificate_by_search(certifier.graph(), tied));
-        last_edges = now.edges;
+  for (const auto clearance : {ClearanceReading::width, ClearanceReading::swept}) {
+    std::size_t connected = 0;
+    for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
+      SCOPED_TRACE(seed);
+      const RandomRun run = random_run(seed, kTicks);
+      Certifier certifier(run.robot, run.course, reading(clearance));
+      double last = kNoPath;
+      std::uint32_t last_edges = 0;
+      for (const Tick& tick : run.ticks) {
+        const CertifiedTick now = certifier.update(tick);
+        ASSERT_GE(now.certificate_m, last);
+        // A search costs; the graph changes only where an edge is new or, seldom, where one rises.
+        if (now.edges != last_edges || now.certificate_m > last ||
+            tick.time_ns % 1'000'000'000 == 0) {
+          const bool tied = (now.flags & flag_start_outside) == 0;
+          ASSERT_EQ(now.certificate_m,
+                    test_support::certificate_by_search(certifier.graph(), tied));
+          last_edges = now.edges;
+        }
+        last = now.certificate_m;
       }
+      connected += last > kNoPath ? 1 : 0;
     }
-    connected += last > kNoPath ? 1 : 0;
+    EXPECT_GT(connected, kRuns / 4) << "too few runs reach G to test anything";
   }
-  EXPECT_GT(connected, kRuns / 4) << "too few runs reach G to test anything";
 }
 
 TEST(Certifier, WithoutCurvatureItIsNeverSmaller) {
@@ -85,10 +95,14 @@ TEST(Certifier, WithoutCurvatureItIsNeverSmaller) {
   for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
     SCOPED_TRACE(seed);
     const RandomRun run = random_run(seed, kTicks);
-    for (const auto reading :
-         {CurvatureReading::path, CurvatureReading::contact, CurvatureReading::contact_literal}) {
+    for (const auto& [reading, clearance] :
+         {std::pair{CurvatureReading::path, ClearanceReading::width},
+          std::pair{CurvatureReading::contact, ClearanceReading::width},
+          std::pair{CurvatureReading::contact_literal, ClearanceReading::width},
+          std::pair{CurvatureReading::path, ClearanceReading::swept}}) {
       CertificateParameters full;
       full.curvature = reading;
+      full.clearance = no_curvature.clearance = clearance;
       const auto with = certify(run, full);
       const auto without = certify(run, no_curvature);
       for (std::size_t k = 0; k < with.size(); ++k) {
@@ -97,6 +111,25 @@ TEST(Certifier, WithoutCurvatureItIsNeverSmaller) {
       }
     }
   }
+}
+
+TEST(Certifier, TheSweptAreaChangesNothingButTheCertificate) {
+  bool differs = false;
+  for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomRun run = random_run(seed, kTicks);
+    const auto width = certify(run);
+    auto swept = certify(run, reading(ClearanceReading::swept));
+    for (std::size_t k = 0; k < width.size(); ++k) {
+      differs = differs || swept[k].certificate_m != width[k].certificate_m;
+      swept[k].certificate_m = width[k].certificate_m;
+      expect_same(width[k], swept[k]);
+    }
+    if (testing::Test::HasFatalFailure()) {
+      return;
+    }
+  }
+  EXPECT_TRUE(differs);
 }
 
 TEST(Certifier, WithoutMemoryTheCorridorValueIsNeverSmaller) {
@@ -117,13 +150,14 @@ TEST(Certifier, WithoutMemoryTheCorridorValueIsNeverSmaller) {
   }
 }
 
-TEST(Certifier, IsTheSameAtAnotherTimeAndInTheMirror) {
+void expect_same_later_and_in_the_mirror(const CertificateParameters& parameters) {
   for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
     SCOPED_TRACE(seed);
     const RandomRun run = random_run(seed, kTicks);
-    const auto plain = certify(run);
-    const auto later = certify(test_support::shifted_in_time(run, 1'700'000'000'123'456'789));
-    const auto mirror = certify(test_support::mirrored(run));
+    const auto plain = certify(run, parameters);
+    const auto later =
+        certify(test_support::shifted_in_time(run, 1'700'000'000'123'456'789), parameters);
+    const auto mirror = certify(test_support::mirrored(run), parameters);
     for (std::size_t k = 0; k < plain.size(); ++k) {
       expect_same(plain[k], later[k]);
       ASSERT_TRUE(same_bits(plain[k].left_m, mirror[k].right_m));
@@ -135,6 +169,11 @@ TEST(Certifier, IsTheSameAtAnotherTimeAndInTheMirror) {
       return;
     }
   }
+}
+
+TEST(Certifier, IsTheSameAtAnotherTimeAndInTheMirror) {
+  expect_same_later_and_in_the_mirror({});
+  expect_same_later_and_in_the_mirror(reading(ClearanceReading::swept));
 }
 
 void expect_near_series(const std::vector<CertifiedTick>& plain,
@@ -153,16 +192,18 @@ void expect_near_series(const std::vector<CertifiedTick>& plain,
 }
 
 TEST(Certifier, IsTheSameInAnotherFrameOfReference) {
-  CertificateParameters no_memory;
-  no_memory.memory_weight_m = 0.0;
-  for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
-    SCOPED_TRACE(seed);
-    const RandomRun run = random_run(seed, kTicks);
-    expect_near_series(certify(run, no_memory),
-                       certify(test_support::moved(run, 0.7, {12.0, -5.0}), no_memory),
-                       1.0);
-    if (testing::Test::HasFatalFailure()) {
-      return;
+  for (const auto clearance : {ClearanceReading::width, ClearanceReading::swept}) {
+    CertificateParameters no_memory = reading(clearance);
+    no_memory.memory_weight_m = 0.0;
+    for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
+      SCOPED_TRACE(seed);
+      const RandomRun run = random_run(seed, kTicks);
+      expect_near_series(certify(run, no_memory),
+                         certify(test_support::moved(run, 0.7, {12.0, -5.0}), no_memory),
+                         1.0);
+      if (testing::Test::HasFatalFailure()) {
+        return;
+      }
     }
   }
 }
@@ -173,6 +214,9 @@ TEST(Certifier, ScalesWithEveryLength) {
   CertificateParameters doubled = plain;
   for (const auto member : {&CertificateParameters::side_window_m,
                             &CertificateParameters::travel_deadband_m,
+                            &CertificateParameters::swept_cell_m,
+                            &CertificateParameters::least_obstacle_m,
+                            &CertificateParameters::swept_lag_m,
                             &CertificateParameters::curvature_window_m,
                             &CertificateParameters::curvature_min_travel_m,
                             &CertificateParameters::contact_spacing_m,
@@ -189,8 +233,12 @@ TEST(Certifier, ScalesWithEveryLength) {
     doubled.*member *= 3.0;
   }
   doubled.min_curvature_per_m /= 3.0;
-  for (const auto reading : {CurvatureReading::path, CurvatureReading::contact}) {
-    plain.curvature = doubled.curvature = reading;
+  for (const auto& [curvature, clearance] :
+       {std::pair{CurvatureReading::path, ClearanceReading::width},
+        std::pair{CurvatureReading::contact, ClearanceReading::width},
+        std::pair{CurvatureReading::path, ClearanceReading::swept}}) {
+    plain.curvature = doubled.curvature = curvature;
+    plain.clearance = doubled.clearance = clearance;
     for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
       SCOPED_TRACE(seed);
       const RandomRun run = random_run(seed, kTicks);
@@ -204,14 +252,15 @@ TEST(Certifier, ScalesWithEveryLength) {
 }
 
 TEST(Certifier, KnowsNothingOfTheFuture) {
-  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     const RandomRun run = random_run(seed, kTicks);
-    const auto whole = certify(run);
+    const auto parameters = reading(seed < 10 ? ClearanceReading::width : ClearanceReading::swept);
+    const auto whole = certify(run, parameters);
     for (const std::size_t cut : {std::size_t{1}, std::size_t{17}, kTicks / 3, kTicks - 1}) {
       RandomRun start = run;
       start.ticks.resize(cut);
-      const auto part = certify(start);
+      const auto part = certify(start, parameters);
       for (std::size_t k = 0; k < cut; ++k) {
         expect_same(part[k], whole[k]);
       }
@@ -222,15 +271,17 @@ TEST(Certifier, KnowsNothingOfTheFuture) {
 TEST(Certifier, ResetForgetsTheTrial) {
   const RandomRun first = random_run(1, kTicks);
   const RandomRun second = random_run(2, kTicks);
-  const auto fresh = certify(second);
-  Certifier certifier(first.robot, first.course, {});
-  for (const Tick& tick : first.ticks) {
-    certifier.update(tick);
-  }
-  certifier.reset();
-  for (std::size_t k = 0; k < kTicks; ++k) {
-    // Both runs have the same robot and course.
-    expect_same(certifier.update(second.ticks[k]), fresh[k]);
+  for (const auto clearance : {ClearanceReading::width, ClearanceReading::swept}) {
+    const auto fresh = certify(second, reading(clearance));
+    Certifier certifier(first.robot, first.course, reading(clearance));
+    for (const Tick& tick : first.ticks) {
+      certifier.update(tick);
+    }
+    certifier.reset();
+    for (std::size_t k = 0; k < kTicks; ++k) {
+      // Both runs have the same robot and course.
+      expect_same(certifier.update(second.ticks[k]), fresh[k]);
+    }
   }
 }
 
@@ -304,11 +355,30 @@ TEST(Certifier, SaysWhenContactMemoryGaveWay) {
   EXPECT_EQ(certifier.update({0, lap.poses[0], {}, false, false}).flags, flag_bad_input);
 }
 
+TEST(Certifier, SmallRoomForSweptCellsNeverCertifiesMore) {
+  for (std::uint32_t seed = 0; seed < kRuns; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomRun run = random_run(seed, kTicks);
+    auto parameters = reading(ClearanceReading::swept);
+    const auto large = certify(run, parameters);
+    parameters.max_swept_cells = 2048;
+    const auto small = certify(run, parameters);
+    for (std::size_t k = 0; k < kTicks; ++k) {
+      ASSERT_LE(small[k].certificate_m, large[k].certificate_m) << "tick " << k;
+    }
+    ASSERT_NE(small.back().flags & flag_capacity_exceeded, 0U);
+    ASSERT_EQ(large.back().flags & flag_capacity_exceeded, 0U);
+  }
+}
+
 TEST(Certifier, UpdateAllocatesNothing) {
   const RandomRun run = random_run(3, 5000);
-  for (const auto reading : {CurvatureReading::path, CurvatureReading::contact}) {
-    CertificateParameters parameters;
-    parameters.curvature = reading;
+  for (const auto& [curvature, clearance] :
+       {std::pair{CurvatureReading::path, ClearanceReading::width},
+        std::pair{CurvatureReading::contact, ClearanceReading::width},
+        std::pair{CurvatureReading::path, ClearanceReading::swept}}) {
+    CertificateParameters parameters = reading(clearance);
+    parameters.curvature = curvature;
     Certifier certifier(run.robot, run.course, parameters);
     const std::size_t before = test_support::allocation_count();
     const std::size_t mallocs = test_support::malloc_count();

@@ -28,13 +28,15 @@ Course = struct("Course", ("struct_size", c_uint32), ("reserved", c_uint32), ("s
 Parameters = struct(
     "Parameters", ("struct_size", c_uint32),
     *[(name, c_int32) for name in "clearance curvature unknown".split()],
-    *doubles("side_angle_rad side_window_m travel_deadband_m curvature_window_m "
+    *doubles("side_angle_rad side_window_m travel_deadband_m swept_cell_m "
+             "least_obstacle_m sharpest_corner_rad swept_lag_m curvature_window_m "
              "curvature_min_travel_m min_curvature_per_m contact_spacing_m "
              "contact_literal_spacing_m contact_window_m contact_flatness sigma_contact_m "
              "contact_on_n contact_off_n contact_slack_m edge_length_m merge_radius_m "
              "merge_angle_rad reversal_m max_step_m memory_weight_m memory_cell_m memory_gain "
              "force_cap_n memory_sigma_m memory_half_life_s"),
     ("max_nodes", c_uint32), ("max_edges", c_uint32), ("max_memory_cells", c_uint32),
+    ("max_swept_cells", c_uint32), ("reserved_1", c_uint32),
     ("speed_law", c_int32), *doubles("min_speed_mps max_speed_mps beta_per_m"),
     ("guard_mode", c_int32), ("reserved", c_uint32),
     *doubles("replan_margin_m guard_min_force_n guard_force_per_m guard_disturbance"),

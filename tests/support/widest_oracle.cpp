@@ -36,7 +36,9 @@ std::vector<double> widest_by_search(const CorridorGraph& graph,
         const EdgeEnd to = edge.ends[1 - end];
         if (state_of(kind, from.node, from.side) == widest) {
           double& far = label[state_of(kind, to.node, opposite(to.side))];
-          far = std::max(far, std::min(label[widest], edge.pass.margin_m));
+          const double margin_m =
+              kind == WidestLabels::Kind::sided ? edge.certified.margin_m : edge.pass.margin_m;
+          far = std::max(far, std::min(label[widest], margin_m));
         }
       }
     }

@@ -1,0 +1,180 @@
+#include "analysis/soundness/soundness.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tcert/certifier.hpp>
+#include <tuple>
+
+#include "analysis/basics/binomial_interval.hpp"
+#include "analysis/basics/quantile.hpp"
+#include "analysis/truth/slack.hpp"
+#include "datasets/corpus/tentacles.hpp"
+#include "datasets/random_worlds/random_run.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNoPath = ClearanceValue::kNoPath;
+
+// Enough for the longest run; a certifier is built for every world, since its course differs. The
+// contact memory, which T_t does not use, is kept as small as can be.
+CertificateParameters small(ClearanceReading clearance) {
+  CertificateParameters parameters;
+  parameters.clearance = clearance;
+  parameters.max_nodes = 400;
+  parameters.max_edges = 600;
+  parameters.memory_sigma_m = 0.01;
+  parameters.max_memory_cells = 1024;
+  parameters.max_swept_cells = 1U << 18U;
+  return parameters;
+}
+
+void add_with_and_without_noise(std::vector<SoundnessMethod>& methods,
+                                const std::string& name,
+                                const CertificateParameters& parameters) {
+  methods.push_back({name, parameters, false});
+  methods.push_back({name, parameters, true});
+}
+
+SoundnessOutcome certify(const TickTable& ticks,
+                         const Course& course,
+                         const CertificateParameters& parameters,
+                         double truth_m) {
+  Certifier certifier(corpus_robot(), course, parameters);
+  SoundnessOutcome outcome;
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    const CertifiedTick now = certifier.update(ticks[k]);
+    outcome.certificate_m = now.certificate_m;
+    outcome.issued = now.issued;
+    if (now.certificate_m > kNoPath) {
+      outcome.excess_m = std::max(outcome.excess_m, now.certificate_m - truth_m);
+      outcome.violating_ticks += now.certificate_m > truth_m ? 1U : 0U;
+    }
+  }
+  return outcome;
+}
+
+WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
+                         const SoundnessOptions& options,
+                         std::uint64_t index) {
+  const RandomWorld drawn =
+      draw_random_world(options.family.value_or(mixed_family(index)), options.seed, index);
+  const Robot& robot = corpus_robot();
+  WorldOutcome world;
+  world.family = drawn.family;
+  world.lanes = drawn.lanes;
+  world.explored = drawn.explored;
+  world.clearance_truth_m = upper_value(drawn, robot);
+  world.truth_m = drawn.family == WorldFamily::u_turn
+                      ? u_turn_value(drawn.corridor_m, drawn.wall_m, robot)
+                      : world.clearance_truth_m;
+  const WallIndex walls = feelable_walls(drawn);
+  const Drive driven = follow_legs(drawn, walls, options.seed, index);
+  world.reached = driven.end_reason == EndReason::goal;
+  const TickTable felt = true_ticks(driven, walls);
+  const TickTable logged = logged_ticks(driven, walls, options.seed, index);
+  world.ticks = static_cast<std::uint32_t>(felt.size());
+  const Course course{drawn.world.start, drawn.world.goal};
+  for (const SoundnessMethod& method : methods) {
+    world.outcomes.push_back(
+        certify(method.noise ? logged : felt, course, method.parameters, world.truth_m));
+  }
+  return world;
+}
+
+}  // namespace
+
+std::vector<SoundnessMethod> mixed_methods() {
+  std::vector<SoundnessMethod> methods;
+  add_with_and_without_noise(methods, "radial", small(ClearanceReading::radial));
+  add_with_and_without_noise(methods, "width", small(ClearanceReading::width));
+  add_with_and_without_noise(methods, "swept", small(ClearanceReading::swept));
+  CertificateParameters optimistic = small(ClearanceReading::width);
+  optimistic.unknown = UnknownSpace::free;
+  add_with_and_without_noise(methods, "A2 (unknown=free)", optimistic);
+  return methods;
+}
+
+std::vector<SoundnessMethod> u_turn_methods() {
+  std::vector<SoundnessMethod> methods;
+  for (const auto& [name, clearance] : {std::pair{"radial", ClearanceReading::radial},
+                                        std::pair{"width", ClearanceReading::width},
+                                        std::pair{"swept", ClearanceReading::swept}}) {
+    CertificateParameters parameters = small(clearance);
+    add_with_and_without_noise(methods, name, parameters);
+    parameters.curvature = CurvatureReading::none;
+    add_with_and_without_noise(methods, std::string("A3, ") + name, parameters);
+  }
+  return methods;
+}
+
+// The first term rises with d, the second falls: they meet, or the middle of the corridor is best.
+double u_turn_value(double corridor_m, double wall_m, const Robot& robot) noexcept {
+  const double room_m = corridor_m + 0.5 * wall_m - robot.min_turn_radius_m;
+  const double meet_m = (room_m + robot.body_width_m) / 3.0;
+  const double d = std::min(meet_m, 0.5 * corridor_m);
+  return std::min(2.0 * d - robot.body_width_m, room_m - d);
+}
+
+double upper_value(const RandomWorld& drawn, const Robot& robot) {
+  if (drawn.passage_m) {
+    return *drawn.passage_m - robot.body_width_m;
+  }
+  return clearance_slack(
+      exact_disc_clearance(drawn.world).upper_m, robot.body_width_m, SlackConvention::width);
+}
+
+std::vector<WorldOutcome> study_soundness(const std::vector<SoundnessMethod>& methods,
+                                          const SoundnessOptions& options) {
+  std::vector<WorldOutcome> worlds(options.worlds);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options.worlds, 16), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      worlds[i] = study_world(methods, options, options.first + i);
+    }
+  });
+  return worlds;
+}
+
+SoundnessSummary summarise(const std::vector<WorldOutcome>& worlds, std::size_t method) {
+  SoundnessSummary summary;
+  summary.worlds = worlds.size();
+  for (const WorldOutcome& world : worlds) {
+    const SoundnessOutcome& outcome = world.outcomes[method];
+    summary.ticks += world.ticks;
+    summary.issued += outcome.issued ? 1U : 0U;
+    summary.untraversable += world.truth_m <= 0.0 ? 1U : 0U;
+    summary.spurious += outcome.issued && world.truth_m <= 0.0 ? 1U : 0U;
+    summary.violations += outcome.violating_ticks > 0 ? 1U : 0U;
+    summary.violating_ticks += outcome.violating_ticks;
+    summary.largest_excess_m = std::max(summary.largest_excess_m, outcome.excess_m);
+  }
+  summary.violation_bound = clopper_pearson_upper(summary.violations, summary.worlds).value_or(1.0);
+  return summary;
+}
+
+std::vector<Tightness> tightness_of(const std::vector<WorldOutcome>& worlds, std::size_t method) {
+  std::map<std::tuple<WorldFamily, unsigned, unsigned>, std::vector<double>> gaps;
+  for (const WorldOutcome& world : worlds) {
+    const double certificate_m = world.outcomes[method].certificate_m;
+    if (world.reached && certificate_m > kNoPath) {
+      gaps[{world.family, world.explored, world.lanes}].push_back(world.truth_m - certificate_m);
+    }
+  }
+  std::vector<Tightness> rows;
+  for (auto& [key, values] : gaps) {
+    const auto& [family, explored, lanes] = key;
+    rows.push_back({family,
+                    explored,
+                    lanes,
+                    values.size(),
+                    quantile_in_place(values, 0.5).value(),
+                    quantile_in_place(values, 0.9).value()});
+  }
+  return rows;
+}
+
+}  // namespace tcert

@@ -1,0 +1,96 @@
+#pragma once
+/// \file
+/// How often, how far and how tightly the certificate bounds the truth, over random worlds.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <tcert/parameters.hpp>
+#include <tcert/robot.hpp>
+#include <vector>
+
+#include "analysis/truth/clearance_value.hpp"
+#include "datasets/random_worlds/random_world.hpp"
+
+namespace tcert {
+
+/// A way of certifying: a clearance reading or an ablation, on true or on logged ticks.
+struct SoundnessMethod {
+  std::string name;
+  CertificateParameters parameters;
+  bool noise = false;
+};
+
+/// radial, width, swept and A2, without noise and with; for the U-turns A3 in place of A2.
+[[nodiscard]] std::vector<SoundnessMethod> mixed_methods();
+[[nodiscard]] std::vector<SoundnessMethod> u_turn_methods();
+
+struct SoundnessOptions {
+  std::size_t worlds = 1000;
+  std::uint64_t seed = 1;
+  std::uint64_t first = 0;            ///< Number of the first world.
+  std::optional<WorldFamily> family;  ///< Empty: mixed.
+};
+
+/// One method in one world.
+struct SoundnessOutcome {
+  double certificate_m = ClearanceValue::kNoPath;  ///< T_t at the end.
+  double excess_m = ClearanceValue::kNoPath;       ///< Largest T_t - T over the run.
+  std::uint32_t violating_ticks = 0;               ///< Ticks with T_t > T.
+  bool issued = false;
+};
+
+struct WorldOutcome {
+  WorldFamily family = WorldFamily::gates;
+  double truth_m = 0.0;  ///< T_upper by clearance; of a U-turn the exact T.
+  double clearance_truth_m = 0.0;
+  std::uint32_t ticks = 0;
+  unsigned lanes = 1;
+  unsigned explored = 1;
+  bool reached = false;                    ///< The run got to its end.
+  std::vector<SoundnessOutcome> outcomes;  ///< One per method.
+};
+
+/// T of the U-turn about a wall of thickness t between corridors of width w: the largest
+/// min(2 (d - r_B), w + t/2 - d - R_min) over d <= w/2. To turn by half, a path of radius at least
+/// r needs 2 r across, and the corridors leave 2 (w - d) + t between clearances d.
+[[nodiscard]] double u_turn_value(double corridor_m, double wall_m, const Robot& robot) noexcept;
+
+/// T_upper of a random world by clearance alone, in the width convention.
+[[nodiscard]] double upper_value(const RandomWorld& drawn, const Robot& robot);
+
+/// Worlds in parallel, each in its own slot: the same for any number of threads.
+[[nodiscard]] std::vector<WorldOutcome> study_soundness(const std::vector<SoundnessMethod>& methods,
+                                                        const SoundnessOptions& options);
+
+/// What the outcomes of one method say of all worlds.
+struct SoundnessSummary {
+  std::size_t worlds = 0;
+  std::uint64_t ticks = 0;
+  std::size_t issued = 0;
+  std::size_t spurious = 0;       ///< Issued although T <= 0.
+  std::size_t untraversable = 0;  ///< Worlds with T <= 0.
+  std::size_t violations = 0;     ///< Worlds with T_t > T at some tick.
+  std::uint64_t violating_ticks = 0;
+  double largest_excess_m = 0.0;  ///< Largest T_t - T where above 0; else 0.
+  double violation_bound = 1.0;   ///< One-sided 95 % Clopper-Pearson bound of the worlds' rate.
+};
+
+[[nodiscard]] SoundnessSummary summarise(const std::vector<WorldOutcome>& worlds,
+                                         std::size_t method);
+
+/// T_upper - T_t at the end of the runs that reached G, by how much of the world they explored.
+struct Tightness {
+  WorldFamily family = WorldFamily::gates;
+  unsigned explored = 0;
+  unsigned lanes = 0;
+  std::size_t worlds = 0;
+  double median_m = 0.0;
+  double p90_m = 0.0;
+};
+
+[[nodiscard]] std::vector<Tightness> tightness_of(const std::vector<WorldOutcome>& worlds,
+                                                  std::size_t method);
+
+}  // namespace tcert

@@ -1,0 +1,140 @@
+#include "datasets/random_worlds/walled_lane.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "datasets/corpus/route.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kWallStep = 0.08;
+constexpr double kSwerve = 0.6;       // way before and after a gate on which its offset is taken up
+constexpr double kJawOverlap = 0.05;  // the jaws reach into the wall behind them
+
+Pose advanced(const Pose& from, double length_m, double curvature_per_m) noexcept {
+  const double turn = length_m * curvature_per_m;
+  const double chord =
+      std::abs(turn) > 1e-12 ? 2.0 * std::sin(0.5 * turn) / curvature_per_m : length_m;
+  return {from.position + chord * direction(from.yaw_rad + 0.5 * turn), from.yaw_rad + turn};
+}
+
+double swerve(const WalledLane& lane, double along_m) noexcept {
+  double offset = 0.0;
+  double weight = 0.0;
+  for (const LaneGate& gate : lane.gates) {
+    const double x = (along_m - gate.along_m) / kSwerve;
+    if (std::abs(x) < 1.0) {
+      const double w = 0.5 * (1.0 + std::cos(std::numbers::pi * x));
+      offset += w * w * gate.offset_m;
+      weight += w;
+    }
+  }
+  return weight > 0.0 ? offset / std::max(weight, 1e-9) * std::min(weight, 1.0) : 0.0;
+}
+
+void add_side(World& world, const WalledLane& lane, double side) {
+  const double length = length_of(lane);
+  const auto steps = static_cast<int>(std::ceil(length / kWallStep));
+  const double near = side * 0.5 * lane.width_m;
+  const double far = near + side * kWallThickness;
+  Polygon wall;
+  for (int i = 0; i <= steps; ++i) {
+    wall.vertices.push_back(transform(pose_at(lane, length * i / steps), {0.0, near}));
+  }
+  for (int i = steps; i >= 0; --i) {
+    wall.vertices.push_back(transform(pose_at(lane, length * i / steps), {0.0, far}));
+  }
+  world.obstacles.emplace_back(std::move(wall));
+}
+
+}  // namespace
+
+double length_of(const WalledLane& lane) noexcept {
+  double length = 0.0;
+  for (const LanePiece& piece : lane.pieces) {
+    length += piece.length_m;
+  }
+  return length;
+}
+
+Pose pose_at(const WalledLane& lane, double along_m) noexcept {
+  Pose pose = lane.begin;
+  for (std::size_t i = 0; i < lane.pieces.size(); ++i) {
+    const LanePiece& piece = lane.pieces[i];
+    const bool last = i + 1 == lane.pieces.size();
+    const double part = last ? along_m : std::min(along_m, piece.length_m);
+    pose = advanced(pose, part, piece.curvature_per_m);
+    along_m -= part;
+    if (along_m <= 0.0) {
+      break;
+    }
+  }
+  return pose;
+}
+
+double passage_of(const WalledLane& lane) noexcept {
+  double least = lane.width_m;
+  for (const LaneGate& gate : lane.gates) {
+    least = std::min(least, gate.width_m);
+  }
+  return least;
+}
+
+void add_walls(World& world, const WalledLane& lane) {
+  add_side(world, lane, 1.0);
+  add_side(world, lane, -1.0);
+}
+
+void add_caps(World& world, const WalledLane& lane) {
+  const double across = 0.5 * lane.width_m + kWallThickness;
+  world.obstacles.emplace_back(
+      box_at(pose_at(lane, 0.0), {-kWallThickness, -across}, {0.0, across}));
+  world.obstacles.emplace_back(
+      box_at(pose_at(lane, length_of(lane)), {0.0, -across}, {kWallThickness, across}));
+}
+
+void add_gates(World& world, const WalledLane& lane) {
+  for (const LaneGate& gate : lane.gates) {
+    const Pose middle = pose_at(lane, gate.along_m);
+    const double half = 0.5 * gate.length_m;
+    const double wall = 0.5 * lane.width_m + kJawOverlap;
+    const double left = gate.offset_m + 0.5 * gate.width_m;
+    const double right = gate.offset_m - 0.5 * gate.width_m;
+    world.obstacles.emplace_back(box_at(middle, {-half, left}, {half, wall}));
+    world.obstacles.emplace_back(box_at(middle, {-half, -wall}, {half, right}));
+  }
+}
+
+std::vector<Point> path_along(const WalledLane& lane, double from_m, double to_m) {
+  const auto steps = std::max(1, static_cast<int>(std::ceil(std::abs(to_m - from_m) / kPathStep)));
+  std::vector<Point> points;
+  for (int i = 0; i <= steps; ++i) {
+    const double along = from_m + (to_m - from_m) * i / steps;
+    points.push_back(transform(pose_at(lane, along), {0.0, swerve(lane, along)}));
+  }
+  return points;
+}
+
+Polygon box_at(const Pose& pose, Point low, Point high) {
+  return {{transform(pose, low),
+           transform(pose, {high.x_m, low.y_m}),
+           transform(pose, high),
+           transform(pose, {low.x_m, high.y_m})}};
+}
+
+Bounds bounds_of(const World& world, double margin_m) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Bounds bounds{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+  for (const Region& obstacle : world.obstacles) {
+    for (const Point p : std::get<Polygon>(obstacle).vertices) {
+      bounds.low = {std::min(bounds.low.x_m, p.x_m), std::min(bounds.low.y_m, p.y_m)};
+      bounds.high = {std::max(bounds.high.x_m, p.x_m), std::max(bounds.high.y_m, p.y_m)};
+    }
+  }
+  return {bounds.low - Point{margin_m, margin_m}, bounds.high + Point{margin_m, margin_m}};
+}
+
+}  // namespace tcert

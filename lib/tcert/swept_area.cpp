@@ -1,0 +1,258 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <tcert/swept_area.hpp>
+
+namespace tcert {
+namespace {
+
+constexpr std::int32_t kFarthest = 1 << 28;  // cells from the frame's origin
+
+std::int32_t floor_index(double at) noexcept {
+  return static_cast<std::int32_t>(std::clamp(std::floor(at), -1.0 * kFarthest, 1.0 * kFarthest));
+}
+
+std::int32_t ceil_index(double at) noexcept {
+  return static_cast<std::int32_t>(std::clamp(std::ceil(at), -1.0 * kFarthest, 1.0 * kFarthest));
+}
+
+/// An upright square.
+struct Box {
+  Point low;
+  Point high;
+  [[nodiscard]] double distance_to(Point p) const noexcept {
+    const double dx = std::max({low.x_m - p.x_m, 0.0, p.x_m - high.x_m});
+    const double dy = std::max({low.y_m - p.y_m, 0.0, p.y_m - high.y_m});
+    return std::sqrt(dx * dx + dy * dy);
+  }
+};
+
+double distance_to_segment(Point p, Point a, Point b) noexcept {
+  const Point along = b - a;
+  const double length2 = dot(along, along);
+  const double t = length2 > 0.0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
+  return distance(p, a + t * along);
+}
+
+bool meets(const Box& box, Point a, Point b) noexcept {
+  double from = 0.0;
+  double to = 1.0;
+  for (const auto axis : {&Point::x_m, &Point::y_m}) {
+    const double start = a.*axis;
+    const double way = b.*axis - start;
+    if (way == 0.0) {
+      if (start < box.low.*axis || start > box.high.*axis) {
+        return false;
+      }
+      continue;
+    }
+    const double t0 = (box.low.*axis - start) / way;
+    const double t1 = (box.high.*axis - start) / way;
+    from = std::max(from, std::min(t0, t1));
+    to = std::min(to, std::max(t0, t1));
+  }
+  return from <= to;
+}
+
+double distance_between(const Box& box, Point a, Point b) noexcept {
+  if (meets(box, a, b)) {
+    return 0.0;
+  }
+  double least = std::min(box.distance_to(a), box.distance_to(b));
+  for (const Point corner :
+       {box.low, Point{box.high.x_m, box.low.y_m}, box.high, Point{box.low.x_m, box.high.y_m}}) {
+    least = std::min(least, distance_to_segment(corner, a, b));
+  }
+  return least;
+}
+
+Box box_of(SweptCell cell, double cell_m) noexcept {
+  return {{static_cast<double>(cell.ix) * cell_m, static_cast<double>(cell.iy) * cell_m},
+          {static_cast<double>(cell.ix + 1) * cell_m, static_cast<double>(cell.iy + 1) * cell_m}};
+}
+
+bool covers(const Disc& disc, const Box& box) noexcept {
+  const double dx = std::max(disc.centre.x_m - box.low.x_m, box.high.x_m - disc.centre.x_m);
+  const double dy = std::max(disc.centre.y_m - box.low.y_m, box.high.y_m - disc.centre.y_m);
+  return dx * dx + dy * dy <= disc.radius_m * disc.radius_m;
+}
+
+// The middle lies inside and every edge further off than the corners.
+bool covers(const Region& region, const Box& box) noexcept {
+  if (const auto* disc = std::get_if<Disc>(&region)) {
+    return covers(*disc, box);
+  }
+  const Point middle = 0.5 * (box.low + box.high);
+  if (!contains(region, middle)) {
+    return false;
+  }
+  const double half_diagonal = distance(middle, box.low);
+  const auto& v = std::get<Polygon>(region).vertices;
+  for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
+    if (distance_to_segment(middle, v[j], v[i]) <= half_diagonal) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+SweptArea::SweptArea(const Robot& robot,
+                     const Course& course,
+                     const CertificateParameters& parameters)
+    : rule_{parameters.swept_cell_m,
+            parameters.travel_deadband_m,
+            parameters.least_obstacle_m,
+            0.5 / std::tan(0.5 * parameters.sharpest_corner_rad)},
+      body_radius_m_(0.5 * robot.body_width_m),
+      reach_m_(body_radius_m_),
+      rays_(robot.rays),
+      sweeps_(robot.rays.size()),
+      regions_{course.start, course.goal},
+      local_regions_(regions_),
+      cells_(parameters.max_swept_cells) {
+  for (const Ray& ray : rays_) {
+    reach_m_ = std::max(reach_m_, norm(ray.mount) + ray.reach_m);
+  }
+}
+
+void SweptArea::begin(const Pose& first) noexcept {
+  cells_.clear();
+  frame_ = first;
+  axis_ = direction(first.yaw_rad);
+  break_path();
+  for (std::size_t k = 0; k < regions_.size(); ++k) {
+    if (!regions_[k]) {
+      continue;
+    }
+    if (const auto* disc = std::get_if<Disc>(&*regions_[k])) {
+      std::get<Disc>(*local_regions_[k]).centre = local(disc->centre);
+      continue;
+    }
+    const auto& given = std::get<Polygon>(*regions_[k]).vertices;
+    auto& moved = std::get<Polygon>(*local_regions_[k]).vertices;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      moved[i] = local(given[i]);
+    }
+  }
+}
+
+void SweptArea::break_path() noexcept {
+  for (RaySweep& sweep : sweeps_) {
+    sweep.restart();
+  }
+}
+
+Point SweptArea::local(Point p) const noexcept {
+  const Point off = p - frame_.position;
+  return {dot(axis_, off), cross(axis_, off)};
+}
+
+void SweptArea::sweep(const Pose& pose, std::span<const double> clearances_m) noexcept {
+  const Pose here{local(pose.position), pose.yaw_rad - frame_.yaw_rad};
+  mark_body(here.position);
+  for (std::size_t k = 0; k < rays_.size(); ++k) {
+    const Ray& ray = rays_[k];
+    const bool in_body =
+        norm(ray.mount) + rule_.lost_share * rule_.least_obstacle_m <= body_radius_m_;
+    sweeps_[k].advance(transform(here, ray.mount),
+                       direction(here.yaw_rad + ray.bearing_rad),
+                       clearances_m[k],
+                       in_body,
+                       rule_,
+                       cells_);
+  }
+}
+
+// Row by row, the cells that lie wholly in the disc.
+void SweptArea::mark_body(Point centre) noexcept {
+  const double cell_m = rule_.cell_m;
+  const std::int32_t last_row = floor_index((centre.y_m + body_radius_m_) / cell_m);
+  for (std::int32_t iy = floor_index((centre.y_m - body_radius_m_) / cell_m); iy <= last_row;
+       ++iy) {
+    const double below = centre.y_m - static_cast<double>(iy) * cell_m;
+    const double above = static_cast<double>(iy + 1) * cell_m - centre.y_m;
+    const double furthest = std::max(below, above);
+    if (furthest >= body_radius_m_) {
+      continue;
+    }
+    const double half_m = std::sqrt(body_radius_m_ * body_radius_m_ - furthest * furthest);
+    cells_.mark_run(iy,
+                    ceil_index((centre.x_m - half_m) / cell_m),
+                    floor_index((centre.x_m + half_m) / cell_m) - 1);
+  }
+}
+
+bool SweptArea::in_course(SweptCell cell) const noexcept {
+  const Box box = box_of(cell, rule_.cell_m);
+  return std::any_of(local_regions_.begin(), local_regions_.end(), [&](const auto& region) {
+    return region.has_value() && covers(*region, box);
+  });
+}
+
+bool SweptArea::is_free(SweptCell cell) noexcept {
+  return cells_.contains(cell) || in_course(cell);
+}
+
+void SweptArea::look_into(
+    std::int32_t bx, std::int32_t by, Point a, Point b, SweptClearance& best) noexcept {
+  constexpr std::int32_t kSide = SweptCells::kSide;
+  const double cell_m = rule_.cell_m;
+  const double half_diagonal = std::sqrt(0.5) * cell_m;
+  const Point middle = 0.5 * (a + b);
+  const double half_length = 0.5 * distance(a, b);
+  for (std::uint64_t open = ~cells_.block(bx, by); open != 0; open &= open - 1) {
+    const auto bit = static_cast<std::int32_t>(std::countr_zero(open));
+    const SweptCell cell{bx * kSide + bit % kSide, by * kSide + bit / kSide};
+    const Point centre{(static_cast<double>(cell.ix) + 0.5) * cell_m,
+                       (static_cast<double>(cell.iy) + 0.5) * cell_m};
+    const double bound = best.distance_m + half_diagonal + half_length;
+    const Point off = centre - middle;
+    if (dot(off, off) >= bound * bound) {
+      continue;
+    }
+    const double distance_m = distance_between(box_of(cell, cell_m), a, b);
+    if (distance_m >= best.distance_m) {
+      continue;
+    }
+    if (in_course(cell)) {
+      cells_.mark(cell);
+      continue;
+    }
+    best = {distance_m, cell};
+  }
+}
+
+// Blocks in rings round the one that the segment's middle lies in, until no ring can be nearer.
+SweptClearance SweptArea::clearance(Point from, Point to) noexcept {
+  const Point a = local(from);
+  const Point b = local(to);
+  const double block_m = SweptCells::kSide * rule_.cell_m;
+  const Point middle = 0.5 * (a + b);
+  const double half_length = 0.5 * distance(a, b);
+  const std::int32_t mx = floor_index(middle.x_m / block_m);
+  const std::int32_t my = floor_index(middle.y_m / block_m);
+  SweptClearance best{reach_m_, std::nullopt};
+  const auto look = [&](std::int32_t bx, std::int32_t by) noexcept {
+    const Box box{{static_cast<double>(bx) * block_m, static_cast<double>(by) * block_m},
+                  {static_cast<double>(bx + 1) * block_m, static_cast<double>(by + 1) * block_m}};
+    if (box.distance_to(middle) - half_length < best.distance_m) {
+      look_into(bx, by, a, b, best);
+    }
+  };
+  look(mx, my);
+  for (std::int32_t ring = 1;
+       static_cast<double>(ring - 1) * block_m - half_length < best.distance_m;
+       ++ring) {
+    for (std::int32_t i = -ring; i < ring; ++i) {
+      look(mx + i, my - ring);
+      look(mx + ring, my + i);
+      look(mx - i, my + ring);
+      look(mx - ring, my - i);
+    }
+  }
+  return best;
+}
+
+}  // namespace tcert

@@ -1,0 +1,150 @@
+#include "analysis/soundness/soundness.hpp"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/truth/truth.hpp"
+#include "datasets/corpus/tentacles.hpp"
+
+namespace tcert {
+namespace {
+
+std::vector<WorldOutcome> study(const std::vector<SoundnessMethod>& methods,
+                                std::size_t worlds,
+                                std::optional<WorldFamily> family = {}) {
+  SoundnessOptions options;
+  options.worlds = worlds;
+  options.family = family;
+  options.seed = 3;
+  return study_soundness(methods, options);
+}
+
+std::size_t number_of(const std::vector<SoundnessMethod>& methods,
+                      std::string_view name,
+                      bool noise) {
+  const auto found = std::find_if(methods.begin(), methods.end(), [&](const SoundnessMethod& m) {
+    return m.name == name && m.noise == noise;
+  });
+  return static_cast<std::size_t>(found - methods.begin());
+}
+
+TEST(Soundness, OfTheSweptAreaIsNeverBrokenWithoutNoise) {
+  const auto methods = mixed_methods();
+  const auto worlds = study(methods, 300);
+  const SoundnessSummary swept = summarise(worlds, number_of(methods, "swept", false));
+  EXPECT_EQ(swept.violations, 0U);
+  EXPECT_EQ(swept.spurious, 0U);
+  EXPECT_GT(swept.issued, 100U);
+  EXPECT_GT(swept.ticks, 50'000U);
+  const SoundnessSummary optimistic =
+      summarise(worlds, number_of(methods, "A2 (unknown=free)", false));
+  EXPECT_GT(optimistic.violations, 200U);
+  EXPECT_GT(optimistic.spurious, 0U);
+}
+
+TEST(Soundness, WithoutCurvatureTightTurnsAreCertifiedThatCannotBeDriven) {
+  const auto methods = u_turn_methods();
+  const auto worlds = study(methods, 60, WorldFamily::u_turn);
+  const SoundnessSummary full = summarise(worlds, number_of(methods, "width", false));
+  const SoundnessSummary without = summarise(worlds, number_of(methods, "A3, width", false));
+  EXPECT_GT(full.untraversable, 10U);
+  EXPECT_EQ(full.spurious, 0U);
+  EXPECT_GT(without.spurious, 5U);
+  EXPECT_EQ(summarise(worlds, number_of(methods, "swept", false)).violations, 0U);
+}
+
+TEST(Soundness, IsTheSameForAnyNumberOfThreads) {
+  const auto methods = mixed_methods();
+  const auto many = study(methods, 40);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  const auto one = study(methods, 40);
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    ASSERT_EQ(many[i].truth_m, one[i].truth_m);
+    ASSERT_EQ(many[i].ticks, one[i].ticks);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      ASSERT_EQ(many[i].outcomes[m].certificate_m, one[i].outcomes[m].certificate_m);
+      ASSERT_EQ(many[i].outcomes[m].excess_m, one[i].outcomes[m].excess_m);
+    }
+  }
+}
+
+// What is known of a world by how it is built, against the distance transform of its obstacles.
+TEST(Soundness, KnownValuesOfRandomWorldsAgreeWithTheGrid) {
+  const Robot& robot = corpus_robot();
+  for (const WorldFamily family : {WorldFamily::gates,
+                                   WorldFamily::bends,
+                                   WorldFamily::discs,
+                                   WorldFamily::figure_eight,
+                                   WorldFamily::loop,
+                                   WorldFamily::u_turn}) {
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const RandomWorld drawn = draw_random_world(family, 5, i);
+      const ClearanceValue grid = grid_clearance(drawn.world, 0.02).value;
+      const double known = 0.5 * (upper_value(drawn, robot) + robot.body_width_m);
+      EXPECT_LE(known, grid.upper_m + 3e-4) << drawn.world.name;
+      EXPECT_GE(known, grid.lower_m) << drawn.world.name;
+    }
+  }
+}
+
+TEST(Soundness, ValueOfAUTurnIsTheBestClearance) {
+  const Robot& robot = corpus_robot();
+  for (double width = 0.46; width < 1.0; width += 0.03) {
+    double best = ClearanceValue::kNoPath;
+    for (int i = 0; i <= 20000; ++i) {
+      const double d = 0.5 * width * i / 20000;
+      best = std::max(
+          best, std::min(2.0 * d - robot.body_width_m, width + 0.05 - d - robot.min_turn_radius_m));
+    }
+    EXPECT_NEAR(u_turn_value(width, 0.1, robot), best, 1e-4);
+  }
+  // Without a thickness: negative between the body's width and R_min + r_B.
+  EXPECT_LT(u_turn_value(0.57, 0.0, robot), 0.0);
+  EXPECT_GT(u_turn_value(0.58, 0.0, robot), 0.0);
+}
+
+// A path that the search with the turning limit finds round the wall is no better than the formula.
+TEST(Soundness, NoPathThatIsFoundBeatsTheValueOfAUTurn) {
+  const Robot& robot = corpus_robot();
+  for (const std::uint64_t i : {0, 1, 2}) {
+    const RandomWorld drawn = draw_random_world(WorldFamily::u_turn, 5, i);
+    const Truth found = truth_of(drawn.world, robot, {});
+    EXPECT_LE(found.lower_m, u_turn_value(drawn.corridor_m, drawn.wall_m, robot) + 1e-9)
+        << drawn.world.name;
+  }
+}
+
+TEST(Soundness, SummaryCountsWorlds) {
+  const auto world = [](double truth, double certificate, std::uint32_t over, bool issued) {
+    WorldOutcome outcome;
+    outcome.truth_m = truth;
+    outcome.ticks = 10;
+    outcome.reached = true;
+    outcome.outcomes = {{certificate, certificate - truth, over, issued}};
+    return outcome;
+  };
+  const std::vector<WorldOutcome> worlds{world(0.1, 0.08, 0, true),
+                                         world(0.1, 0.13, 4, true),
+                                         world(-0.1, 0.02, 2, true),
+                                         world(-0.1, ClearanceValue::kNoPath, 0, false)};
+  const SoundnessSummary summary = summarise(worlds, 0);
+  EXPECT_EQ(summary.worlds, 4U);
+  EXPECT_EQ(summary.ticks, 40U);
+  EXPECT_EQ(summary.issued, 3U);
+  EXPECT_EQ(summary.untraversable, 2U);
+  EXPECT_EQ(summary.spurious, 1U);
+  EXPECT_EQ(summary.violations, 2U);
+  EXPECT_EQ(summary.violating_ticks, 6U);
+  EXPECT_NEAR(summary.largest_excess_m, 0.12, 1e-12);
+  EXPECT_NEAR(summary.violation_bound, 0.9024, 1e-4);  // R: binom.test(2, 4, alternative = "less")
+  const auto tightness = tightness_of(worlds, 0);
+  ASSERT_EQ(tightness.size(), 1U);
+  EXPECT_EQ(tightness[0].worlds, 3U);
+  EXPECT_NEAR(tightness[0].median_m, -0.03, 1e-12);
+}
+
+}  // namespace
+}  // namespace tcert

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "datasets/corpus/tentacles.hpp"
+#include "datasets/random_worlds/random_run.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr std::array kFamilies{WorldFamily::gates,
+                               WorldFamily::bends,
+                               WorldFamily::discs,
+                               WorldFamily::figure_eight,
+                               WorldFamily::loop,
+                               WorldFamily::u_turn};
+
+TEST(RandomWorlds, AreTheSameForTheSameNumber) {
+  for (const WorldFamily family : kFamilies) {
+    const RandomWorld once = draw_random_world(family, 2, 7);
+    EXPECT_EQ(to_json(once.world), to_json(draw_random_world(family, 2, 7).world));
+    EXPECT_NE(to_json(once.world), to_json(draw_random_world(family, 2, 8).world));
+    EXPECT_TRUE(once.world.synthetic);
+  }
+}
+
+TEST(RandomWorlds, RunsStartInSAndKeepTheBodyOffTheWalls) {
+  for (const WorldFamily family : kFamilies) {
+    std::size_t reached = 0;
+    for (std::uint64_t i = 0; i < 30; ++i) {
+      const RandomWorld drawn = draw_random_world(family, 2, i);
+      SCOPED_TRACE(drawn.world.name);
+      const WallIndex walls = feelable_walls(drawn);
+      const Drive driven = follow_legs(drawn, walls, 2, i);
+      ASSERT_FALSE(driven.poses.empty());
+      EXPECT_TRUE(contains(*drawn.world.start, driven.poses.front().position));
+      for (const Pose& pose : driven.poses) {
+        ASSERT_GE(walls.distance_from(pose.position), 0.225 + 0.0005 - 1e-12);
+      }
+      if (driven.end_reason == EndReason::goal) {
+        ++reached;
+        EXPECT_TRUE(std::any_of(driven.poses.begin(), driven.poses.end(), [&](const Pose& pose) {
+          return contains(*drawn.world.goal, pose.position);
+        }));
+      }
+    }
+    EXPECT_GT(reached, 8U) << name_of(family);
+  }
+}
+
+TEST(RandomWorlds, TrueTicksAreWhatTheWallsAre) {
+  const RandomWorld drawn = draw_random_world(WorldFamily::discs, 2, 1);
+  const WallIndex walls = feelable_walls(drawn);
+  const Drive driven = follow_legs(drawn, walls, 2, 1);
+  const TickTable ticks = true_ticks(driven, walls);
+  ASSERT_EQ(ticks.size(), (driven.poses.size() + 1) / 2);
+  const Robot& robot = corpus_robot();
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    const auto clearances = cast_tentacles(walls, driven.poses[2 * k]);
+    for (std::size_t r = 0; r < kTentacles; ++r) {
+      EXPECT_NEAR(calibrated_clearance(robot.rays[r].calibration, ticks[k].rays[r].value),
+                  clearances[r],
+                  1e-12);
+    }
+  }
+}
+
+// Against the disc's equation, along many rays.
+TEST(WallIndex, FeelsDiscs) {
+  World world;
+  world.bounds = {{-1.0, -1.0}, {1.0, 1.0}};
+  const Disc disc{{0.3, 0.1}, 0.12};
+  world.obstacles = {disc};
+  const WallIndex walls(world, 0.7);
+  for (int i = 0; i < 360; ++i) {
+    const Point u = direction(i * std::numbers::pi / 180.0);
+    const double felt = walls.cast({0.0, 0.0}, {0.0, 0.0}, u, 0.6);
+    if (felt < 0.6) {
+      EXPECT_NEAR(distance(felt * u, disc.centre), disc.radius_m, 1e-12);
+    }
+    for (int step = 0; step < 100; ++step) {
+      EXPECT_GE(distance(felt * step / 100.0 * u, disc.centre), disc.radius_m - 1e-12);
+    }
+    EXPECT_EQ(felt < 0.6,
+              std::abs(cross(u, disc.centre)) < disc.radius_m && dot(u, disc.centre) > 0.0);
+  }
+  EXPECT_NEAR(walls.distance_from({0.3, 0.4}), 0.18, 1e-12);
+  EXPECT_EQ(walls.cast({0.3, 0.1}, {0.3, 0.1}, {1.0, 0.0}, 0.6), 0.0);
+  const auto [moved, is_free] = walls.pushed_out({0.3, 0.3}, 0.225);
+  EXPECT_TRUE(is_free);
+  EXPECT_NEAR(moved.y_m, 0.1 + 0.12 + 0.225, 1e-12);
+}
+
+}  // namespace
+}  // namespace tcert
