@@ -1,0 +1,154 @@
+// Figures: Vega-Lite specifications drawn without evaluating code, each with the numbers behind it.
+
+import embed from 'vega-embed';
+import { expressionInterpreter } from 'vega-interpreter';
+import { csvParseRows } from './csv.js';
+import { colour, el, onThemeChange, saveButton } from './dom.js';
+import { tableElement } from './tables.js';
+
+const shownRows = 200;
+
+function theme() {
+  const ink = colour('--ink');
+  const muted = colour('--muted');
+  const grid = colour('--grid');
+  const font = 'system-ui, sans-serif';
+  return {
+    background: 'transparent',
+    font,
+    view: { stroke: grid },
+    axis: {
+      labelColor: ink, titleColor: ink, gridColor: grid, domainColor: muted, tickColor: muted,
+      labelFontSize: 12, titleFontSize: 12, titleFontWeight: 'normal', labelLimit: 220,
+      labelOverlap: 'greedy', titleLimit: 320,
+    },
+    legend: {
+      labelColor: ink, titleColor: ink, labelFontSize: 12, titleFontSize: 12, titleFontWeight: 'normal',
+      orient: 'bottom', direction: 'horizontal', columns: 3, labelLimit: 260, symbolStrokeWidth: 2,
+    },
+    title: { color: ink, fontSize: 13, fontWeight: 'normal', anchor: 'start' },
+    header: { labelColor: ink, titleColor: ink },
+    text: { color: ink },
+    style: {
+      ink: { color: ink, fill: ink, stroke: ink },
+      muted: { color: muted, fill: muted, stroke: muted },
+      faint: { color: grid, fill: grid, stroke: grid },
+    },
+  };
+}
+
+// A view that fits the width there is: panels beside each other only where they can be read.
+function fitted(spec, width) {
+  const copy = structuredClone(spec);
+  if (Array.isArray(copy.concat)) {
+    const columns = Math.max(1, Math.min(copy.columns ?? 1, Math.floor(width / 300)));
+    const room = Math.max(120, Math.floor(width / columns) - 90);
+    copy.columns = columns;
+    for (const panel of copy.concat) {
+      if (typeof panel.width !== 'number') continue;
+      const scale = room / panel.width;
+      panel.width = room;
+      if (typeof panel.height === 'number' && panel.usermeta?.equal_scale) panel.height *= scale;
+    }
+  } else {
+    copy.width = 'container';
+  }
+  copy.autosize = { type: copy.concat ? 'pad' : 'fit-x', contains: 'padding', resize: true };
+  if (width < 520) {
+    copy.config = { ...(copy.config ?? {}), legend: { ...(copy.config?.legend ?? {}), columns: 1 } };
+  }
+  return copy;
+}
+
+class Figure {
+  constructor(figure) {
+    this.figure = figure;
+    this.view = null;
+    this.plot = el('div', { class: 'plot', role: 'img', 'aria-label': `${figure.title}. ${figure.caption}` });
+    this.element = el('figure', { class: 'card', id: `figure-${figure.id}`, 'data-state': 'waiting' },
+      el('h3', {}, figure.title),
+      el('div', { class: 'scroll plain' }, this.plot),
+      el('figcaption', {}, figure.caption),
+      this.numbers(),
+      el('p', { class: 'actions' },
+        saveButton('Save numbers as CSV', `${figure.name}.csv`, 'text/csv', () => figure.csv),
+        saveButton('Save Vega-Lite', `${figure.name}.vl.json`, 'application/json',
+          () => JSON.stringify(figure.spec, null, 2))));
+  }
+
+  numbers() {
+    const details = el('details', {}, el('summary', {}, 'The numbers behind it'));
+    details.addEventListener('toggle', () => {
+      if (!details.open || details.childElementCount > 1) return;
+      const [names, ...rows] = csvParseRows(this.figure.csv);
+      const table = {
+        columns: names.map((name) => ({ heading: name, numeric: false })),
+        rows: rows.slice(0, shownRows).map((cells) => cells.map((cell) => (cell === '' ? 'NA' : cell))),
+      };
+      details.append(tableElement(table, `Numbers of: ${this.figure.title}`));
+      if (rows.length > shownRows) {
+        details.append(el('p', {}, `The first ${shownRows} of ${rows.length} rows; the CSV has them all.`));
+      }
+    });
+    return details;
+  }
+
+  async draw() {
+    const width = this.plot.clientWidth;
+    this.view?.finalize();
+    const spec = fitted(this.figure.spec, width);
+    try {
+      const result = await embed(this.plot, spec, {
+        actions: false, defaultStyle: false, renderer: 'svg', ast: true, expr: expressionInterpreter,
+        config: theme(), tooltip: false,
+      });
+      this.view = result.view;
+      this.width = width;
+      const picture = this.plot.querySelector('svg');
+      picture?.setAttribute('aria-hidden', 'true');
+      this.element.dataset.state = 'drawn';
+    } catch (error) {
+      this.element.dataset.state = 'failed';
+      this.plot.replaceChildren(el('p', { class: 'notice' }, `This figure cannot be drawn: ${error.message}`));
+    }
+  }
+}
+
+// Draws what is near the reader first, the rest when there is nothing else to do.
+export function figures(report) {
+  if (report.figures.length === 0) {
+    return [el('p', {}, 'These results hold no figure.')];
+  }
+  const all = report.figures.map((figure) => new Figure(figure));
+  const waiting = new Set(all);
+  const draw = (figure) => (waiting.delete(figure) ? figure.draw() : undefined);
+  const near = new IntersectionObserver((entries) => {
+    for (const entry of entries) {
+      if (!entry.isIntersecting) continue;
+      near.unobserve(entry.target);
+      draw(all.find((figure) => figure.element === entry.target));
+    }
+  }, { rootMargin: '400px' });
+  all.forEach((figure) => near.observe(figure.element));
+
+  const whenIdle = (work) => requestIdleCallback(work, { timeout: 500 });
+  const drawRest = async () => {
+    const [next] = waiting;
+    if (next === undefined) return;
+    await draw(next);
+    whenIdle(drawRest);
+  };
+  whenIdle(drawRest);
+
+  const redraw = () => all.filter((figure) => !waiting.has(figure)).forEach((figure) => figure.draw());
+  onThemeChange(redraw);
+  let settled = 0;
+  addEventListener('resize', () => {
+    clearTimeout(settled);
+    settled = setTimeout(() => {
+      all.filter((figure) => figure.view && figure.width !== figure.plot.clientWidth)
+        .forEach((figure) => figure.draw());
+    }, 150);
+  });
+  return [el('div', { class: 'figures' }, all.map((figure) => figure.element))];
+}
