@@ -25,7 +25,7 @@ struct Axis {
 };
 
 enum class Mark {
-  line,     ///< x, y in the order of the rows; a line for each value of `group` and `colour`.
+  line,     ///< x, y in the order of the rows; a line for each class of `colour`.
   step,     ///< The same, y held until the next x.
   point,    ///< x, y.
   segment,  ///< x, y to x2, y2.
@@ -50,7 +50,7 @@ struct Layer {
   std::string x2;      ///< segment, range_x.
   std::string y2;      ///< segment, range_y, band.
   std::string text;    ///< text.
-  std::string group;   ///< A column: its values are lines or polygons of their own.
+  std::string group;   ///< polygon: a text column, one value a polygon.
   std::string colour;  ///< A column: class of the figure's key, or number of its gradient.
   std::string label;   ///< One class of the key for the whole layer, in place of `colour`.
   Tone tone = Tone::ink;
@@ -104,6 +104,9 @@ struct Figure {
   Key key;
   std::optional<Gradient> gradient;
 };
+
+/// Names of a table's columns in its data: an estimate x is x, x_low, x_high.
+[[nodiscard]] std::vector<std::string> data_fields(const Table& table);
 
 /// The data of the figure as CSV: what every form of it draws.
 [[nodiscard]] std::string figure_csv(const Figure& figure);
