@@ -27,6 +27,7 @@ extern const Command kAblate;
 extern const Command kSweep;
 extern const Command kReplay;
 extern const Command kGate;
+extern const Command kReport;
 extern const Command kReproduce;
 extern const Command kLive;
 extern const Command kHelp;

@@ -11,7 +11,7 @@ namespace tcert {
 
 /// What the build has made of reports/page: installed as share/tcert/page.
 struct PageAssets {
-  std::string html;    ///< With {{policy}}, {{title}} ... in the places of what page() fills in.
+  std::string html;  ///< With {{policy}}, {{title}} ... in the places of what page() fills in.
   std::string style;
   std::string script;
   std::vector<std::string> packages;  ///< "vega 6.4.0 (BSD-3-Clause)".
@@ -23,10 +23,12 @@ struct PageAssets {
 /// What a page shows. Lines are packed() JSON, one element each.
 struct PageData {
   std::string title;
-  std::string report;               ///< JSON: tables, figures, methods, provenance.
-  std::string trials;               ///< The list of trials; empty if there is none.
-  std::vector<std::string> series;  ///< One a trial, in the order of the list; or none.
-  std::vector<std::string> worlds;  ///< What trials' "world" counts.
+  std::string report;  ///< JSON: tables, figures, methods, provenance.
+  std::string trials;  ///< The list of trials; empty if there is none.
+  /// One a trial, in the order of the list, or none: the number of its world, if it has one, a
+  /// space, and its trial_block().
+  std::vector<std::string> series;
+  std::vector<std::string> worlds;
   std::vector<std::string> frames;
 };
 

@@ -1,10 +1,8 @@
 #include "reports/html/report_json.hpp"
 
 #include <algorithm>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "analysis/trials/parameters.hpp"
 #include "reports/figure/vega_lite.hpp"
@@ -19,6 +17,10 @@ using Json = OrderedJson;
 
 std::string tool_words(std::string_view version, std::string_view commit) {
   return "tcert " + std::string(version) + ", commit " + std::string(commit.substr(0, 12));
+}
+
+std::string shown_name(const Result& result) {
+  return result.name == "." ? "results" : result.name;
 }
 
 Json json_table(const PageTable& page_table, std::size_t id) {
@@ -59,43 +61,49 @@ Json json_figure(const Figure& figure, std::size_t id) {
           {"csv", figure_csv(figure)}};
 }
 
-std::string words_of(const Json& value) {
-  if (value.is_null()) {
-    return "NA";
-  }
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
+std::string words_of(const std::string& setting) { return setting.empty() ? "NA" : setting; }
 
-Json json_files(const Json& files) {
+Json json_files(const std::vector<ManifestFile>& files) {
   Json rows = Json::array();
-  for (const Json& file : files) {
-    rows.push_back(Json::array({file.at("path"),
-                                words_of(file.at("files")),
-                                words_of(file.at("bytes")),
-                                file.at("sha256")}));
+  for (const ManifestFile& file : files) {
+    rows.push_back(Json::array({file.path,
+                                std::to_string(file.digest.files),
+                                std::to_string(file.digest.bytes),
+                                file.digest.sha256}));
   }
   return rows;
 }
 
-Json json_result(const PageResult& result, const Json& manifest) {
+/// The command as it was given, inputs by their names alone.
+std::string command_words(const WrittenResult& manifest) {
+  std::string words = "tcert " + manifest.command;
+  if (manifest.arguments) {
+    for (const ManifestArgument& argument : *manifest.arguments) {
+      words += ' ' + argument.text;
+    }
+  }
+  return words;
+}
+
+Json json_result(const Result& result) {
+  const WrittenResult& manifest = result.manifest;
   Json json;
-  json["name"] = result.name;
-  json["command"] = manifest.at("command");
-  json["tool"] = tool_words(manifest.at("tool").at("version").get<std::string>(),
-                            manifest.at("tool").at("commit").get<std::string>());
-  json["seed"] = manifest.at("seed");
+  json["name"] = shown_name(result);
+  json["command"] = command_words(manifest);
+  json["tool"] = tool_words(manifest.tool_version, manifest.tool_commit);
+  json["seed"] = manifest.seed ? Json(*manifest.seed) : Json();
   json["options"] = Json::array();
-  for (const auto& [key, value] : manifest.at("options").items()) {
+  for (const auto& [key, value] : manifest.options) {
     json["options"].push_back(Json::array({key, words_of(value)}));
   }
-  json["inputs"] = json_files(manifest.at("inputs"));
-  json["outputs"] = json_files(manifest.at("outputs"));
+  json["inputs"] = json_files(manifest.inputs);
+  json["outputs"] = json_files(manifest.outputs);
   return json;
 }
 
-Json parameter_rows(const Json& parameters) {
+Json parameter_rows(const Settings& parameters) {
   Json rows = Json::array();
-  for (const auto& [key, value] : parameters.items()) {
+  for (const auto& [key, value] : parameters) {
     std::string unit;
     std::string doc;
     for (const ParameterInfo& info : parameter_table()) {
@@ -104,25 +112,25 @@ Json parameter_rows(const Json& parameters) {
         doc = info.doc;
       }
     }
-    rows.push_back(Json::array({key, value.is_null() ? "not set" : words_of(value), unit, doc}));
+    rows.push_back(Json::array({key, value.empty() ? "not set" : value, unit, doc}));
   }
   return rows;
 }
 
 /// One table of parameters for all results that share them, in the order of the results.
-Json json_settings(const std::vector<PageResult>& results, const std::vector<Json>& manifests) {
-  std::vector<std::pair<Json, std::string>> sets;
-  for (std::size_t r = 0; r < results.size(); ++r) {
-    const Json& parameters = manifests[r].at("parameters");
+Json json_settings(const std::vector<Result>& results) {
+  std::vector<std::pair<Settings, std::string>> sets;
+  for (const Result& result : results) {
+    const Settings& parameters = result.manifest.parameters;
     if (parameters.empty()) {
       continue;
     }
     const auto same = std::find_if(
         sets.begin(), sets.end(), [&](const auto& set) { return set.first == parameters; });
     if (same == sets.end()) {
-      sets.emplace_back(parameters, results[r].name);
+      sets.emplace_back(parameters, shown_name(result));
     } else {
-      same->second += ", " + results[r].name;
+      same->second += ", " + shown_name(result);
     }
   }
   Json json = Json::array();
@@ -136,15 +144,21 @@ Json json_settings(const std::vector<PageResult>& results, const std::vector<Jso
 std::vector<std::string> methods_text(const PageContents& contents) {
   std::vector<std::string> text = {
       "At every tick the robot's rays prove a free width across the path and the path has a turn "
-      "radius; the tick's margin m_t is the smaller of what both leave to the body. Ticks are gathered "
+      "radius; the tick's margin m_t is the smaller of what both leave to the body. Ticks are "
+      "gathered "
       "into edges of the corridor graph, each with the least margin on it.",
-      "The on-policy corridor value V_t is the bottleneck of the widest path through that graph from "
-      "the start S to the node where the robot is; the certificate T_t is that from S to the goal G. It "
-      "never falls, and is issued when it is first above 0. While unknown space counts as occupied it "
+      "The on-policy corridor value V_t is the bottleneck of the widest path through that graph "
+      "from "
+      "the start S to the node where the robot is; the certificate T_t is that from S to the goal "
+      "G. It "
+      "never falls, and is issued when it is first above 0. While unknown space counts as occupied "
+      "it "
       "is meant as a lower bound on the best margin that any way through the place has.",
-      "TC_early, the feature of a trial, is the 10th percentile of the series over the early window, by "
+      "TC_early, the feature of a trial, is the 10th percentile of the series over the early "
+      "window, by "
       "time and by way, the worse of the two.",
-      "Missing values are NA, never 0. Tables round in print only: their CSV has every digit. What each "
+      "Missing values are NA, never 0. Tables round in print only: their CSV has every digit. What "
+      "each "
       "table and figure does with intervals, clusters and ties stands below it.",
   };
   text.push_back("In the viewer a long trial shows fewer ticks than it has: " +
@@ -194,22 +208,9 @@ Json json_frames(const PageFrames& set, std::size_t id) {
   return json;
 }
 
-std::vector<Json> parsed_manifests(const std::vector<PageResult>& results) {
-  std::vector<Json> manifests;
-  for (const PageResult& result : results) {
-    Json manifest = Json::parse(result.manifest, nullptr, false);
-    if (!manifest.is_object() || manifest.value("format", "") != "tcert-manifest") {
-      throw std::runtime_error("manifest.json of " + result.name + " was not written by this tool");
-    }
-    manifests.push_back(std::move(manifest));
-  }
-  return manifests;
-}
-
 }  // namespace
 
 std::string report_json(const PageContents& contents) {
-  const std::vector<Json> manifests = parsed_manifests(contents.results);
   Json json;
   json["title"] = contents.title;
   json["lead"] = contents.lead;
@@ -229,10 +230,10 @@ std::string report_json(const PageContents& contents) {
     json["frames"].push_back(json_frames(contents.frames[i], i));
   }
   json["methods"]["text"] = methods_text(contents);
-  json["methods"]["settings"] = json_settings(contents.results, manifests);
+  json["methods"]["settings"] = json_settings(contents.results);
   json["provenance"] = Json::array();
-  for (std::size_t r = 0; r < manifests.size(); ++r) {
-    json["provenance"].push_back(json_result(contents.results[r], manifests[r]));
+  for (const Result& result : contents.results) {
+    json["provenance"].push_back(json_result(result));
   }
   json["left_out"] = contents.left_out;
   return dumped(json, -1);

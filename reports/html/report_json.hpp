@@ -2,13 +2,13 @@
 /// \file
 /// What the page shows beside trials, as the JSON that its scripts read.
 
-#include <cstdint>
-#include <filesystem>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "reports/figure/figure.hpp"
+#include "reports/results/results.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -16,12 +16,6 @@ namespace tcert {
 struct PageTable {
   std::string source;  ///< The result that holds it.
   Table table;
-};
-
-/// A folder of results by its manifest.json.
-struct PageResult {
-  std::string name;      ///< Of the folder.
-  std::string manifest;  ///< The text of manifest.json.
 };
 
 /// Pictures that a result holds step by step; `frames` of PageData has their bytes.
@@ -41,13 +35,13 @@ struct PageContents {
   std::optional<SyntheticLabel> synthetic;
   std::vector<PageTable> tables;
   std::vector<Figure> figures;
-  std::vector<PageResult> results;
+  std::vector<Result> results;
   std::vector<PageFrames> frames;
   std::vector<std::string> left_out;  ///< Sentences: what is not on the page, and why.
   std::vector<std::string> packages;
 };
 
-/// \throws std::runtime_error if a manifest is not one, naming the result.
+/// One line of JSON.
 [[nodiscard]] std::string report_json(const PageContents& contents);
 
 }  // namespace tcert

@@ -118,11 +118,12 @@ Json json_map(const TrialMap& map, const NumberTable& series) {
   Json json;
   json["edges"] = Json::array();
   for (const MapEdge& edge : map.edges) {
-    json["edges"].push_back(Json::array({rounded(edge.a.x_m),
-                                         rounded(edge.a.y_m),
-                                         rounded(edge.b.x_m),
-                                         rounded(edge.b.y_m),
-                                         std::isfinite(edge.margin_m) ? rounded(edge.margin_m) : Json()}));
+    json["edges"].push_back(
+        Json::array({rounded(edge.a.x_m),
+                     rounded(edge.a.y_m),
+                     rounded(edge.b.x_m),
+                     rounded(edge.b.y_m),
+                     std::isfinite(edge.margin_m) ? rounded(edge.margin_m) : Json()}));
   }
   json["bottleneck"] = map.bottleneck ? json_point(*map.bottleneck) : Json();
   json["issued"] = nullptr;
@@ -197,7 +198,8 @@ const std::vector<std::string>& page_series_columns() {
 
 std::string_view decimation_rule() noexcept {
   return "of each short stretch of time and each column, those with the smallest and the largest "
-         "value, and every change of the certificate; values rounded to a millimetre, a millisecond, "
+         "value, and every change of the certificate; values rounded to a millimetre, a "
+         "millisecond, "
          "margins to a tenth of a millimetre. The CSV files have every tick in full precision.";
 }
 
@@ -236,11 +238,12 @@ std::string trial_block(const NumberTable& series,
   Json json;
   json["facts"] = facts;
   json["ticks"] = series.rows();
-  json["world"] = map.world ? Json(*map.world) : Json();
   json["map"] = json_map(map, series);
   for (std::size_t c = 0; c < values.size(); ++c) {
     const PageColumn& column = page_columns()[c];
-    if (c == 0 || std::any_of(values[c].begin(), values[c].end(), [](double v) { return std::isfinite(v); })) {
+    if (c == 0 || std::any_of(values[c].begin(), values[c].end(), [](double v) {
+          return std::isfinite(v);
+        })) {
       json["series"][std::string(column.name)] = coded(values[c], kept, column.scale);
     }
   }
@@ -249,10 +252,12 @@ std::string trial_block(const NumberTable& series,
 
 std::string world_block(const World& world) {
   Json json;
-  json["bounds"] = Json::array({rounded(world.bounds.low.x_m),
-                                rounded(world.bounds.low.y_m),
-                                rounded(world.bounds.high.x_m),
-                                rounded(world.bounds.high.y_m)});
+  const bool bounded = world.bounds.high.x_m > world.bounds.low.x_m;
+  json["bounds"] = !bounded ? Json()
+                            : Json::array({rounded(world.bounds.low.x_m),
+                                           rounded(world.bounds.low.y_m),
+                                           rounded(world.bounds.high.x_m),
+                                           rounded(world.bounds.high.y_m)});
   json["polygons"] = Json::array();
   json["discs"] = Json::array();
   for (const Region& obstacle : world.obstacles) {

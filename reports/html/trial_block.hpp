@@ -20,14 +20,14 @@ struct PageColumn {
   std::string_view name;
   std::string_view heading;
   std::string_view unit;
-  int decimals = 3;     ///< In the read-out.
-  int scale = 10'000;   ///< Values are carried as whole numbers of 1/scale.
-  int panel = -1;       ///< Of the time series; -1: in the read-out only.
-  bool steps = false;   ///< Holds until the next tick.
+  int decimals = 3;    ///< In the read-out.
+  int scale = 10'000;  ///< Values are carried as whole numbers of 1/scale.
+  int panel = -1;      ///< Of the time series; -1: in the read-out only.
+  bool steps = false;  ///< Holds until the next tick.
 };
 
-/// The columns, in the order of the read-out. `speed_mps` is made here: the way of the last second by
-/// its time, from travel_m.
+/// The columns, in the order of the read-out. `speed_mps` is made here: the way of the last second
+/// by its time, from travel_m.
 [[nodiscard]] const std::vector<PageColumn>& page_columns();
 
 /// Titles and units of the panels that PageColumn::panel counts.
@@ -50,8 +50,7 @@ struct MapEdge {
 struct TrialMap {
   std::vector<MapEdge> edges;
   std::optional<Point> bottleneck;
-  std::optional<std::size_t> world;  ///< Number of the world's block; empty if it is not known.
-  std::string note;                  ///< What is not shown, and why.
+  std::string note;  ///< What is not shown, and why; or empty.
 };
 
 /// The columns that read_page_series() reads, in the order of its values; the time is apart.
@@ -63,9 +62,9 @@ struct TrialMap {
                                                           const std::string& file,
                                                           std::string& problem);
 
-/// packed() JSON of a trial, at most `limit` ticks of it (kept_ticks()). The place of issuance is the
-/// first tick with issued = 1; the extreme ticks of every column are exact to 1/scale.
-/// \pre `series` is of read_page_series() and has a row.
+/// packed() JSON of a trial, at most `limit` ticks of it (kept_ticks()). The place of issuance is
+/// the first tick with issued = 1; the extreme ticks of every column are exact to 1/scale. \pre
+/// `series` is of read_page_series() and has a row.
 [[nodiscard]] std::string trial_block(const NumberTable& series,
                                       const TrialMap& map,
                                       const std::string& facts,

@@ -159,7 +159,8 @@ std::string TrialList::facts(std::size_t trial) const {
 Sparkline sparkline(const NumberTable& series) {
   const auto& columns = page_series_columns();
   const auto position = [&](std::string_view name) {
-    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                    columns.begin());
   };
   const std::size_t certificate = position("certificate_m");
   const std::size_t corridor = position("corridor_value_m");

@@ -43,11 +43,13 @@ using Sparkline = std::vector<double>;
 
 inline constexpr std::size_t kSparkPoints = 40;
 
-/// T_t where it is issued, before that V_t, at `kSparkPoints` times from the first tick to the last.
+/// T_t where it is issued, before that V_t, at `kSparkPoints` times from the first tick to the
+/// last.
 [[nodiscard]] Sparkline sparkline(const NumberTable& series);
 
-/// packed() JSON: columns that hold anything, a row a trial, sparklines (none if `sparks` is empty).
-/// Numbers as the files have them, to the digits that the page shows.
-[[nodiscard]] std::string trial_list_block(const TrialList& trials, const std::vector<Sparkline>& sparks);
+/// packed() JSON: columns that hold anything, a row a trial, sparklines (none if `sparks` is
+/// empty). Numbers as the files have them, to the digits that the page shows.
+[[nodiscard]] std::string trial_list_block(const TrialList& trials,
+                                           const std::vector<Sparkline>& sparks);
 
 }  // namespace tcert

@@ -9,8 +9,7 @@ export function readJson(id) {
 }
 
 export function readLines(id) {
-  const text = textOf(id).trim();
-  return text === '' ? [] : text.split('\n');
+  return textOf(id).split('\n').filter((line) => line !== '');
 }
 
 export async function inflated(line) {

@@ -20,6 +20,10 @@ function bounds(map, xs, ys) {
     add(x - r, y - r);
     add(x + r, y + r);
   }
+  if (map.bounds) {
+    add(map.bounds[0], map.bounds[1]);
+    add(map.bounds[2], map.bounds[3]);
+  }
   for (const polygon of map.polygons) polygon.forEach(([x, y]) => add(x, y));
   for (const [x1, y1, x2, y2] of map.edges) {
     add(x1, y1);
@@ -92,6 +96,8 @@ export class TrialMap {
       viewBox: `${x0 - margin} ${-y1 - margin} ${width} ${height}`,
       'aria-label': 'Map of the trial: course, odometry, corridor graph by edge margin, bottleneck, place of issuance',
     },
+    map.bounds ? svg('rect', { class: 'bounds', x: map.bounds[0], y: -map.bounds[3],
+      width: map.bounds[2] - map.bounds[0], height: map.bounds[3] - map.bounds[1] }) : null,
     region(map.start, 'start'), region(map.goal, 'goal'),
     map.polygons.map((polygon) => svg('polygon', { class: 'wall', points: points(polygon) })),
     map.discs.map(({ x, y, r }) => svg('circle', { class: 'wall', cx: x, cy: -y, r })),
@@ -108,7 +114,7 @@ export class TrialMap {
     this.robot);
     this.drawing.addEventListener('click', (event) => pick(this.nearest(event)));
     this.element = el('div', { class: 'map-box' }, this.drawing, key(map, range),
-      el('p', { class: 'source' }, map.note));
+      map.note ? el('p', { class: 'source' }, map.note) : null);
   }
 
   nearest(event) {

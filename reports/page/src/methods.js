@@ -24,7 +24,7 @@ const fileColumns = [
 
 export function provenance(report) {
   return report.provenance.map((result) => el('section', { class: 'card' },
-    el('h3', {}, `${result.name}: tcert ${result.command}`),
+    el('h3', {}, `${result.name}: ${result.command}`),
     el('p', {}, `Written by ${result.tool}. ${result.seed === null ? 'No seed.' : `Seed ${result.seed}.`}`),
     el('details', {}, el('summary', {}, `Options (${result.options.length})`),
       tableElement({ columns: [{ heading: 'Option', numeric: false }, { heading: 'Value', numeric: false }],

@@ -29,8 +29,9 @@ export class TrialViewer {
 
   async open(index, name) {
     this.stop();
-    const trial = await inflated(this.lines.series[index]);
-    const world = trial.world === null ? null : await inflated(this.lines.worlds[trial.world]);
+    const [worldNumber, block] = this.lines.series[index].split(' ');
+    const trial = await inflated(block);
+    const world = worldNumber === '' ? null : await inflated(this.lines.worlds[Number(worldNumber)]);
     const series = {};
     for (const [column, coded] of Object.entries(trial.series)) series[column] = decoded(coded);
     this.series = series;
@@ -38,7 +39,7 @@ export class TrialViewer {
     this.last = series.time_s.length - 1;
     const pick = (tick) => this.show(tick);
     const map = {
-      polygons: [], discs: [], beams: [], start: null, goal: null, ...(world ?? {}), ...trial.map,
+      polygons: [], discs: [], beams: [], bounds: null, start: null, goal: null, ...(world ?? {}), ...trial.map,
     };
     this.map = new TrialMap(map, series.x_m, series.y_m, series.yaw_rad, pick);
     const panels = this.report.series.panels.map((panel) => ({
