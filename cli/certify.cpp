@@ -1,12 +1,14 @@
 #include <optional>
+#include <utility>
 
 #include "cli/certify_run.hpp"
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/report_output.hpp"
 #include "reports/features_table.hpp"
+#include "reports/study_table.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -14,8 +16,9 @@ namespace {
 constexpr std::string_view kText =
     R"(Certify the trials of a bundle: the certificate at every tick, and each trial's features.
 
-With --output DIR: DIR/series/<trial_id>.csv (one row a tick), DIR/features.csv and
-DIR/certificates.csv (one row a trial), DIR/diagnostics.csv, DIR/manifest.json.
+With --output DIR: DIR/series/<trial_id>.csv (one row a tick), DIR/edges/<trial_id>.csv (one row an
+edge of the corridor graph), DIR/features.csv and DIR/certificates.csv (one row a trial), the tables
+of the study (table1, speed, latency) in every format, DIR/diagnostics.csv, DIR/manifest.json.
 Without it: the features on stdout.
 
 Usage: tcert certify BUNDLE [options]
@@ -46,7 +49,9 @@ CommandLine command_line(CertifyOptions& o) {
                          po::bool_switch(&o.ticks),
                          "also write DIR/ticks/<trial_id>.csv, which 'live' reads and a bundle "
                          "takes as logs/<trial_id>/ticks.csv")(
-      "no-series", po::bool_switch(&o.no_series), "leave DIR/series out, to save space")(
+      "no-series",
+      po::bool_switch(&o.no_series),
+      "leave DIR/series and DIR/edges out, to save space")(
       "ray-margins",
       po::bool_switch(&o.ray_margins),
       "one more column a ray in the series: its own margin");
@@ -79,8 +84,17 @@ int run(Arguments arguments) {
   }
   require_apart(options.bundle, common.output);
   ResultFolder folder(common.output, "certify");
-  const CertifySummary summary = certify_trials(
-      opened, common, &folder, {!options.no_series, options.ticks, options.ray_margins}, {});
+  StudyRecord study;
+  const CertifySummary summary =
+      certify_trials(opened,
+                     common,
+                     &folder,
+                     {!options.no_series, options.ticks, options.ray_margins},
+                     [&](TrialRecord&& trial) { study.add(std::move(trial)); });
+  for (Table& table : study_tables(study)) {
+    table.synthetic = synthetic_label(opened.bundle.info);
+    write_table(table, folder);
+  }
   folder.commit(manifest_of("certify", opened, common, summary));
   return report(summary, opened, common);
 }
