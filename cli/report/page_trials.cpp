@@ -67,7 +67,7 @@ std::vector<MapEdge> edges_of(const fs::path& path) {
   }
   NumberOptions options;
   options.time_column.clear();
-  for (const char* name : {"from_x_m", "from_y_m", "to_x_m", "to_y_m", "margin_m"}) {
+  for (const char* name : {"a_x_m", "a_y_m", "b_x_m", "b_y_m", "margin_m"}) {
     options.columns.push_back({name, true, true});
   }
   CsvOptions csv;

@@ -1,7 +1,4 @@
-#include <unistd.h>
-
-#include <array>
-#include <climits>
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -104,6 +101,10 @@ Results checked_results(const std::string& folder) {
             "again");
       }
     }
+    // As a paper would have them, not by the names of folders.
+    std::stable_sort(results.all.begin(), results.all.end(), [](const Result& a, const Result& b) {
+      return a.kind < b.kind;
+    });
     return results;
   } catch (const MissingResult& cause) {
     throw NoInput(cause.what());
