@@ -85,7 +85,7 @@ Table h1_recalibration_table(const H1Table& h1) {
                    fixed_column("brier", "Brier")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Calibration& one : panel.calibration) {
-      const Calibration& c = one.calibration;
+      const ModelCalibration& c = one.calibration;
       table.add_row({panel_name(h1, panel),
                      one.name,
                      integer_cell(c.rows),

@@ -154,8 +154,8 @@ struct H1Roc {
 };
 
 struct H1Calibration {
-  std::string name;         ///< Of the model: a predictor alone, or a row.
-  Calibration calibration;  ///< Out of fold.
+  std::string name;              ///< Of the model: a predictor alone, or a row.
+  ModelCalibration calibration;  ///< Out of fold.
 };
 
 struct H1Panel {

@@ -18,8 +18,9 @@ struct Axis {
   std::string title;
   std::string unit;  ///< Printed behind the title; empty for a pure number or a word.
   AxisScale scale = AxisScale::linear;
-  std::optional<double> low;            ///< Of the range; empty: as the data have it.
-  std::optional<double> high;           ///< The same.
+  std::optional<double> low;   ///< Of the range; empty: as the data have it.
+  std::optional<double> high;  ///< The same.
+  std::vector<double> ticks;   ///< Where labels stand; empty: as the drawing program has it.
   std::vector<std::string> categories;  ///< Of a scale of categories: from the left, or the bottom.
   bool hidden = false;                  ///< No line, ticks or title.
 };

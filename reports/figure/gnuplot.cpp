@@ -61,6 +61,12 @@ std::string axis_commands(const Axis& axis, const std::string& name) {
       out += (i == 0 ? "" : ", ") + quoted(axis.categories[i]) + " " + std::to_string(i + 1);
     }
     out += ") nomirror\n";
+  } else if (!axis.ticks.empty()) {
+    out += "set " + name + "tics (";
+    for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
+      out += (i == 0 ? "" : ", ") + number(axis.ticks[i]);
+    }
+    out += ") nomirror\n";
   } else {
     out += "set " + name + "tics autofreq nomirror\n";
   }

@@ -81,6 +81,8 @@ Json position(const Axis& axis, const std::string& field, bool vertical) {
   channel["scale"] = scale_of(axis, vertical);
   if (axis.hidden) {
     channel["axis"] = nullptr;
+  } else if (!axis.ticks.empty()) {
+    channel["axis"] = {{"values", axis.ticks}};
   } else if (categories) {
     channel["axis"] = {{"labelLimit", 260}, {"labelAngle", 0}, {"grid", false}};
   }
