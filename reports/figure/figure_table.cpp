@@ -110,10 +110,16 @@ void add_figure_row(Table& table,
                     const std::vector<double>& numbers) {
   std::vector<TableCell> cells{part};
   for (const std::string& text : texts) {
-    cells.push_back(text.empty() ? TableCell{} : TableCell{text});
+    cells.emplace_back();
+    if (!text.empty()) {
+      cells.back() = text;
+    }
   }
   for (const double number : numbers) {
-    cells.push_back(std::isfinite(number) ? TableCell{Number{number}} : TableCell{});
+    cells.emplace_back();
+    if (std::isfinite(number)) {
+      cells.back() = Number{number};
+    }
   }
   table.add_row(std::move(cells));
 }
