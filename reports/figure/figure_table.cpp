@@ -108,12 +108,17 @@ void add_figure_row(Table& table,
                     const std::string& part,
                     const std::vector<std::string>& texts,
                     const std::vector<double>& numbers) {
-  std::vector<TableCell> cells{part};
-  for (const std::string& text : texts) {
-    cells.push_back(text.empty() ? TableCell{} : TableCell{text});
+  std::vector<TableCell> cells(1 + texts.size() + numbers.size());
+  cells[0] = part;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (!texts[i].empty()) {
+      cells[1 + i] = texts[i];
+    }
   }
-  for (const double number : numbers) {
-    cells.push_back(std::isfinite(number) ? TableCell{Number{number}} : TableCell{});
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (std::isfinite(numbers[i])) {
+      cells[1 + texts.size() + i] = Number{numbers[i]};
+    }
   }
   table.add_row(std::move(cells));
 }
