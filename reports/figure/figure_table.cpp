@@ -123,6 +123,34 @@ void add_figure_row(Table& table,
   table.add_row(std::move(cells));
 }
 
+void make_plain(Figure& figure) {
+  const auto plain = [](std::string& text) {
+    std::replace(text.begin(), text.end(), ',', ';');
+    std::replace(text.begin(), text.end(), '"', '\'');
+  };
+  for (auto& row : figure.data.rows) {
+    for (TableCell& cell : row) {
+      if (auto* const text = std::get_if<std::string>(&cell)) {
+        plain(*text);
+      }
+    }
+  }
+  for (std::string& name : figure.key.classes) {
+    plain(name);
+  }
+  for (Panel& panel : figure.panels) {
+    plain(panel.name);
+    for (Axis* const axis : {&panel.x, &panel.y}) {
+      for (std::string& name : axis->categories) {
+        plain(name);
+      }
+    }
+    for (Layer& layer : panel.layers) {
+      plain(layer.label);
+    }
+  }
+}
+
 double round_step(double span, int parts) {
   const double least = span / parts;
   const double power = std::pow(10.0, std::floor(std::log10(least)));

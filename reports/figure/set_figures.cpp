@@ -160,6 +160,7 @@ std::optional<Figure> equivalence_figure(const Table& pairs, const Table& equali
     figure.panels.push_back(std::move(one));
   }
   figure.columns = static_cast<int>(std::min<std::size_t>(2, figure.panels.size()));
+  make_plain(figure);
   return figure.panels.empty() ? std::nullopt : std::optional(std::move(figure));
 }
 
@@ -218,6 +219,7 @@ std::optional<Figure> pareto_figure(const Table& h3) {
     figure.panels.push_back(std::move(one));
   }
   figure.columns = 2;
+  make_plain(figure);
   return figure;
 }
 
@@ -278,6 +280,7 @@ std::optional<Figure> cells_figure(const Table& cells,
   one.layers = {range, point};
   one.height = std::max(0.5, 0.052 * static_cast<double>(rows.size()));
   figure.panels = {std::move(one)};
+  make_plain(figure);
   return figure;
 }
 
@@ -362,6 +365,7 @@ std::optional<Figure> gate_figure(const Table& gate,
   one.layers = {band, line, pass, group_range, group, even_range, even};
   one.height = 1.1;
   figure.panels = {std::move(one)};
+  make_plain(figure);
   return figure;
 }
 
@@ -423,6 +427,7 @@ std::optional<Figure> speed_figure(const Table& speed,
   published.hollow = true;
   one.layers = {thin, thick, pooled, published};
   figure.panels = {std::move(one)};
+  make_plain(figure);
   return figure;
 }
 
@@ -483,6 +488,7 @@ std::optional<Figure> truth_figure(const DataTable& features,
   one.layers = {equal, range, point};
   one.height = 1.4;
   figure.panels = {std::move(one)};
+  make_plain(figure);
   return figure;
 }
 

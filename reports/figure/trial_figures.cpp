@@ -239,26 +239,26 @@ Figure trial_series_figure(const TrialPicture& trial) {
       "to S; T_t is issued when G is reached by a way that is wide enough.";
   figure.synthetic = trial.synthetic;
   figure.data = figure_table(figure.name, {"panel", "quantity"}, {"time_s", "value"});
-  figure.key.classes = {"tick margin m_t",
-                        "edge margin",
+  figure.key.classes = {"certificate T_t",
                         "corridor value V_t",
-                        "certificate T_t",
-                        "speed, measured",
-                        "speed, allowed by the law"};
+                        "edge margin",
+                        "tick margin m_t",
+                        "measured speed",
+                        "speed that the law allows"};
   for (const Line& line : kMargins) {
     add_series(trial.series, line, figure.data);
   }
   for (std::size_t row = 0; row < trial.series.rows; ++row) {
     add_figure_row(figure.data,
                    "speed",
-                   {"speed", "speed, measured"},
+                   {"speed", "measured speed"},
                    {number_at(trial.series, row, "time_s"), measured_speed(trial.series, row)});
   }
   for (std::size_t row = 0; row < trial.series.rows; ++row) {
     add_figure_row(
         figure.data,
         "speed",
-        {"speed", "speed, allowed by the law"},
+        {"speed", "speed that the law allows"},
         {number_at(trial.series, row, "time_s"), number_at(trial.series, row, "speed_law_mps")});
   }
   const double end =
@@ -290,6 +290,7 @@ Figure trial_series_figure(const TrialPicture& trial) {
   one.width = 1.4;
   speed.layers = {one};
   figure.panels = {std::move(margins), std::move(speed)};
+  make_plain(figure);
   return figure;
 }
 
@@ -328,6 +329,7 @@ Figure trial_map_figure(const TrialPicture& trial) {
   map.layers = map_layers(trial.world.has_value());
   figure.data = std::move(data).table();
   figure.panels = {std::move(map)};
+  make_plain(figure);
   return figure;
 }
 

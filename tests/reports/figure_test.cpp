@@ -293,7 +293,7 @@ TEST(TrialSeries, MeasuresSpeedOverTheLastSecondAndLeavesTheBeginningOut) {
   const Figure figure = trial_series_figure(small_trial());
   std::vector<double> speeds;
   for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
-    if (text_at(figure.data, row, "quantity") == "speed, measured") {
+    if (text_at(figure.data, row, "quantity") == "measured speed") {
       speeds.push_back(number_at(figure.data, row, "value"));
     }
   }
