@@ -29,6 +29,7 @@ extern const Command kReplay;
 extern const Command kGate;
 extern const Command kReport;
 extern const Command kReproduce;
+extern const Command kFigures;
 extern const Command kVerify;
 extern const Command kLive;
 extern const Command kHelp;

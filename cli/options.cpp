@@ -221,7 +221,7 @@ std::vector<ManifestArgument> arguments_of(const CommandLine& line,
   std::vector<ManifestArgument> arguments;
   for (const Positional& one : line.positional) {
     if (!one.value->empty()) {
-      const bool input = one.name == "BUNDLE" || one.name == "LOG";
+      const bool input = one.name == "BUNDLE" || one.name == "LOG" || one.name == "RESULTS";
       arguments.push_back({input ? name_of(*one.value) : *one.value, input});
     }
   }

@@ -148,9 +148,12 @@ std::string file_name(const char* folder, std::size_t table) {
   return std::string(folder) + '/' + number + ".csv";
 }
 
-Table files_table(const std::vector<PlannedCell>& cells, const CellFiles& files) {
+Table files_table(const std::vector<PlannedCell>& cells,
+                  const CellFiles& files,
+                  const std::optional<SyntheticLabel>& synthetic) {
   Table table;
   table.name = "files";
+  table.synthetic = synthetic;
   table.columns = {{"cell", "cell", "", ColumnKind::text},
                    {"features", "features", "", ColumnKind::text},
                    {"replays", "replays", "", ColumnKind::text}};
@@ -177,7 +180,8 @@ void write_folder(const std::string& command,
   for (const Table* const table : {&tables.cells, &tables.issuance, &tables.speed}) {
     write_table(*table, folder);
   }
-  folder.write("files.csv", render(files_table(cells, files), TableFormat::csv));
+  const auto label = synthetic_label(opened.bundle.info);
+  folder.write("files.csv", render(files_table(cells, files, label), TableFormat::csv));
   for (std::size_t table = 0; table < files.features.size(); ++table) {
     folder.write(file_name("features", table), files.features[table]);
   }

@@ -116,7 +116,7 @@ Results checked_results(const std::string& folder) {
 Manifest manifest_of(const Results& results, const CommonOptions& common) {
   Manifest manifest;
   manifest.command = "report";
-  manifest.options = common.effective;
+  record(common, manifest);
   manifest.synthetic = results.synthetic;
   for (const Result& result : results.all) {
     const std::string name = result.name == "." ? "" : result.name + "/";

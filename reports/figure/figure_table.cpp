@@ -108,20 +108,47 @@ void add_figure_row(Table& table,
                     const std::string& part,
                     const std::vector<std::string>& texts,
                     const std::vector<double>& numbers) {
-  std::vector<TableCell> cells{part};
-  for (const std::string& text : texts) {
-    cells.emplace_back();
-    if (!text.empty()) {
-      cells.back() = text;
+  std::vector<TableCell> cells(1 + texts.size() + numbers.size());
+  cells[0] = part;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (!texts[i].empty()) {
+      cells[1 + i] = texts[i];
     }
   }
-  for (const double number : numbers) {
-    cells.emplace_back();
-    if (std::isfinite(number)) {
-      cells.back() = Number{number};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (std::isfinite(numbers[i])) {
+      cells[1 + texts.size() + i] = Number{numbers[i]};
     }
   }
   table.add_row(std::move(cells));
+}
+
+void make_plain(Figure& figure) {
+  const auto plain = [](std::string& text) {
+    std::replace(text.begin(), text.end(), ',', ';');
+    std::replace(text.begin(), text.end(), '"', '\'');
+  };
+  for (auto& row : figure.data.rows) {
+    for (TableCell& cell : row) {
+      if (auto* const text = std::get_if<std::string>(&cell)) {
+        plain(*text);
+      }
+    }
+  }
+  for (std::string& name : figure.key.classes) {
+    plain(name);
+  }
+  for (Panel& panel : figure.panels) {
+    plain(panel.name);
+    for (Axis* const axis : {&panel.x, &panel.y}) {
+      for (std::string& name : axis->categories) {
+        plain(name);
+      }
+    }
+    for (Layer& layer : panel.layers) {
+      plain(layer.label);
+    }
+  }
 }
 
 double round_step(double span, int parts) {

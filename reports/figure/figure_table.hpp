@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "datasets/data_table.hpp"
+#include "reports/figure/figure.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -35,6 +36,10 @@ void add_figure_row(Table& table,
                     const std::string& part,
                     const std::vector<std::string>& texts,
                     const std::vector<double>& numbers);
+
+/// Commas and quotation marks of every text in the figure become other signs: gnuplot has no CSV
+/// with either in a cell.
+void make_plain(Figure& figure);
 
 /// A round step that cuts `span` into at most `parts`: 1, 2 or 5 times a power of ten.
 [[nodiscard]] double round_step(double span, int parts);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "datasets/csv_write.hpp"
+#include "reports/figure/figure_table.hpp"
 
 namespace tcert {
 namespace {
@@ -178,6 +179,26 @@ std::string key_entry(const Layer& layer, const Look& look, const std::string& n
   return "keyentry " + style_of(sample, look) + " title " + quoted(name);
 }
 
+/// True if gnuplot has something to draw: it stops at a plot without a valid point.
+bool has_rows(const Figure& figure,
+              const Panel& panel,
+              const Layer& layer,
+              const std::string& class_name) {
+  const auto known = [&](std::size_t row, const std::string& column, const Axis& axis) {
+    return axis.scale == AxisScale::categories ? !text_at(figure.data, row, column).empty()
+                                               : std::isfinite(number_at(figure.data, row, column));
+  };
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    if (text_at(figure.data, row, "part") == layer.part &&
+        (panel.name.empty() || text_at(figure.data, row, "panel") == panel.name) &&
+        (class_name.empty() || text_at(figure.data, row, layer.colour) == class_name) &&
+        known(row, layer.x, panel.x) && known(row, layer.y, panel.y)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 struct Polygon {
   std::string vertices;
   std::string first;
@@ -258,7 +279,7 @@ std::string polygon_objects(const Figure& figure, const Panel& panel) {
     for (const std::string& name : order) {
       out += "set object " + std::to_string(tag++) + " polygon from " + polygons[name].vertices +
              " to " + polygons[name].first +
-             " back fc rgb '#d0d0d0' fs solid 1 border lc rgb '#888888' lw 0.5\n";
+             " back fc rgb '#d0d0d0' fs solid 1 border lc rgb '#d0d0d0' lw 0.5\n";
     }
   }
   return out;
@@ -266,30 +287,37 @@ std::string polygon_objects(const Figure& figure, const Panel& panel) {
 
 std::string plot_command(const Figure& figure, const Panel& panel, bool with_key) {
   std::vector<std::string> clauses;
+  const auto add = [&](const Layer& layer, const std::string& class_name, const Look& look) {
+    if (has_rows(figure, panel, layer, class_name)) {
+      clauses.push_back(clause(figure, panel, layer, class_name, look));
+    }
+  };
   for (const Layer& layer : panel.layers) {
     if (layer.mark == Mark::polygon) {
       continue;
     }
     if (!layer.label.empty()) {
-      clauses.push_back(
-          clause(figure, panel, layer, "", look_of_class(class_index(figure, layer.label))));
+      add(layer, "", look_of_class(class_index(figure, layer.label)));
     } else if (!layer.colour.empty() && figure.gradient) {
-      clauses.push_back(clause(figure, panel, layer, "", {"palette", 0}));
+      add(layer, "", {"palette", 0});
     } else if (!layer.colour.empty()) {
-      for (std::size_t i = 0; i < figure.key.classes.size(); ++i) {
-        clauses.push_back(clause(figure, panel, layer, figure.key.classes[i], look_of_class(i)));
+      for (std::size_t i = figure.key.classes.size(); i > 0; --i) {  // The first one on top.
+        add(layer, figure.key.classes[i - 1], look_of_class(i - 1));
       }
     } else {
-      clauses.push_back(
-          clause(figure, panel, layer, "", {"rgb '" + std::string(ink(layer.tone)) + "'", 0}));
+      add(layer, "", {"rgb '" + std::string(ink(layer.tone)) + "'", 0});
     }
+  }
+  const bool empty = clauses.empty();
+  if (empty) {
+    clauses.emplace_back("NaN notitle");
   }
   for (std::size_t i = 0; with_key && i < figure.key.classes.size(); ++i) {
     if (const Layer* const sample = sample_of(figure, figure.key.classes[i])) {
       clauses.push_back(key_entry(*sample, look_of_class(i), figure.key.classes[i]));
     }
   }
-  std::string out = "plot ";
+  std::string out = empty ? "set xrange [0:1]\nset yrange [0:1]\nplot " : "plot ";
   for (std::size_t i = 0; i < clauses.size(); ++i) {
     out += (i == 0 ? "" : ", \\\n  ") + clauses[i];
   }

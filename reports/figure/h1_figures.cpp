@@ -193,6 +193,7 @@ std::optional<Figure> roc_figure(const Table& h1_roc) {
     figure.panels.push_back(std::move(one));
   }
   figure.columns = static_cast<int>(std::min<std::size_t>(2, panels.size()));
+  make_plain(figure);
   return figure;
 }
 
@@ -271,6 +272,7 @@ std::optional<Figure> incidence_figure(const Table& from) {
   figure.columns = static_cast<int>(std::min<std::size_t>(2, curves.size()));
   figure.panels = std::move(curves);
   figure.panels.insert(figure.panels.end(), risks.begin(), risks.end());
+  make_plain(figure);
   return figure;
 }
 
@@ -338,6 +340,7 @@ std::optional<Figure> calibration_figure(const Table& from) {
     figure.panels.push_back(std::move(one));
   }
   figure.columns = static_cast<int>(std::min<std::size_t>(2, figure.panels.size()));
+  make_plain(figure);
   return figure;
 }
 
@@ -410,6 +413,7 @@ std::optional<Figure> forest_figure(const Table& h1_mixed, const Table& h1_time)
     return std::nullopt;
   }
   figure.columns = static_cast<int>(std::min<std::size_t>(2, figure.panels.size()));
+  make_plain(figure);
   return figure;
 }
 
