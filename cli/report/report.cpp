@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "cli/errors.hpp"
 #include "cli/options.hpp"
@@ -9,6 +11,7 @@
 #include "cli/report/page_parts.hpp"
 #include "cli/report/page_trials.hpp"
 #include "cli/result_folder.hpp"
+#include "reports/figure/figures_of.hpp"
 #include "reports/html/page.hpp"
 #include "reports/html/report_json.hpp"
 #include "reports/results/results.hpp"
@@ -30,6 +33,7 @@ Usage: tcert report RESULTS [options]
 Example:
   tcert report out/reproduce --output report.html
   tcert report out/results --bundle out/corpus --output report.html
+  tcert report out/reproduce --output report.html --figures figures
 
 Cost: a second and 3 MB of page for 660 trials.
 )";
@@ -37,6 +41,7 @@ Cost: a second and 3 MB of page for 660 trials.
 struct ReportOptions {
   std::string results;
   std::string bundle;
+  std::string figures;
   std::string title = "Traversability certificates";
   std::int64_t ticks = 0;
 };
@@ -57,7 +62,10 @@ CommandLine command_line(ReportOptions& o) {
       "the page's heading; change it to tell pages apart")(
       "ticks",
       po::value(&o.ticks)->value_name("N")->default_value(o.ticks),
-      "most ticks of a trial on the page; more make it larger, 0 goes by the number of trials");
+      "most ticks of a trial on the page; more make it larger, 0 goes by the number of trials")(
+      "figures",
+      po::value(&o.figures)->value_name("DIR"),
+      "also write the figures there for a paper, as 'tcert figures' does");
   return line;
 }
 
@@ -126,6 +134,14 @@ Manifest manifest_of(const Results& results, const CommonOptions& common) {
   return manifest;
 }
 
+void add_figures(const Results& results, PageContents& contents) {
+  StudyFigures study = study_figures(results);
+  contents.figures = std::move(study.figures);
+  for (const MissingFigure& missing : study.missing) {
+    contents.left_out.push_back("No figure '" + missing.name + "': " + missing.reason);
+  }
+}
+
 int run(Arguments arguments) {
   ReportOptions options;
   CommonOptions common;
@@ -146,6 +162,7 @@ int run(Arguments arguments) {
   contents.packages = assets.packages;
   contents.tables = page_tables(results, contents.left_out);
   contents.frames = page_frames(results, page);
+  add_figures(results, contents);
   const std::size_t trials = add_trials(results,
                                         {options.bundle,
                                          static_cast<std::size_t>(options.ticks),
@@ -159,6 +176,13 @@ int run(Arguments arguments) {
   write_with_manifest(output, tcert::page(assets, page), manifest_of(results, common));
   if (!common.quiet) {
     say("Report: " + output);
+  }
+  if (!options.figures.empty()) {
+    std::vector<std::string> words = {options.results, "--output", options.figures};
+    if (common.quiet) {
+      words.emplace_back("--quiet");
+    }
+    return kFigures.run(words);
   }
   return exit_done;
 }
