@@ -1,10 +1,12 @@
 #include "cli/report/page_parts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 
 #include "cli/errors.hpp"
@@ -17,6 +19,31 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRows = 200;
+
+/// Tables to be read first, in this order, whatever result they are of.
+constexpr std::array<std::string_view, 18> kMainTables = {"table1",
+                                                          "speed",
+                                                          "latency",
+                                                          "issuance",
+                                                          "tc_early",
+                                                          "h1",
+                                                          "h1_time",
+                                                          "h1_mixed",
+                                                          "h2",
+                                                          "h2_equality",
+                                                          "h2_interaction",
+                                                          "h3",
+                                                          "h3_baseline",
+                                                          "gate",
+                                                          "gate_slope",
+                                                          "cells",
+                                                          "ablation",
+                                                          "sweep"};
+
+std::size_t rank_of(const std::string& name) {
+  return static_cast<std::size_t>(std::find(kMainTables.begin(), kMainTables.end(), name) -
+                                  kMainTables.begin());
+}
 
 std::vector<fs::path> files_of(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -50,13 +77,19 @@ std::string picture_type(const fs::path& path) {
 std::vector<PageTable> page_tables(const Results& results, std::vector<std::string>& left_out) {
   std::vector<PageTable> tables;
   for (const Result& result : results.all) {
-    for (const fs::path& path : files_of(result.folder)) {
+    std::vector<fs::path> files = files_of(result.folder);
+    std::stable_sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+      return rank_of(a.stem().string()) < rank_of(b.stem().string());
+    });
+    for (const fs::path& path : files) {
       if (path.extension() != ".json" || path.filename() == "manifest.json" || !is_table(path)) {
         continue;
       }
       std::optional<Table> table = result_table(result, path.stem().string());
       if (table && table->rows.size() <= kMostRows) {
-        tables.push_back({result.name == "." ? "" : result.name, std::move(*table)});
+        tables.push_back({result.name == "." ? "results" : result.name,
+                          rank_of(path.stem().string()) < kMainTables.size(),
+                          std::move(*table)});
       } else if (table) {
         left_out.push_back("The table '" + table->title + "' has " +
                            std::to_string(table->rows.size()) + " rows: it is in " + result.name +

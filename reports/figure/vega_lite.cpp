@@ -61,8 +61,9 @@ Json scale_of(const Axis& axis, bool vertical) {
   }
   if (axis.scale == AxisScale::log) {
     scale["type"] = "log";
+  } else {
+    scale["zero"] = false;
   }
-  scale["zero"] = false;
   if (axis.low) {
     scale["domainMin"] = *axis.low;
   }
@@ -230,7 +231,7 @@ Json layer_of(const Figure& figure, const Panel& panel, const Layer& layer) {
     add_gradient(*figure.gradient, layer, encoding);
   }
   if (is_path(layer.mark) || layer.mark == Mark::polygon) {
-    encoding["order"] = nullptr;  // As the rows are ordered.
+    encoding["order"] = {{"value", nullptr}};  // As the rows are ordered.
   }
   return {{"transform", filters_of(panel, layer)},
           {"mark", mark_of(figure, panel, layer)},

@@ -30,6 +30,7 @@ Json json_table(const PageTable& page_table, std::size_t id) {
   json["name"] = table.name;
   json["title"] = table.title;
   json["source"] = page_table.source;
+  json["main"] = page_table.is_main;
   json["n"] = table.n ? Json(*table.n) : Json();
   json["columns"] = Json::array();
   for (const Column& column : table.columns) {

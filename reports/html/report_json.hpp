@@ -14,7 +14,8 @@
 namespace tcert {
 
 struct PageTable {
-  std::string source;  ///< The result that holds it.
+  std::string source;    ///< The result that holds it.
+  bool is_main = false;  ///< To be read first; else shown on demand.
   Table table;
 };
 

@@ -174,7 +174,7 @@ const std::vector<PageColumn>& page_columns() {
 
 const std::vector<PagePanel>& page_panels() {
   static const std::vector<PagePanel> panels = {
-      {"Margins", "m"}, {"Speed", "m/s"}, {"Rays in contact", ""}};
+      {"Margin", "m"}, {"Speed", "m/s"}, {"Rays in contact", ""}};
   return panels;
 }
 

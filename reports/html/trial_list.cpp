@@ -37,13 +37,11 @@ constexpr ListColumn kColumns[] = {
     {"success", "success", "", 0, true},
     {"end_reason", "end", "", -1, true},
     {"time_s", "time", "s", 1, false},
-    {"distance_m", "distance", "m", 2, false},
     {"tc_early", "TC_early", "m", 3, false},
     {"issued", "issued", "", 0, true},
     {"issued_s", "issued at", "s", 1, false},
-    {"certificate_m", "T_t at the end", "m", 3, false},
-    {"corridor_value_m", "V_t at the end", "m", 3, false},
-    {"bottleneck_width_m", "width at the bottleneck", "m", 3, false},
+    {"certificate_m", "T_t", "m", 3, false},
+    {"corridor_value_m", "V_t", "m", 3, false},
 };
 
 double parsed(std::string_view text) {
@@ -64,8 +62,7 @@ Json json_cell(const TrialList& trials, std::size_t trial, const ListColumn& col
   if (!std::isfinite(value)) {
     return nullptr;
   }
-  const double scale = std::pow(10.0, column.decimals);
-  return std::round(value * scale) / scale;
+  return parsed(fixed(value, column.decimals));
 }
 
 Json json_spark(const Sparkline& spark, double& low, double& high) {

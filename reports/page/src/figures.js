@@ -4,6 +4,7 @@ import embed from 'vega-embed';
 import { expressionInterpreter } from 'vega-interpreter';
 import { csvParseRows } from './csv.js';
 import { colour, el, onThemeChange, saveButton } from './dom.js';
+import { keyElement, takeKey } from './figure_key.js';
 import { tableElement } from './tables.js';
 
 const shownRows = 200;
@@ -20,42 +21,63 @@ function theme() {
     axis: {
       labelColor: ink, titleColor: ink, gridColor: grid, domainColor: muted, tickColor: muted,
       labelFontSize: 12, titleFontSize: 12, titleFontWeight: 'normal', labelLimit: 220,
-      labelOverlap: 'greedy', titleLimit: 320,
+      labelOverlap: 'greedy', labelSeparation: 8, titleLimit: 320,
     },
+    axisDiscrete: { labelOverlap: false },
+    axisPoint: { labelOverlap: false },
+    axisBand: { labelOverlap: false },
     legend: {
       labelColor: ink, titleColor: ink, labelFontSize: 12, titleFontSize: 12, titleFontWeight: 'normal',
-      orient: 'bottom', direction: 'horizontal', columns: 3, labelLimit: 260, symbolStrokeWidth: 2,
+      orient: 'bottom', direction: 'horizontal', gradientLength: 140,
     },
-    title: { color: ink, fontSize: 13, fontWeight: 'normal', anchor: 'start' },
+    title: {
+      color: ink, fontSize: 13, fontWeight: 'normal', anchor: 'start', subtitleColor: muted, subtitleFontSize: 12,
+    },
     header: { labelColor: ink, titleColor: ink },
-    text: { color: ink },
+    text: { color: ink, strokeWidth: 0 },
     style: {
-      ink: { color: ink, fill: ink, stroke: ink },
-      muted: { color: muted, fill: muted, stroke: muted },
-      faint: { color: grid, fill: grid, stroke: grid },
+      ink: { color: ink, stroke: ink },
+      muted: { color: muted, stroke: muted },
+      faint: { color: grid, stroke: grid },
+      'filled-faint': { fill: colour('--wall'), stroke: muted },
     },
   };
+}
+
+// Rows of different heights are parts of one picture: what stood below a panel follows it.
+function inOneColumn(panels, columns) {
+  if (new Set(panels.map((panel) => panel.height)).size === 1) return panels;
+  return Array.from({ length: columns }, (_, c) => panels.filter((_panel, i) => i % columns === c)).flat();
 }
 
 // A view that fits the width there is: panels beside each other only where they can be read.
 function fitted(spec, width) {
   const copy = structuredClone(spec);
+  takeKey(copy);
+  copy.$schema = 'https://vega.github.io/schema/vega-lite/v6.json'; // The same grammar, without a warning.
+  copy.config = theme();
+  // The page has the title above the figure; what the data are stays in it.
+  copy.title = spec.title?.subtitle ? { text: '', subtitle: spec.title.subtitle, anchor: 'start' } : '';
   if (Array.isArray(copy.concat)) {
-    const columns = Math.max(1, Math.min(copy.columns ?? 1, Math.floor(width / 300)));
+    const wanted = copy.columns ?? 1;
+    const columns = Math.max(1, Math.min(wanted, Math.floor(width / 300)));
+    if (columns === 1) copy.concat = inOneColumn(copy.concat, wanted);
     const room = Math.max(120, Math.floor(width / columns) - 90);
     copy.columns = columns;
     for (const panel of copy.concat) {
       if (typeof panel.width !== 'number') continue;
-      const scale = room / panel.width;
       panel.width = room;
-      if (typeof panel.height === 'number' && panel.usermeta?.equal_scale) panel.height *= scale;
     }
+    copy.autosize = { type: 'pad' };
+  } else if (typeof copy.width === 'number' && typeof copy.height === 'number') {
+    // Both scales are one: a map.
+    const room = Math.min(width - 70, 1.6 * copy.width);
+    copy.height *= room / copy.width;
+    copy.width = room;
+    copy.autosize = { type: 'pad' };
   } else {
     copy.width = 'container';
-  }
-  copy.autosize = { type: copy.concat ? 'pad' : 'fit-x', contains: 'padding', resize: true };
-  if (width < 520) {
-    copy.config = { ...(copy.config ?? {}), legend: { ...(copy.config?.legend ?? {}), columns: 1 } };
+    copy.autosize = { type: 'fit-x', contains: 'padding', resize: true };
   }
   return copy;
 }
@@ -65,8 +87,9 @@ class Figure {
     this.figure = figure;
     this.view = null;
     this.plot = el('div', { class: 'plot', role: 'img', 'aria-label': `${figure.title}. ${figure.caption}` });
-    this.element = el('figure', { class: 'card', id: `figure-${figure.id}`, 'data-state': 'waiting' },
+    this.element = el('figure', { class: figure.wide ? 'card wide' : 'card', id: `figure-${figure.id}`, 'data-state': 'waiting' },
       el('h3', {}, figure.title),
+      keyElement(takeKey(structuredClone(figure.spec))),
       el('div', { class: 'scroll plain' }, this.plot),
       el('figcaption', {}, figure.caption),
       this.numbers(),
@@ -100,7 +123,7 @@ class Figure {
     try {
       const result = await embed(this.plot, spec, {
         actions: false, defaultStyle: false, renderer: 'svg', ast: true, expr: expressionInterpreter,
-        config: theme(), tooltip: false,
+        tooltip: false,
       });
       this.view = result.view;
       this.width = width;

@@ -1,7 +1,7 @@
 // The time series of a trial: plots with one cursor, linked to the map by tick.
 
 import uPlot from 'uplot';
-import { colour, el } from './dom.js';
+import { colour, el, svg } from './dom.js';
 
 // Okabe and Ito's colours as the figures have them, with a dash each so that print tells them apart.
 const lines = [
@@ -19,7 +19,7 @@ function options(panel, width, height, cursorMoved) {
   return {
     width, height,
     legend: { show: false },
-    cursor: { drag: { x: true, y: false }, sync: { key: 'tick' }, points: { size: 7 } },
+    cursor: { y: false, drag: { x: true, y: false }, sync: { key: 'tick' }, points: { size: 7 } },
     scales: { x: { time: false } },
     axes: [
       { ...axis, label: 'Time [s]', labelSize: 20, size: 32 },
@@ -36,7 +36,9 @@ function options(panel, width, height, cursorMoved) {
 
 function key(panel) {
   return el('ul', { class: 'key' }, panel.columns.map((column, i) =>
-    el('li', {}, el('span', { class: `stroke stroke-${(i % lines.length) + 1}`, 'aria-hidden': 'true' }), column.heading)));
+    el('li', {}, svg('svg', { width: 36, height: 8, 'aria-hidden': 'true' },
+      svg('line', { class: `stroke-${(i % lines.length) + 1}`, x1: 0, x2: 36, y1: 4, y2: 4,
+        'stroke-dasharray': lines[i % lines.length].dash.join(' ') || null })), column.heading)));
 }
 
 export class SeriesPlots {

@@ -26,8 +26,7 @@ export function tableElement(table, caption) {
 function tableSection(table) {
   const n = table.n === null ? '' : ` (n = ${table.n})`;
   return el('section', { class: 'card', id: `table-${table.id}` },
-    el('h3', {}, table.title + n),
-    table.source ? el('p', { class: 'source' }, table.source) : null,
+    el('h4', {}, table.title + n),
     tableElement(table, table.title),
     table.footnotes.length
       ? el('ul', { class: 'footnotes' }, table.footnotes.map((note) => el('li', {}, note))) : null,
@@ -35,12 +34,26 @@ function tableSection(table) {
       saveButton('Save as CSV', `${table.name}.csv`, 'text/csv', () => table.csv)));
 }
 
+// The tables of one folder of results: those to read first, then the others behind a line.
+function group(name, all) {
+  const main = all.filter((table) => table.main);
+  const further = all.filter((table) => !table.main);
+  return [
+    el('h3', { class: 'group', id: `group-${name}` }, name),
+    main.map(tableSection),
+    further.length === 0 ? null : el('details', { class: 'more' },
+      el('summary', {}, further.length === 1 ? `One more table: ${further[0].title}` : `${further.length} more tables: ${further.map((table) => table.title).join('; ')}`),
+      further.map(tableSection)),
+  ].flat();
+}
+
 export function tables(report) {
   if (report.tables.length === 0) {
     return [el('p', {}, 'These results hold no table.')];
   }
-  const list = report.tables.length < 4 ? null
-    : el('nav', { 'aria-label': 'Tables', class: 'contents' }, el('ul', {}, report.tables.map((table) =>
-        el('li', {}, el('a', { href: `#table-${table.id}` }, table.title)))));
-  return [list, ...report.tables.map(tableSection)];
+  const names = [...new Set(report.tables.map((table) => table.source))];
+  const list = names.length < 2 ? null
+    : el('nav', { 'aria-label': 'Tables by result', class: 'contents' }, el('ul', {}, names.map((name) =>
+        el('li', {}, el('a', { href: `#group-${name}` }, name)))));
+  return [list, ...names.flatMap((name) => group(name, report.tables.filter((table) => table.source === name)))];
 }

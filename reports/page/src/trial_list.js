@@ -98,7 +98,7 @@ export class TrialList {
       } }, column.heading + unit, el('span', { class: 'arrow', 'aria-hidden': 'true' }));
       return el('th', { scope: 'col', class: column.numeric ? 'number' : null }, button);
     });
-    this.head.append(...this.headers, el('th', { scope: 'col' }, 'V_t, then T_t'));
+    this.head.append(this.headers[0], el('th', { scope: 'col' }, 'V_t, then T_t over time'), ...this.headers.slice(1));
   }
 
   first() {
@@ -132,8 +132,9 @@ export class TrialList {
         type: 'button', class: 'link', 'aria-label': `Open trial ${value}`, onclick: () => this.open(index),
       }, value));
     });
-    return el('tr', { 'data-trial': row[0], class: this.current === index ? 'current' : null }, cells,
-      el('td', {}, sparkline(spark[index], range, `Corridor value and certificate of ${row[0]}`)));
+    const picture = spark.length ? sparkline(spark[index], range, `Corridor value and certificate of ${row[0]}`) : 'NA';
+    return el('tr', { 'data-trial': row[0], class: this.current === index ? 'current' : null },
+      cells[0], el('td', {}, picture), cells.slice(1));
   }
 
   mark(index) {

@@ -65,9 +65,10 @@ export class TrialViewer {
       el('div', { class: 'player', role: 'group', 'aria-label': 'Step through time' },
         this.playButton, step('Step back', -1), step('Step forward', 1),
         el('label', { class: 'grow' }, 'Tick ', this.slider), el('label', {}, 'Speed ', this.speed)),
-      el('div', { class: 'panes' }, this.map.element, this.plots.element),
-      el('dl', { class: 'readout', id: 'readout' }, this.columns.map((column, i) =>
-        el('div', {}, el('dt', {}, column.heading), this.values[i]))),
+      el('div', { class: 'panes' },
+        el('div', {}, this.map.element, el('dl', { class: 'readout', id: 'readout' }, this.columns.map((column, i) =>
+          el('div', {}, el('dt', {}, column.heading), this.values[i])))),
+        this.plots.element),
       el('p', { class: 'source' }, kept));
     this.element.hidden = false;
     this.plots.draw();

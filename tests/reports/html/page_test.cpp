@@ -111,7 +111,7 @@ TEST(ReportJson, PrintsCellsAndKeepsTheirCsv) {
   table.add_row({std::string("a"), Estimate{0.123456, 0.1, 0.2}});
   table.add_row({std::string("b"), std::monostate()});
   PageContents contents;
-  contents.tables = {{"h1", table}};
+  contents.tables = {{"h1", true, table}};
   contents.synthetic = SyntheticLabel{3};
   const auto json = nlohmann::json::parse(report_json(contents));
   EXPECT_EQ(json["tables"][0]["rows"][0][1], "0.12 [0.10, 0.20]");
