@@ -10,6 +10,7 @@
 
 #include "reports/html/packed.hpp"
 #include "reports/sha256.hpp"
+#include "reports/table_json.hpp"
 
 namespace tcert {
 namespace {
@@ -106,7 +107,8 @@ PageAssets read_page_assets(const std::filesystem::path& folder) {
   PageAssets assets{file_text(folder / "page.html"),
                     file_text(folder / "page.css"),
                     file_text(folder / "page.js"),
-                    {}};
+                    {},
+                    file_text(folder / "licences.txt")};
   std::istringstream packages(file_text(folder / "packages.txt"));
   for (std::string line; std::getline(packages, line);) {
     assets.packages.push_back(line);
@@ -126,6 +128,7 @@ std::string page(const PageAssets& assets, const PageData& data) {
       {"series", joined(data.series)},
       {"worlds", joined(data.worlds)},
       {"frames", joined(data.frames)},
+      {"licences", packed(dumped(OrderedJson(assets.licences), -1))},
       {"script", assets.script},
   };
   // In the order of the template, so that nothing is looked for in what was filled in.

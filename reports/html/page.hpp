@@ -15,6 +15,7 @@ struct PageAssets {
   std::string style;
   std::string script;
   std::vector<std::string> packages;  ///< "vega 6.4.0 (BSD-3-Clause)".
+  std::string licences;               ///< Of everything that is in the script.
 };
 
 /// \throws std::runtime_error if a file is not there, naming it.

@@ -1,4 +1,4 @@
-import { readJson, readLines } from './blocks.js';
+import { inflated, readJson, readLines } from './blocks.js';
 import { el } from './dom.js';
 import { figures } from './figures.js';
 import { frames } from './frames.js';
@@ -19,6 +19,15 @@ function section(id, title, content) {
   return el('section', { id, 'aria-labelledby': `${id}-title` }, el('h2', { id: `${id}-title` }, title), content);
 }
 
+function licences() {
+  const text = el('pre', { class: 'scroll', tabindex: 0 });
+  const details = el('details', {}, el('summary', {}, 'Licences of the scripts in this page'), text);
+  details.addEventListener('toggle', async () => {
+    if (text.textContent === '') text.textContent = await inflated(readLines('licences')[0]);
+  });
+  return details;
+}
+
 async function main() {
   const report = readJson('report');
   const parts = [
@@ -36,7 +45,8 @@ async function main() {
     page.append(section('left-out', 'Left out', el('ul', {}, report.left_out.map((words) => el('li', {}, words)))));
   }
   document.getElementById('bottom').append(
-    el('p', {}, `Written by ${report.tool}. This page carries everything it shows; it asks nothing of any network.`));
+    el('p', {}, `Written by ${report.tool}. This page carries everything it shows; it asks nothing of any network.`),
+    licences());
   document.documentElement.dataset.ready = 'true';
 }
 

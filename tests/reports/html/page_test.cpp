@@ -16,9 +16,9 @@ namespace {
 constexpr const char* kTemplate =
     "<meta content=\"{{policy}}\"><title>{{title}}</title><style>{{style}}</style>"
     "<script id=report>{{report}}</script><i>{{trials}}</i><i>{{series}}</i><i>{{worlds}}</i>"
-    "<i>{{frames}}</i><script>{{script}}</script>";
+    "<i>{{frames}}</i><i>{{licences}}</i><script>{{script}}</script>";
 
-PageAssets assets() { return {kTemplate, "p{}", "run()", {}}; }
+PageAssets assets() { return {kTemplate, "p{}", "run()", {}, "MIT"}; }
 
 /// The stupid inverse.
 std::string unpacked(const std::string& text) {
