@@ -29,7 +29,7 @@ in DIR/gates, unless they are there already. Then it runs the other commands, ea
   DIR/ablation      tcert ablate      DIR/h3       tcert hypotheses h3 on replays/replay.csv
   DIR/gate          tcert gate        DIR/sensitivity  tcert sweep --sensitivity, if asked for
 
-and prints the tables. A step that the data do not allow (no lighting, no baseline) is left out and
+and prints the tables; DIR/report.html (tcert report) shows all of it. A step that the data do not allow (no lighting, no baseline) is left out and
 named. 'tcert verify DIR' makes everything again and compares it.
 
 Usage: tcert reproduce [BUNDLE] --output DIR [options]
@@ -199,6 +199,20 @@ void print_tables(const fs::path& folder, TableFormat format) {
   }
 }
 
+/// The page of all results, if this build has one: its path is said last.
+void write_page(const fs::path& folder, const std::string& bundle, const Steps& steps) {
+  Words words = joined(
+      {{folder.string()}, steps.of_process(), {"--output", (folder / "report.html").string()}});
+  if (!bundle.empty()) {
+    words.insert(words.end(), {"--bundle", bundle});
+  }
+  try {
+    kReport.run(words);
+  } catch (const NoInput& error) {
+    say(std::string("report.html is left out: ") + error.what());
+  }
+}
+
 int run(Arguments arguments) {
   ReproduceOptions options;
   CommonOptions common;
@@ -243,6 +257,7 @@ int run(Arguments arguments) {
   if (!common.quiet) {
     say("Bundle:  " + bundle + "\nResults: " + output.string());
   }
+  write_page(output, own_corpus ? "" : bundle, steps);
   return steps.exit_code();
 }
 
