@@ -19,7 +19,6 @@ namespace {
                                  const std::string& script,
                                  const std::string& form,
                                  int error_pipe) {
-  ::setenv("SOURCE_DATE_EPOCH", "0", 1);
   ::setenv("LC_ALL", "C.UTF-8", 1);
   ::dup2(error_pipe, STDERR_FILENO);
   const int nothing = ::open("/dev/null", O_RDWR);

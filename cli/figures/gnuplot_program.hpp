@@ -10,8 +10,8 @@ namespace tcert::cli {
 /// True if there is a gnuplot in PATH.
 [[nodiscard]] bool has_gnuplot();
 
-/// `gnuplot -c SCRIPT FORM` in `folder`, with a fixed date, so that a PDF is the same bytes every
-/// time. \throws std::runtime_error with what it says on stderr if it does not end well.
+/// `gnuplot -c SCRIPT FORM` in `folder`. \throws std::runtime_error with what it says on stderr if
+/// it does not end well.
 void run_gnuplot(const std::filesystem::path& folder,
                  const std::string& script,
                  const std::string& form);

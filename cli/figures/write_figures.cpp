@@ -1,10 +1,32 @@
 #include "cli/figures/write_figures.hpp"
 
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
 #include "cli/figures/gnuplot_program.hpp"
 #include "reports/figure/gnuplot.hpp"
 #include "reports/figure/vega_lite.hpp"
 
 namespace tcert::cli {
+namespace {
+
+/// The PDF's one fact about the day it was made, replaced by a day that is always the same.
+void fix_date(const std::filesystem::path& path) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  constexpr std::string_view kKey = "/CreationDate (D:";
+  constexpr std::string_view kDay = "20000101000000";
+  const auto at = bytes.rfind(kKey);
+  if (at == std::string::npos || at + kKey.size() + kDay.size() > bytes.size()) {
+    return;
+  }
+  file.clear();
+  file.seekp(static_cast<std::streamoff>(at + kKey.size()));
+  file.write(kDay.data(), static_cast<std::streamsize>(kDay.size()));
+}
+
+}  // namespace
 
 void write_figure(const Figure& figure, const ResultFolder& folder, bool draw) {
   folder.write(figure.name + ".vl.json", vega_lite(figure).dump(1) + "\n");
@@ -14,6 +36,7 @@ void write_figure(const Figure& figure, const ResultFolder& folder, bool draw) {
     for (const char* const form : {"svg", "pdf"}) {
       run_gnuplot(folder.staging(), figure.name + ".gp", form);
     }
+    fix_date(folder.staging() / (figure.name + ".pdf"));
   }
 }
 

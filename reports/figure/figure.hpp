@@ -32,7 +32,7 @@ enum class Mark {
   segment,  ///< x, y to x2, y2.
   range_x,  ///< From x to x2 at y.
   range_y,  ///< From y to y2 at x.
-  band,     ///< Filled between y and y2 over x, y held until the next x if `steps`.
+  band,     ///< Filled between y and y2 over x.
   polygon,  ///< x, y closed and filled; one for each value of `group`.
   text,     ///< `text` at x, y.
 };
@@ -58,7 +58,7 @@ struct Layer {
   double width = 1.5;   ///< Of lines, in points.
   double size = 1.0;    ///< Of points, relative.
   bool hollow = false;  ///< Points.
-  bool steps = false;   ///< Bands.
+  double raise = 0.0;   ///< Texts, above their point, in lines.
 };
 
 /// A line across a panel at one value of an axis. Not data: a margin, 0, or 1.

@@ -60,15 +60,15 @@ std::string axis_commands(const Axis& axis, const std::string& name) {
     for (std::size_t i = 0; i < axis.categories.size(); ++i) {
       out += (i == 0 ? "" : ", ") + quoted(axis.categories[i]) + " " + std::to_string(i + 1);
     }
-    out += ") nomirror\n";
+    out += ") nomirror scale 0\n";
   } else if (!axis.ticks.empty()) {
     out += "set " + name + "tics (";
     for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
       out += (i == 0 ? "" : ", ") + number(axis.ticks[i]);
     }
-    out += ") nomirror\n";
+    out += ") nomirror scale 1\n";
   } else {
-    out += "set " + name + "tics autofreq nomirror\n";
+    out += "set " + name + "tics autofreq nomirror scale 1\n";
   }
   return out + "set " + name + "label " + quoted(axis_title(axis)) + "\n";
 }
@@ -118,7 +118,9 @@ bool draws_gradient(const Figure& figure, const Panel& panel) {
   return false;
 }
 
-std::string title_commands(const Figure& figure, const FigureLayout& layout) {
+/// Title, label and legend: a plot of its own over the whole figure, since gnuplot makes a legend
+/// no wider than its plot.
+std::string head_commands(const Figure& figure, const FigureLayout& layout) {
   std::string out = "set label 1 " + quoted(figure.title) + " at screen " +
                     screen(14.0, layout.width) + ", screen " +
                     screen(layout.title_y, layout.height) +
@@ -131,7 +133,15 @@ std::string title_commands(const Figure& figure, const FigureLayout& layout) {
            screen(14.0, layout.width) + ", screen " + screen(y, layout.height) +
            " left textcolor rgb '#a00000' front\n";
   }
-  return out;
+  out += box_commands({14.0, 4.0, layout.width - 28.0, layout.height - 8.0}, layout);
+  out += "unset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n";
+  if (!figure.key.classes.empty()) {
+    out += "set key at screen " + screen(14.0, layout.width) + ", screen " +
+           screen(layout.key_top, layout.height) +
+           " left top Left reverse noautotitle horizontal maxcols " +
+           std::to_string(layout.key_columns) + " samplen 3 width 1\n";
+  }
+  return out + "plot " + key_entries(figure) + "\nunset label\nunset key\n";
 }
 
 }  // namespace
@@ -149,29 +159,20 @@ std::string gnuplot_script(const Figure& figure) {
       "set encoding utf8\nset datafile separator ','\nset datafile columnheaders\n"
       "set datafile missing NaN\nset border 3 lc rgb '#444444'\nset tics textcolor rgb '#222222'\n"
       "unset key\nunset colorbox\nset multiplot\n";
-  out += class_functions(figure);
+  out += class_functions(figure) + head_commands(figure, layout);
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     const Panel& panel = figure.panels[p];
     out += "\n# " + (panel.title.empty() ? "panel " + std::to_string(p + 1) : panel.title) + "\n";
-    out += "unset label\nunset object\n";
-    out += p == 0 ? title_commands(figure, layout) : "";
+    out += "unset object\n";
     out += box_commands(layout.boxes[p], layout);
-    out += panel.x.hidden && panel.y.hidden ? "unset border\n" : "set border 3 lc rgb '#444444'\n";
+    out += panel.x.hidden ? "unset border\n" : "set border 3 lc rgb '#444444'\n";
     out += axis_commands(panel.x, "x") + axis_commands(panel.y, "y");
     out += panel.title.empty() ? "unset title\n"
                                : "set title " + quoted(panel.title) + " offset 0,-0.4\n";
     out += reference_commands(panel);
     out += draws_gradient(figure, panel) ? gradient_commands(*figure.gradient) : "unset colorbox\n";
-    if (p == 0 && !figure.key.classes.empty()) {
-      out += "set key at screen " + screen(14.0, layout.width) + ", screen " +
-             screen(layout.key_top, layout.height) +
-             " left top Left reverse noautotitle horizontal maxcols " +
-             std::to_string(layout.key_columns) + " samplen 2.4 width 1\n";
-    } else {
-      out += "unset key\n";
-    }
     out += polygon_objects(figure, panel);
-    out += plot_command(figure, panel, p == 0);
+    out += plot_command(figure, panel);
   }
   return out + "unset multiplot\nunset output\n";
 }

@@ -7,7 +7,7 @@
 namespace tcert {
 namespace {
 
-constexpr double kCharacter = 7.0;  // Pixels of a character at 12 px, about.
+constexpr double kCharacter = 7.4;  // Pixels of a character at 12 px, about.
 constexpr double kFigureWidth = 720.0;
 constexpr double kPanelHeight = 300.0;
 constexpr double kMargin = 14.0;

@@ -15,7 +15,7 @@ namespace tcert {
 namespace {
 
 constexpr std::array<std::string_view, 6> kDashes = {
-    "solid", "(8,4)", "(3,3)", "(9,4,3,4)", "(14,4)", "(5,3,2,3)"};
+    "solid", "(16,7)", "(6,6)", "(18,6,5,6)", "(28,8)", "(10,5,4,5)"};
 constexpr std::array<int, 6> kFilled = {7, 5, 9, 13, 11, 15};
 constexpr std::array<int, 6> kHollow = {6, 4, 8, 12, 10, 14};
 
@@ -74,10 +74,9 @@ std::string style_of(const Layer& layer, const Look& look) {
     case Mark::range_y:
       return "with vectors nohead" + line;
     case Mark::band:
-      return std::string(layer.steps ? "with fillsteps" : "with filledcurves") + " lc " +
-             look.colour + " fs transparent solid 0.18 noborder";
+      return "with filledcurves lc " + look.colour + " fs transparent solid 0.18 noborder";
     case Mark::text:
-      return "with labels font ',9' textcolor " + look.colour;
+      return "with labels offset 0," + number(layer.raise) + " textcolor " + look.colour;
     case Mark::polygon:
       break;
   }
@@ -103,8 +102,15 @@ std::string columns_of(const Figure& figure,
   const std::size_t p = panel_index(figure, panel);
   const std::string x = value_of(layer.x, panel.x, "px", p);
   const std::string y = value_of(layer.y, panel.y, "py", p);
+  // An empty cell would be skipped without breaking a line.
+  std::string known = condition;
+  for (const std::string* column : {&layer.x, &layer.y, &layer.x2, &layer.y2}) {
+    if (!column->empty()) {
+      known += " && strcol(" + quoted(*column) + ") ne ''";
+    }
+  }
   const auto chosen = [&](const std::string& value) {
-    return "(" + condition + " ? " + value + " : NaN)";
+    return "(" + known + " ? " + value + " : NaN)";
   };
   switch (layer.mark) {
     case Mark::segment:
@@ -285,7 +291,7 @@ std::string polygon_objects(const Figure& figure, const Panel& panel) {
   return out;
 }
 
-std::string plot_command(const Figure& figure, const Panel& panel, bool with_key) {
+std::string plot_command(const Figure& figure, const Panel& panel) {
   std::vector<std::string> clauses;
   const auto add = [&](const Layer& layer, const std::string& class_name, const Look& look) {
     if (has_rows(figure, panel, layer, class_name)) {
@@ -312,16 +318,21 @@ std::string plot_command(const Figure& figure, const Panel& panel, bool with_key
   if (empty) {
     clauses.emplace_back("NaN notitle");
   }
-  for (std::size_t i = 0; with_key && i < figure.key.classes.size(); ++i) {
-    if (const Layer* const sample = sample_of(figure, figure.key.classes[i])) {
-      clauses.push_back(key_entry(*sample, look_of_class(i), figure.key.classes[i]));
-    }
-  }
   std::string out = empty ? "set xrange [0:1]\nset yrange [0:1]\nplot " : "plot ";
   for (std::size_t i = 0; i < clauses.size(); ++i) {
     out += (i == 0 ? "" : ", \\\n  ") + clauses[i];
   }
   return out + "\n";
+}
+
+std::string key_entries(const Figure& figure) {
+  std::string out = "NaN notitle";
+  for (std::size_t i = 0; i < figure.key.classes.size(); ++i) {
+    if (const Layer* const sample = sample_of(figure, figure.key.classes[i])) {
+      out += ", \\\n  " + key_entry(*sample, look_of_class(i), figure.key.classes[i]);
+    }
+  }
+  return out;
 }
 
 }  // namespace tcert

@@ -20,7 +20,10 @@ namespace tcert {
 /// Polygons of the panel as objects.
 [[nodiscard]] std::string polygon_objects(const Figure& figure, const Panel& panel);
 
-/// One clause for each layer and class, and the legend's entries if asked for.
-[[nodiscard]] std::string plot_command(const Figure& figure, const Panel& panel, bool with_key);
+/// One clause for each layer and class.
+[[nodiscard]] std::string plot_command(const Figure& figure, const Panel& panel);
+
+/// A plot of nothing, with an entry of the legend for each class that is drawn.
+[[nodiscard]] std::string key_entries(const Figure& figure);
 
 }  // namespace tcert

@@ -100,13 +100,23 @@ void add_incidence_rows(const std::string& panel,
                         const std::vector<double>& times,
                         Table& data) {
   add_figure_row(data, "curve", {panel, group, ""}, {0.0, 0.0, kNaN, kNaN});
+  double low = kNaN;
+  double high = kNaN;
   for (std::size_t i = 0; i < curve.time.size(); ++i) {
-    const bool moved = i == 0 || curve.estimate[i] != curve.estimate[i - 1];
-    if (moved || i + 1 == curve.time.size()) {
-      add_figure_row(data,
-                     "curve",
-                     {panel, group, ""},
-                     {curve.time[i], curve.estimate[i], curve.low[i], curve.high[i]});
+    const bool last = i + 1 == curve.time.size();
+    if (i > 0 && curve.estimate[i] == curve.estimate[i - 1] && !last) {
+      continue;
+    }
+    add_figure_row(
+        data, "curve", {panel, group, ""}, {curve.time[i], curve.estimate[i], kNaN, kNaN});
+    // The band has corners: what it was until now, and what it is from now on.
+    if (std::isfinite(low)) {
+      add_figure_row(data, "band", {panel, group, ""}, {curve.time[i], kNaN, low, high});
+    }
+    low = curve.low[i];
+    high = curve.high[i];
+    if (std::isfinite(low)) {
+      add_figure_row(data, "band", {panel, group, ""}, {curve.time[i], kNaN, low, high});
     }
   }
   for (const double time : times) {
@@ -221,7 +231,7 @@ std::optional<Figure> incidence_figure(const Table& from) {
   Axis time;
   time.title = "time";
   time.unit = "s";
-  time.low = -0.03 * last;
+  time.low = -0.07 * last;
   time.high = 1.03 * last;
   time.ticks = times;
   std::vector<Panel> curves;
@@ -237,12 +247,11 @@ std::optional<Figure> incidence_figure(const Table& from) {
     one.y = share_axis("cumulative incidence of egress");
     Layer band;
     band.mark = Mark::band;
-    band.part = "curve";
+    band.part = "band";
     band.x = "time_s";
     band.y = "incidence_low";
     band.y2 = "incidence_high";
     band.colour = "quartile";
-    band.steps = true;
     Layer curve;
     curve.mark = Mark::step;
     curve.part = "curve";

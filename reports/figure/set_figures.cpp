@@ -82,7 +82,7 @@ void add_case(const Table& h3, std::size_t row, const std::string& law, Figure& 
                  front ? "front" : "behind",
                  {text_at(h3, row, "lighting"),
                   law,
-                  "\u03b2 = " + significant(number_at(h3, row, "beta_per_m"), 4)},
+                  "\u03b2 " + significant(number_at(h3, row, "beta_per_m"), 4)},
                  {number_at(h3, row, "beta_per_m"),
                   number_at(h3, row, "gain_share"),
                   number_at(h3, row, "gain_share_low"),
@@ -122,7 +122,6 @@ std::optional<Figure> equivalence_figure(const Table& pairs, const Table& equali
   for (const std::string& quantity : distinct(pairs, "quantity")) {
     Panel one;
     one.name = quantity;
-    one.title = "difference of " + quantity;
     one.x.title = "difference of " + quantity;
     Extent extent;
     std::vector<std::string> names;
@@ -172,7 +171,8 @@ std::optional<Figure> pareto_figure(const Table& h3) {
   figure.caption =
       "Every law and \u03b2: relative gain of the rate of advance (BCa intervals) against the "
       "share "
-      "of successes retained (Wilson). Filled: on the Pareto front of its lighting. A replay can "
+      "of successes retained (Wilson); \u03b2 in 1/m. Filled: on the Pareto front of its lighting. "
+      "A replay can "
       "only lose successes.";
   figure.key = {"speed law", distinct(h3, "speed_law")};
   figure.data = figure_table("pareto",
@@ -200,7 +200,7 @@ std::optional<Figure> pareto_figure(const Table& h3) {
     one.x.title = "relative gain of the rate of advance";
     one.y.title = "successes retained (share)";
     gains.apply(one.x, 0.08);
-    kept.apply(one.y, 0.08);
+    kept.apply(one.y, 0.1);
     one.references = {{true, 0.0, false}};
     for (const char* part : {"behind", "front"}) {
       Layer across = range_x(part, "gain_share_low", "gain_share_high", "retained");
@@ -213,7 +213,10 @@ std::optional<Figure> pareto_figure(const Table& h3) {
       point.colour = "law";
       point.size = 1.6;
       point.hollow = std::string_view(part) == "behind";
-      one.layers.insert(one.layers.end(), {across, up, point});
+      Layer beta = layer(Mark::text, part, "gain_share", "retained");
+      beta.text = "beta";
+      beta.raise = 0.9;
+      one.layers.insert(one.layers.end(), {across, up, point, beta});
     }
     one.height = 0.85;
     figure.panels.push_back(std::move(one));
@@ -378,7 +381,7 @@ std::optional<Figure> speed_figure(const Table& speed,
       "Thick: middle half of the trials' medians; thin: from 5 to 95 %. Median of all control "
       "samples "
       "pooled, beside the one that the paper prints for its own trials.";
-  figure.key = {"", {"pooled median", "published", "medians of trials"}};
+  figure.key = {"", {"pooled median", "published"}};
   figure.data = figure_table(
       figure.name, {"group"}, {"speed_mps", "p05_mps", "p25_mps", "p75_mps", "p95_mps", "trials"});
   Panel one;
@@ -413,19 +416,19 @@ std::optional<Figure> speed_figure(const Table& speed,
     return std::nullopt;
   }
   Layer thin = range_y("spread", "group", "p05_mps", "p95_mps");
-  thin.label = "medians of trials";
+  thin.tone = Tone::muted;
   thin.width = 1.0;
   Layer thick = range_y("spread", "group", "p25_mps", "p75_mps");
-  thick.label = "medians of trials";
-  thick.width = 6.0;
+  thick.tone = Tone::faint;
+  thick.width = 12.0;
   Layer pooled = layer(Mark::point, "pooled", "group", "speed_mps");
   pooled.label = "pooled median";
-  pooled.size = 2.0;
+  pooled.size = 1.6;
   Layer published = layer(Mark::point, "published", "group", "speed_mps");
   published.label = "published";
-  published.size = 2.0;
+  published.size = 3.0;
   published.hollow = true;
-  one.layers = {thin, thick, pooled, published};
+  one.layers = {thick, thin, pooled, published};
   figure.panels = {std::move(one)};
   make_plain(figure);
   return figure;

@@ -213,7 +213,6 @@ std::vector<Layer> map_layers(bool walls) {
   edge.colour = "margin_m";
   edge.width = 5.0;
   Layer path = layer(Mark::line, "path", "x_m", "y_m");
-  path.label = "odometry";
   path.width = 1.2;
   Layer bottleneck = layer(Mark::point, "bottleneck", "x_m", "y_m");
   bottleneck.label = "bottleneck of T_t";
@@ -298,11 +297,11 @@ Figure trial_map_figure(const TrialPicture& trial) {
   Figure figure;
   figure.name = "trial_" + trial.trial_id + "_map";
   figure.title = "Trial " + trial.trial_id + ": map";
-  figure.caption =
-      std::string(trial.world ? "Walls of the known world"
-                              : "What the rays prove free on both sides") +
-      ", odometry, and the corridor graph by the margin of its edges. The circle is the "
-      "bottleneck that decides T_t.";
+  figure.caption = std::string(trial.world ? "Walls of the known world"
+                                           : "What the rays prove free on both sides") +
+                   ", odometry (thin line), and the corridor graph by the margin of its edges. The "
+                   "hollow mark is "
+                   "the bottleneck that decides T_t.";
   figure.synthetic = trial.synthetic;
   MapData data;
   if (trial.world) {
@@ -317,7 +316,7 @@ Figure trial_map_figure(const TrialPicture& trial) {
   if (trial.bottleneck_x_m && trial.bottleneck_y_m) {
     data.add("bottleneck", "", {*trial.bottleneck_x_m, *trial.bottleneck_y_m});
   }
-  figure.key.classes = {"odometry", "bottleneck of T_t", "issued here"};
+  figure.key.classes = {"issued here", "bottleneck of T_t"};
   figure.gradient = Gradient{"edge margin", "m", 0.0, kGradientHigh};
   Panel map;
   map.x.title = "x";

@@ -169,15 +169,13 @@ Json mark_of(const Figure& figure, const Panel& panel, const Layer& layer) {
       mark = {{"type", "rule"}, {"strokeWidth", layer.width}};
       break;
     case Mark::band:
-      mark = {{"type", "area"},
-              {"interpolate", layer.steps ? "step-after" : "linear"},
-              {"opacity", 0.18}};
+      mark = {{"type", "area"}, {"opacity", 0.18}};
       break;
     case Mark::polygon:
       mark = {{"type", "line"}, {"interpolate", "linear-closed"}, {"strokeWidth", 0.5}};
       break;
     case Mark::text:
-      mark = {{"type", "text"}, {"fontSize", 11}};
+      mark = {{"type", "text"}, {"fontSize", 11}, {"dy", -13.0 * layer.raise}};
       break;
   }
   if (!has_classes(figure, layer)) {
