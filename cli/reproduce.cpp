@@ -29,8 +29,8 @@ in DIR/gates, unless they are there already. Then it runs the other commands, ea
   DIR/ablation      tcert ablate      DIR/h3       tcert hypotheses h3 on replays/replay.csv
   DIR/gate          tcert gate        DIR/sensitivity  tcert sweep --sensitivity, if asked for
 
-and prints the tables; DIR/report.html (tcert report) shows all of it. A step that the data do not allow (no lighting, no baseline) is left out and
-named. 'tcert verify DIR' makes everything again and compares it.
+and prints the tables; DIR/report.html (tcert report) shows all of it. A step that the data do not
+allow (no lighting, no baseline) is left out and named. 'tcert verify DIR' makes everything again and compares it.
 
 Usage: tcert reproduce [BUNDLE] --output DIR [options]
 
