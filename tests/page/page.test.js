@@ -186,15 +186,15 @@ describe('the page of a study', () => {
     await page.waitForSelector('#tick');
     const ticks = records(join(certificates, 'series', `${id}.csv`));
     const last = Number(await page.getAttribute('#tick', 'max'));
-    const all = [];
-    for (let i = 0; i <= last; ++i) {
-      await page.$eval('#tick', (slider, value) => {
-        slider.value = value;
+    const all = await page.evaluate((end) => {
+      const slider = document.querySelector('#tick');
+      return Array.from({ length: end + 1 }, (_, tick) => {
+        slider.value = tick;
         slider.dispatchEvent(new Event('input'));
-      }, i);
-      all.push(await page.$$eval('#readout div', (parts) =>
-        Object.fromEntries(parts.map((one) => [one.children[0].textContent, parseFloat(one.children[1].textContent)]))));
-    }
+        return Object.fromEntries([...document.querySelectorAll('#readout div')].map((one) =>
+          [one.children[0].textContent, parseFloat(one.children[1].textContent)]));
+      });
+    }, last);
     for (const [heading, name] of [['tick margin m_t', 'margin_m'], ['corridor value V_t', 'corridor_value_m'], ['rays in contact', 'contacts'], ['y', 'y_m']]) {
       const file = ticks.map((tick) => tick[name]).filter((cell) => cell !== '').map(Number);
       const shown = all.map((tick) => tick[heading]).filter((value) => !Number.isNaN(value));

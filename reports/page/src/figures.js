@@ -137,12 +137,17 @@ class Figure {
   }
 }
 
-// Draws what is near the reader first, the rest when there is nothing else to do.
+// Their frames at once; `start` draws what is near the reader first, the rest when there is nothing else
+// to do.
 export function figures(report) {
   if (report.figures.length === 0) {
-    return [el('p', {}, 'These results hold no figure.')];
+    return { content: [el('p', {}, 'These results hold no figure.')], start() {} };
   }
   const all = report.figures.map((figure) => new Figure(figure));
+  return { content: [el('div', { class: 'figures' }, all.map((figure) => figure.element))], start: () => start(all) };
+}
+
+function start(all) {
   const waiting = new Set(all);
   const draw = (figure) => (waiting.delete(figure) ? figure.draw() : undefined);
   const near = new IntersectionObserver((entries) => {
@@ -173,5 +178,4 @@ export function figures(report) {
         .forEach((figure) => figure.draw());
     }, 150);
   });
-  return [el('div', { class: 'figures' }, all.map((figure) => figure.element))];
 }

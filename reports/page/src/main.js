@@ -30,9 +30,10 @@ function licences() {
 
 async function main() {
   const report = readJson('report');
+  const drawn = figures(report);
   const parts = [
     ['tables', 'Tables', () => tables(report)],
-    ['figures', 'Figures', () => figures(report)],
+    ['figures', 'Figures', () => drawn.content],
     ['trials-section', 'Trials', () => trials(report)],
     ...(report.frames.length ? [['frames-section', 'Frames', () => frames(report, readLines('frames'))]] : []),
     ['methods', 'Methods', () => methods(report)],
@@ -48,6 +49,7 @@ async function main() {
     el('p', {}, `Written by ${report.tool}. This page carries everything it shows; it asks nothing of any network.`),
     licences());
   document.documentElement.dataset.ready = 'true';
+  setTimeout(drawn.start);
 }
 
 main().catch((error) => {

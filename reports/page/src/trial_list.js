@@ -27,9 +27,11 @@ function sparkline(values, [low, high], label) {
     svg('path', { d: path }));
 }
 
+const words = new Intl.Collator('en', { numeric: true });
+
 function compare(a, b) {
   if (typeof a === 'number' && typeof b === 'number') return a - b;
-  return String(a).localeCompare(String(b), 'en', { numeric: true });
+  return words.compare(a, b);
 }
 
 function shown(value, column) {
