@@ -71,13 +71,24 @@ Courses::Courses(const Results& results, const Result& certified, const std::str
   world_of_ = worlds_of(*bundle_);
 }
 
+std::string Courses::file_of(std::string_view trial_id) const {
+  const auto known = world_of_.find(trial_id);
+  return "worlds/" + (known == world_of_.end() ? std::string(trial_id) : known->second) + ".json";
+}
+
+bool Courses::has_walls(std::string_view trial_id) const {
+  if (!bundle_) {
+    return false;
+  }
+  const BundleFiles files(bundle_->path);
+  return files.problem().empty() && files.find(file_of(trial_id)).has_value();
+}
+
 std::optional<std::string> Courses::block(std::string_view trial_id) const {
   if (!bundle_) {
     return std::nullopt;
   }
-  const auto known = world_of_.find(trial_id);
-  const std::string name =
-      "worlds/" + (known == world_of_.end() ? std::string(trial_id) : known->second) + ".json";
+  const std::string name = file_of(trial_id);
   const BundleFiles files(bundle_->path);
   World world;
   if (const auto found = files.problem().empty() ? files.find(name) : std::nullopt) {

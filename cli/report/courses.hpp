@@ -23,11 +23,16 @@ class Courses {
   /// Why no course is known at all; empty if some may be.
   [[nodiscard]] const std::string& missing() const noexcept { return missing_; }
 
+  /// True if the bundle has a world file of the trial.
+  [[nodiscard]] bool has_walls(std::string_view trial_id) const;
+
   /// world_block() of the trial's world; without a world file S and G alone. Empty without a
   /// bundle. From any thread. \throws BadData if the file is not a world.
   [[nodiscard]] std::optional<std::string> block(std::string_view trial_id) const;
 
  private:
+  [[nodiscard]] std::string file_of(std::string_view trial_id) const;
+
   std::optional<Bundle> bundle_;
   std::map<std::string, std::string, std::less<>> world_of_;  ///< By trial.
   std::string missing_;

@@ -11,8 +11,8 @@
 
 namespace tcert::cli {
 
-/// Every table that a result holds as <name>.json, by result: those that a paper prints first. Tables of more than 200 rows
-/// are named in `left_out` and stay in their files.
+/// Every table that a result holds as <name>.json, by result: those that a paper prints first.
+/// Tables of more than 200 rows are named in `left_out` and stay in their files.
 [[nodiscard]] std::vector<PageTable> page_tables(const Results& results,
                                                  std::vector<std::string>& left_out);
 

@@ -164,7 +164,10 @@ std::size_t add_trials(const Results& results,
     map.edges = edges_of(result->folder / "edges" / file);
     map.bottleneck = point_of(trials, i, "bottleneck_x_m", "bottleneck_y_m");
     std::optional<std::string> world = courses.block(trials.id(i));
-    map.note = world ? "" : "The course is not known here.";
+    map.felt = !world || !courses.has_walls(trials.id(i));
+    map.note =
+        map.felt ? "The walls are not known here: dots show how far the rays proved the sides free."
+                 : "";
     sparks[i] = sparkline(series);
     std::string block = trial_block(series, map, trials.facts(i), limit);
     return [&, block = std::move(block), world = std::move(world)]() mutable {

@@ -24,7 +24,8 @@ constexpr double kMillimetre = 1000.0;
 NumberOptions series_options() {
   NumberOptions options;
   for (const std::string& name : page_series_columns()) {
-    options.columns.push_back({name, name != "gated_speed_mps", true});
+    const bool required = name != "gated_speed_mps" && name != "left_m" && name != "right_m";
+    options.columns.push_back({name, required, true});
   }
   return options;
 }
@@ -114,7 +115,28 @@ Json json_region(const std::optional<Region>& region) {
   return {{"polygon", json_ring(std::get<Polygon>(*region))}};
 }
 
-Json json_map(const TrialMap& map, const NumberTable& series) {
+/// Where the free width ends on either side of the robot, at the ticks that are shown.
+Json json_felt(const NumberTable& series, const std::vector<std::size_t>& kept) {
+  const std::vector<double> x = column_of(series, "x_m");
+  const std::vector<double> y = column_of(series, "y_m");
+  const std::vector<double> yaw = column_of(series, "yaw_rad");
+  const std::vector<double> left = column_of(series, "left_m");
+  const std::vector<double> right = column_of(series, "right_m");
+  Json points = Json::array();
+  for (const std::size_t i : kept) {
+    for (const double side : {left[i], -right[i]}) {
+      const Point end{x[i] - side * std::sin(yaw[i]), y[i] + side * std::cos(yaw[i])};
+      if (std::isfinite(end.x_m) && std::isfinite(end.y_m)) {
+        points.push_back(Json::array({rounded(end.x_m), rounded(end.y_m)}));
+      }
+    }
+  }
+  return points;
+}
+
+Json json_map(const TrialMap& map,
+              const NumberTable& series,
+              const std::vector<std::size_t>& kept) {
   Json json;
   json["edges"] = Json::array();
   for (const MapEdge& edge : map.edges) {
@@ -135,6 +157,9 @@ Json json_map(const TrialMap& map, const NumberTable& series) {
       json["issued"] = json_point({x[i], y[i]});
       break;
     }
+  }
+  if (map.felt) {
+    json["beams"] = json_felt(series, kept);
   }
   json["note"] = map.note;
   return json;
@@ -192,7 +217,9 @@ const std::vector<std::string>& page_series_columns() {
                                                    "contacts",
                                                    "memory",
                                                    "travel_m",
-                                                   "issued"};
+                                                   "issued",
+                                                   "left_m",
+                                                   "right_m"};
   return columns;
 }
 
@@ -238,7 +265,7 @@ std::string trial_block(const NumberTable& series,
   Json json;
   json["facts"] = facts;
   json["ticks"] = series.rows();
-  json["map"] = json_map(map, series);
+  json["map"] = json_map(map, series, kept);
   for (std::size_t c = 0; c < values.size(); ++c) {
     const PageColumn& column = page_columns()[c];
     if (c == 0 || std::any_of(values[c].begin(), values[c].end(), [](double v) {

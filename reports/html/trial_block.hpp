@@ -50,7 +50,8 @@ struct MapEdge {
 struct TrialMap {
   std::vector<MapEdge> edges;
   std::optional<Point> bottleneck;
-  std::string note;  ///< What is not shown, and why; or empty.
+  bool felt = false;  ///< Show what the rays proved free on either side, where no world is known.
+  std::string note;   ///< What is not shown, and why; or empty.
 };
 
 /// The columns that read_page_series() reads, in the order of its values; the time is apart.

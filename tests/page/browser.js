@@ -11,7 +11,8 @@ export function launch() {
   });
 }
 
-// Opens a file and waits until it says that it is ready. `complaints`: errors, warnings, requests.
+// Opens a file and waits until it says that it is ready, after `ms`. `complaints`: errors, warnings,
+// requests.
 export async function opened(browser, file, { width = 1280, height = 900, dark = false, hash = '' } = {}) {
   const context = await browser.newContext({
     viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', reducedMotion: 'reduce', offline: true, acceptDownloads: true,
@@ -27,10 +28,10 @@ export async function opened(browser, file, { width = 1280, height = 900, dark =
     const url = request.url();
     if (url.split('#')[0] !== address && !url.startsWith('data:image/')) complaints.push(`request: ${url}`);
   });
-  const start = performance.now();
   await page.goto(address + hash);
   await page.waitForSelector('html[data-ready]');
-  const ms = performance.now() - start;
+  // From the start of the navigation to all of the page but the drawing of figures.
+  const ms = await page.evaluate(() => performance.getEntriesByName('ready')[0].startTime);
   return { page, complaints, ms, close: () => context.close() };
 }
 

@@ -55,7 +55,7 @@ function key(map, range) {
   if (map.polygons.length + map.discs.length) {
     items.push(item('', svg('rect', { class: 'wall', x: 3, y: 1, width: 18, height: 10 }), 'course'));
   }
-  if (map.beams.length) items.push(item('', svg('circle', { class: 'beam', cx: 12, cy: 6, r: 2 }), 'ends of beams'));
+  if (map.beams.length) items.push(item('', svg('circle', { class: 'beam', cx: 12, cy: 6, r: 2 }), 'sides proved free'));
   items.push(item('', line('odometry'), 'odometry'));
   if (map.start) items.push(item('', svg('rect', { class: 'start', x: 3, y: 1, width: 18, height: 10 }), 'start S'));
   if (map.goal) items.push(item('', svg('rect', { class: 'goal', x: 3, y: 1, width: 18, height: 10 }), 'goal G'));

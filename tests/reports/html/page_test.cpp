@@ -1,7 +1,6 @@
 #include "reports/html/page.hpp"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 
 #include "reports/html/packed.hpp"
 #include "reports/html/report_json.hpp"
+#include "tests/reports/html/unpacked.hpp"
 
 namespace tcert {
 namespace {
@@ -19,31 +19,6 @@ constexpr const char* kTemplate =
     "<i>{{frames}}</i><i>{{licences}}</i><script>{{script}}</script>";
 
 PageAssets assets() { return {kTemplate, "p{}", "run()", {}, "MIT"}; }
-
-/// The stupid inverse.
-std::string unpacked(const std::string& text) {
-  static const std::string kAlphabet =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0;
-  int count = 0;
-  for (const char c : text.substr(0, text.find('='))) {
-    bits = bits << 6U | static_cast<unsigned>(kAlphabet.find(c));
-    count += 6;
-    if (count >= 8) {
-      count -= 8;
-      bytes += static_cast<char>(bits >> static_cast<unsigned>(count) & 255U);
-    }
-  }
-  std::string out(1 << 16, '\0');
-  uLongf size = out.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(out.data()),
-                       &size,
-                       reinterpret_cast<const Bytef*>(bytes.data()),
-                       bytes.size()),
-            Z_OK);
-  return out.substr(0, size);
-}
 
 TEST(Packed, Base64OfTheStandard) {  // RFC 4648, section 10
   EXPECT_EQ(base64(""), "");
