@@ -257,10 +257,10 @@ Json reference_of(const Panel& panel, const Reference& reference) {
     mark["strokeDash"] = {5, 4};
   }
   const Axis& axis = reference.vertical ? panel.x : panel.y;
-  Json channel = {{"datum", reference.at},
-                  {"type", "quantitative"},
-                  {"title", axis_title(axis)},
-                  {"scale", scale_of(axis, !reference.vertical)}};
+  // With the same title, scale and labels as the layers of data: an axis is made of all of them.
+  Json channel = position(axis, "", !reference.vertical);
+  channel.erase("field");
+  channel["datum"] = reference.at;
   return {{"data", {{"values", Json::array({Json::object()})}}},
           {"mark", std::move(mark)},
           {"encoding", {{reference.vertical ? "x" : "y", std::move(channel)}}}};
