@@ -103,7 +103,7 @@ std::string gradient_commands(const Gradient& gradient) {
          "]\nset cblabel " +
          quoted(gradient.unit.empty() ? gradient.title
                                       : gradient.title + " [" + gradient.unit + "]") +
-         "\nset colorbox\n";
+         "\nset cbtics\nset colorbox\n";
 }
 
 bool draws_gradient(const Figure& figure, const Panel& panel) {
@@ -157,7 +157,7 @@ std::string gnuplot_script(const Figure& figure) {
   out += terminals(figure, layout);
   out +=
       "set encoding utf8\nset datafile separator ','\nset datafile columnheaders\n"
-      "set datafile missing NaN\nset border 3 lc rgb '#444444'\nset tics textcolor rgb '#222222'\n"
+      "set border 3 lc rgb '#444444'\nset tics textcolor rgb '#222222'\n"
       "unset key\nunset colorbox\nset multiplot\n";
   out += class_functions(figure) + head_commands(figure, layout);
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {

@@ -40,7 +40,7 @@ double below(const Panel& panel) {
   if (panel.x.hidden) {
     return 12.0;
   }
-  return 24.0 + (panel.x.title.empty() ? 0.0 : 22.0) + 10.0;
+  return 24.0 + (panel.x.title.empty() ? 0.0 : 22.0) + 18.0;
 }
 
 double above(const Panel& panel) { return panel.title.empty() ? 8.0 : 30.0; }

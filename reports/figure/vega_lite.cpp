@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
 
+#include "reports/figure/figure_table.hpp"
 #include "reports/table_json.hpp"
 
 namespace tcert {
@@ -61,7 +65,8 @@ Json scale_of(const Axis& axis, bool vertical) {
   }
   if (axis.scale == AxisScale::log) {
     scale["type"] = "log";
-  } else {
+  }
+  if (axis.scale != AxisScale::log) {
     scale["zero"] = false;
   }
   if (axis.low) {
@@ -83,9 +88,11 @@ Json position(const Axis& axis, const std::string& field, bool vertical) {
   if (axis.hidden) {
     channel["axis"] = nullptr;
   } else if (!axis.ticks.empty()) {
-    channel["axis"] = {{"values", axis.ticks}};
+    channel["axis"] = {{"values", axis.ticks}, {"format", "~g"}};
   } else if (categories) {
     channel["axis"] = {{"labelLimit", 260}, {"labelAngle", 0}, {"grid", false}};
+  } else {
+    channel["axis"] = {{"format", "~g"}};
   }
   return channel;
 }
@@ -117,6 +124,7 @@ void add_classes(const Figure& figure, const Layer& layer, Json& encoding) {
                        {"labelLimit", 260},
                        {"symbolSize", 90},
                        {"symbolStrokeWidth", 2},
+                       {"symbolOpacity", 1},
                        {"direction", "horizontal"}};
   Json colour = channel;
   colour["scale"] = class_scale(figure);
@@ -157,7 +165,10 @@ Json mark_of(const Figure& figure, const Panel& panel, const Layer& layer) {
               {"strokeWidth", layer.width}};
       break;
     case Mark::point:
-      mark = {{"type", "point"}, {"filled", !layer.hollow}, {"size", 45.0 * layer.size}};
+      mark = {{"type", "point"},
+              {"filled", !layer.hollow},
+              {"size", 45.0 * layer.size},
+              {"opacity", 1}};
       if (layer.hollow) {
         mark["strokeWidth"] = layer.width;
       }
@@ -179,7 +190,9 @@ Json mark_of(const Figure& figure, const Panel& panel, const Layer& layer) {
       break;
   }
   if (!has_classes(figure, layer)) {
-    mark["style"] = layer.mark == Mark::polygon ? "filled-faint" : word_of(layer.tone);
+    mark["style"] = layer.mark == Mark::polygon ? std::string("filled-faint")
+                    : layer.mark == Mark::text  ? std::string(word_of(layer.tone)) + "-text"
+                                                : std::string(word_of(layer.tone));
   }
   if (clipped && layer.mark != Mark::text && layer.mark != Mark::point) {
     mark["clip"] = true;
@@ -193,8 +206,10 @@ Json filters_of(const Panel& panel, const Layer& layer) {
   if (!panel.name.empty()) {
     filters.push_back({{"filter", {{"field", "panel"}, {"equal", panel.name}}}});
   }
-  if (is_path(layer.mark)) {
-    return filters;  // A missing value breaks the line.
+  if (is_path(layer.mark) || layer.mark == Mark::polygon) {
+    // Drawn as the rows are ordered; a missing value breaks the line.
+    filters.push_back({{"window", Json::array({{{"op", "row_number"}, {"as", "row"}}})}});
+    return filters;
   }
   const auto require = [&](const std::string& field, const Axis& axis) {
     if (!field.empty() && axis.scale != AxisScale::categories) {
@@ -229,7 +244,7 @@ Json layer_of(const Figure& figure, const Panel& panel, const Layer& layer) {
     add_gradient(*figure.gradient, layer, encoding);
   }
   if (is_path(layer.mark) || layer.mark == Mark::polygon) {
-    encoding["order"] = {{"value", nullptr}};  // As the rows are ordered.
+    encoding["order"] = {{"field", "row"}, {"type", "quantitative"}};
   }
   return {{"transform", filters_of(panel, layer)},
           {"mark", mark_of(figure, panel, layer)},
@@ -242,13 +257,23 @@ Json reference_of(const Panel& panel, const Reference& reference) {
     mark["strokeDash"] = {5, 4};
   }
   const Axis& axis = reference.vertical ? panel.x : panel.y;
-  Json channel = {{"datum", reference.at},
-                  {"type", "quantitative"},
-                  {"title", axis_title(axis)},
-                  {"scale", scale_of(axis, !reference.vertical)}};
+  // With the same title, scale and labels as the layers of data: an axis is made of all of them.
+  Json channel = position(axis, "", !reference.vertical);
+  channel.erase("field");
+  channel["datum"] = reference.at;
   return {{"data", {{"values", Json::array({Json::object()})}}},
           {"mark", std::move(mark)},
           {"encoding", {{reference.vertical ? "x" : "y", std::move(channel)}}}};
+}
+
+bool has_rows(const Figure& figure, const Panel& panel, const Layer& layer) {
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    if (text_at(figure.data, row, "part") == layer.part &&
+        (panel.name.empty() || text_at(figure.data, row, "panel") == panel.name)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 Json panel_of(const Figure& figure, const Panel& panel, bool alone) {
@@ -269,7 +294,9 @@ Json panel_of(const Figure& figure, const Panel& panel, bool alone) {
     layers.push_back(reference_of(panel, reference));
   }
   for (const Layer& layer : panel.layers) {
-    layers.push_back(layer_of(figure, panel, layer));
+    if (has_rows(figure, panel, layer)) {
+      layers.push_back(layer_of(figure, panel, layer));
+    }
   }
   view["layer"] = std::move(layers);
   return view;
@@ -277,13 +304,15 @@ Json panel_of(const Figure& figure, const Panel& panel, bool alone) {
 
 /// The look on light ground.
 Json default_config() {
-  const auto tone = [](const char* colour) { return Json{{"color", colour}, {"stroke", colour}}; };
-  return {{"style",
-           {{"ink", tone("#222222")},
-            {"muted", tone("#888888")},
-            {"faint", tone("#d0d0d0")},
-            {"filled-faint", {{"fill", "#d0d0d0"}, {"stroke", "#888888"}}}}},
-          {"view", {{"stroke", nullptr}}}};
+  Json style = Json::object();
+  const std::pair<const char*, const char*> tones[] = {
+      {"ink", "#222222"}, {"muted", "#888888"}, {"faint", "#d0d0d0"}};
+  for (const auto& [name, colour] : tones) {
+    style[name] = {{"color", colour}, {"stroke", colour}};
+    style[std::string(name) + "-text"] = {{"color", colour}};
+  }
+  style["filled-faint"] = {{"color", "#d0d0d0"}, {"fill", "#d0d0d0"}};
+  return {{"style", std::move(style)}, {"view", {{"stroke", nullptr}}}};
 }
 
 }  // namespace
@@ -292,7 +321,7 @@ nlohmann::ordered_json vega_lite(const Figure& figure) {
   check(figure);
   Json spec;
   spec["$schema"] = "https://vega.github.io/schema/vega-lite/v5.json";
-  Json title = {{"text", figure.title}, {"anchor", "start"}};
+  Json title = {{"text", figure.title}, {"anchor", "start"}, {"offset", 14}};
   if (figure.synthetic) {
     title["subtitle"] = to_string(*figure.synthetic);
   }

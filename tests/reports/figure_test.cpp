@@ -86,6 +86,12 @@ TEST(Figure, KeepsWhatIsMissingMissing) {
             "curve,b,0.3,0,3\n");
 }
 
+TEST(Figure, BreaksALineWhereAValueIsMissing) {
+  const std::string script = gnuplot_script(small_figure());
+  EXPECT_NE(script.find("strcol('y_m') ne ''"), std::string::npos) << script;
+  EXPECT_EQ(script.find("datafile missing"), std::string::npos) << "it would go on";
+}
+
 TEST(Figure, SaysThatDataAreSynthetic) {
   EXPECT_NE(vega_lite(small_figure())["title"]["subtitle"].get<std::string>().find("SYNTHETIC"),
             std::string::npos);
