@@ -266,10 +266,19 @@ Json reference_of(const Panel& panel, const Reference& reference) {
           {"encoding", {{reference.vertical ? "x" : "y", std::move(channel)}}}};
 }
 
+bool is_there(const Table& data, std::size_t row, const std::string& column) {
+  return column.empty() || !text_at(data, row, column).empty() ||
+         std::isfinite(number_at(data, row, column));
+}
+
+/// True if the layer draws anything: a scale of nothing has no extent.
 bool has_rows(const Figure& figure, const Panel& panel, const Layer& layer) {
-  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
-    if (text_at(figure.data, row, "part") == layer.part &&
-        (panel.name.empty() || text_at(figure.data, row, "panel") == panel.name)) {
+  const Table& data = figure.data;
+  for (std::size_t row = 0; row < data.rows.size(); ++row) {
+    if (text_at(data, row, "part") == layer.part &&
+        (panel.name.empty() || text_at(data, row, "panel") == panel.name) &&
+        is_there(data, row, layer.x) && is_there(data, row, layer.y) &&
+        is_there(data, row, layer.x2) && is_there(data, row, layer.y2)) {
       return true;
     }
   }

@@ -39,7 +39,10 @@ function theme() {
       ink: { color: ink, stroke: ink },
       muted: { color: muted, stroke: muted },
       faint: { color: grid, stroke: grid },
-      'filled-faint': { fill: colour('--wall'), stroke: muted },
+      'ink-text': { color: ink },
+      'muted-text': { color: muted },
+      'faint-text': { color: grid },
+      'filled-faint': { color: colour('--wall'), fill: colour('--wall') },
     },
   };
 }

@@ -105,7 +105,7 @@ TEST(TrialBlock, ShowsWhatWasFeltWhereNoWallsAreKnown) {
 TEST(TrialBlock, NamesTheFileAndLineOfABadSeries) {
   std::string problem;
   std::string text = series_csv();
-  text.replace(text.find("0.02,", 200), 4, "oops");
+  text.replace(text.find("0.020000,"), 4, "oops");
   EXPECT_FALSE(read_page_series(Bytes::copy_of(text), "series/t.csv", problem));
   EXPECT_NE(problem.find("series/t.csv:3"), std::string::npos) << problem;
 }
