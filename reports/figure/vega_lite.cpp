@@ -88,11 +88,11 @@ Json position(const Axis& axis, const std::string& field, bool vertical) {
   if (axis.hidden) {
     channel["axis"] = nullptr;
   } else if (!axis.ticks.empty()) {
-    channel["axis"] = {{"values", axis.ticks}, {"format", "~g"}};
+    channel["axis"] = {{"values", axis.ticks}, {"format", ".6~g"}};
   } else if (categories) {
     channel["axis"] = {{"labelLimit", 260}, {"labelAngle", 0}, {"grid", false}};
   } else {
-    channel["axis"] = {{"format", "~g"}};
+    channel["axis"] = {{"format", ".6~g"}};
   }
   return channel;
 }

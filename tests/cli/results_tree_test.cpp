@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 
+#include "datasets/data_table.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/workdir.hpp"
 
@@ -145,6 +148,48 @@ TEST_F(ResultsTree, IsDrawnTheSameTwice) {
   }
   EXPECT_NE(work->read("one/roc.svg").find("SYNTHETIC"), std::string::npos);
   EXPECT_EQ(work->read("one/roc.pdf").substr(0, 5), "%PDF-");
+}
+
+TEST_F(ResultsTree, DrawsRocCurvesWhoseAreasAreTheAucsOfTheTable) {
+  const DataTable roc = *read_data_table(work->path() / "made/h1/h1_roc.csv").table;
+  const DataTable h1 = *read_data_table(work->path() / "made/h1/h1.csv").table;
+  const auto key = [](const DataTable& table, std::size_t row) {
+    const Factor& panel = table.find("panel")->text;
+    const Factor& predictor = table.find("predictor")->text;
+    return panel.levels[panel.codes[row]] + '/' + predictor.levels[predictor.codes[row]];
+  };
+  std::map<std::string, double> area;
+  const std::vector<double>& sensitivity = roc.find("sensitivity")->numbers;
+  const std::vector<double>& specificity = roc.find("specificity")->numbers;
+  for (std::size_t row = 1; row < roc.rows; ++row) {
+    if (key(roc, row) == key(roc, row - 1)) {
+      area[key(roc, row)] += (specificity[row] - specificity[row - 1]) *
+                             (sensitivity[row] + sensitivity[row - 1]) / 2.0;
+    }
+  }
+  ASSERT_GT(h1.rows, 0U);
+  for (std::size_t row = 0; row < h1.rows; ++row) {
+    EXPECT_NEAR(area[key(h1, row)], h1.find("auc")->numbers[row], 1e-12) << key(h1, row);
+  }
+}
+
+TEST_F(ResultsTree, KeepsTheGraphOfEveryTrial) {
+  const DataTable certificates =
+      *read_data_table(work->path() / "made/certificates/certificates.csv").table;
+  const DataColumn& ids = *certificates.find("trial_id");
+  for (std::size_t row = 0; row < certificates.rows; ++row) {
+    const std::string& id = ids.text.levels[ids.text.codes[row]];
+    const DataTable edges =
+        *read_data_table(work->path() / "made/certificates/edges" / (id + ".csv")).table;
+    EXPECT_EQ(static_cast<double>(edges.rows), certificates.find("edges")->numbers[row]) << id;
+    const double bottleneck = certificates.find("bottleneck_edge")->numbers[row];
+    if (!std::isnan(bottleneck)) {
+      const auto at = static_cast<std::size_t>(bottleneck);
+      EXPECT_EQ(edges.find("margin_m")->numbers[at],
+                certificates.find("certificate_m")->numbers[row])
+          << id << ": the bottleneck is the edge that decides T_t";
+    }
+  }
 }
 
 TEST_F(ResultsTree, HasEveryTableInEveryFormat) {
