@@ -1,4 +1,5 @@
 #include <optional>
+#include <utility>
 
 #include "cli/certify_run.hpp"
 #include "cli/certify_truth.hpp"
@@ -6,8 +7,9 @@
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/report_output.hpp"
 #include "reports/features_table.hpp"
+#include "reports/study_table.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -15,8 +17,9 @@ namespace {
 constexpr std::string_view kText =
     R"(Certify the trials of a bundle: the certificate at every tick, and each trial's features.
 
-With --output DIR: DIR/series/<trial_id>.csv (one row a tick), DIR/features.csv and
-DIR/certificates.csv (one row a trial), DIR/diagnostics.csv, DIR/manifest.json.
+With --output DIR: DIR/series/<trial_id>.csv (one row a tick), DIR/edges/<trial_id>.csv (one row an
+edge of the corridor graph), DIR/features.csv and DIR/certificates.csv (one row a trial), the tables
+of the study (table1, speed, latency) in every format, DIR/diagnostics.csv, DIR/manifest.json.
 Without it: the features on stdout.
 
 Usage: tcert certify BUNDLE [options]
@@ -48,7 +51,9 @@ CommandLine command_line(CertifyOptions& o) {
                          po::bool_switch(&o.ticks),
                          "also write DIR/ticks/<trial_id>.csv, which 'live' reads and a bundle "
                          "takes as logs/<trial_id>/ticks.csv")(
-      "no-series", po::bool_switch(&o.no_series), "leave DIR/series out, to save space")(
+      "no-series",
+      po::bool_switch(&o.no_series),
+      "leave DIR/series and DIR/edges out, to save space")(
       "ray-margins",
       po::bool_switch(&o.ray_margins),
       "one more column a ray in the series: its own margin")(
@@ -64,9 +69,9 @@ class Failures {
  public:
   explicit Failures(bool wanted) : wanted_(wanted) {}
 
-  void add(TrialRecord&& trial) {
+  void add(const TrialRecord& trial) {
     if (wanted_ && !trial.row.trial.success.value_or(true)) {
-      trials_.push_back(std::move(trial));
+      trials_.push_back(trial);
     }
   }
   void say() const {
@@ -86,7 +91,7 @@ int certify_to_stdout(const OpenedBundle& opened, const CommonOptions& common, b
   const CertifySummary summary =
       certify_trials(opened, common, nullptr, {}, [&](TrialRecord&& trial) {
         table.add_row(features_row(trial));
-        failures.add(std::move(trial));
+        failures.add(trial);
       });
   table.n = static_cast<std::int64_t>(summary.trials);
   print(render(table, common.table_format()));
@@ -113,12 +118,20 @@ int run(Arguments arguments) {
   require_apart(options.bundle, common.output);
   ResultFolder folder(common.output, "certify");
   Failures failures(options.truth);
+  StudyRecord study;
   const CertifySummary summary =
       certify_trials(opened,
                      common,
                      &folder,
                      {!options.no_series, options.ticks, options.ray_margins},
-                     [&](TrialRecord&& trial) { failures.add(std::move(trial)); });
+                     [&](TrialRecord&& trial) {
+                       failures.add(trial);
+                       study.add(std::move(trial));
+                     });
+  for (Table& table : study_tables(study)) {
+    table.synthetic = synthetic_label(opened.bundle.info);
+    write_table(table, folder);
+  }
   folder.commit(manifest_of("certify", opened, common, summary));
   failures.say();
   return report(summary, opened, common);

@@ -11,6 +11,7 @@
 #include "cli/progress.hpp"
 #include "datasets/tick_table.hpp"
 #include "reports/diagnostics_table.hpp"
+#include "reports/edges_table.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"
 
@@ -93,6 +94,7 @@ void write_trial_files(const StudiedTrial& trial,
   const std::string name = trial.row->trial_id + ".csv";
   if (files.series) {
     folder.write(std::filesystem::path("series") / name, series_csv(trial, format, robot));
+    folder.write(std::filesystem::path("edges") / name, edges_csv(trial.series, format.synthetic));
   }
   if (files.ticks) {
     // A log, so it is labelled as those of the corpus are.
@@ -193,7 +195,7 @@ Manifest manifest_of(std::string command,
                      const CertifySummary& summary) {
   Manifest manifest;
   manifest.command = std::move(command);
-  manifest.options = common.effective;
+  record(common, manifest);
   manifest.parameters = as_settings(opened.parameters, opened.bundle.info.robot);
   manifest.synthetic = synthetic_label(opened.bundle.info);
   manifest.inputs = summary.inputs;

@@ -14,7 +14,7 @@
 namespace tcert::cli {
 
 struct CertifyFiles {
-  bool series = true;        ///< series/<trial_id>.csv
+  bool series = true;        ///< series/<trial_id>.csv, edges/<trial_id>.csv
   bool ticks = false;        ///< ticks/<trial_id>.csv
   bool ray_margins = false;  ///< Columns in the series.
 };

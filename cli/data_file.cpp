@@ -92,7 +92,7 @@ void write_or_print(std::string_view text,
   }
   Manifest manifest;
   manifest.command = command;
-  manifest.options = common.effective;
+  record(common, manifest);
   manifest.synthetic = file.synthetic;
   manifest.inputs = {{name_of(file.path), digest_file(file.path)}};
   write_with_manifest(common.output, text, std::move(manifest));

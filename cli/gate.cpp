@@ -8,7 +8,7 @@
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/report_output.hpp"
 #include "reports/features_table.hpp"
 #include "reports/gate_report.hpp"
 
@@ -23,14 +23,15 @@ smallest margin felt in the pass. Prints the slope with Wald and profile interva
 -alpha / beta with Fieller's, the profile and the bootstrap set, each bounded or named unbounded, and
 whether it covers 0; the calibration; and the least certificate before the gate as second predictor.
 
+With --output DIR/ (it ends with /, or is a folder): every table in every format, and the curve.
 json has every number; csv has the table of the 50 % point, or that of --table: gate_slope,
-gate_calibration, gate_model, gate_passes.
+gate_calibration, gate_model, gate_passes, gate_curve.
 
 Usage: tcert gate BUNDLE [options]
 
 Example:
   tcert simulate --micro-study --output gates
-  tcert gate gates
+  tcert gate gates --output gate/
 
 Cost: a second for 60 passes.
 )";
@@ -69,6 +70,10 @@ int run(Arguments arguments) {
   require_range("replicates", static_cast<double>(options.replicates), 0, 1e6);
   require_range("level", options.level, 1e-9, 1.0 - 1e-9);
   const OpenedBundle opened = open_for(options.bundle, common);
+  if (!common.output.empty()) {
+    require_apart(options.bundle, common.output);
+  }
+  ReportOutput output(common, "gate");
   const double approach_m = effective_robot(opened.bundle.info, opened.parameters).body_width_m;
   std::vector<GateRow> rows;
   const auto extra = [&](const StudiedTrial& trial) -> std::function<void()> {
@@ -84,16 +89,11 @@ int run(Arguments arguments) {
   const ThreadLimit threads(common.threads);
   FitReport result = gate_report(gate_study(std::move(rows), study_options));
   result.synthetic = synthetic_label(opened.bundle.info);
-  require_table(result, options.table);
-  const std::string text = render(result, common.table_format(), options.table);
-  if (common.output.empty()) {
-    print(text);
-  } else {
-    Manifest manifest = manifest_of("gate", opened, common, summary);
-    manifest.seed = study_options.seed;
-    write_with_manifest(common.output, text, std::move(manifest));
-  }
-  return has_error(result.conditions) ? exit_bad_data : report(summary, opened, common);
+  Manifest manifest = manifest_of("gate", opened, common, summary);
+  manifest.seed = study_options.seed;
+  const bool failed = has_error(result.conditions);
+  output.deliver(std::move(result), options.table, std::move(manifest));
+  return failed ? exit_bad_data : report(summary, opened, common);
 }
 
 }  // namespace

@@ -8,8 +8,7 @@
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/guard_options.hpp"
-#include "cli/output.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/report_output.hpp"
 #include "datasets/bytes.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h3_table.hpp"
@@ -33,7 +32,7 @@ Study study_of_table(const H3CommandOptions& options,
   study.table = std::move(file.table);
   study.synthetic = file.synthetic;
   study.manifest.command = "hypotheses";
-  study.manifest.options = common.effective;
+  record(common, study.manifest);
   study.manifest.synthetic = study.synthetic;
   study.manifest.inputs = {{name_of(options.replays), digest_file(options.replays)}};
   return study;
@@ -116,6 +115,7 @@ int run_h3(const H3CommandOptions& options, const H3Shared& shared, const Common
   h3.replicates = static_cast<std::size_t>(shared.replicates);
   h3.seed = static_cast<std::uint64_t>(common.seed);
   const ThreadLimit threads(common.threads);
+  ReportOutput output(common, "hypotheses");
   Study study = options.replays.empty() ? study_of_bundle(options, shared.bundle, common)
                                         : study_of_table(options, h3, common);
   FitReport result;
@@ -125,15 +125,10 @@ int run_h3(const H3CommandOptions& options, const H3Shared& shared, const Common
     throw BadData(error.what());
   }
   result.synthetic = study.synthetic;
-  require_table(result, shared.table);
-  const std::string text = render(result, common.table_format(), shared.table);
-  if (common.output.empty()) {
-    print(text);
-  } else {
-    study.manifest.seed = h3.seed;
-    write_with_manifest(common.output, text, std::move(study.manifest));
-  }
-  return has_error(result.conditions) ? exit_bad_data : study.exit_code;
+  study.manifest.seed = h3.seed;
+  const bool failed = has_error(result.conditions);
+  output.deliver(std::move(result), shared.table, std::move(study.manifest));
+  return failed ? exit_bad_data : study.exit_code;
 }
 
 }  // namespace tcert::cli

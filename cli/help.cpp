@@ -7,6 +7,7 @@
 #include "cli/errors.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "reports/edges_table.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"
 #include "reports/table.hpp"
@@ -50,7 +51,10 @@ constexpr std::array kCommands = {&kSimulate,
                                   &kSweep,
                                   &kReplay,
                                   &kGate,
+                                  &kReport,
                                   &kReproduce,
+                                  &kFigures,
+                                  &kVerify,
                                   &kLive,
                                   &kHelp,
                                   &kVersion};
@@ -110,6 +114,7 @@ Table column_listing() {
     }
   };
   append("series/<trial_id>.csv", series_columns());
+  append("edges/<trial_id>.csv", edge_column_docs());
   append("features.csv", feature_column_docs());
   append("certificates.csv", certificate_column_docs());
   table.footnotes = {"An empty cell is a value that is not known."};

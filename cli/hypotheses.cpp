@@ -12,7 +12,7 @@
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/report_output.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/h2_table.hpp"
@@ -43,8 +43,10 @@ h3: does gating the speed by the margin recover the lead of the camera baseline 
 successes? Every trial is replayed at each speed law and beta; rates of advance, gain, share of the
 gap, successes lost and retained, stalls, the Pareto front; by lighting.
 
+With --output DIR/ (it ends with /, or is a folder): every table as CSV, JSON, text, Markdown and
+LaTeX, the curves behind the figures as CSV and JSON, report.json, manifest.json.
 text and md have the main tables, json every number; csv has the first table, or that of --table: h1, h1_time,
-h1_case_level, h1_incidence, h1_closed_form, h1_folds; h2, h2_equality, h2_pairs, h2_interaction,
+h1_case_level, h1_incidence, h1_incidence_curve, h1_roc, h1_calibration, h1_closed_form, h1_folds; h2, h2_equality, h2_pairs, h2_interaction,
 h2_closed_form, h2_covariance; h3.
 
 Usage: tcert hypotheses (h1 | h2) (BUNDLE | --features FILE) [options]
@@ -55,7 +57,7 @@ Example:
   tcert hypotheses h1 --features results/features.csv --format md --output tables/h1.md
   tcert hypotheses h1 --features barn.csv --predictor m1 --baselines m2,m3:smaller --cluster world \
     --strata planner --time time_s
-  tcert hypotheses h2 corpus --margin 0.05
+  tcert hypotheses h2 corpus --margin 0.05 --output h2/
   tcert hypotheses h2 --features barn.csv --predictor m1 --group planner --cluster world --strata ''
   tcert hypotheses h3 corpus --betas 5,10,20
 
@@ -86,7 +88,7 @@ Study study_of_table(const HypothesesOptions& options,
   Study study;
   study.file = read_data_file(options.features, columns, common);
   study.manifest.command = "hypotheses";
-  study.manifest.options = common.effective;
+  record(common, study.manifest);
   study.manifest.synthetic = study.file.synthetic;
   study.manifest.inputs = {{name_of(options.features), digest_file(options.features)}};
   return study;
@@ -174,6 +176,7 @@ int run(Arguments arguments) {
     require_table_options(common);
   }
   const ThreadLimit threads(common.threads);
+  ReportOutput output(common, "hypotheses");
   Study study = options.features.empty() ? study_of_bundle(options, common)
                                          : study_of_table(options, hypothesis.columns, common);
   FitReport result;
@@ -183,15 +186,10 @@ int run(Arguments arguments) {
     throw UsageError(error.what());
   }
   result.synthetic = study.file.synthetic;
-  require_table(result, options.table);
-  const std::string text = render(result, common.table_format(), options.table);
-  if (common.output.empty()) {
-    print(text);
-  } else {
-    study.manifest.seed = static_cast<std::uint64_t>(common.seed);
-    write_with_manifest(common.output, text, std::move(study.manifest));
-  }
-  return has_error(result.conditions) ? exit_bad_data : study.exit_code;
+  study.manifest.seed = static_cast<std::uint64_t>(common.seed);
+  const bool failed = has_error(result.conditions);
+  output.deliver(std::move(result), options.table, std::move(study.manifest));
+  return failed ? exit_bad_data : study.exit_code;
 }
 
 }  // namespace

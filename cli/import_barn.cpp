@@ -158,7 +158,7 @@ int import_barn_command(Arguments arguments) {
   }
   Manifest manifest;
   manifest.command = "import barn";
-  manifest.options = common.effective;
+  record(common, manifest);
   for (auto& [name, value] : manifest.options) {
     if (name == "trials" || name == "metrics") {
       value = name_of(value);  // without the machine's part of the path

@@ -162,19 +162,81 @@ std::string as_text(const boost::any& value) {
   return text;
 }
 
-/// What shapes the result: not where it goes, what is kept for later and by how many threads it is
-/// made.
+/// Neither where the result goes, nor what is kept for later, nor by how many threads it is made;
+/// the config file and --set by what they say.
+bool shapes_the_result(const std::string& name) {
+  return name != "output" && name != "threads" && name != "quiet" && name != "help" &&
+         name != "cache" && name != "no-cache" && name != "picture" && name != kConfig &&
+         name != kSet && name != kPositional;
+}
+
+bool is_input(const po::options_description& all, const std::string& name) {
+  const po::option_description* const known = all.find_nothrow(name, false);
+  return known != nullptr && known->semantic()->name().rfind("FILE", 0) == 0;
+}
+
+/// What shapes the result; files by their names.
 Settings effective_options(const po::variables_map& values, const po::options_description& shown) {
   Settings settings;
   for (const std::string& name : names_of(shown)) {
-    if (name == "output" || name == "threads" || name == "quiet" || name == "help" ||
-        name == kConfig || name == kSet || name == "cache" || name == "no-cache" ||
-        name == "picture") {
+    if (!shapes_the_result(name)) {
       continue;
     }
-    settings.emplace_back(name, values.count(name) != 0 ? as_text(values[name].value()) : "");
+    std::string text = values.count(name) != 0 ? as_text(values[name].value()) : "";
+    if (is_input(shown, name)) {
+      text = name_of(text);
+    }
+    settings.emplace_back(name, std::move(text));
   }
   return settings;
+}
+
+void append_option(const std::string& name,
+                   const boost::any& value,
+                   bool input,
+                   std::vector<ManifestArgument>& arguments) {
+  if (const auto* flag = boost::any_cast<bool>(&value)) {
+    if (*flag) {
+      arguments.push_back({"--" + name, false});
+    }
+    return;
+  }
+  std::vector<std::string> texts;
+  if (const auto* several = boost::any_cast<std::vector<std::string>>(&value)) {
+    texts = *several;
+  } else {
+    texts.push_back(as_text(value));
+  }
+  for (const std::string& text : texts) {
+    arguments.push_back({"--" + name, false});
+    arguments.push_back({input ? name_of(text) : text, input});
+  }
+}
+
+/// The command line that would give the same result, whether it was given by flags or by a file.
+std::vector<ManifestArgument> arguments_of(const CommandLine& line,
+                                           const po::variables_map& values,
+                                           const po::options_description& shown,
+                                           const CommonOptions& common) {
+  std::vector<ManifestArgument> arguments;
+  for (const Positional& one : line.positional) {
+    if (!one.value->empty()) {
+      const bool input = one.name == "BUNDLE" || one.name == "LOG" || one.name == "RESULTS";
+      arguments.push_back({input ? name_of(*one.value) : *one.value, input});
+    }
+  }
+  for (const std::string& name : names_of(shown)) {
+    if (shapes_the_result(name) && values.count(name) != 0 && !values[name].defaulted()) {
+      append_option(name, values[name].value(), is_input(shown, name), arguments);
+    }
+  }
+  for (const Settings* parameters : {&common.file_parameters, &common.flag_parameters}) {
+    for (const auto& [key, value] : *parameters) {
+      arguments.push_back({"--set", false});
+      arguments.push_back({key + "=" + value, false});
+    }
+  }
+  return arguments;
 }
 
 void take_positional(const CommandLine& line, const po::variables_map& values) {
@@ -288,12 +350,18 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
   take_positional(line, values);
   check_common(common);
   common.effective = effective_options(values, shown);
+  common.arguments = arguments_of(line, values, shown, common);
   for (const auto& [name, value] : values) {
     if (!value.defaulted()) {
       common.given.push_back(name);
     }
   }
   return true;
+}
+
+void record(const CommonOptions& common, Manifest& manifest) {
+  manifest.options = common.effective;
+  manifest.arguments = common.arguments;
 }
 
 void require_range(std::string_view option, double value, double low, double high) {

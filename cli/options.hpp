@@ -46,6 +46,8 @@ struct CommonOptions {
   std::vector<std::string> given;  ///< Names of the options that were set, by flag or file.
   Settings effective;              ///< Options that shape the result, with their values.
 
+  std::vector<ManifestArgument> arguments;  ///< A command line that gives the same result.
+
   /// \pre the format was checked by parse().
   [[nodiscard]] TableFormat table_format() const;
 };
@@ -70,6 +72,9 @@ struct CommandLine {
 /// has been printed. \throws UsageError with the nearest known name for an unknown one; NoInput if
 /// the config file cannot be read.
 [[nodiscard]] bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments);
+
+/// Options and arguments, into the manifest.
+void record(const CommonOptions& common, Manifest& manifest);
 
 /// \throws UsageError unless low <= value <= high.
 void require_range(std::string_view option, double value, double low, double high);

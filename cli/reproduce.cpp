@@ -1,29 +1,36 @@
-#include <optional>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+#include <vector>
 
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "analysis/trials/study_tables.hpp"
-#include "cli/certify_run.hpp"
-#include "cli/data_file.hpp"
 #include "cli/errors.hpp"
-#include "cli/feature_data.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/result_folder.hpp"
 #include "cli/simulated.hpp"
-#include "reports/features_table.hpp"
-#include "reports/h1_table.hpp"
-#include "reports/study_table.hpp"
+#include "datasets/csv_write.hpp"
+#include "reports/results/results.hpp"
 
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
-    R"(From end to end: logs, certificates, features, tables.
+namespace fs = std::filesystem;
 
-Without a BUNDLE it makes the synthetic corpus in DIR/corpus, unless it is there already. It
-certifies every trial into DIR/certificates, prints the tables, and writes them to DIR/tables as
-text, Markdown, CSV and JSON.
+constexpr std::string_view kText =
+    R"(From end to end: logs, certificates, features, every hypothesis, every table.
+
+Without a BUNDLE it makes the synthetic corpus in DIR/corpus, and the gate passes of the micro-study
+in DIR/gates, unless they are there already. Then it runs the other commands, each into its folder:
+
+  DIR/certificates  tcert certify     DIR/h1       tcert hypotheses h1 on its features.csv
+  DIR/replays       tcert replay      DIR/h2       tcert hypotheses h2 likewise
+  DIR/ablation      tcert ablate      DIR/h3       tcert hypotheses h3 on replays/replay.csv
+  DIR/gate          tcert gate        DIR/sensitivity  tcert sweep --sensitivity, if asked for
+
+and prints the tables; DIR/report.html (tcert report) shows all of it. A step that the data do not
+allow (no lighting, no baseline) is left out and named. 'tcert verify DIR' makes everything again and compares it.
 
 Usage: tcert reproduce [BUNDLE] --output DIR [options]
 
@@ -31,13 +38,14 @@ Example:
   tcert reproduce --output results
   tcert reproduce my-logs --output results --set body_width_m=0.5
 
-Cost: a few seconds and about 150 MB for the 660 trials.
+Cost: a quarter of a minute and about 200 MB for the 660 trials; a minute more with --sensitivity.
 )";
 
 struct ReproduceOptions {
   std::string bundle;
   double effect = 1.0;
   bool no_series = false;
+  bool sensitivity = false;
 };
 
 CommandLine command_line(ReproduceOptions& o) {
@@ -50,13 +58,20 @@ CommandLine command_line(ReproduceOptions& o) {
   line.own.add_options()("effect",
                          po::value(&o.effect)->value_name("E")->default_value(o.effect),
                          "of the corpus, as for 'tcert simulate'; 0 makes a null corpus")(
-      "no-series", po::bool_switch(&o.no_series), "leave certificates/series out, to save space");
+      "no-series", po::bool_switch(&o.no_series), "leave certificates/series out, to save space")(
+      "sensitivity",
+      po::bool_switch(&o.sensitivity),
+      "also run under every choice that the paper leaves open, one at a time");
   return line;
 }
 
-std::string corpus_for(const ReproduceOptions& options, const CommonOptions& common) {
-  const auto folder = std::filesystem::path(common.output) / "corpus";
+/// Makes it unless it is there.
+std::string corpus_in(const fs::path& folder,
+                      bool micro_study,
+                      const ReproduceOptions& options,
+                      const CommonOptions& common) {
   SimulatedCorpus corpus;
+  corpus.micro_study = micro_study;
   corpus.options.seed = static_cast<std::uint64_t>(common.seed);
   corpus.options.effect = options.effect;
   if (!is_there(corpus, folder)) {
@@ -65,24 +80,136 @@ std::string corpus_for(const ReproduceOptions& options, const CommonOptions& com
   return folder.string();
 }
 
-std::vector<Table> tables_of(const StudyRecord& study, const H1Table& h1) {
-  const std::vector<StudyGroup> cells = study.by_cell();
-  return {success_table(cells),
-          speed_table(study.by_algorithm(), study.by_lighting()),
-          latency_table(cells),
-          issuance_table(h1),
-          tc_early_table(h1),
-          h1_success_table(h1),
-          h1_time_table(h1),
-          h1_mixed_table(h1)};
+using Words = std::vector<std::string>;
+
+/// The commands of the study, one after the other.
+class Steps {
+ public:
+  Steps(const CommonOptions& common, fs::path folder)
+      : common_(common), folder_(std::move(folder)) {}
+
+  /// What every command is told.
+  [[nodiscard]] Words of_process() const {
+    Words words = {"--threads", std::to_string(common_.threads)};
+    if (common_.quiet) {
+      words.emplace_back("--quiet");
+    }
+    return words;
+  }
+
+  /// What is told to those that read the logs.
+  [[nodiscard]] Words of_logs() const {
+    Words words = of_process();
+    const std::pair<bool, const char*> flags[] = {{common_.strict, "--strict"},
+                                                  {common_.repair, "--repair"},
+                                                  {common_.decimal_comma, "--decimal-comma"}};
+    for (const auto& [given, name] : flags) {
+      if (given) {
+        words.emplace_back(name);
+      }
+    }
+    if (!common_.trials.empty()) {
+      words.insert(words.end(), {"--trials", common_.trials});
+    }
+    for (const Settings* parameters : {&common_.file_parameters, &common_.flag_parameters}) {
+      for (const auto& [key, value] : *parameters) {
+        words.insert(words.end(), {"--set", key + "=" + value});
+      }
+    }
+    return words;
+  }
+
+  [[nodiscard]] Words seed() const { return {"--seed", std::to_string(common_.seed)}; }
+
+  /// Must go well.
+  void require(const Command& command, Words words, const char* part) {
+    const int code = command.run(with_output(std::move(words), part));
+    if (code != exit_done && code != exit_rejected) {
+      throw BadData("'tcert " + std::string(command.name) + "' could not make " +
+                    (folder_ / part).string());
+    }
+    note(code);
+  }
+
+  /// May be impossible with these data.
+  void attempt(const Command& command, Words words, const char* part) {
+    try {
+      const int code = command.run(with_output(std::move(words), part));
+      if (code == exit_bad_data) {
+        say(std::string(part) + ": conditions were met, see " + (folder_ / part).string());
+      } else {
+        note(code);
+      }
+    } catch (const BadData& error) {
+      say(std::string(part) + " is left out: " + error.what());
+    } catch (const UsageError& error) {
+      say(std::string(part) + " is left out: " + error.what());
+    }
+  }
+
+  [[nodiscard]] int exit_code() const noexcept { return exit_code_; }
+
+ private:
+  [[nodiscard]] Words with_output(Words words, const char* part) const {
+    words.insert(words.end(), {"--output", (folder_ / part / "").string()});
+    return words;
+  }
+  void note(int code) { exit_code_ = std::max(exit_code_, code); }
+
+  const CommonOptions& common_;
+  fs::path folder_;
+  int exit_code_ = exit_done;
+};
+
+Words joined(std::initializer_list<Words> parts) {
+  Words all;
+  for (const Words& part : parts) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
 }
 
-void write_tables(const std::vector<Table>& tables, const ResultFolder& folder) {
-  for (const Table& table : tables) {
-    folder.write(table.name + ".txt", render(table, TableFormat::text));
-    folder.write(table.name + ".md", render(table, TableFormat::markdown));
-    folder.write(table.name + ".csv", render(table, TableFormat::csv));
-    folder.write(table.name + ".json", render(table, TableFormat::json));
+/// Where the landmark of the features is, if not where it usually is.
+Words landmark_of(const OpenedBundle& opened) {
+  const double time_s = opened.parameters.early_window.time_s;
+  if (time_s == ParameterSet().early_window.time_s) {
+    return {};
+  }
+  std::string text;
+  append_number(text, time_s);
+  return {"--landmark", text};
+}
+
+/// The tables that people read, in the order of the paper.
+void print_tables(const fs::path& folder, TableFormat format) {
+  const std::pair<ResultKind, std::vector<const char*>> shown[] = {
+      {ResultKind::certificates, {"table1", "speed", "latency"}},
+      {ResultKind::h1, {"issued", "tc_early", "h1", "h1_time", "h1_mixed"}},
+      {ResultKind::h2, {"h2", "h2_equality"}},
+      {ResultKind::h3, {"h3", "h3_baseline"}},
+      {ResultKind::gate, {"gate"}}};
+  const Results results = read_results(folder);
+  for (const auto& [kind, names] : shown) {
+    const Result* const result = results.find(kind);
+    for (const char* const name : names) {
+      if (const auto table = result != nullptr ? result_table(*result, name) : std::nullopt) {
+        print(render(*table, format) + '\n');
+      }
+    }
+  }
+}
+
+/// The page of all results, if this build has one: its path is said last.
+void write_page(const fs::path& folder, const std::string& bundle, const Steps& steps) {
+  Words words = joined(
+      {{folder.string()}, steps.of_process(), {"--output", (folder / "report.html").string()}});
+  if (!bundle.empty()) {
+    words.insert(words.end(), {"--bundle", bundle});
+  }
+  try {
+    kReport.run(words);
+  } catch (const NoInput& error) {
+    say(std::string("report.html is left out: ") + error.what());
   }
 }
 
@@ -97,48 +224,41 @@ int run(Arguments arguments) {
     throw UsageError("needs --output DIR");
   }
   const bool own_corpus = options.bundle.empty();
-  const std::filesystem::path output = common.output;
-  const OpenedBundle opened =
-      open_for(own_corpus ? corpus_for(options, common) : options.bundle, common);
-
-  for (const char* part : {"certificates", "tables"}) {
-    require_apart(opened.bundle.path, output / part);
+  const fs::path output = common.output;
+  const std::string bundle =
+      own_corpus ? corpus_in(output / "corpus", false, options, common) : options.bundle;
+  for (const char* part : {"certificates", "replays", "ablation", "sensitivity"}) {
+    require_apart(bundle, output / part);
   }
-  ResultFolder certificates(output / "certificates", "reproduce");
-  ResultFolder table_folder(output / "tables", "reproduce");
-  StudyRecord study;
-  FeatureData features(opened.bundle);
-  const CertifySummary summary =
-      certify_trials(opened, common, &certificates, {!options.no_series}, [&](TrialRecord&& trial) {
-        features.add(trial);
-        study.add(std::move(trial));
-      });
-  Manifest manifest = manifest_of("reproduce", opened, common, summary);
+  const Words landmark = landmark_of(open_for(bundle, common, SayDiagnostics::no));
+
+  Steps steps(common, output);
+  const Words features = {"--features", (output / "certificates" / "features.csv").string()};
+  const Words replays = {"--replays", (output / "replays" / "replay.csv").string()};
+  steps.require(
+      kCertify,
+      joined({{bundle}, steps.of_logs(), options.no_series ? Words{"--no-series"} : Words{}}),
+      "certificates");
+  const Words test = joined({steps.of_process(), steps.seed()});
+  steps.attempt(kHypotheses, joined({{"h1"}, features, landmark, test}), "h1");
+  steps.attempt(kHypotheses, joined({{"h2"}, features, landmark, test}), "h2");
+  steps.require(kReplay, joined({{bundle}, steps.of_logs()}), "replays");
+  steps.attempt(kHypotheses, joined({{"h3"}, replays, test}), "h3");
+  const Words batch = joined({{bundle}, steps.of_logs(), steps.seed()});
+  steps.attempt(kAblate, batch, "ablation");
+  if (options.sensitivity) {
+    steps.attempt(kSweep, joined({batch, {"--sensitivity"}}), "sensitivity");
+  }
   if (own_corpus) {
-    manifest.seed = static_cast<std::uint64_t>(common.seed);
+    const std::string gates = corpus_in(output / "gates", true, options, common);
+    steps.attempt(kGate, joined({{gates}, test}), "gate");
   }
-  certificates.commit(manifest);
-
-  H1Options h1_options;
-  h1_options.landmark_s = opened.parameters.early_window.time_s;
-  h1_options.seed = static_cast<std::uint64_t>(common.seed);
-  const ThreadLimit threads(common.threads);
-  const H1Table h1 = hypothesis_h1(features.table(), h1_options);
-  std::vector<Table> tables = tables_of(study, h1);
-  for (Table& table : tables) {
-    table.synthetic = synthetic_label(opened.bundle.info);
-    print(render(table, common.table_format()) + '\n');
-  }
-  write_tables(tables, table_folder);
-  FitReport document = h1_report(h1);
-  document.synthetic = synthetic_label(opened.bundle.info);
-  table_folder.write("h1_all.json", render(document, TableFormat::json));
-  table_folder.commit(std::move(manifest));
+  print_tables(output, common.table_format());
   if (!common.quiet) {
-    say("Bundle:       " + opened.bundle.path.string() + "\nCertificates: " +
-        (output / "certificates").string() + "\nTables:       " + (output / "tables").string());
+    say("Bundle:  " + bundle + "\nResults: " + output.string());
   }
-  return report(summary, opened, common);
+  write_page(output, own_corpus ? "" : bundle, steps);
+  return steps.exit_code();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include <optional>
+#include <utility>
 
 #include "cli/progress.hpp"
 #include "cli/result_folder.hpp"
@@ -21,6 +22,9 @@ Manifest manifest_of(const SimulatedCorpus& corpus) {
   manifest.command = "simulate";
   manifest.seed = corpus.options.seed;
   manifest.synthetic = SyntheticLabel{corpus.options.seed};
+  if (corpus.micro_study) {
+    manifest.arguments.push_back({"--micro-study"});
+  }
   manifest.options = {{"micro-study", corpus.micro_study ? "true" : "false"}};
   if (!corpus.micro_study) {
     std::string effect;
@@ -29,7 +33,16 @@ Manifest manifest_of(const SimulatedCorpus& corpus) {
                             {{"trials", std::to_string(corpus.options.trials)},
                              {"effect", effect},
                              {"native-rates", corpus.options.native_rates ? "true" : "false"}});
+    for (const auto& [name, value] : {std::pair("--trials", manifest.options[1].second),
+                                      std::pair("--effect", manifest.options[2].second)}) {
+      manifest.arguments.insert(manifest.arguments.end(), {{name}, {value}});
+    }
+    if (corpus.options.native_rates) {
+      manifest.arguments.push_back({"--native-rates"});
+    }
   }
+  manifest.arguments.insert(manifest.arguments.end(),
+                            {{"--seed"}, {std::to_string(corpus.options.seed)}});
   return manifest;
 }
 

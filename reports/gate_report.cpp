@@ -174,6 +174,19 @@ Table pass_table(const GateStudy& study) {
   return table;
 }
 
+Table curve_table(const GateStudy& study) {
+  Table table;
+  table.name = "gate_curve";
+  table.title = "Fitted chance to pass";
+  table.columns = {metres("margin_m", "margin"), {"chance", "chance", "", ColumnKind::estimate, 3}};
+  for (const GateChance& one : study.curve) {
+    table.add_row(
+        {Number{one.margin_m}, Estimate{one.chance, one.interval.low, one.interval.high}});
+  }
+  table.footnotes = {"Pointwise Wald intervals on the logit scale."};
+  return table;
+}
+
 }  // namespace
 
 FitReport gate_report(const GateStudy& study) {
@@ -190,7 +203,7 @@ FitReport gate_report(const GateStudy& study) {
   if (study.both) {
     report.tables.push_back(model_table(*study.both));
   }
-  report.details = {pass_table(study)};
+  report.details = {pass_table(study), curve_table(study)};
   report.conditions = study.even.conditions;
   return report;
 }

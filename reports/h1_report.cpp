@@ -164,8 +164,10 @@ FitReport h1_report(const H1Table& h1) {
       .integer("seed", "seed", h1.options.seed);
   report.summary = std::move(summary).table();
   report.tables = {h1_success_table(h1), h1_time_table(h1), h1_mixed_table(h1)};
-  report.details.push_back(case_level_table(h1));
+  report.details = {issuance_table(h1), tc_early_table(h1), case_level_table(h1)};
   add_incidence_tables(h1, report);
+  report.details.insert(report.details.end(),
+                        {h1_roc_table(h1), h1_calibration_table(h1), h1_recalibration_table(h1)});
   report.details.push_back(closed_form_table(h1));
   report.details.push_back(fold_table(h1));
   for (const H1Panel& panel : h1.panels) {

@@ -24,8 +24,16 @@ namespace tcert {
 /// Success again, by the paper's model: odds ratios and variances of a logistic mixed model.
 [[nodiscard]] Table h1_mixed_table(const H1Table& h1);
 
-/// All of H1 as a document: the two tables above; as details the case-level figures, incidence by
-/// quartile, closed-form standard errors and folds.
+/// Points of the ROC curve of every row.
+[[nodiscard]] Table h1_roc_table(const H1Table& h1);
+
+/// Bins of out-of-fold probabilities, and their slope and intercept.
+[[nodiscard]] Table h1_calibration_table(const H1Table& h1);
+[[nodiscard]] Table h1_recalibration_table(const H1Table& h1);
+
+/// All of H1 as a document: the two tables above; as details issuance, the spread of
+/// the predictor, the case-level figures, incidence by quartile, ROC curves, calibration,
+/// closed-form standard errors and folds.
 [[nodiscard]] FitReport h1_report(const H1Table& h1);
 
 /// Certificates issued, by outcome.

@@ -29,6 +29,19 @@ Json json_files(const std::vector<ManifestFile>& files) {
   return json;
 }
 
+/// A word, or {"input": name}.
+Json json_arguments(const std::vector<ManifestArgument>& arguments) {
+  Json json = Json::array();
+  for (const ManifestArgument& argument : arguments) {
+    if (argument.is_input) {
+      json.push_back({{"input", argument.text}});
+    } else {
+      json.push_back(argument.text);
+    }
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string to_json(const Manifest& manifest) {
@@ -42,6 +55,7 @@ std::string to_json(const Manifest& manifest) {
   }
   json["tool"] = {{"name", "tcert"}, {"version", tool_version()}, {"commit", tool_commit()}};
   json["command"] = manifest.command;
+  json["arguments"] = json_arguments(manifest.arguments);
   json["seed"] = manifest.seed ? Json(*manifest.seed) : Json(nullptr);
   json["options"] = json_settings(manifest.options);
   json["parameters"] = json_settings(manifest.parameters);

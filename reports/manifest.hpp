@@ -26,8 +26,17 @@ struct ManifestFile {
 /// Key and value, as text, in the order in which they are to appear.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
+/// A word of the command line that shapes the result, as far as it was given. Of an input only its
+/// name is kept: where it lies is the machine's business.
+struct ManifestArgument {
+  std::string text;
+  bool is_input = false;
+  friend bool operator==(const ManifestArgument&, const ManifestArgument&) = default;
+};
+
 struct Manifest {
   std::string command;                      ///< "certify".
+  std::vector<ManifestArgument> arguments;  ///< With them the command makes the result again.
   Settings options;                         ///< Options of the command with their effective values.
   Settings parameters;                      ///< Every parameter with its effective value.
   std::optional<std::uint64_t> seed;        ///< Of the draws the command made.

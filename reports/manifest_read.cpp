@@ -1,14 +1,14 @@
 #include "reports/manifest_read.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace tcert {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 ManifestFile file_of(const Json& json) {
   return {json.at("path").get<std::string>(),
@@ -17,7 +17,76 @@ ManifestFile file_of(const Json& json) {
            json.at("sha256").get<std::string>()}};
 }
 
+std::vector<ManifestFile> files_of(const Json& json) {
+  std::vector<ManifestFile> files;
+  for (const Json& one : json) {
+    files.push_back(file_of(one));
+  }
+  return files;
+}
+
+/// As text again: a number in its shortest form, null as nothing.
+Settings settings_of(const Json& json) {
+  Settings settings;
+  for (const auto& [key, value] : json.items()) {
+    settings.emplace_back(key,
+                          value.is_string() ? value.get<std::string>()
+                          : value.is_null() ? std::string()
+                                            : value.dump());
+  }
+  return settings;
+}
+
+std::optional<std::vector<ManifestArgument>> arguments_of(const Json& json) {
+  if (!json.contains("arguments")) {
+    return std::nullopt;
+  }
+  std::vector<ManifestArgument> arguments;
+  for (const Json& one : json.at("arguments")) {
+    if (one.is_object()) {
+      arguments.push_back({one.at("input").get<std::string>(), true});
+    } else {
+      arguments.push_back({one.get<std::string>(), false});
+    }
+  }
+  return arguments;
+}
+
+WrittenResult written_of(const Json& json) {
+  WrittenResult written;
+  written.command = json.at("command").get<std::string>();
+  written.arguments = arguments_of(json);
+  written.tool_version = json.at("tool").at("version").get<std::string>();
+  written.tool_commit = json.at("tool").at("commit").get<std::string>();
+  if (json.at("synthetic").get<bool>()) {
+    written.synthetic.emplace();
+    if (!json.at("synthetic_seed").is_null()) {
+      written.synthetic->seed = json.at("synthetic_seed").get<std::uint64_t>();
+    }
+  }
+  if (!json.at("seed").is_null()) {
+    written.seed = json.at("seed").get<std::uint64_t>();
+  }
+  written.options = settings_of(json.at("options"));
+  written.parameters = settings_of(json.at("parameters"));
+  written.inputs = files_of(json.at("inputs"));
+  written.outputs = files_of(json.at("outputs"));
+  return written;
+}
+
 }  // namespace
+
+std::string_view to_string(FileChange change) noexcept {
+  switch (change) {
+    case FileChange::added:
+      return "was added";
+    case FileChange::changed:
+      return "was changed";
+    case FileChange::missing:
+      return "is missing";
+  }
+  return "";
+}
 
 std::optional<WrittenResult> read_manifest(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -26,39 +95,46 @@ std::optional<WrittenResult> read_manifest(const std::filesystem::path& path) {
     if (!json.is_object() || json.at("format") != "tcert-manifest") {
       return std::nullopt;
     }
-    WrittenResult written;
-    written.command = json.at("command").get<std::string>();
-    for (const Json& output : json.at("outputs")) {
-      written.outputs.push_back(file_of(output));
-    }
-    return written;
+    return written_of(json);
   } catch (const Json::exception&) {
     return std::nullopt;
   }
 }
 
+std::vector<FileDifference> differences(const std::filesystem::path& folder,
+                                        const WrittenResult& written) {
+  std::map<std::string, FileDigest> listed;
+  for (const ManifestFile& file : written.outputs) {
+    listed.emplace(file.path, file.digest);
+  }
+  std::vector<FileDifference> found;
+  for (const ManifestFile& file : folder_outputs(folder)) {
+    if (file.path == "manifest.json") {
+      continue;
+    }
+    const auto entry = listed.find(file.path);
+    if (entry == listed.end()) {
+      found.push_back({file.path, FileChange::added});
+      continue;
+    }
+    if (entry->second.files != file.digest.files || entry->second.sha256 != file.digest.sha256) {
+      found.push_back({file.path, FileChange::changed});
+    }
+    listed.erase(entry);
+  }
+  for (const auto& [path, digest] : listed) {
+    found.push_back({path, FileChange::missing});
+  }
+  std::sort(found.begin(), found.end(), [](const FileDifference& a, const FileDifference& b) {
+    return a.path < b.path;
+  });
+  return found;
+}
+
 std::optional<std::string> first_difference(const std::filesystem::path& folder,
                                             const WrittenResult& written) {
-  std::vector<ManifestFile> found = folder_outputs(folder);
-  std::erase_if(found, [](const ManifestFile& file) { return file.path == "manifest.json"; });
-  const auto same = [](const ManifestFile& a, const ManifestFile& b) {
-    return a.path == b.path && a.digest.files == b.digest.files &&
-           a.digest.sha256 == b.digest.sha256;
-  };
-  const auto first_not_in = [&](const std::vector<ManifestFile>& these,
-                                const std::vector<ManifestFile>& those) {
-    return std::find_if(these.begin(), these.end(), [&](const ManifestFile& file) {
-      return std::none_of(
-          those.begin(), those.end(), [&](const ManifestFile& other) { return same(file, other); });
-    });
-  };
-  if (const auto file = first_not_in(found, written.outputs); file != found.end()) {
-    return file->path;
-  }
-  if (const auto file = first_not_in(written.outputs, found); file != written.outputs.end()) {
-    return file->path;
-  }
-  return std::nullopt;
+  const std::vector<FileDifference> found = differences(folder, written);
+  return found.empty() ? std::nullopt : std::optional(found.front().path);
 }
 
 }  // namespace tcert

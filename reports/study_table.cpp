@@ -112,4 +112,11 @@ Table latency_table(std::span<const StudyGroup> cells) {
   return table;
 }
 
+std::vector<Table> study_tables(const StudyRecord& study) {
+  const std::vector<StudyGroup> cells = study.by_cell();
+  return {success_table(cells),
+          speed_table(study.by_algorithm(), study.by_lighting()),
+          latency_table(cells)};
+}
+
 }  // namespace tcert

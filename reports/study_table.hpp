@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "analysis/trials/study_tables.hpp"
 #include "reports/table.hpp"
@@ -19,5 +20,8 @@ namespace tcert {
 
 /// Median latency in every cell.
 [[nodiscard]] Table latency_table(std::span<const StudyGroup> cells);
+
+/// All of them: table1, speed, latency.
+[[nodiscard]] std::vector<Table> study_tables(const StudyRecord& study);
 
 }  // namespace tcert

@@ -14,6 +14,10 @@ namespace {
 constexpr std::array<std::string_view, 6> kFormatWords = {
     "text", "md", "csv", "json", "jsonl", "tex"};
 
+/// In the order of ColumnKind.
+constexpr std::array<std::string_view, 5> kKindWords = {
+    "text", "integer", "number", "estimate", "p_value"};
+
 bool fits(const TableCell& cell, ColumnKind kind) {
   switch (kind) {
     case ColumnKind::text:
@@ -64,6 +68,10 @@ struct Printer {
 };
 
 }  // namespace
+
+std::string_view to_string(ColumnKind kind) noexcept {
+  return kKindWords[static_cast<std::size_t>(kind)];
+}
 
 std::string to_string(const SyntheticLabel& label) {
   return "SYNTHETIC data" + (label.seed ? ", seed " + std::to_string(*label.seed) : "") +

@@ -21,6 +21,9 @@ enum class ColumnKind {
   p_value,
 };
 
+/// "text", "integer", "number", "estimate", "p_value".
+[[nodiscard]] std::string_view to_string(ColumnKind kind) noexcept;
+
 struct Column {
   std::string name;     ///< snake_case, with the unit; the header of data formats.
   std::string heading;  ///< For people.
@@ -83,6 +86,10 @@ enum class TableFormat { text, markdown, csv, json, jsonl, latex };
 /// The whole table, ended by a newline. CSV is RFC 4180 with \n line ends and no title; a synthetic
 /// table has a last column `synthetic_seed`, so that the label survives merging and cutting.
 [[nodiscard]] std::string render(const Table& table, TableFormat format);
+
+/// The table that render(table, TableFormat::json) was made of: every format of it is the same
+/// again. \throws std::invalid_argument if the text is nothing of the kind.
+[[nodiscard]] Table table_from_json(std::string_view text);
 
 /// The parts of the CSV form, for tables that are too long to hold: header and one row.
 void append_csv_header(std::string& out, const Table& table);

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "datasets/csv_write.hpp"
 #include "reports/table_formats.hpp"
@@ -39,20 +41,22 @@ struct CsvCell {
 
 using Json = OrderedJson;
 
-std::string_view word_of(ColumnKind kind) {
-  switch (kind) {
-    case ColumnKind::text:
-      return "text";
-    case ColumnKind::integer:
-      return "integer";
-    case ColumnKind::number:
-      return "number";
-    case ColumnKind::estimate:
-      return "estimate";
-    case ColumnKind::p_value:
-      return "p_value";
+/// Row, column and decimals of each cell that is rounded otherwise than its column says.
+Json own_decimals(const Table& table) {
+  Json list = Json::array();
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
+      const auto* const number = std::get_if<Number>(&table.rows[r][c]);
+      const auto* const estimate = std::get_if<Estimate>(&table.rows[r][c]);
+      const int decimals = number != nullptr     ? number->decimals
+                           : estimate != nullptr ? estimate->decimals
+                                                 : kColumnDecimals;
+      if (decimals != kColumnDecimals) {
+        list.push_back(Json::array({r, c, decimals}));
+      }
+    }
   }
-  return "text";
+  return list;
 }
 
 }  // namespace
@@ -114,11 +118,16 @@ std::string render_json(const Table& table) {
     json["columns"].push_back({{"name", column.name},
                                {"heading", column.heading},
                                {"unit", column.unit},
-                               {"kind", word_of(column.kind)}});
+                               {"kind", to_string(column.kind)},
+                               {"decimals", column.decimals},
+                               {"significant", column.significant}});
   }
   json["rows"] = Json::array();
   for (const auto& row : table.rows) {
     json["rows"].push_back(json_row(table, row));
+  }
+  if (Json decimals = own_decimals(table); !decimals.empty()) {
+    json["cell_decimals"] = std::move(decimals);
   }
   json["footnotes"] = table.footnotes;
   return dumped(json, 2);

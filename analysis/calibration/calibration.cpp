@@ -34,7 +34,7 @@ void check(std::span<const double> outcome,
 CalibrationRows complete_rows(std::span<const double> outcome,
                               std::span<const double> probability,
                               const Factor* cluster,
-                              Calibration& result) {
+                              ModelCalibration& result) {
   CalibrationRows rows;
   std::size_t outside = 0;
   std::string first;
@@ -105,7 +105,7 @@ CalibrationCoefficient coefficient(const LogisticFit& fit, std::size_t column) {
 void add_recalibration(const CalibrationRows& rows,
                        const Factor* cluster,
                        double level,
-                       Calibration& result) {
+                       ModelCalibration& result) {
   if (result.events == 0 || result.events == result.rows) {
     result.conditions.push_back(
         {ConditionKind::one_class, ConditionSeverity::warning, "", "no slope, no intercepts"});
@@ -129,12 +129,12 @@ void add_recalibration(const CalibrationRows& rows,
 
 }  // namespace
 
-Calibration calibration(std::span<const double> outcome,
-                        std::span<const double> probability,
-                        const Factor* cluster,
-                        const CalibrationOptions& options) {
+ModelCalibration calibration(std::span<const double> outcome,
+                             std::span<const double> probability,
+                             const Factor* cluster,
+                             const CalibrationOptions& options) {
   check(outcome, probability, cluster, options);
-  Calibration result;
+  ModelCalibration result;
   const CalibrationRows rows = complete_rows(outcome, probability, cluster, result);
   result.rows = rows.outcome.size();
   if (has_error(result.conditions)) {

@@ -53,7 +53,7 @@ struct BrierParts {
   double within_covariance = 0.0;  ///< 2 sum (p - p_k) (y - y_k) / n.
 };
 
-struct Calibration {
+struct ModelCalibration {
   std::size_t rows = 0;  ///< With a probability and an outcome.
   std::size_t events = 0;
   std::size_t missing = 0;              ///< Rows left out.
@@ -78,9 +78,9 @@ struct Calibration {
 /// Conditions: no_rows, bad_probability (errors); one_class: only the Brier score, the bins and
 /// E:O. \throws std::invalid_argument if lengths differ, an outcome is another number, the level is
 /// not in (0, 1) or there are fewer than 3 bins. O(n log n).
-[[nodiscard]] Calibration calibration(std::span<const double> outcome,
-                                      std::span<const double> probability,
-                                      const Factor* cluster = nullptr,
-                                      const CalibrationOptions& options = {});
+[[nodiscard]] ModelCalibration calibration(std::span<const double> outcome,
+                                           std::span<const double> probability,
+                                           const Factor* cluster = nullptr,
+                                           const CalibrationOptions& options = {});
 
 }  // namespace tcert

@@ -167,6 +167,7 @@ EvenChance even_chance(std::span<const double> x,
   out.slope_profile = profile_intervals(input, fit_options)[1];
   out.point = -*out.intercept / *out.slope;
   const Eigen::MatrixXd& v = fit.covariance;
+  out.covariance = v(0, 1);
   out.fieller = fieller_set(*out.intercept, *out.slope, v(0, 0), v(0, 1), v(1, 1), options.level);
   const double variance = v(0, 0) + 2.0 * *out.point * v(0, 1) + *out.point * *out.point * v(1, 1);
   const double scale = std::sqrt(variance) / std::abs(*out.slope);

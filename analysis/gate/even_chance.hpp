@@ -47,6 +47,7 @@ struct EvenChance {
   std::optional<double> intercept_std_error;
   std::optional<double> slope;
   std::optional<double> slope_std_error;
+  std::optional<double> covariance;  ///< Of intercept and slope.
   std::optional<double> slope_p;
   std::optional<Interval> slope_wald;
   std::optional<Interval> slope_profile;

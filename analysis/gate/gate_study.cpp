@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "analysis/basics/binomial_interval.hpp"
+#include "analysis/basics/normal.hpp"
 #include "analysis/logistic/binomial_likelihood.hpp"
 
 namespace tcert {
 namespace {
 
 constexpr std::size_t kGroups = 5;
+constexpr std::size_t kCurveSteps = 100;
 
 /// Complete passes as arrays.
 struct Passes {
@@ -50,6 +52,28 @@ std::vector<GateCalibration> calibrate(const Passes& passes, const EvenChance& e
     groups.push_back(group);
   }
   return groups;
+}
+
+std::vector<GateChance> curve_of(const Passes& passes, const EvenChance& even, double level) {
+  std::vector<GateChance> curve;
+  if (!even.covariance || !even.intercept_std_error || !even.slope_std_error) {
+    return curve;
+  }
+  const auto [least, most] =
+      std::minmax_element(passes.bottleneck.begin(), passes.bottleneck.end());
+  const double z = normal_factor(level);
+  for (std::size_t i = 0; i <= kCurveSteps; ++i) {
+    const double x =
+        *least + (*most - *least) * static_cast<double>(i) / static_cast<double>(kCurveSteps);
+    const double logit = *even.intercept + *even.slope * x;
+    const double variance = *even.intercept_std_error * *even.intercept_std_error +
+                            2.0 * x * *even.covariance +
+                            x * x * *even.slope_std_error * *even.slope_std_error;
+    const double half = z * std::sqrt(std::max(variance, 0.0));
+    curve.push_back(
+        {x, inverse_logit(logit), {inverse_logit(logit - half), inverse_logit(logit + half)}});
+  }
+  return curve;
 }
 
 /// Of the passes in which the certificate before the gate is known and finite.
@@ -100,6 +124,7 @@ GateStudy gate_study(std::vector<GateRow> rows, const EvenChanceOptions& options
   }
   study.even = even_chance(passes.bottleneck, passes.success, options);
   study.calibration = calibrate(passes, study.even, options.level);
+  study.curve = curve_of(passes, study.even, options.level);
   study.both = fit_both(study.rows, options.level);
   return study;
 }

@@ -31,12 +31,20 @@ struct GateCalibration {
   double predicted = 0.0;      ///< Mean of the fitted chances.
 };
 
+/// The fitted chance at a margin, with its pointwise Wald interval on the logit scale.
+struct GateChance {
+  double margin_m = 0.0;
+  double chance = 0.0;
+  Interval interval;
+};
+
 struct GateStudy {
   std::vector<GateRow> rows;
   EvenChance even;                  ///< x is the bottleneck margin in metres.
   std::optional<LogisticFit> both;  ///< success ~ bottleneck + certificate before the gate.
   std::vector<GateCalibration> calibration;  ///< Of five groups of about equal size, by margin.
-  std::size_t incomplete = 0;  ///< Passes without outcome or bottleneck margin, left out.
+  std::vector<GateChance> curve;  ///< Over the range of the margins; empty without a fit.
+  std::size_t incomplete = 0;     ///< Passes without outcome or bottleneck margin, left out.
   EvenChanceOptions options;
 };
 

@@ -6,6 +6,7 @@
 
 #include "analysis/basics/holm.hpp"
 #include "analysis/h1/closed_forms.hpp"
+#include "analysis/h1/curves.hpp"
 #include "analysis/h1/incidence_by_quartile.hpp"
 #include "analysis/h1/joint_statistic.hpp"
 #include "analysis/h1/mixed_effects.hpp"
@@ -142,6 +143,7 @@ H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind k
   if (options.models) {
     add_out_of_fold(data, models, options, panel);
     add_mixed_effects(data, options, panel);
+    add_curves(data, models, options, panel);
   }
   add_incidence_by_quartile(data, panel);
   adjust(panel);

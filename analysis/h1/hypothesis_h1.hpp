@@ -13,8 +13,10 @@
 
 #include "analysis/basics/condition.hpp"
 #include "analysis/basics/interval.hpp"
+#include "analysis/calibration/calibration.hpp"
 #include "analysis/resampling/bootstrap.hpp"
 #include "analysis/roc/placements.hpp"
+#include "analysis/roc/roc_curve.hpp"
 #include "analysis/survival/cumulative_incidence.hpp"
 #include "datasets/data_table.hpp"
 
@@ -45,7 +47,7 @@ struct H1Options {
   double level = 0.95;
   std::size_t replicates = 2000;
   std::size_t folds = 5;
-  bool models = true;  ///< The rows of models, what is out of fold, and mixed models.
+  bool models = true;  ///< The rows of models, what is out of fold, mixed models, and curves.
   std::uint64_t seed = 1;
   std::vector<std::string> required;  ///< Columns that may not be absent, though they could be.
 };
@@ -146,6 +148,16 @@ struct TcDistribution {
   std::optional<double> p10, p50, p90;
 };
 
+struct H1Roc {
+  std::string name;  ///< Of its row.
+  RocCurve curve;
+};
+
+struct H1Calibration {
+  std::string name;              ///< Of the model: a predictor alone, or a row.
+  ModelCalibration calibration;  ///< Out of fold.
+};
+
 struct H1Panel {
   H1PanelKind kind = H1PanelKind::paper;
   std::size_t trials = 0;     ///< With a known outcome, after the exclusions below.
@@ -171,6 +183,8 @@ struct H1Panel {
   std::vector<H1CaseRow> case_level;
   std::vector<TcDistribution> distribution;  ///< Successes, failures.
   std::vector<IncidenceCurves> incidence;    ///< By quartile of the predictor under test.
+  std::vector<H1Roc> roc;                    ///< One a row that has scores.
+  std::vector<H1Calibration> calibration;
   std::vector<std::pair<std::string, std::size_t>> folds;  ///< Cluster and its fold, from 1.
   Conditions conditions;
 };

@@ -12,6 +12,9 @@ TrialSeries certify_trial(Certifier& certifier, const TickTable& ticks) {
     series.ticks.push_back(certifier.update(ticks[i]));
   }
   series.bottleneck = certifier.bottleneck();
+  const CorridorGraph& graph = certifier.graph();
+  series.nodes.assign(graph.nodes().begin(), graph.nodes().end());
+  series.edges.assign(graph.edges().begin(), graph.edges().end());
   return series;
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <tcert/certifier.hpp>
+#include <tcert/corridor_graph.hpp>
 #include <vector>
 
 #include "datasets/ticks.hpp"
@@ -14,6 +15,8 @@ namespace tcert {
 struct TrialSeries {
   std::vector<CertifiedTick> ticks;      ///< One per tick of the table, stale ones included.
   std::optional<Bottleneck> bottleneck;  ///< Empty unless S and G are connected at the end.
+  std::vector<Node> nodes;               ///< Of the corridor graph at the end.
+  std::vector<Edge> edges;
 };
 
 /// Feeds `ticks` to the certifier, which is reset first and left in the state after the last tick,

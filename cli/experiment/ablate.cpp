@@ -12,7 +12,7 @@ The cells: A1 no contact memory, A2 unknown space taken for free, A3 no curvatur
 all three; or those of --cells. Each beside the full method: change of AUC and C on the same trials in
 the same resamples, its own gain over its strongest rival, spurious certificates.
 
-With --output DIR: DIR/cells.csv, DIR/issuance.csv, DIR/speed.csv (H3), DIR/features/*.csv and
+With --output DIR: DIR/cells.*, DIR/issuance.*, DIR/speed.* (H3; CSV, JSON, text, Markdown, LaTeX), DIR/features/*.csv and
 DIR/replays/*.csv (DIR/files.csv says which cell has which), DIR/manifest.json. Without it: the table on stdout.
 
 Usage: tcert ablate BUNDLE [options]

@@ -16,7 +16,7 @@
 #include "cli/inputs.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/report_output.hpp"
 #include "datasets/csv_write.hpp"
 #include "reports/experiment/cells_table.hpp"
 #include "reports/features_table.hpp"
@@ -148,9 +148,12 @@ std::string file_name(const char* folder, std::size_t table) {
   return std::string(folder) + '/' + number + ".csv";
 }
 
-Table files_table(const std::vector<PlannedCell>& cells, const CellFiles& files) {
+Table files_table(const std::vector<PlannedCell>& cells,
+                  const CellFiles& files,
+                  const std::optional<SyntheticLabel>& synthetic) {
   Table table;
   table.name = "files";
+  table.synthetic = synthetic;
   table.columns = {{"cell", "cell", "", ColumnKind::text},
                    {"features", "features", "", ColumnKind::text},
                    {"replays", "replays", "", ColumnKind::text}};
@@ -172,11 +175,13 @@ void write_folder(const std::string& command,
                   const std::vector<PlannedCell>& cells,
                   const CellFiles& files,
                   const BatchTables& tables,
+                  const std::string& cells_file,
                   ResultFolder& folder) {
-  folder.write("cells.csv", render(tables.cells, TableFormat::csv));
-  folder.write("issuance.csv", render(tables.issuance, TableFormat::csv));
-  folder.write("speed.csv", render(tables.speed, TableFormat::csv));
-  folder.write("files.csv", render(files_table(cells, files), TableFormat::csv));
+  for (const Table* const table : {&tables.cells, &tables.issuance, &tables.speed}) {
+    write_table(*table, folder);
+  }
+  const auto label = synthetic_label(opened.bundle.info);
+  folder.write("files.csv", render(files_table(cells, files, label), TableFormat::csv));
   for (std::size_t table = 0; table < files.features.size(); ++table) {
     folder.write(file_name("features", table), files.features[table]);
   }
@@ -185,11 +190,14 @@ void write_folder(const std::string& command,
   }
   Manifest manifest;
   manifest.command = command;
-  manifest.options = common.effective;
+  record(common, manifest);
   manifest.parameters = as_settings(opened.parameters, opened.bundle.info.robot);
   manifest.synthetic = synthetic_label(opened.bundle.info);
   manifest.seed = static_cast<std::uint64_t>(common.seed);
   manifest.inputs = files.inputs;
+  if (!cells_file.empty()) {
+    manifest.inputs.push_back({name_of(cells_file), digest_file(cells_file)});
+  }
   folder.commit(std::move(manifest));
 }
 
@@ -285,7 +293,7 @@ int run_batch(const std::string& command,
     say("trial '" + id + "' is rejected");
   }
   if (folder) {
-    write_folder(command, opened, common, batch, files, tables, *folder);
+    write_folder(command, opened, common, batch, files, tables, options.cells, *folder);
   } else {
     const Table& shown = options.table == "issuance" ? tables.issuance
                          : options.table == "speed"  ? tables.speed

@@ -15,7 +15,7 @@ constexpr std::string_view kText =
 takes any list of cells from a CSV file. --sensitivity takes every choice that the paper leaves open,
 one at a time, at other values that one could defend: how H1 moves is its specification curve.
 
-With --output DIR: DIR/cells.csv, DIR/issuance.csv, DIR/speed.csv (H3), DIR/features/*.csv and
+With --output DIR: DIR/cells.*, DIR/issuance.*, DIR/speed.* (H3; CSV, JSON, text, Markdown, LaTeX), DIR/features/*.csv and
 DIR/replays/*.csv (DIR/files.csv says which cell has which), DIR/manifest.json. Without it: the table on stdout. A cell whose parameters are impossible
 is refused with the reason, the others run; the exit code is then 3.
 

@@ -85,7 +85,7 @@ FitReport fit_calibration(const FitRequest& request) {
   source.rows = request.frame.rows;
   source.predicted = request.options.predicted;
   Conditions conditions = input.conditions;
-  Calibration result;
+  ModelCalibration result;
   if (!has_error(conditions)) {
     source.outcome = as_vector(input.successes);
     if (source.predicted.empty()) {

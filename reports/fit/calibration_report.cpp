@@ -5,7 +5,7 @@
 namespace tcert {
 namespace {
 
-Table coefficient_table(const Calibration& calibration) {
+Table coefficient_table(const ModelCalibration& calibration) {
   Table table;
   table.name = "calibration";
   table.title = "Calibration of predicted probabilities";
@@ -38,7 +38,7 @@ Table coefficient_table(const Calibration& calibration) {
   return table;
 }
 
-Table bin_table(const Calibration& calibration) {
+Table bin_table(const ModelCalibration& calibration) {
   Table table;
   table.name = "bins";
   table.title = "Observed by predicted: bins of equal size";
@@ -66,7 +66,7 @@ Table bin_table(const Calibration& calibration) {
   return table;
 }
 
-Table brier_table(const Calibration& calibration) {
+Table brier_table(const ModelCalibration& calibration) {
   Record record("brier", "Brier score and its parts");
   const auto part = [&](double BrierParts::*member) {
     return calibration.brier ? std::optional((*calibration.brier).*member) : std::nullopt;
@@ -104,7 +104,7 @@ Table prediction_table(const CalibrationSource& source) {
 
 }  // namespace
 
-FitReport calibration_report(const Calibration& calibration, const CalibrationSource& source) {
+FitReport calibration_report(const ModelCalibration& calibration, const CalibrationSource& source) {
   FitReport report;
   report.model = "calibration";
   const auto& test = calibration.hosmer_lemeshow;

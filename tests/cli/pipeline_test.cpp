@@ -152,18 +152,20 @@ TEST(Pipeline, ReproduceMakesTableOneAndSaysThatItIsSynthetic) {
   const ProcessResult run = work.run({"reproduce", "--output", "out", "--no-series"});
   expect_done(run);
   EXPECT_EQ(run.out.find("SYNTHETIC data, seed 1"), 0U);
-  const std::string table = work.read("out/tables/table1.csv");
+  const std::string table = work.read("out/certificates/table1.csv");
   for (const auto& [algorithm, lighting, successes, trials] : kTableOne) {
     const std::string row =
         std::string(algorithm) + "," + lighting + "," + successes + "," + trials + ",";
     EXPECT_NE(table.find("\n" + row), std::string::npos) << row << " is not in\n" << table;
   }
   EXPECT_NE(table.find("583,660"), std::string::npos);
-  for (const std::string& file : work.files("out/tables")) {
-    const std::string text = work.read("out/tables/" + file);
-    EXPECT_TRUE(text.find("SYNTHETIC") != std::string::npos ||
-                text.find("synthetic") != std::string::npos)
-        << file;
+  for (const char* const part : {"certificates", "h1", "h2", "h3", "replays", "ablation", "gate"}) {
+    for (const std::string& file : work.files(std::string("out/") + part)) {
+      const std::string text = work.read(std::string("out/") + part + "/" + file);
+      EXPECT_TRUE(text.find("SYNTHETIC") != std::string::npos ||
+                  text.find("synthetic") != std::string::npos)
+          << part << '/' << file;
+    }
   }
   // Nothing is made anew, and nothing changes.
   const std::string manifest = work.read("out/certificates/manifest.json");

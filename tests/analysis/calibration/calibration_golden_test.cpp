@@ -45,7 +45,7 @@ Factor factor_of(const std::vector<std::string>& names) {
   return factor;
 }
 
-void compare(const Calibration& mine, const json& expected) {
+void compare(const ModelCalibration& mine, const json& expected) {
   expect_equal("slope", mine.slope.estimate.value(), expected["slope"]);
   expect_equal("slope SE", mine.slope.standard_error.value(), expected["slope_se"]);
   expect_equal("intercept", mine.intercept.estimate.value(), expected["intercept"]);

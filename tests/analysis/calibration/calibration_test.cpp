@@ -45,7 +45,7 @@ TEST(Calibration, ByHand) {
   const std::vector<double> p{0.1, 0.2, 0.3, 0.5, 0.5, 0.8};
   CalibrationOptions options;
   options.bins = 3;
-  const Calibration result = calibration(y, p, nullptr, options);
+  const ModelCalibration result = calibration(y, p, nullptr, options);
   // Cut at 0.1, 0.2667, 0.5, 0.8: two, three and one trials.
   ASSERT_EQ(result.bins.size(), 3U);
   EXPECT_EQ(result.bins[0].trials, 2U);
@@ -72,10 +72,10 @@ TEST(Calibration, ACutThatTiesIsOne) {
   // Quantiles 0, 1/3, 2/3, 1 are 0.2, 0.2, 0.5, 0.8: as R's cut() with unique breaks.
   CalibrationOptions options;
   options.bins = 3;
-  const Calibration result = calibration(std::vector<double>{0, 1, 0, 1, 1, 1},
-                                         std::vector<double>{0.2, 0.2, 0.2, 0.5, 0.5, 0.8},
-                                         nullptr,
-                                         options);
+  const ModelCalibration result = calibration(std::vector<double>{0, 1, 0, 1, 1, 1},
+                                              std::vector<double>{0.2, 0.2, 0.2, 0.5, 0.5, 0.8},
+                                              nullptr,
+                                              options);
   ASSERT_EQ(result.bins.size(), 2U);
   EXPECT_EQ(result.bins[0].trials, 5U);
   EXPECT_TRUE(has(result.conditions, ConditionKind::few_bins));
@@ -84,7 +84,7 @@ TEST(Calibration, ACutThatTiesIsOne) {
 
 TEST(Calibration, HonestProbabilitiesHaveSlopeOneAndInterceptNought) {
   const Predictions made = honest(20000);
-  const Calibration result = calibration(made.y, made.p);
+  const ModelCalibration result = calibration(made.y, made.p);
   EXPECT_NEAR(*result.slope.estimate, 1.0, 4.0 * *result.slope.standard_error);
   EXPECT_NEAR(*result.in_the_large.estimate, 0.0, 4.0 * *result.in_the_large.standard_error);
   EXPECT_NEAR(*result.expected_to_observed, 1.0, 0.02);
@@ -95,11 +95,11 @@ TEST(Calibration, HonestProbabilitiesHaveSlopeOneAndInterceptNought) {
 
 TEST(Calibration, RecalibratingUndoesAShiftAndAStretch) {
   Predictions made = honest(500);
-  const Calibration before = calibration(made.y, made.p);
+  const ModelCalibration before = calibration(made.y, made.p);
   for (double& p : made.p) {
     p = 1.0 / (1.0 + std::exp(-(0.5 + 2.0 * std::log(p / (1.0 - p)))));
   }
-  const Calibration after = calibration(made.y, made.p);
+  const ModelCalibration after = calibration(made.y, made.p);
   EXPECT_NEAR(*after.slope.estimate, 0.5 * *before.slope.estimate, 1e-10);
   EXPECT_NEAR(
       *after.intercept.estimate, *before.intercept.estimate - 0.25 * *before.slope.estimate, 1e-10);
@@ -107,7 +107,7 @@ TEST(Calibration, RecalibratingUndoesAShiftAndAStretch) {
 
 TEST(Calibration, TiesLeaveFewerBinsAndSaySo) {
   const Predictions made = honest(400, true);
-  const Calibration result = calibration(made.y, made.p);
+  const ModelCalibration result = calibration(made.y, made.p);
   EXPECT_TRUE(has(result.conditions, ConditionKind::few_bins));
   EXPECT_LE(result.bins.size(), 4U);
   expect_exact_sum(*result.brier);
@@ -120,14 +120,14 @@ TEST(Calibration, TiesLeaveFewerBinsAndSaySo) {
 
 TEST(Calibration, RowOrderDoesNotMatterAndMissingRowsAreCounted) {
   Predictions made = honest(100);
-  const Calibration one = calibration(made.y, made.p);
+  const ModelCalibration one = calibration(made.y, made.p);
   std::reverse(made.y.begin(), made.y.end());
   std::reverse(made.p.begin(), made.p.end());
   made.y.push_back(kNaN);
   made.p.push_back(0.5);
   made.y.push_back(1.0);
   made.p.push_back(kNaN);
-  const Calibration two = calibration(made.y, made.p);
+  const ModelCalibration two = calibration(made.y, made.p);
   EXPECT_EQ(two.missing, 2U);
   EXPECT_EQ(two.rows, 100U);
   EXPECT_NEAR(*one.slope.estimate, *two.slope.estimate, 1e-12);
@@ -139,7 +139,7 @@ TEST(Calibration, NamesWhatIsWrong) {
   const auto conditions = [](const std::vector<double>& outcome, const std::vector<double>& p) {
     return calibration(outcome, p).conditions;
   };
-  const Calibration outside = calibration(y, std::vector<double>{0.1, 1.0, 0.3, 1.2});
+  const ModelCalibration outside = calibration(y, std::vector<double>{0.1, 1.0, 0.3, 1.2});
   ASSERT_TRUE(has(outside.conditions, ConditionKind::bad_probability));
   EXPECT_EQ(outside.conditions[0].detail, "2, the first is row 2");
   EXPECT_FALSE(outside.brier.has_value());
@@ -147,7 +147,7 @@ TEST(Calibration, NamesWhatIsWrong) {
   EXPECT_TRUE(has(conditions({kNaN}, {0.2}), ConditionKind::no_rows));
   EXPECT_TRUE(
       has(conditions({0, 0, 1, 1}, {0.1, 0.2, 0.8, 0.9}), ConditionKind::complete_separation));
-  const Calibration constant = calibration(y, std::vector<double>(4, 0.5));
+  const ModelCalibration constant = calibration(y, std::vector<double>(4, 0.5));
   EXPECT_TRUE(has(constant.conditions, ConditionKind::constant_column));
   EXPECT_FALSE(constant.slope.estimate.has_value());
   EXPECT_NEAR(constant.in_the_large.estimate.value(), 0.0, 1e-12);

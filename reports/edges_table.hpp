@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// The corridor graph of a trial as CSV, one row an edge: what a map of the trial is drawn from.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/trials/certify_trial.hpp"
+#include "reports/column_doc.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+/// Header and rows, in the order in which the edges were found.
+[[nodiscard]] std::string edges_csv(const TrialSeries& series,
+                                    const std::optional<SyntheticLabel>& synthetic);
+
+/// What its columns mean, in their order.
+[[nodiscard]] std::vector<ColumnDoc> edge_column_docs();
+
+}  // namespace tcert

@@ -1,0 +1,182 @@
+#include "reports/figure/figure_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "datasets/csv_write.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+const TableCell* cell_at(const Table& table, std::size_t row, std::string_view column) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].name == column) {
+      return &table.rows[row][c];
+    }
+  }
+  return nullptr;
+}
+
+double bound_at(const Table& table, std::size_t row, std::string_view column, bool high) {
+  const std::string_view ending = high ? "_high" : "_low";
+  if (column.size() <= ending.size() || column.substr(column.size() - ending.size()) != ending) {
+    return kNaN;
+  }
+  const TableCell* const cell =
+      cell_at(table, row, column.substr(0, column.size() - ending.size()));
+  const auto* const estimate = cell != nullptr ? std::get_if<Estimate>(cell) : nullptr;
+  return estimate == nullptr ? kNaN : high ? estimate->high : estimate->low;
+}
+
+struct AsNumber {
+  double operator()(std::monostate /*missing*/) const { return kNaN; }
+  double operator()(const std::string& /*text*/) const { return kNaN; }
+  double operator()(std::int64_t value) const { return static_cast<double>(value); }
+  double operator()(const Number& number) const { return number.value; }
+  double operator()(const Estimate& estimate) const { return estimate.value; }
+  double operator()(const PValue& p) const { return p.value; }
+};
+
+}  // namespace
+
+std::string text_at(const Table& table, std::size_t row, std::string_view column) {
+  const TableCell* const cell = cell_at(table, row, column);
+  const auto* const text = cell != nullptr ? std::get_if<std::string>(cell) : nullptr;
+  return text != nullptr ? *text : std::string();
+}
+
+std::string text_at(const DataTable& table, std::size_t row, std::string_view column) {
+  const DataColumn* const found = table.find(column);
+  if (found == nullptr) {
+    return {};
+  }
+  if (!found->is_text) {
+    std::string text;
+    if (!std::isnan(found->numbers[row])) {
+      append_number(text, found->numbers[row]);
+    }
+    return text;
+  }
+  const std::uint32_t code = found->text.codes[row];
+  return code == Factor::kMissing ? std::string() : found->text.levels[code];
+}
+
+double number_at(const Table& table, std::size_t row, std::string_view column) {
+  if (const TableCell* const cell = cell_at(table, row, column)) {
+    return std::visit(AsNumber{}, *cell);
+  }
+  const double low = bound_at(table, row, column, false);
+  return std::isnan(low) ? bound_at(table, row, column, true) : low;
+}
+
+double number_at(const DataTable& table, std::size_t row, std::string_view column) {
+  const DataColumn* const found = table.find(column);
+  return found == nullptr || found->is_text ? kNaN : found->numbers[row];
+}
+
+std::vector<std::string> distinct(const Table& table, std::string_view column) {
+  std::vector<std::string> values;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::string value = text_at(table, row, column);
+    if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end()) {
+      values.push_back(value);
+    }
+  }
+  return values;
+}
+
+Table figure_table(std::string name,
+                   const std::vector<std::string>& texts,
+                   const std::vector<std::string>& numbers) {
+  Table table;
+  table.name = std::move(name);
+  table.columns.push_back({"part", "part", "", ColumnKind::text});
+  for (const std::string& text : texts) {
+    table.columns.push_back({text, text, "", ColumnKind::text});
+  }
+  for (const std::string& number : numbers) {
+    table.columns.push_back({number, number, "", ColumnKind::number});
+  }
+  return table;
+}
+
+void add_figure_row(Table& table,
+                    const std::string& part,
+                    const std::vector<std::string>& texts,
+                    const std::vector<double>& numbers) {
+  std::vector<TableCell> cells(1 + texts.size() + numbers.size());
+  cells[0] = part;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (!texts[i].empty()) {
+      cells[1 + i] = texts[i];
+    }
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (std::isfinite(numbers[i])) {
+      cells[1 + texts.size() + i] = Number{numbers[i]};
+    }
+  }
+  table.add_row(std::move(cells));
+}
+
+void make_plain(Figure& figure) {
+  const auto plain = [](std::string& text) {
+    std::replace(text.begin(), text.end(), ',', ';');
+    std::replace(text.begin(), text.end(), '"', '\'');
+  };
+  for (auto& row : figure.data.rows) {
+    for (TableCell& cell : row) {
+      if (auto* const text = std::get_if<std::string>(&cell)) {
+        plain(*text);
+      }
+    }
+  }
+  for (std::string& name : figure.key.classes) {
+    plain(name);
+  }
+  for (Panel& panel : figure.panels) {
+    plain(panel.name);
+    for (Axis* const axis : {&panel.x, &panel.y}) {
+      for (std::string& name : axis->categories) {
+        plain(name);
+      }
+    }
+    for (Layer& layer : panel.layers) {
+      plain(layer.label);
+    }
+  }
+}
+
+double round_step(double span, int parts) {
+  const double least = span / parts;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least * (1.0 - 1e-9)) {
+      return factor * power;
+    }
+  }
+  return 10.0 * power;
+}
+
+std::vector<double> ratio_ticks(double low, double high) {
+  std::vector<double> candidates = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100};
+  if (high / low < 6.0) {
+    candidates = {0.25, 0.5, 0.75, 1, 1.25, 1.5, 2, 2.5, 3, 4};
+  }
+  if (high / low < 2.0) {
+    candidates = {0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.4, 1.6, 1.8, 2};
+  }
+  std::vector<double> ticks;
+  for (const double tick : candidates) {
+    if (tick >= low && tick <= high) {
+      ticks.push_back(tick);
+    }
+  }
+  return ticks;
+}
+
+}  // namespace tcert

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// Reading cells by the names of their columns, and making the table of a figure. Internal to
+/// reports/figure.
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datasets/data_table.hpp"
+#include "reports/figure/figure.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+/// Text of a cell; empty if it is missing or there is no such column.
+[[nodiscard]] std::string text_at(const Table& table, std::size_t row, std::string_view column);
+[[nodiscard]] std::string text_at(const DataTable& table, std::size_t row, std::string_view column);
+
+/// A number of any kind, x_low and x_high of an estimate x; NaN if it is missing or not there.
+[[nodiscard]] double number_at(const Table& table, std::size_t row, std::string_view column);
+[[nodiscard]] double number_at(const DataTable& table, std::size_t row, std::string_view column);
+
+/// Different texts of a column, in the order in which they first occur.
+[[nodiscard]] std::vector<std::string> distinct(const Table& table, std::string_view column);
+
+/// Column `part`, then texts, then numbers; a number's unit is in its name.
+[[nodiscard]] Table figure_table(std::string name,
+                                 const std::vector<std::string>& texts,
+                                 const std::vector<std::string>& numbers);
+
+/// Empty texts and NaN are missing.
+void add_figure_row(Table& table,
+                    const std::string& part,
+                    const std::vector<std::string>& texts,
+                    const std::vector<double>& numbers);
+
+/// Commas and quotation marks of every text in the figure become other signs: gnuplot has no CSV
+/// with either in a cell.
+void make_plain(Figure& figure);
+
+/// A round step that cuts `span` into at most `parts`: 1, 2 or 5 times a power of ten.
+[[nodiscard]] double round_step(double span, int parts);
+
+/// Ticks of a scale of ratios that a span of this kind needs.
+[[nodiscard]] std::vector<double> ratio_ticks(double low, double high);
+
+}  // namespace tcert

@@ -1,0 +1,338 @@
+#include "reports/figure/gnuplot_plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "datasets/csv_write.hpp"
+#include "reports/figure/figure_table.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr std::array<std::string_view, 6> kDashes = {
+    "solid", "(16,7)", "(6,6)", "(18,6,5,6)", "(28,8)", "(10,5,4,5)"};
+constexpr std::array<int, 6> kFilled = {7, 5, 9, 13, 11, 15};
+constexpr std::array<int, 6> kHollow = {6, 4, 8, 12, 10, 14};
+
+std::string_view ink(Tone tone) {
+  switch (tone) {
+    case Tone::ink:
+      return "#222222";
+    case Tone::muted:
+      return "#888888";
+    case Tone::faint:
+      return "#d0d0d0";
+  }
+  return "#222222";
+}
+
+bool is_line(Mark mark) {
+  return mark == Mark::line || mark == Mark::step || mark == Mark::segment ||
+         mark == Mark::range_x || mark == Mark::range_y;
+}
+
+std::size_t panel_index(const Figure& figure, const Panel& panel) {
+  return static_cast<std::size_t>(&panel - figure.panels.data());
+}
+
+/// A column as a number on its axis.
+std::string value_of(const std::string& column,
+                     const Axis& axis,
+                     const std::string& axis_name,
+                     std::size_t panel) {
+  if (axis.scale == AxisScale::categories) {
+    return axis_name + std::to_string(panel) + "(strcol(" + quoted(column) + "))";
+  }
+  return "column(" + quoted(column) + ")";
+}
+
+/// How a class, or a layer without one, looks.
+struct Look {
+  std::string colour = "rgb '#222222'";
+  std::size_t index = 0;
+};
+
+std::string style_of(const Layer& layer, const Look& look) {
+  const std::string line = " lw " + number(layer.width) + " lc " + look.colour;
+  switch (layer.mark) {
+    case Mark::line:
+      return "with lines" + line + " dt " + std::string(kDashes[look.index % kDashes.size()]);
+    case Mark::step:
+      return "with steps" + line + " dt " + std::string(kDashes[look.index % kDashes.size()]);
+    case Mark::point: {
+      const auto& shapes = layer.hollow ? kHollow : kFilled;
+      return "with points pt " + std::to_string(shapes[look.index % shapes.size()]) + " ps " +
+             number(0.75 * layer.size) + line;
+    }
+    case Mark::segment:
+    case Mark::range_x:
+    case Mark::range_y:
+      return "with vectors nohead" + line;
+    case Mark::band:
+      return "with filledcurves lc " + look.colour + " fs transparent solid 0.18 noborder";
+    case Mark::text:
+      return "with labels offset 0," + number(layer.raise) + " textcolor " + look.colour;
+    case Mark::polygon:
+      break;
+  }
+  return "";
+}
+
+/// `strcol('part') eq 'x' && ...`
+std::string condition_of(const Panel& panel, const Layer& layer, const std::string& class_name) {
+  std::string condition = "strcol('part') eq " + quoted(layer.part);
+  if (!panel.name.empty()) {
+    condition += " && strcol('panel') eq " + quoted(panel.name);
+  }
+  if (!class_name.empty()) {
+    condition += " && strcol(" + quoted(layer.colour) + ") eq " + quoted(class_name);
+  }
+  return condition;
+}
+
+std::string columns_of(const Figure& figure,
+                       const Panel& panel,
+                       const Layer& layer,
+                       const std::string& condition) {
+  const std::size_t p = panel_index(figure, panel);
+  const std::string x = value_of(layer.x, panel.x, "px", p);
+  const std::string y = value_of(layer.y, panel.y, "py", p);
+  // An empty cell would be skipped without breaking a line.
+  std::string known = condition;
+  for (const std::string* column : {&layer.x, &layer.y, &layer.x2, &layer.y2}) {
+    if (!column->empty()) {
+      known += " && strcol(" + quoted(*column) + ") ne ''";
+    }
+  }
+  const auto chosen = [&](const std::string& value) {
+    return "(" + known + " ? " + value + " : NaN)";
+  };
+  switch (layer.mark) {
+    case Mark::segment:
+      return chosen(x) + ":" + chosen(y) + ":" +
+             chosen(value_of(layer.x2, panel.x, "px", p) + "-" + x) + ":" +
+             chosen(value_of(layer.y2, panel.y, "py", p) + "-" + y);
+    case Mark::range_x:
+      return chosen(x) + ":" + chosen(y) + ":" +
+             chosen(value_of(layer.x2, panel.x, "px", p) + "-" + x) + ":(0)";
+    case Mark::range_y:
+      return chosen(x) + ":" + chosen(y) +
+             ":(0):" + chosen(value_of(layer.y2, panel.y, "py", p) + "-" + y);
+    case Mark::band:
+      return chosen(x) + ":" + chosen(y) + ":" + chosen(value_of(layer.y2, panel.y, "py", p));
+    case Mark::text:
+      return chosen(x) + ":" + chosen(y) + ":(strcol(" + quoted(layer.text) + "))";
+    default:
+      return chosen(x) + ":" + chosen(y);
+  }
+}
+
+std::string clause(const Figure& figure,
+                   const Panel& panel,
+                   const Layer& layer,
+                   const std::string& class_name,
+                   const Look& look) {
+  std::string columns = columns_of(figure, panel, layer, condition_of(panel, layer, class_name));
+  if (figure.gradient && !layer.colour.empty() && layer.label.empty()) {
+    columns += ":(column(" + quoted(layer.colour) + "))";
+  }
+  return quoted(figure.name + ".csv") + " using " + columns + " " + style_of(layer, look) +
+         " notitle";
+}
+
+Look look_of_class(std::size_t index) {
+  return {"rgb '" + std::string(class_colour(index)) + "'", index};
+}
+
+std::size_t class_index(const Figure& figure, const std::string& name) {
+  const auto& classes = figure.key.classes;
+  return static_cast<std::size_t>(std::find(classes.begin(), classes.end(), name) -
+                                  classes.begin());
+}
+
+/// The first layer, lines first, that shows the class: its sample in the legend.
+const Layer* sample_of(const Figure& figure, const std::string& class_name) {
+  const Layer* found = nullptr;
+  for (const Panel& panel : figure.panels) {
+    for (const Layer& layer : panel.layers) {
+      const bool shows = layer.label == class_name ||
+                         (layer.label.empty() && !layer.colour.empty() && !figure.gradient);
+      if (!shows || layer.mark == Mark::text || layer.mark == Mark::band) {
+        continue;
+      }
+      if (found == nullptr || (layer.mark == Mark::point && is_line(found->mark) &&
+                               found->mark != Mark::line && found->mark != Mark::step)) {
+        found = &layer;
+      }
+    }
+  }
+  return found;
+}
+
+std::string key_entry(const Layer& layer, const Look& look, const std::string& name) {
+  Layer sample = layer;
+  if (is_line(layer.mark)) {
+    sample.mark = Mark::line;
+  }
+  if (layer.mark == Mark::polygon) {
+    return "keyentry with boxes fs solid 1 noborder fc " + look.colour + " title " + quoted(name);
+  }
+  return "keyentry " + style_of(sample, look) + " title " + quoted(name);
+}
+
+/// True if gnuplot has something to draw: it stops at a plot without a valid point.
+bool has_rows(const Figure& figure,
+              const Panel& panel,
+              const Layer& layer,
+              const std::string& class_name) {
+  const auto known = [&](std::size_t row, const std::string& column, const Axis& axis) {
+    return axis.scale == AxisScale::categories ? !text_at(figure.data, row, column).empty()
+                                               : std::isfinite(number_at(figure.data, row, column));
+  };
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    if (text_at(figure.data, row, "part") == layer.part &&
+        (panel.name.empty() || text_at(figure.data, row, "panel") == panel.name) &&
+        (class_name.empty() || text_at(figure.data, row, layer.colour) == class_name) &&
+        known(row, layer.x, panel.x) && known(row, layer.y, panel.y)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+struct Polygon {
+  std::string vertices;
+  std::string first;
+};
+
+}  // namespace
+
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    out += c == '\n' ? std::string(" ") : c == '\'' ? std::string("''") : std::string(1, c);
+  }
+  return out + "'";
+}
+
+std::string number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+std::string class_functions(const Figure& figure) {
+  std::string out;
+  for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+    const auto add = [&](const Axis& axis, const char* name) {
+      if (axis.scale != AxisScale::categories) {
+        return;
+      }
+      out += std::string(name) + std::to_string(p) + "(s) = ";
+      for (std::size_t i = 0; i < axis.categories.size(); ++i) {
+        out += "s eq " + quoted(axis.categories[i]) + " ? " + std::to_string(i + 1) + " : ";
+      }
+      out += "NaN\n";
+    };
+    add(figure.panels[p].x, "px");
+    add(figure.panels[p].y, "py");
+  }
+  return out;
+}
+
+std::string polygon_objects(const Figure& figure, const Panel& panel) {
+  std::string out;
+  int tag = 1;
+  for (const Layer& layer : panel.layers) {
+    if (layer.mark != Mark::polygon) {
+      continue;
+    }
+    const auto cell = [&](const std::vector<TableCell>& row, const std::string& column) {
+      for (std::size_t c = 0; c < figure.data.columns.size(); ++c) {
+        if (figure.data.columns[c].name == column) {
+          return row[c];
+        }
+      }
+      return TableCell{};
+    };
+    std::vector<std::string> order;
+    std::map<std::string, Polygon> polygons;
+    for (const auto& row : figure.data.rows) {
+      const TableCell part = cell(row, "part");
+      const TableCell group = cell(row, layer.group);
+      const TableCell x = cell(row, layer.x);
+      const TableCell y = cell(row, layer.y);
+      if (!std::holds_alternative<std::string>(part) || std::get<std::string>(part) != layer.part ||
+          !std::holds_alternative<std::string>(group) || !std::holds_alternative<Number>(x) ||
+          !std::holds_alternative<Number>(y)) {
+        continue;
+      }
+      const std::string vertex =
+          number(std::get<Number>(x).value) + "," + number(std::get<Number>(y).value);
+      Polygon& polygon = polygons[std::get<std::string>(group)];
+      if (polygon.vertices.empty()) {
+        order.push_back(std::get<std::string>(group));
+        polygon = {vertex, vertex};
+      } else {
+        polygon.vertices += " to " + vertex;
+      }
+    }
+    for (const std::string& name : order) {
+      out += "set object " + std::to_string(tag++) + " polygon from " + polygons[name].vertices +
+             " to " + polygons[name].first +
+             " back fc rgb '#d0d0d0' fs solid 1 border lc rgb '#d0d0d0' lw 0.5\n";
+    }
+  }
+  return out;
+}
+
+std::string plot_command(const Figure& figure, const Panel& panel) {
+  std::vector<std::string> clauses;
+  const auto add = [&](const Layer& layer, const std::string& class_name, const Look& look) {
+    if (has_rows(figure, panel, layer, class_name)) {
+      clauses.push_back(clause(figure, panel, layer, class_name, look));
+    }
+  };
+  for (const Layer& layer : panel.layers) {
+    if (layer.mark == Mark::polygon) {
+      continue;
+    }
+    if (!layer.label.empty()) {
+      add(layer, "", look_of_class(class_index(figure, layer.label)));
+    } else if (!layer.colour.empty() && figure.gradient) {
+      add(layer, "", {"palette", 0});
+    } else if (!layer.colour.empty()) {
+      for (std::size_t i = figure.key.classes.size(); i > 0; --i) {  // The first one on top.
+        add(layer, figure.key.classes[i - 1], look_of_class(i - 1));
+      }
+    } else {
+      add(layer, "", {"rgb '" + std::string(ink(layer.tone)) + "'", 0});
+    }
+  }
+  const bool empty = clauses.empty();
+  if (empty) {
+    clauses.emplace_back("NaN notitle");
+  }
+  std::string out = empty ? "set xrange [0:1]\nset yrange [0:1]\nplot " : "plot ";
+  for (std::size_t i = 0; i < clauses.size(); ++i) {
+    out += (i == 0 ? "" : ", \\\n  ") + clauses[i];
+  }
+  return out + "\n";
+}
+
+std::string key_entries(const Figure& figure) {
+  std::string out = "NaN notitle";
+  for (std::size_t i = 0; i < figure.key.classes.size(); ++i) {
+    if (const Layer* const sample = sample_of(figure, figure.key.classes[i])) {
+      out += ", \\\n  " + key_entry(*sample, look_of_class(i), figure.key.classes[i]);
+    }
+  }
+  return out;
+}
+
+}  // namespace tcert

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// The figures of H1 from its tables.
+
+#include <optional>
+#include <string>
+
+#include "reports/figure/figure.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+/// "TC_early" for tc_early and tc_landmark, and so on; any other column by its name.
+[[nodiscard]] std::string predictor_label(const std::string& row);
+
+/// ROC curves of all rows, a panel for each panel of H1, from h1_roc. Points within a straight
+/// stretch of a curve are left out.
+[[nodiscard]] std::optional<Figure> roc_figure(const Table& h1_roc);
+
+/// Cumulative incidence of egress by quartile of the predictor, with numbers at risk, from
+/// h1_incidence_curve.
+[[nodiscard]] std::optional<Figure> incidence_figure(const Table& h1_incidence_curve);
+
+/// Observed share of successes against the out-of-fold probability, from h1_calibration.
+[[nodiscard]] std::optional<Figure> calibration_figure(const Table& h1_calibration);
+
+/// Odds and hazard ratios per standard deviation with their intervals, of the last panel (landmark,
+/// where there is one), from h1_mixed and h1_time.
+[[nodiscard]] std::optional<Figure> forest_figure(const Table& h1_mixed, const Table& h1_time);
+
+}  // namespace tcert

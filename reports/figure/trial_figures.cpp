@@ -1,0 +1,335 @@
+#include "reports/figure/trial_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "reports/figure/figure_table.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSpeedWindow = 1.0;  // Seconds.
+constexpr int kDiscCorners = 36;
+constexpr double kGradientHigh = 0.3;  // Metres; wider edges are as bright.
+
+struct Line {
+  const char* column;
+  const char* label;
+};
+
+/// What is drawn last lies on top.
+constexpr Line kMargins[] = {{"margin_m", "tick margin m_t"},
+                             {"edge_margin_m", "edge margin"},
+                             {"corridor_value_m", "corridor value V_t"},
+                             {"certificate_m", "certificate T_t"}};
+
+/// Speed over the window that ends at `row`.
+double measured_speed(const DataTable& series, std::size_t row) {
+  const double now = number_at(series, row, "time_s");
+  double way = 0.0;
+  std::size_t i = row;
+  while (i > 0 && now - number_at(series, i - 1, "time_s") <= kSpeedWindow + 1e-9) {
+    way += std::hypot(number_at(series, i, "x_m") - number_at(series, i - 1, "x_m"),
+                      number_at(series, i, "y_m") - number_at(series, i - 1, "y_m"));
+    --i;
+  }
+  const double duration = now - number_at(series, i, "time_s");
+  return duration >= 0.5 * kSpeedWindow ? way / duration : kNaN;
+}
+
+/// A line over time as rows; the value is held, so rows that repeat it are left out.
+void add_series(const DataTable& series, const Line& line, Table& data) {
+  double last = kNaN;
+  bool first = true;
+  for (std::size_t row = 0; row < series.rows; ++row) {
+    const double value = number_at(series, row, line.column);
+    const bool same = value == last || (std::isnan(value) && std::isnan(last));
+    if (first || !same || row + 1 == series.rows) {
+      if (!(first && std::isnan(value))) {
+        add_figure_row(
+            data, "margin", {"margin", line.label}, {number_at(series, row, "time_s"), value});
+      }
+    }
+    first = first && std::isnan(value);
+    last = value;
+  }
+}
+
+Layer layer(Mark mark, const char* part, const char* x, const char* y) {
+  Layer one;
+  one.mark = mark;
+  one.part = part;
+  one.x = x;
+  one.y = y;
+  return one;
+}
+
+/// Corners of a region.
+std::vector<Point> outline(const Region& region) {
+  if (const auto* const polygon = std::get_if<Polygon>(&region)) {
+    return polygon->vertices;
+  }
+  const Disc& disc = std::get<Disc>(region);
+  std::vector<Point> points;
+  for (int i = 0; i < kDiscCorners; ++i) {
+    const double angle = 2.0 * 3.14159265358979323846 * i / kDiscCorners;
+    points.push_back({disc.centre.x_m + disc.radius_m * std::cos(angle),
+                      disc.centre.y_m + disc.radius_m * std::sin(angle)});
+  }
+  return points;
+}
+
+/// The table of a map and how far it reaches.
+class MapData {
+ public:
+  MapData()
+      : table_(figure_table(
+            "map", {"shape"}, {"x_m", "y_m", "to_x_m", "to_y_m", "margin_m", "time_s"})) {}
+
+  void add(const char* part,
+           const std::string& shape,
+           Point from,
+           Point to = {kNaN, kNaN},
+           double margin_m = kNaN,
+           double time_s = kNaN) {
+    add_figure_row(table_, part, {shape}, {from.x_m, from.y_m, to.x_m, to.y_m, margin_m, time_s});
+    for (const Point p : {from, to}) {
+      if (std::isfinite(p.x_m) && std::isfinite(p.y_m)) {
+        low_ = {std::min(low_.x_m, p.x_m), std::min(low_.y_m, p.y_m)};
+        high_ = {std::max(high_.x_m, p.x_m), std::max(high_.y_m, p.y_m)};
+      }
+    }
+  }
+
+  /// Ranges with some room.
+  void apply(Panel& panel) const {
+    const double room = 0.03 * std::max(high_.x_m - low_.x_m, high_.y_m - low_.y_m) + 0.05;
+    panel.x.low = low_.x_m - room;
+    panel.x.high = high_.x_m + room;
+    panel.y.low = low_.y_m - room;
+    panel.y.high = high_.y_m + room;
+  }
+
+  [[nodiscard]] Table table() && { return std::move(table_); }
+
+ private:
+  Table table_;
+  Point low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Point high_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+};
+
+void add_world(const World& world, MapData& data) {
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+    for (const Point p : outline(world.obstacles[i])) {
+      data.add("wall", "wall " + std::to_string(i + 1), p);
+    }
+  }
+  const std::pair<const char*, const std::optional<Region>&> regions[] = {{"S", world.start},
+                                                                          {"G", world.goal}};
+  for (const auto& [name, region] : regions) {
+    if (!region) {
+      continue;
+    }
+    std::vector<Point> points = outline(*region);
+    points.push_back(points.front());
+    Point centre{0.0, 0.0};
+    for (const Point p : points) {
+      data.add("region", name, p);
+      centre.x_m += p.x_m / static_cast<double>(points.size());
+      centre.y_m += p.y_m / static_cast<double>(points.size());
+    }
+    data.add("region", name, {kNaN, kNaN});  // The next outline is another line.
+    data.add("name", name, centre);
+  }
+}
+
+/// Where the rays prove the sides free: no walls are known.
+void add_sides(const DataTable& series, MapData& data) {
+  for (std::size_t row = 0; row < series.rows; ++row) {
+    const double x = number_at(series, row, "x_m");
+    const double y = number_at(series, row, "y_m");
+    const double yaw = number_at(series, row, "yaw_rad");
+    const double left = number_at(series, row, "left_m");
+    const double right = number_at(series, row, "right_m");
+    if (std::isfinite(left)) {
+      data.add("felt", "", {x - left * std::sin(yaw), y + left * std::cos(yaw)});
+    }
+    if (std::isfinite(right)) {
+      data.add("felt", "", {x + right * std::sin(yaw), y - right * std::cos(yaw)});
+    }
+  }
+}
+
+void add_path(const TrialPicture& trial, MapData& data) {
+  const DataTable& series = trial.series;
+  bool issued = false;
+  for (std::size_t row = 0; row < series.rows; ++row) {
+    const Point p{number_at(series, row, "x_m"), number_at(series, row, "y_m")};
+    const double time = number_at(series, row, "time_s");
+    if (text_at(series, row, "flags").find("break") != std::string::npos) {
+      data.add("path", "", {kNaN, kNaN});
+    }
+    data.add("path", "", p, {kNaN, kNaN}, kNaN, time);
+    if (!issued && number_at(series, row, "issued") == 1.0) {
+      data.add("issued", "", p, {kNaN, kNaN}, number_at(series, row, "certificate_m"), time);
+      issued = true;
+    }
+  }
+}
+
+void add_edges(const DataTable& edges, MapData& data) {
+  for (std::size_t row = 0; row < edges.rows; ++row) {
+    data.add("edge",
+             "",
+             {number_at(edges, row, "a_x_m"), number_at(edges, row, "a_y_m")},
+             {number_at(edges, row, "b_x_m"), number_at(edges, row, "b_y_m")},
+             number_at(edges, row, "margin_m"));
+  }
+}
+
+std::vector<Layer> map_layers(bool walls) {
+  std::vector<Layer> layers;
+  if (walls) {
+    Layer wall = layer(Mark::polygon, "wall", "x_m", "y_m");
+    wall.group = "shape";
+    Layer region = layer(Mark::line, "region", "x_m", "y_m");
+    region.tone = Tone::muted;
+    Layer name = layer(Mark::text, "name", "x_m", "y_m");
+    name.text = "shape";
+    layers = {wall, region, name};
+  } else {
+    Layer felt = layer(Mark::point, "felt", "x_m", "y_m");
+    felt.tone = Tone::faint;
+    felt.size = 0.3;
+    layers = {felt};
+  }
+  Layer edge = layer(Mark::segment, "edge", "x_m", "y_m");
+  edge.x2 = "to_x_m";
+  edge.y2 = "to_y_m";
+  edge.colour = "margin_m";
+  edge.width = 5.0;
+  Layer path = layer(Mark::line, "path", "x_m", "y_m");
+  path.width = 1.2;
+  Layer bottleneck = layer(Mark::point, "bottleneck", "x_m", "y_m");
+  bottleneck.label = "bottleneck of T_t";
+  bottleneck.size = 3.0;
+  bottleneck.hollow = true;
+  bottleneck.width = 2.5;
+  Layer issued = layer(Mark::point, "issued", "x_m", "y_m");
+  issued.label = "issued here";
+  issued.size = 2.2;
+  layers.insert(layers.end(), {edge, path, bottleneck, issued});
+  return layers;
+}
+
+}  // namespace
+
+Figure trial_series_figure(const TrialPicture& trial) {
+  Figure figure;
+  figure.name = "trial_" + trial.trial_id + "_series";
+  figure.title = "Trial " + trial.trial_id + ": margins and speed";
+  figure.caption =
+      "The tick margin recovers behind each gate; V_t keeps the narrowest place on the best way "
+      "back "
+      "to S; T_t is issued when G is reached by a way that is wide enough.";
+  figure.synthetic = trial.synthetic;
+  figure.data = figure_table(figure.name, {"panel", "quantity"}, {"time_s", "value"});
+  figure.key.classes = {"certificate T_t",
+                        "corridor value V_t",
+                        "edge margin",
+                        "tick margin m_t",
+                        "measured speed",
+                        "speed that the law allows"};
+  for (const Line& line : kMargins) {
+    add_series(trial.series, line, figure.data);
+  }
+  for (std::size_t row = 0; row < trial.series.rows; ++row) {
+    add_figure_row(figure.data,
+                   "speed",
+                   {"speed", "measured speed"},
+                   {number_at(trial.series, row, "time_s"), measured_speed(trial.series, row)});
+  }
+  for (std::size_t row = 0; row < trial.series.rows; ++row) {
+    add_figure_row(
+        figure.data,
+        "speed",
+        {"speed", "speed that the law allows"},
+        {number_at(trial.series, row, "time_s"), number_at(trial.series, row, "speed_law_mps")});
+  }
+  const double end =
+      trial.series.rows == 0 ? 1.0 : number_at(trial.series, trial.series.rows - 1, "time_s");
+  Panel margins;
+  margins.name = "margin";
+  margins.x.title = "time";
+  margins.x.unit = "s";
+  margins.x.low = 0.0;
+  margins.x.high = end;
+  margins.y.title = "margin";
+  margins.y.unit = "m";
+  margins.references = {{false, 0.0, false}};
+  if (trial.issued_s) {
+    margins.references.push_back({true, *trial.issued_s, true});
+  }
+  Panel speed = margins;
+  speed.name = "speed";
+  speed.y.title = "speed";
+  speed.y.unit = "m/s";
+  speed.y.low = 0.0;
+  speed.height = 0.6;
+  Layer held = layer(Mark::step, "margin", "time_s", "value");
+  held.colour = "quantity";
+  held.width = 1.6;
+  margins.layers = {held};
+  Layer one = layer(Mark::line, "speed", "time_s", "value");
+  one.colour = "quantity";
+  one.width = 1.4;
+  speed.layers = {one};
+  figure.panels = {std::move(margins), std::move(speed)};
+  make_plain(figure);
+  return figure;
+}
+
+Figure trial_map_figure(const TrialPicture& trial) {
+  Figure figure;
+  figure.name = "trial_" + trial.trial_id + "_map";
+  figure.title = "Trial " + trial.trial_id + ": map";
+  figure.caption = std::string(trial.world ? "Walls of the known world"
+                                           : "What the rays prove free on both sides") +
+                   ", odometry (thin line), and the corridor graph by the margin of its edges. The "
+                   "hollow mark is "
+                   "the bottleneck that decides T_t.";
+  figure.synthetic = trial.synthetic;
+  MapData data;
+  if (trial.world) {
+    add_world(*trial.world, data);
+  } else {
+    add_sides(trial.series, data);
+  }
+  if (trial.edges) {
+    add_edges(*trial.edges, data);
+  }
+  add_path(trial, data);
+  if (trial.bottleneck_x_m && trial.bottleneck_y_m) {
+    data.add("bottleneck", "", {*trial.bottleneck_x_m, *trial.bottleneck_y_m});
+  }
+  figure.key.classes = {"issued here", "bottleneck of T_t"};
+  figure.gradient = Gradient{"edge margin", "m", 0.0, kGradientHigh};
+  Panel map;
+  map.x.title = "x";
+  map.x.unit = "m";
+  map.y.title = "y";
+  map.y.unit = "m";
+  map.equal_scale = true;
+  data.apply(map);
+  map.layers = map_layers(trial.world.has_value());
+  figure.data = std::move(data).table();
+  figure.panels = {std::move(map)};
+  make_plain(figure);
+  return figure;
+}
+
+}  // namespace tcert

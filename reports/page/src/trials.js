@@ -1,0 +1,34 @@
+// The trials of the results: the list, and the viewer that it opens.
+
+import { inflated, readLines } from './blocks.js';
+import { el } from './dom.js';
+import { TrialList } from './trial_list.js';
+import { TrialViewer } from './trial_viewer.js';
+
+export async function trials(report) {
+  const [line] = readLines('trials');
+  if (line === undefined) {
+    return [el('p', {}, 'These results hold no trials.')];
+  }
+  const table = await inflated(line);
+  const lines = { series: readLines('series'), worlds: readLines('worlds') };
+  const withSeries = lines.series.length > 0;
+  const viewer = withSeries ? new TrialViewer(report, lines) : null;
+  const open = async (index) => {
+    if (viewer === null) return;
+    const name = table.rows[index][0];
+    await viewer.open(index, name);
+    list.mark(index);
+    history.replaceState(null, '', `#trial=${encodeURIComponent(name)}`);
+  };
+  const list = new TrialList(table, open);
+  const asked = /^#trial=(.*)$/.exec(location.hash);
+  const index = asked ? table.rows.findIndex((row) => row[0] === decodeURIComponent(asked[1])) : -1;
+  if (index >= 0) setTimeout(() => open(index));
+  return [
+    el('p', {}, withSeries
+      ? 'The button with a trial’s name opens it below the list.'
+      : 'The results hold no series, so a trial cannot be opened.'),
+    list.element, viewer?.element,
+  ];
+}

@@ -1,0 +1,314 @@
+#include "reports/figure/figure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "datasets/bytes.hpp"
+#include "datasets/data_table.hpp"
+#include "reports/figure/figure_table.hpp"
+#include "reports/figure/gnuplot.hpp"
+#include "reports/figure/gnuplot_layout.hpp"
+#include "reports/figure/h1_figures.hpp"
+#include "reports/figure/set_figures.hpp"
+#include "reports/figure/trial_figures.hpp"
+#include "reports/figure/vega_lite.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Figure small_figure() {
+  Figure figure;
+  figure.name = "small";
+  figure.title = "It's small";
+  figure.synthetic = SyntheticLabel{3};
+  figure.data = figure_table("small", {"who"}, {"x_m", "y_m"});
+  add_figure_row(figure.data, "curve", {"a"}, {0.1, 1.0 / 3.0});
+  add_figure_row(figure.data, "curve", {"b"}, {0.2, kNaN});
+  add_figure_row(figure.data, "curve", {"b"}, {0.3, 0.0});
+  figure.key.classes = {"a", "b"};
+  Panel panel;
+  panel.x.title = "way";
+  panel.x.unit = "m";
+  panel.y.title = "height";
+  panel.y.unit = "m";
+  Layer layer;
+  layer.mark = Mark::line;
+  layer.part = "curve";
+  layer.x = "x_m";
+  layer.y = "y_m";
+  layer.colour = "who";
+  panel.layers = {layer};
+  figure.panels = {panel};
+  return figure;
+}
+
+DataTable csv_of(const Figure& figure) {
+  CsvOptions csv;
+  csv.file = figure.name;
+  return *read_data_table(Bytes::copy_of(figure_csv(figure)), {}, csv).table;
+}
+
+/// Every value behind the specification is the cell of the CSV file, bit for bit.
+void expect_same_data(const Figure& figure) {
+  const auto spec = vega_lite(figure);
+  const DataTable csv = csv_of(figure);
+  const auto& values = spec["data"]["values"];
+  ASSERT_EQ(values.size(), csv.rows);
+  for (std::size_t row = 0; row < csv.rows; ++row) {
+    for (const auto& [key, value] : values[row].items()) {
+      if (value.is_number()) {
+        EXPECT_EQ(value.get<double>(), number_at(csv, row, key)) << figure.name << ' ' << key;
+      } else if (value.is_string()) {
+        EXPECT_EQ(value.get<std::string>(), text_at(csv, row, key)) << figure.name << ' ' << key;
+      } else {
+        EXPECT_TRUE(value.is_null());
+        EXPECT_EQ(text_at(csv, row, key), "") << "missing is not 0: " << figure.name << ' ' << key;
+      }
+    }
+  }
+}
+
+TEST(Figure, HasTheSameDataInEveryForm) { expect_same_data(small_figure()); }
+
+TEST(Figure, KeepsWhatIsMissingMissing) {
+  EXPECT_EQ(figure_csv(small_figure()),
+            "part,who,x_m,y_m,synthetic_seed\n"
+            "curve,a,0.1,0.3333333333333333,3\n"
+            "curve,b,0.2,,3\n"
+            "curve,b,0.3,0,3\n");
+}
+
+TEST(Figure, BreaksALineWhereAValueIsMissing) {
+  const std::string script = gnuplot_script(small_figure());
+  EXPECT_NE(script.find("strcol('y_m') ne ''"), std::string::npos) << script;
+  EXPECT_EQ(script.find("datafile missing"), std::string::npos) << "it would go on";
+}
+
+TEST(Figure, SaysThatDataAreSynthetic) {
+  EXPECT_NE(vega_lite(small_figure())["title"]["subtitle"].get<std::string>().find("SYNTHETIC"),
+            std::string::npos);
+  EXPECT_NE(gnuplot_script(small_figure()).find("SYNTHETIC"), std::string::npos);
+}
+
+TEST(Figure, HasUnitsOnItsAxes) {
+  const auto spec = vega_lite(small_figure());
+  EXPECT_EQ(spec["layer"][0]["encoding"]["x"]["title"], "way [m]");
+  EXPECT_NE(gnuplot_script(small_figure()).find("set ylabel 'height [m]'"), std::string::npos);
+}
+
+TEST(Figure, QuotesWhatGnuplotWouldRead) {
+  EXPECT_NE(gnuplot_script(small_figure()).find("'It''s small'"), std::string::npos);
+}
+
+TEST(Figure, IsTheSameForTheSameData) {
+  EXPECT_EQ(gnuplot_script(small_figure()), gnuplot_script(small_figure()));
+  EXPECT_EQ(vega_lite(small_figure()).dump(), vega_lite(small_figure()).dump());
+}
+
+TEST(Figure, RefusesWhatItCannotDraw) {
+  Figure no_column = small_figure();
+  no_column.panels[0].layers[0].y = "z";
+  EXPECT_THROW(check(no_column), std::invalid_argument);
+  Figure no_class = small_figure();
+  no_class.key.classes = {"a"};
+  EXPECT_THROW(check(no_class), std::invalid_argument);
+  Figure no_title = small_figure();
+  no_title.panels[0].x.title.clear();
+  EXPECT_THROW(check(no_title), std::invalid_argument);
+}
+
+TEST(ClassColour, IsToldApart) {
+  std::set<std::string_view> colours;
+  for (std::size_t i = 0; i < 6; ++i) {
+    colours.insert(class_colour(i));
+  }
+  EXPECT_EQ(colours.size(), 6U);
+}
+
+TEST(GnuplotLayout, PutsNoPanelOverAnother) {
+  Figure figure = small_figure();
+  figure.panels.assign(5, figure.panels.front());
+  figure.columns = 2;
+  figure.panels[2].height = 0.3;
+  const FigureLayout layout = gnuplot_layout(figure);
+  ASSERT_EQ(layout.boxes.size(), 5U);
+  for (std::size_t a = 0; a < 5; ++a) {
+    const PanelBox& one = layout.boxes[a];
+    EXPECT_GE(one.left, 0.0);
+    EXPECT_GE(one.bottom, 0.0);
+    EXPECT_LE(one.left + one.width, layout.width);
+    EXPECT_LE(one.bottom + one.height, layout.height);
+    for (std::size_t b = a + 1; b < 5; ++b) {
+      const PanelBox& other = layout.boxes[b];
+      const bool apart = one.left + one.width < other.left || other.left + other.width < one.left ||
+                         one.bottom > other.bottom + other.height ||
+                         other.bottom > one.bottom + one.height;
+      EXPECT_TRUE(apart) << a << ' ' << b;
+    }
+  }
+}
+
+TEST(RoundStep, IsRound) {
+  EXPECT_EQ(round_step(100.0, 6), 20.0);
+  EXPECT_EQ(round_step(7.0, 7), 1.0);
+  EXPECT_EQ(round_step(0.9, 3), 0.5);
+}
+
+Table roc_table() {
+  Table table;
+  table.name = "h1_roc";
+  table.columns = {{"panel", "", "", ColumnKind::text},
+                   {"predictor", "", "", ColumnKind::text},
+                   {"threshold", "", "", ColumnKind::number},
+                   {"sensitivity", "", "", ColumnKind::number},
+                   {"specificity", "", "", ColumnKind::number}};
+  const double points[][2] = {{1, 0}, {1, 0.25}, {1, 0.5}, {0.5, 0.5}, {0.25, 1}, {0, 1}};
+  for (const auto& point : points) {
+    table.add_row({std::string("paper"),
+                   std::string("tc_early"),
+                   Number{0.0},
+                   Number{point[0]},
+                   Number{point[1]}});
+  }
+  return table;
+}
+
+TEST(RocFigure, KeepsTheAreaThoughNotEveryPoint) {
+  const Figure figure = *roc_figure(roc_table());
+  double area = 0.0;
+  double x = kNaN;
+  double y = kNaN;
+  std::size_t points = 0;
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    if (text_at(figure.data, row, "part") != "curve") {
+      continue;
+    }
+    const double to_x = number_at(figure.data, row, "false_success_share");
+    const double to_y = number_at(figure.data, row, "success_share");
+    if (points++ > 0) {
+      area += (x - to_x) * (y + to_y) / 2.0;
+    }
+    x = to_x;
+    y = to_y;
+  }
+  EXPECT_EQ(points, 5U);
+  EXPECT_DOUBLE_EQ(area, 0.5 + 0.5 * 0.375);
+  expect_same_data(figure);
+}
+
+TEST(PredictorLabel, KnowsBothPanels) {
+  EXPECT_EQ(predictor_label("tc_early"), "TC_early");
+  EXPECT_EQ(predictor_label("tc_landmark"), "TC_early");
+  EXPECT_EQ(predictor_label("contacts_per_m_landmark"), "contacts per metre");
+  EXPECT_EQ(predictor_label("rivals + tc_landmark"), "rivals + TC_early");
+  EXPECT_EQ(predictor_label("m1"), "m1");
+}
+
+TEST(SetFigures, AreEmptyWithoutData) {
+  const Table none;
+  EXPECT_FALSE(roc_figure(none));
+  EXPECT_FALSE(incidence_figure(none));
+  EXPECT_FALSE(calibration_figure(none));
+  EXPECT_FALSE(forest_figure(none, none));
+  EXPECT_FALSE(equivalence_figure(none, none));
+  EXPECT_FALSE(pareto_figure(none));
+  EXPECT_FALSE(cells_figure(none, "x", "x"));
+  EXPECT_FALSE(gate_figure(none, none, none, none));
+  EXPECT_FALSE(truth_figure(DataTable{}, std::nullopt));
+}
+
+DataTable table_of(const char* text) {
+  CsvOptions csv;
+  csv.file = "test.csv";
+  return *read_data_table(Bytes::copy_of(text), {}, csv).table;
+}
+
+TEST(TruthFigure, TakesTheProvenIntervalAndLeavesOutWhatIsNotKnown) {
+  const DataTable features = table_of(
+      "trial_id,success,certificate_m,t_lower_m,t_upper_m\n"
+      "t1,1,0.05,0.06,0.07\n"
+      "t2,0,,0.01,0.02\n"
+      "t3,1,0.1,,\n");
+  const Figure figure = *truth_figure(features, SyntheticLabel{1});
+  std::size_t trials = 0;
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    trials += text_at(figure.data, row, "part") == "trial" ? 1 : 0;
+  }
+  EXPECT_EQ(trials, 1U);
+  expect_same_data(figure);
+}
+
+TrialPicture small_trial() {
+  TrialPicture trial;
+  trial.trial_id = "t1";
+  trial.series = table_of(
+      "time_s,x_m,y_m,yaw_rad,left_m,right_m,margin_m,edge_margin_m,corridor_value_m,certificate_m,"
+      "speed_law_mps,flags,issued\n"
+      "0,0,0,0,0.5,,0.2,0.2,0.2,,0.1,,0\n"
+      "0.5,0.1,0,0,0.5,0.4,0.1,0.1,0.1,,0.1,,0\n"
+      "1,0.2,0,0,0.5,0.4,0.1,0.1,0.1,0.1,0.1,break,1\n");
+  trial.edges = table_of("edge,a_x_m,a_y_m,b_x_m,b_y_m,margin_m\n0,0,0,0.2,0,0.1\n");
+  trial.bottleneck_x_m = 0.1;
+  trial.bottleneck_y_m = 0.0;
+  return trial;
+}
+
+std::map<std::string, std::size_t> parts_of(const Figure& figure) {
+  std::map<std::string, std::size_t> parts;
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    ++parts[text_at(figure.data, row, "part")];
+  }
+  return parts;
+}
+
+TEST(TrialMap, HasThePathTheGraphTheBottleneckAndThePlaceOfIssuance) {
+  const Figure figure = trial_map_figure(small_trial());
+  auto parts = parts_of(figure);
+  EXPECT_EQ(parts["felt"], 5U);
+  EXPECT_EQ(parts["path"], 4U) << "three ticks and a break";
+  EXPECT_EQ(parts["edge"], 1U);
+  EXPECT_EQ(parts["bottleneck"], 1U);
+  EXPECT_EQ(parts["issued"], 1U);
+  EXPECT_TRUE(figure.panels[0].equal_scale);
+  expect_same_data(figure);
+}
+
+TEST(TrialMap, DrawsTheKnownWorldInPlaceOfWhatWasFelt) {
+  TrialPicture trial = small_trial();
+  World world;
+  world.obstacles = {Polygon{{{0, 1}, {1, 1}, {1, 2}}}, Disc{{0, -1}, 0.2}};
+  world.start = Disc{{0, 0}, 0.1};
+  trial.world = world;
+  const Figure figure = trial_map_figure(trial);
+  auto parts = parts_of(figure);
+  EXPECT_EQ(parts["felt"], 0U);
+  EXPECT_EQ(parts["wall"], 3U + 36U);
+  EXPECT_NE(gnuplot_script(figure).find("set object 2 polygon"), std::string::npos);
+  expect_same_data(figure);
+}
+
+TEST(TrialSeries, MeasuresSpeedOverTheLastSecondAndLeavesTheBeginningOut) {
+  const Figure figure = trial_series_figure(small_trial());
+  std::vector<double> speeds;
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    if (text_at(figure.data, row, "quantity") == "measured speed") {
+      speeds.push_back(number_at(figure.data, row, "value"));
+    }
+  }
+  ASSERT_EQ(speeds.size(), 3U);
+  EXPECT_TRUE(std::isnan(speeds[0]));
+  EXPECT_DOUBLE_EQ(speeds[1], 0.2);
+  EXPECT_DOUBLE_EQ(speeds[2], 0.2);
+  expect_same_data(figure);
+}
+
+}  // namespace
+}  // namespace tcert
