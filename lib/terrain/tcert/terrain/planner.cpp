@@ -66,16 +66,7 @@ void Planner::add(const Measurement& m) {
     if (steepest > rules_.lipschitz * (1.0 + kSlopeSlack)) {
       ++contradictions_;
       rules_.lipschitz = steepest;
-      cone_ = Intervals(grid_.size());
-      safe_ = seeds_;
-      for (const Measurement& known : measurements_) {
-        intersect_with_cone(cone_,
-                            grid_,
-                            nearest_cell(known.at),
-                            known.value,
-                            rules_.noise_bound,
-                            rules_.lipschitz);
-      }
+      derive_anew();
     } else {
       intersect_with_cone(cone_, grid_, cell, m.value, rules_.noise_bound, rules_.lipschitz);
     }
@@ -83,6 +74,34 @@ void Planner::add(const Measurement& m) {
     measurements_.push_back(m);
   }
   model_->add(m.at, m.value);
+}
+
+void Planner::derive_anew() {
+  cone_ = Intervals(grid_.size());
+  intervals_ = Intervals(grid_.size());
+  safe_ = seeds_;
+  for (const Measurement& known : measurements_) {
+    intersect_with_cone(cone_,
+                        grid_,
+                        nearest_cell(known.at),
+                        known.value,
+                        rules_.noise_bound,
+                        rules_.lipschitz);
+  }
+}
+
+void Planner::set_lipschitz(double lipschitz) {
+  if (rules_.kind != RuleSet::certified) {
+    throw std::invalid_argument("only the certified rules change their Lipschitz constant");
+  }
+  double steepest = lipschitz;
+  for (const Measurement& m : measurements_) {
+    steepest = std::max(steepest, steepest_to(m));
+  }
+  if (steepest != rules_.lipschitz) {
+    rules_.lipschitz = steepest;
+    derive_anew();
+  }
 }
 
 void Planner::set_blocked(CellSet blocked) {

@@ -14,11 +14,6 @@
 
 namespace tcert::terrain {
 
-struct Measurement {
-  Position at{0.0, 0.0};
-  double value = 0.0;
-};
-
 /// What a planning step found.
 struct Plan {
   std::size_t safe = 0;        ///< |S_t|.
@@ -43,6 +38,10 @@ class Planner {
   /// Lipschitz constant, that is raised to the slope that was measured and everything certified is
   /// derived anew. \throws std::invalid_argument for a value or position that cannot be.
   void add(const Measurement& measurement);
+
+  /// Replaces the Lipschitz constant, never by less than what was measured; what is certified is
+  /// derived anew. `certified` only. \pre lipschitz > 0
+  void set_lipschitz(double lipschitz);
 
   /// Cells that are physically blocked: safe or not, nothing is chosen or reached there.
   void set_blocked(CellSet blocked);
@@ -85,6 +84,7 @@ class Planner {
                   std::optional<Cell> goal,
                   Cell robot,
                   const std::vector<std::int64_t>& depth2);
+  void derive_anew();
   [[nodiscard]] double steepest_to(const Measurement& measurement) const;
 
   Grid grid_;

@@ -106,6 +106,27 @@ void SeparableGp::add(const Position& p, double y) {
   whitened_.push_back(z);
 }
 
+double log_likelihood(const GpPrior& prior, std::span<const Measurement> measurements) {
+  const auto n = static_cast<Eigen::Index>(measurements.size());
+  Eigen::MatrixXd k(n, n);
+  Eigen::VectorXd residual(n);
+  const double scale = -0.5 / (prior.length_scale * prior.length_scale);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Measurement& a = measurements[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const Measurement& b = measurements[static_cast<std::size_t>(j)];
+      k(i, j) = prior.variance * std::exp(scale * (a.at - b.at).squaredNorm());
+    }
+    k(i, i) += prior.noise_variance;
+    residual(i) = a.value - prior.mean;
+  }
+  const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> llt(k);
+  const Eigen::VectorXd whitened = llt.matrixL().solve(residual);
+  const auto logs = llt.matrixLLT().diagonal().array().log().sum();
+  return -0.5 * (whitened.squaredNorm() + static_cast<double>(n) * std::log(2.0 * std::numbers::pi)) -
+         logs;
+}
+
 std::size_t SeparableGp::bytes() const noexcept {
   const std::size_t n = positions_.size();
   const auto directions = static_cast<std::size_t>(rows_basis_.cols() * columns_basis_.cols());

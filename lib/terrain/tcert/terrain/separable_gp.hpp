@@ -65,4 +65,12 @@ class SeparableGp {
   RowMajor cells_;  // scratch
 };
 
+struct Measurement {
+  Position at{0.0, 0.0};
+  double value = 0.0;
+};
+
+/// log p(values | prior) without a grid. O(n^3).
+[[nodiscard]] double log_likelihood(const GpPrior& prior, std::span<const Measurement> measurements);
+
 }  // namespace tcert::terrain
