@@ -35,7 +35,7 @@ TerrainGrid random_terrain(const TerrainFieldOptions& o) {
   if (!(o.length_scale > 0.0) || !(o.lipschitz > 0.0)) {
     throw std::invalid_argument("the length scale and the Lipschitz constant must be > 0");
   }
-  TerrainGrid terrain{o.rows, o.columns, {}};
+  TerrainGrid terrain{o.rows, o.columns, {}, {}};
   const auto rows = static_cast<std::size_t>(o.rows);
   const auto columns = static_cast<std::size_t>(o.columns);
   terrain.values.assign(rows * columns, 0.0);

@@ -97,6 +97,7 @@ class Reader {
     const bool first = !seen_;
     seen_ = true;
     if (first && is_header(text)) {
+      terrain_.header = text;
       return;
     }
     row(text);
@@ -228,7 +229,7 @@ TerrainFileResult read_terrain(const std::filesystem::path& path, TerrainFileOpt
 }
 
 std::string terrain_text(const TerrainGrid& terrain) {
-  std::string text;
+  std::string text = terrain.header.empty() ? "" : terrain.header + '\n';
   for (std::size_t i = 0; i < terrain.values.size(); ++i) {
     append_number(text, terrain.values[i]);
     text += (i + 1) % static_cast<std::size_t>(terrain.columns) == 0 ? '\n' : ',';

@@ -18,6 +18,7 @@ struct TerrainGrid {
   int rows = 0;
   int columns = 0;
   std::vector<double> values;
+  std::string header;  ///< The line that was dropped as such; empty if there was none.
 };
 
 enum class TerrainHeader {

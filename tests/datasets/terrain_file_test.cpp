@@ -59,7 +59,7 @@ TEST(TerrainFile, SaysWhatIsWrongAndWhere) {
 }
 
 TEST(TerrainFile, WritesWhatReadsBack) {
-  const TerrainGrid grid{2, 2, {1.0 / 3.0, -1e-300, 1365.6, 0.0}};
+  const TerrainGrid grid{2, 2, {1.0 / 3.0, -1e-300, 1365.6, 0.0}, {}};
   EXPECT_EQ(grid.values, read(terrain_text(grid)).terrain->values);
 }
 
