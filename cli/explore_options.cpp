@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <tcert/terrain/lipschitz.hpp>
+#include <terrain/lipschitz.hpp>
 
 #include "cli/errors.hpp"
 #include "cli/output.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <string>
-#include <tcert/terrain/explore.hpp>
+#include <terrain/explore.hpp>
 
 #include "cli/options.hpp"
 #include "cli/terrain_config.hpp"

@@ -4,7 +4,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
-#include "datasets/terrain_field.hpp"
+#include "datasets/terrain_field/terrain_field.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -4,7 +4,49 @@ namespace tcert {
 namespace {
 
 [[nodiscard]] TableCell whole(std::size_t value) { return static_cast<std::int64_t>(value); }
-[[nodiscard]] TableCell whole(int value) { return static_cast<std::int64_t>(value); }
+
+/// Missing where there is none.
+[[nodiscard]] TableCell number(const std::optional<double>& value) {
+  TableCell cell;
+  if (value) {
+    cell = Number{*value};
+  }
+  return cell;
+}
+[[nodiscard]] TableCell whole(const std::optional<int>& value) {
+  TableCell cell;
+  if (value) {
+    cell = static_cast<std::int64_t>(*value);
+  }
+  return cell;
+}
+
+[[nodiscard]] std::vector<TableCell> row_of(const terrain::ExploreStep& s) {
+  std::optional<int> next_x;
+  std::optional<int> next_y;
+  std::optional<double> width;
+  if (s.next) {
+    next_x = s.next->x;
+    next_y = s.next->y;
+    width = s.upper - s.lower;
+  }
+  std::vector<TableCell> cells;
+  cells.push_back(whole(std::optional(s.step)));
+  cells.push_back(number(s.at.x()));
+  cells.push_back(number(s.at.y()));
+  cells.push_back(number(s.value));
+  cells.push_back(whole(s.safe));
+  cells.push_back(whole(s.expanders));
+  cells.push_back(whole(next_x));
+  cells.push_back(whole(next_y));
+  cells.push_back(number(width));
+  cells.push_back(number(s.certificate));
+  cells.push_back(number(s.lipschitz));
+  cells.push_back(number(s.travelled));
+  cells.push_back(whole(s.unsafe_certified));
+  cells.push_back(whole(s.unsafe_visits));
+  return cells;
+}
 
 }  // namespace
 
@@ -39,20 +81,7 @@ Table explore_table(const terrain::ExploreResult& result,
         {doc.name, doc.name, doc.unit, number ? ColumnKind::number : ColumnKind::integer});
   }
   for (const terrain::ExploreStep& s : result.steps) {
-    table.add_row({whole(s.step),
-                   Number{s.at.x()},
-                   Number{s.at.y()},
-                   Number{s.value},
-                   whole(s.safe),
-                   whole(s.expanders),
-                   s.next ? whole(s.next->x) : TableCell{},
-                   s.next ? whole(s.next->y) : TableCell{},
-                   s.next ? TableCell{Number{s.upper - s.lower}} : TableCell{},
-                   s.certificate ? TableCell{Number{*s.certificate}} : TableCell{},
-                   Number{s.lipschitz},
-                   Number{s.travelled},
-                   whole(s.unsafe_certified),
-                   whole(s.unsafe_visits)});
+    table.add_row(row_of(s));
   }
   return table;
 }
@@ -65,7 +94,7 @@ Table path_table(const terrain::ExploreResult& result,
   table.synthetic = synthetic;
   table.columns = {{"x", "x", "cell", ColumnKind::number}, {"y", "y", "cell", ColumnKind::number}};
   for (const terrain::Position& p : result.path) {
-    table.add_row({Number{p.x()}, Number{p.y()}});
+    table.add_row({number(p.x()), number(p.y())});
   }
   return table;
 }

@@ -4,7 +4,7 @@
 
 #include <optional>
 #include <string>
-#include <tcert/terrain/explore.hpp>
+#include <terrain/explore.hpp>
 
 #include "reports/column_doc.hpp"
 #include "reports/table.hpp"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <tcert/terrain/power_cell.hpp>
-#include <tcert/terrain/triangle_map.hpp>
+#include <terrain/power_cell.hpp>
+#include <terrain/triangle_map.hpp>
 
 #include "terrain/vectors.hpp"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <tcert/terrain/planner.hpp>
+#include <terrain/planner.hpp>
 
 #include "datasets/terrain_file.hpp"
 #include "terrain/vectors.hpp"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <tcert/terrain/disc_growth.hpp>
-#include <tcert/terrain/distance_transform.hpp>
+#include <terrain/disc_growth.hpp>
+#include <terrain/distance_transform.hpp>
 
 namespace tcert::terrain {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <random>
-#include <tcert/terrain/separable_gp.hpp>
+#include <terrain/separable_gp.hpp>
 
 namespace tcert::terrain {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <tcert/terrain/planner.hpp>
+#include <terrain/planner.hpp>
 
 #include "terrain/vectors.hpp"
 

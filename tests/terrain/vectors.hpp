@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <tcert/terrain/grid.hpp>
+#include <terrain/grid.hpp>
 #include <vector>
 
 #include "datasets/bytes.hpp"

@@ -1,7 +1,7 @@
 #include "terrain_study/scenarios.hpp"
 
 #include <algorithm>
-#include <tcert/terrain/lipschitz.hpp>
+#include <terrain/lipschitz.hpp>
 
 #include "datasets/random.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <tcert/terrain/explore.hpp>
+#include <terrain/explore.hpp>
 #include <vector>
 
 namespace tcert::terrain::study {

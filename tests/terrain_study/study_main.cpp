@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <tcert/terrain/lipschitz.hpp>
+#include <terrain/lipschitz.hpp>
 #include <vector>
 
 #include "datasets/terrain_file.hpp"
