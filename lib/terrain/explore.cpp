@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 #include <terrain/components.hpp>
+#include <terrain/controller.hpp>
 #include <terrain/explore.hpp>
 #include <terrain/lipschitz.hpp>
 #include <terrain/projection.hpp>
@@ -201,6 +202,9 @@ class Run {
   }
 
   void go(Cell to) {
+    if (setup_.motion == Motion::reactive) {
+      react(to);
+    }
     const Cell from = nearest_cell(robot_);
     std::vector<Cell> route;
     if (setup_.motion != Motion::jump) {
@@ -218,6 +222,30 @@ class Run {
     }
     travelled_ += route_length(route);
     robot_ = position(to);
+  }
+
+  /// As far as the controller brings the robot; a route does the rest.
+  void react(Cell to) {
+    ControllerOptions options;
+    options.robot_radius = setup_.robot_radius;
+    options.simplification = setup_.simplification;
+    const ReactiveWay way =
+        reactive_way(terrain_.grid, planner_.ground(), robot_, position(to), options);
+    Cell before = nearest_cell(robot_);
+    for (std::size_t k = 1; k < way.path.size(); ++k) {
+      const Cell c = nearest_cell(way.path[k]);
+      travelled_ += (way.path[k] - way.path[k - 1]).norm();
+      if (!(c == before)) {
+        visit(c);
+        before = c;
+      }
+      result_.path.push_back(way.path[k]);
+    }
+    const double rest = (way.path.back() - position(to)).norm();
+    if (rest > 2.0 * (setup_.robot_radius + setup_.simplification)) {
+      ++result_.controller_fallbacks;
+    }
+    robot_ = position(before);
   }
 
   void note_frontier() {
