@@ -94,13 +94,18 @@ class Simplifier {
     keep_[a] = keep_[b] = 1;
     between(a, b);
     between(b, a + ring_.size());
-    std::vector<Cell> kept;
+    std::vector<std::size_t> kept;
     for (std::size_t k = 0; k < ring_.size(); ++k) {
       if (keep_[k] != 0) {
-        kept.push_back(ring_[k]);
+        kept.push_back(k);
       }
     }
-    return kept.size() < 3 ? ring_ : kept;
+    drop_needless(kept);
+    std::vector<Cell> corners;
+    for (const std::size_t k : kept) {
+      corners.push_back(ring_[k]);
+    }
+    return corners.size() < 3 ? ring_ : corners;
   }
 
  private:
@@ -111,31 +116,53 @@ class Simplifier {
     while (!open.empty()) {
       const auto [from, to] = open.back();
       open.pop_back();
-      if (to - from < 2) {
+      if (to - from < 2 || may_cut(from, to)) {
         continue;
       }
       std::size_t farthest = from + 1;
-      double most = -1.0;
-      bool chord_inside = true;
-      const double length = distance(at(from), at(to));
       for (std::size_t k = from + 1; k < to; ++k) {
-        const auto side = static_cast<double>(cross(at(from), at(to), at(k)));
-        const double off = length > 0.0 ? std::abs(side) / length : distance(at(from), at(k));
-        // The ground lies to the left, so what is cut off must lie to the right.
-        chord_inside = chord_inside && side <= 0.0;
-        if (off > most) {
-          most = off;
+        if (off(from, to, k) > off(from, to, farthest)) {
           farthest = k;
         }
-      }
-      if (most <= tolerance_ && chord_inside && length > 0.0 &&
-          runs_within(grid_, ground_, at(from), at(to))) {
-        continue;
       }
       keep_[farthest % ring_.size()] = 1;
       open.emplace_back(from, farthest);
       open.emplace_back(farthest, to);
     }
+  }
+
+  /// Splitting at the farthest corner keeps the steps of a staircase: what the rules allow to go, goes.
+  void drop_needless(std::vector<std::size_t>& kept) const {
+    for (bool dropped = true; dropped && kept.size() > 3;) {
+      dropped = false;
+      for (std::size_t k = 0; k < kept.size() && kept.size() > 3; ++k) {
+        const std::size_t from = kept[(k + kept.size() - 1) % kept.size()];
+        std::size_t to = kept[(k + 1) % kept.size()];
+        to += to <= from ? ring_.size() : 0;
+        if (may_cut(from, to)) {
+          kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
+          dropped = true;
+        }
+      }
+    }
+  }
+
+  /// Distance of corner k from the chord.
+  [[nodiscard]] double off(std::size_t from, std::size_t to, std::size_t k) const {
+    const double length = distance(at(from), at(to));
+    return length > 0.0
+               ? std::abs(static_cast<double>(cross(at(from), at(to), at(k)))) / length
+               : distance(at(from), at(k));
+  }
+
+  /// The ground lies to the left of the ring, so what a chord cuts off must lie to its right.
+  [[nodiscard]] bool may_cut(std::size_t from, std::size_t to) const {
+    for (std::size_t k = from + 1; k < to; ++k) {
+      if (cross(at(from), at(to), at(k)) > 0 || off(from, to, k) > tolerance_) {
+        return false;
+      }
+    }
+    return !(at(from) == at(to)) && runs_within(grid_, ground_, at(from), at(to));
   }
 
   const Grid& grid_;

@@ -58,11 +58,11 @@ bool within_outlines(const std::vector<Outline>& parts, double px, double py) {
 
 TEST(Outlines, HoldExactlyTheSquaresOfGround) {
   std::mt19937 random(17);
+  std::size_t holes = 0;
   for (int run = 0; run < 60; ++run) {
     const Grid grid{40, 33};
     const CellSet ground = random_ground(grid, random);
     const auto parts = outlines(grid, ground);
-    std::size_t holes = 0;
     for (const Outline& part : parts) {
       EXPECT_GT(doubled_area(part.ring), 0.0);
       holes += part.holes.size();
@@ -73,10 +73,8 @@ TEST(Outlines, HoldExactlyTheSquaresOfGround) {
             << run << " at " << x << ", " << y;
       }
     }
-    if (run == 0) {
-      EXPECT_GT(holes, 0U) << "the test needs holes";
-    }
   }
+  EXPECT_GT(holes, 10U) << "the test needs holes";
 }
 
 TEST(Simplified, NeverLeavesTheGround) {
@@ -138,6 +136,20 @@ TEST(EarClipping, CoversThePolygonOnce) {
   }
 }
 
+/// The map has a pole on an obstacle's border.
+bool near_ring(const Outline& part, const Position& p) {
+  std::vector<std::vector<Cell>> rings = part.holes;
+  rings.push_back(part.ring);
+  for (const auto& ring : rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      if (distance_to_segment(p, position(ring[k]), position(ring[(k + 1) % ring.size()])) < 0.5) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 TEST(ObstacleMap, HasTheJacobianOfItsDifferences) {
   std::mt19937 random(31);
   std::uniform_real_distribution<double> x(0.0, 59.0);
@@ -151,9 +163,7 @@ TEST(ObstacleMap, HasTheJacobianOfItsDifferences) {
       const ObstacleMap map(pseudo_obstacles(part), MapParameters{});
       for (int k = 0; k < 40; ++k) {
         const Position p(x(random), y(random));
-        const Cell c = nearest_cell(p);
-        if (!is_square(grid, ground, static_cast<int>(p.x()), static_cast<int>(p.y())) ||
-            ground[grid.index(c)] == 0) {
+        if (!within_outlines({part}, p.x(), p.y()) || near_ring(part, p)) {
           continue;
         }
         const Mapped m = map.map(p);

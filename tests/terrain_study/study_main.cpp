@@ -5,11 +5,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <terrain/baselines.hpp>
 #include <terrain/lipschitz.hpp>
 #include <vector>
 
 #include "datasets/terrain_file.hpp"
+#include "datasets/random.hpp"
 #include "terrain_study/scenarios.hpp"
+#include "terrain_study/soundness.hpp"
 
 namespace tcert::terrain::study {
 namespace {
@@ -61,9 +64,76 @@ std::string run(const Terrain& terrain, const Job& job) {
   return line;
 }
 
+/// How often what is held safe is not, on random terrains.
+int soundness_table(int terrains) {
+  std::printf(
+      "told,model_trusted,terrains,with_unsafe_cells,with_unsafe_visits,contradicted,reached,"
+      "not_reachable,limit,mean_samples\n");
+  for (const bool trust : {false, true}) {
+    for (const double factor : {1.0, 0.75, 0.5}) {
+      const Soundness s = soundness(static_cast<std::size_t>(terrains), factor, trust, 1);
+      std::printf("%.2f,%d,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%.1f\n",
+                  factor,
+                  trust ? 1 : 0,
+                  s.terrains,
+                  s.with_unsafe_cells,
+                  s.with_unsafe_visits,
+                  s.contradicted,
+                  s.reached,
+                  s.not_reachable,
+                  s.limit,
+                  s.mean_samples);
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+}
+
+/// Table 4.1 with numbers: the baselines on the scenarios with a goal.
+void baseline_table(const Terrain& terrain, int seeds) {
+  std::printf("scenario,method,seed,reached,unsafe_visits,samples,plans,length,plan_s\n");
+  for (const Scenario& s : scenarios()) {
+    if (!s.goal || s.reuse) {
+      continue;
+    }
+    const auto print = [&](const char* name, int seed, const BaselineResult& r, double seconds) {
+      std::printf("%s,%s,%d,%d,%zu,%zu,%zu,%.1f,%.4f\n",
+                  s.name.c_str(),
+                  name,
+                  seed,
+                  r.reached ? 1 : 0,
+                  r.unsafe_visits,
+                  r.samples,
+                  r.plans,
+                  r.length,
+                  seconds / static_cast<double>(r.plans));
+      std::fflush(stdout);
+    };
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    auto begin = now();
+    const BaselineResult walk = straight_walk(terrain, {}, s.threshold, s.start, *s.goal);
+    print("straight walk", 0, walk, std::chrono::duration<double>(now() - begin).count());
+    for (int seed = 0; seed < seeds; ++seed) {
+      RandomStream random(static_cast<std::uint64_t>(seed), 0x7e44bc, 0);
+      SparseRrtOptions options;
+      options.prior.mean = s.threshold;
+      begin = now();
+      const BaselineResult rrt = sparse_rrt_walk(
+          terrain, s.threshold, s.start, *s.goal, options, [&] { return random.uniform(); });
+      print("sparse GP, RRT*", seed, rrt, std::chrono::duration<double>(now() - begin).count());
+    }
+  }
+}
+
 int main_of(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "soundness") {
+    return soundness_table(argc > 2 ? std::atoi(argv[2]) : 1000);
+  }
   if (argc < 4) {
-    std::fprintf(stderr, "usage: terrain_study TERRAIN SCENARIO|all VARIANT|all [SEEDS]\n");
+    std::fprintf(stderr,
+                 "usage: terrain_study TERRAIN SCENARIO|all VARIANT|all [SEEDS]\n"
+                 "       terrain_study TERRAIN baselines all [SEEDS]\n"
+                 "       terrain_study soundness [TERRAINS]\n");
     return 2;
   }
   const std::string wanted_scenario = argv[2];
@@ -78,6 +148,10 @@ int main_of(int argc, char** argv) {
   }
   const Terrain terrain{{file.terrain->rows, file.terrain->columns},
                         std::move(file.terrain->values)};
+  if (wanted_scenario == "baselines") {
+    baseline_table(terrain, seeds);
+    return 0;
+  }
   const double lipschitz = lipschitz_bound(terrain.grid, terrain.values);
   std::fprintf(stderr, "Lipschitz bound %.3f\n", lipschitz);
   std::vector<Job> jobs;
@@ -91,6 +165,9 @@ int main_of(int argc, char** argv) {
     Variant adaptive = ahead;
     adaptive.name = "certified, look-ahead, adaptive";
     adaptive.adaptive.on = true;
+    Variant reactive = certified(s.threshold, lipschitz, terrain.at(s.start));
+    reactive.name = "certified, reactive";
+    reactive.motion = Motion::reactive;
     Variant published_adaptive = published(s.threshold);
     published_adaptive.name = "published, adaptive";
     published_adaptive.adaptive.on = true;
@@ -101,6 +178,7 @@ int main_of(int argc, char** argv) {
                              ahead,
                              trusting,
                              adaptive,
+                             reactive,
                              published_adaptive}) {
       for (int seed = 0; seed < seeds; ++seed) {
         const bool one = !v.batch && seed > 0;  // nothing is drawn
