@@ -146,7 +146,12 @@ int run(Arguments arguments) {
     folder->write("series.csv", render(explore_table(result, label), TableFormat::csv));
     folder->write("path.csv", render(path_table(result, label), TableFormat::csv));
     int number = 0;
-    for (const ExploreFrame& frame : frames.evenly(static_cast<std::size_t>(options.frames))) {
+    std::vector<ExploreFrame> chosen = frames.evenly(static_cast<std::size_t>(options.frames));
+    if (!chosen.empty()) {
+      chosen.back().robot = result.path.back();
+      chosen.back().path_points = result.path.size();
+    }
+    for (const ExploreFrame& frame : chosen) {
       folder->write(
           fmt::format("frame_{}.svg", ++number),
           explore_picture(

@@ -109,6 +109,11 @@ ReactiveWay reactive_way(const Grid& grid,
     }
     x += step;
     way.path.push_back(x);
+    // Going to and fro is standing still too.
+    const std::size_t frames = options.standstill_frames;
+    if (way.path.size() > frames && (x - way.path[way.path.size() - 1 - frames]).norm() < 1.0) {
+      return way;
+    }
   }
   return way;
 }

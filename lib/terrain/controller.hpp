@@ -13,6 +13,7 @@ struct ControllerOptions {
   double gain = 0.2;            ///< Of a frame.
   double longest_step = 2.5;    ///< Cells a frame.
   double standstill = 0.1;      ///< |u| below this is an equilibrium.
+  std::size_t standstill_frames = 20;  ///< So is coming no further than a cell in so many frames.
   int most_frames = 2000;
 };
 

@@ -162,6 +162,8 @@ class Run {
     if (setup_.goal && ground[terrain_.grid.index(*setup_.goal)] != 0 && joined(ground, here) &&
         deep_enough(step)) {
       go(*setup_.goal);
+      result_.steps.back().travelled = travelled_;
+      result_.steps.back().unsafe_visits = unsafe_visits_;
       return End::reached;
     }
     if (!planner_.last_plan().next) {
@@ -214,8 +216,8 @@ class Run {
       route = {from, to};
     }
     for (std::size_t k = 1; k < route.size(); ++k) {
-      const bool last = k + 1 == route.size();
-      if (!last) {
+      // The end is visited by the measurement there, if there is one.
+      if (k + 1 < route.size() || to == setup_.goal) {
         visit(route[k]);
       }
       result_.path.push_back(position(route[k]));

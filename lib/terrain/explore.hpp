@@ -64,7 +64,8 @@ enum class End {
 
 [[nodiscard]] std::string_view to_string(End end) noexcept;
 
-/// State after a measurement and the planning that followed. Row 0 is after the first batch.
+/// State after a measurement and the planning that followed. Row 0 is after the first batch; of the
+/// last one `travelled` and `unsafe_visits` include the way to the goal.
 struct ExploreStep {
   int step = 0;
   Position at{0.0, 0.0};  ///< Where the measurement was taken.

@@ -168,6 +168,9 @@ int main_of(int argc, char** argv) {
     Variant reactive = certified(s.threshold, lipschitz, terrain.at(s.start));
     reactive.name = "certified, reactive";
     reactive.motion = Motion::reactive;
+    Variant batched = certified(s.threshold, lipschitz, terrain.at(s.start));
+    batched.name = "certified, published batch";
+    batched.batch = true;
     Variant published_adaptive = published(s.threshold);
     published_adaptive.name = "published, adaptive";
     published_adaptive.adaptive.on = true;
@@ -179,6 +182,7 @@ int main_of(int argc, char** argv) {
                              trusting,
                              adaptive,
                              reactive,
+                             batched,
                              published_adaptive}) {
       for (int seed = 0; seed < seeds; ++seed) {
         const bool one = !v.batch && seed > 0;  // nothing is drawn
