@@ -17,8 +17,11 @@ namespace {
   return values;
 }
 
-/// Orthonormal directions that hold every factor of the axis to rounding: eigenvectors of its Gram
-/// matrix down to 1e-17 of the largest eigenvalue.
+/// Eigenvalues below this share of the largest are the solver's rounding. A factor's part along an
+/// eigenvector is at most the eigenvalue, so what is left out is rounding too.
+constexpr double kRounding = 2e-15;
+
+/// Orthonormal directions that hold every factor of the axis: eigenvectors of its Gram matrix.
 [[nodiscard]] Eigen::MatrixXd basis(int count, double length_scale) {
   Eigen::MatrixXd gram(count, count);
   for (int j = 0; j < count; ++j) {
@@ -27,7 +30,7 @@ namespace {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
   const Eigen::VectorXd& values = solver.eigenvalues();  // ascending
   int kept = 0;
-  while (kept < count && values(count - 1 - kept) > 1e-17 * values(count - 1)) {
+  while (kept < count && values(count - 1 - kept) > kRounding * values(count - 1)) {
     ++kept;
   }
   return solver.eigenvectors().rightCols(kept);
