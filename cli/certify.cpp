@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "cli/certify_run.hpp"
+#include "cli/certify_truth.hpp"
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
@@ -32,6 +33,7 @@ struct CertifyOptions {
   bool ticks = false;
   bool no_series = false;
   bool ray_margins = false;
+  bool truth = false;
   std::string bundle;
 };
 
@@ -49,18 +51,46 @@ CommandLine command_line(CertifyOptions& o) {
       "no-series", po::bool_switch(&o.no_series), "leave DIR/series out, to save space")(
       "ray-margins",
       po::bool_switch(&o.ray_margins),
-      "one more column a ray in the series: its own margin");
+      "one more column a ray in the series: its own margin")(
+      "truth",
+      po::bool_switch(&o.truth),
+      "two more columns in the features: T of each trial's known world, at least and at most "
+      "(truth_lower_m, truth_upper_m); failed trials with a certificate are listed");
   return line;
 }
 
-int certify_to_stdout(const OpenedBundle& opened, const CommonOptions& common) {
+/// Keeps the failed trials for say_issued_failures, if truth was asked for.
+class Failures {
+ public:
+  explicit Failures(bool wanted) : wanted_(wanted) {}
+
+  void add(TrialRecord&& trial) {
+    if (wanted_ && !trial.row.trial.success.value_or(true)) {
+      trials_.push_back(std::move(trial));
+    }
+  }
+  void say() const {
+    if (wanted_) {
+      say_issued_failures(trials_);
+    }
+  }
+
+ private:
+  bool wanted_;
+  std::vector<TrialRecord> trials_;
+};
+
+int certify_to_stdout(const OpenedBundle& opened, const CommonOptions& common, bool truth) {
+  Failures failures(truth);
   Table table = features_table(opened.bundle);
   const CertifySummary summary =
       certify_trials(opened, common, nullptr, {}, [&](TrialRecord&& trial) {
         table.add_row(features_row(trial));
+        failures.add(std::move(trial));
       });
   table.n = static_cast<std::int64_t>(summary.trials);
   print(render(table, common.table_format()));
+  failures.say();
   return report(summary, opened, common);
 }
 
@@ -73,15 +103,24 @@ int run(Arguments arguments) {
   if (common.output.empty() && (options.ticks || options.no_series || options.ray_margins)) {
     throw UsageError("--ticks, --no-series and --ray-margins need --output");
   }
-  const OpenedBundle opened = open_for(options.bundle, common);
+  OpenedBundle opened = open_for(options.bundle, common);
+  if (options.truth) {
+    add_truth(opened, common);
+  }
   if (common.output.empty()) {
-    return certify_to_stdout(opened, common);
+    return certify_to_stdout(opened, common, options.truth);
   }
   require_apart(options.bundle, common.output);
   ResultFolder folder(common.output, "certify");
-  const CertifySummary summary = certify_trials(
-      opened, common, &folder, {!options.no_series, options.ticks, options.ray_margins}, {});
+  Failures failures(options.truth);
+  const CertifySummary summary =
+      certify_trials(opened,
+                     common,
+                     &folder,
+                     {!options.no_series, options.ticks, options.ray_margins},
+                     [&](TrialRecord&& trial) { failures.add(std::move(trial)); });
   folder.commit(manifest_of("certify", opened, common, summary));
+  failures.say();
   return report(summary, opened, common);
 }
 

@@ -21,6 +21,7 @@ extern const Command kSimulate;
 extern const Command kImport;
 extern const Command kCheck;
 extern const Command kCertify;
+extern const Command kWorld;
 extern const Command kFit;
 extern const Command kHypotheses;
 extern const Command kAblate;

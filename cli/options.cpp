@@ -168,7 +168,8 @@ Settings effective_options(const po::variables_map& values, const po::options_de
   Settings settings;
   for (const std::string& name : names_of(shown)) {
     if (name == "output" || name == "threads" || name == "quiet" || name == "help" ||
-        name == kConfig || name == kSet || name == "cache" || name == "no-cache") {
+        name == kConfig || name == kSet || name == "cache" || name == "no-cache" ||
+        name == "picture") {
       continue;
     }
     settings.emplace_back(name, values.count(name) != 0 ? as_text(values[name].value()) : "");
@@ -181,7 +182,10 @@ void take_positional(const CommandLine& line, const po::variables_map& values) {
   if (values.count(std::string(kPositional)) != 0) {
     given = values[std::string(kPositional)].as<std::vector<std::string>>();
   }
-  if (given.size() > line.positional.size()) {
+  if (given.size() > line.positional.size() && line.rest != nullptr) {
+    line.rest->assign(given.begin() + static_cast<std::ptrdiff_t>(line.positional.size()),
+                      given.end());
+  } else if (given.size() > line.positional.size()) {
     throw UsageError("unexpected argument '" + given[line.positional.size()] + "'");
   }
   for (std::size_t i = 0; i < line.positional.size(); ++i) {

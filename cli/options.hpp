@@ -63,6 +63,7 @@ struct CommandLine {
   unsigned common = 0;    ///< CommonUse.
   po::options_description own{"Options"};
   std::vector<Positional> positional;
+  std::vector<std::string>* rest = nullptr;  ///< Takes all arguments after those, if not null.
 };
 
 /// Reads flags, then the config file for what the flags leave open. False if help was asked for and

@@ -4,43 +4,15 @@
 /// binomial log-likelihood, over all coefficients or a subspace of them.
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <functional>
 #include <optional>
-#include <string_view>
 
 #include "analysis/logistic/binomial_likelihood.hpp"
+#include "analysis/logistic/newton_ascent.hpp"
 
 namespace tcert {
 
-struct NewtonOptions {
-  int max_iterations = 100;
-  /// Converged when a step is shorter than this, measured in standard errors; that step is still
-  /// taken, and as convergence is quadratic nothing is left beyond rounding.
-  double step_tolerance = 1e-8;
-  int max_halvings = 40;  ///< Of one step that would lower the log-likelihood.
-};
-
-enum class Termination : std::uint8_t {
-  converged,
-  diverging,  ///< The caller's test of divergence said so.
-  iteration_limit,
-  no_ascent,  ///< No step raises the log-likelihood, but the gradient is not 0.
-  singular,   ///< The information cannot be inverted.
-};
-
-/// "converged", "diverging", "iteration limit", "no ascent", "singular information".
-[[nodiscard]] std::string_view to_string(Termination termination) noexcept;
-
-struct NewtonResult {
-  Termination termination = Termination::converged;
-  int iterations = 0;  ///< Steps taken.
-  Eigen::VectorXd coefficients;
-  BinomialLikelihood at;   ///< At `coefficients`.
-  double last_step = 0.0;  ///< Its length in standard errors.
-
-  [[nodiscard]] bool converged() const noexcept { return termination == Termination::converged; }
-};
+using NewtonResult = NewtonAscent<BinomialLikelihood>;
 
 /// A linear predictor beyond this is a fitted probability within 1e-6 of 0 or 1: a sign of
 /// separation, no proof.

@@ -5,20 +5,12 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "analysis/logistic/binomial_newton.hpp"
 #include "analysis/logistic/firth_likelihood.hpp"
+#include "analysis/logistic/newton_ascent.hpp"
 
 namespace tcert {
 
-struct FirthNewtonResult {
-  Termination termination = Termination::converged;
-  int iterations = 0;  ///< Steps taken.
-  Eigen::VectorXd coefficients;
-  FirthLikelihood at;      ///< At `coefficients`.
-  double last_step = 0.0;  ///< Its length in standard errors.
-
-  [[nodiscard]] bool converged() const noexcept { return termination == Termination::converged; }
-};
+using FirthNewtonResult = NewtonAscent<FirthLikelihood>;
 
 /// Maximises from `start` over start + span(`subspace`), or without one over everything. Steps are
 /// Newton's with the exact Hessian; where that is not negative definite, with the information, as

@@ -19,8 +19,15 @@ void expect_refused(const ProcessResult& run, std::string_view suggestion) {
 
 TEST(Usage, EveryCommandHasHelpWithAnExample) {
   Workdir work(TCERT_BINARY);
-  for (const char* command :
-       {"simulate", "import", "check", "certify", "fit", "hypotheses", "reproduce", "live"}) {
+  for (const char* command : {"simulate",
+                              "import",
+                              "check",
+                              "certify",
+                              "world",
+                              "fit",
+                              "hypotheses",
+                              "reproduce",
+                              "live"}) {
     const ProcessResult run = work.run({command, "--help"});
     EXPECT_EQ(run.exit_code, 0) << to_string(run);
     EXPECT_NE(run.out.find("Example:\n  "), std::string::npos) << to_string(run);

@@ -143,7 +143,7 @@ class ConcordanceGolden : public ::testing::Test {
   void SetUp() override {
     golden_ = test_support::golden_values("concordance.json");
     if (golden_.is_null()) {
-      GTEST_SKIP() << "no golden values";
+      GTEST_SKIP() << "no golden values: stats/golden/concordance.json is missing";
     }
   }
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "coverage/gate_study.hpp"
 
 namespace tcert {
@@ -14,7 +12,9 @@ TEST(GateCoverage, SetsOfAFewStudiesCoverTheLargeSamplePoint) {
   options.studies = 16;
   options.replicates = 199;
   const coverage::GateSummary summary = coverage::run_gates(options);
-  EXPECT_LT(std::abs(summary.point_m), 0.025) << "declared at 0, moved by sensor noise";
+  // Declared at 0; the smaller of a few noisy readings on either side moves it. Of 1,000 studies it
+  // is -16.5 mm; the standard error here is about 0.8 mm.
+  EXPECT_NEAR(summary.point_m, -0.0165, 0.004);
   EXPECT_GT(summary.slope_per_m, 40.0);
   EXPECT_LE(summary.separated, 2U);
   ASSERT_EQ(summary.methods.size(), 4U);

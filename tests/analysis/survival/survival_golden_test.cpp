@@ -55,7 +55,7 @@ class SurvivalGolden : public ::testing::Test {
   void SetUp() override {
     golden_ = test_support::golden_values("survfit.json");
     if (golden_.is_null()) {
-      GTEST_SKIP() << "no golden values";
+      GTEST_SKIP() << "no golden values: stats/golden/survfit.json is missing";
     }
   }
 

@@ -1,0 +1,39 @@
+#include "analysis/truth/truth.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "analysis/truth/curvature_value.hpp"
+
+namespace tcert {
+
+ClearanceValue clearance_value(const World& world, double step_m) {
+  return is_disc_field(world) ? exact_disc_clearance(world) : grid_clearance(world, step_m).value;
+}
+
+double truth_upper(const World& world, const Robot& robot, const TruthOptions& options) {
+  return clearance_slack(
+      clearance_value(world, options.step_m).upper_m, robot.body_width_m, options.convention);
+}
+
+Truth truth_of(const World& world, const Robot& robot, const TruthOptions& options) {
+  const auto slack = [&](double clearance_m) {
+    return clearance_slack(clearance_m, robot.body_width_m, options.convention);
+  };
+  Truth truth;
+  truth.exact_clearance = is_disc_field(world);
+  truth.clearance = clearance_value(world, options.step_m);
+  truth.upper_m = slack(truth.clearance.upper_m);
+  if (!options.curvature) {
+    truth.lower_m = slack(truth.clearance.lower_m);
+    return truth;
+  }
+  CurvatureOptions search;
+  search.convention = options.convention;
+  CurvatureValue found = curvature_value(world, robot, truth.upper_m, search);
+  truth.lower_m = found.slack_m;
+  truth.path = std::move(found.path);
+  return truth;
+}
+
+}  // namespace tcert

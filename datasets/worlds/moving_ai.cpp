@@ -1,0 +1,146 @@
+#include <charconv>
+#include <string_view>
+
+#include "datasets/worlds/raster_world.hpp"
+#include "datasets/worlds/world_files.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr std::size_t kMostCells = 100'000'000;
+
+/// Lines of a text, counted; without the carriage return.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {}
+
+  [[nodiscard]] bool next() {
+    if (rest_.empty()) {
+      return false;
+    }
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++number;
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    line = line.substr(0, last == std::string_view::npos ? 0 : last + 1);
+    return true;
+  }
+
+  std::string_view line;
+  std::size_t number = 0;
+
+ private:
+  std::string_view rest_;
+};
+
+class Reader {
+ public:
+  Reader(const Bytes& bytes, const std::string& file) : lines_(bytes.view()), file_(file) {}
+
+  [[nodiscard]] bool read(Raster& raster) {
+    return read_header(raster) && read_cells(raster) && read_end(raster);
+  }
+
+  [[nodiscard]] std::vector<Diagnostic> take() { return std::move(problems_); }
+
+ private:
+  bool fail(std::string expectation) {
+    problems_.push_back({Severity::error,
+                         file_,
+                         lines_.number,
+                         "",
+                         shortened(lines_.line),
+                         std::move(expectation),
+                         1});
+    return false;
+  }
+
+  [[nodiscard]] bool read_header(Raster& raster) {
+    while (lines_.next()) {
+      const std::string_view line = lines_.line;
+      if (line == "map" || line == "MapData") {
+        if (raster.columns == 0 || raster.rows == 0) {
+          return fail("height and width, both above 0, before the map");
+        }
+        if (raster.columns > kMostCells / raster.rows) {
+          return fail("at most 100 million cells");
+        }
+        return true;
+      }
+      const std::size_t split = line.find_first_of(" =");
+      const std::string_view key = line.substr(0, split);
+      if (line.empty() || key == "type") {
+        continue;
+      }
+      std::size_t* const value = key == "height" || key == "MapHeight" ? &raster.rows
+                                 : key == "width" || key == "MapWidth" ? &raster.columns
+                                                                       : nullptr;
+      if (value == nullptr || split == std::string_view::npos) {
+        return fail("type, height, width, map, or MapHeight=, MapWidth=, MapData");
+      }
+      const std::string_view digits = line.substr(split + 1);
+      const auto [stop, error] =
+          std::from_chars(digits.data(), digits.data() + digits.size(), *value);
+      if (error != std::errc{} || stop != digits.data() + digits.size()) {
+        return fail("a whole number of cells");
+      }
+    }
+    return fail("a line 'map' or 'MapData' before the cells");
+  }
+
+  [[nodiscard]] bool read_cells(Raster& raster) {
+    for (std::size_t row = 0; row < raster.rows; ++row) {
+      if (!lines_.next()) {
+        return fail(std::to_string(raster.rows) + " rows, as the header says, but there are " +
+                    std::to_string(row));
+      }
+      if (lines_.line.size() != raster.columns) {
+        return fail(std::to_string(raster.columns) + " cells, as the header says, but there are " +
+                    std::to_string(lines_.line.size()));
+      }
+      for (const char cell : lines_.line) {
+        const bool free = cell == '.' || cell == 'G' || cell == 'S';
+        if (!free && std::string_view("@OTW").find(cell) == std::string_view::npos) {
+          return fail("cells of . G S (free) and @ O T W");
+        }
+        raster.occupied.push_back(free ? 0 : 1);
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool read_end(const Raster& raster) {
+    while (lines_.next()) {
+      if (!lines_.line.empty()) {
+        return fail("the end of the file after " + std::to_string(raster.rows) +
+                    " rows, as the header says: one map a file");
+      }
+    }
+    return true;
+  }
+
+  Lines lines_;
+  std::string file_;
+  std::vector<Diagnostic> problems_;
+};
+
+}  // namespace
+
+WorldsResult world_from_moving_ai(const Bytes& bytes,
+                                  const std::string& file,
+                                  const WorldFrame& frame) {
+  WorldsResult result;
+  Reader reader(bytes, file);
+  Raster raster;
+  if (reader.read(raster)) {
+    World world = raster_world(raster, {0.0, 0.0}, frame.cell_m);
+    world.start = frame.start;
+    world.goal = frame.goal;
+    result.worlds.push_back(std::move(world));
+  }
+  result.diagnostics = reader.take();
+  return result;
+}
+
+}  // namespace tcert

@@ -1,0 +1,237 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "datasets/worlds/raster_world.hpp"
+#include "datasets/worlds/world_files.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr std::size_t kMostCells = 100'000'000;
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::string_view unquoted(std::string_view text) {
+  if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
+      text.back() == text.front()) {
+    return text.substr(1, text.size() - 2);
+  }
+  return text;
+}
+
+std::optional<double> number_of(std::string_view text) {
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && stop == text.data() + text.size();
+  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// "[x, y, yaw]" with yaw 0.
+bool read_origin(std::string_view text, Point& origin) {
+  if (text.size() < 2 || text.front() != '[' || text.back() != ']') {
+    return false;
+  }
+  text = text.substr(1, text.size() - 2);
+  std::array<double, 3> values{};
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::size_t comma = k + 1 < values.size() ? text.find(',') : text.size();
+    if (comma == std::string_view::npos) {
+      return false;
+    }
+    const auto value = number_of(trimmed(text.substr(0, comma)));
+    if (!value) {
+      return false;
+    }
+    values[k] = *value;
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  origin = {values[0], values[1]};
+  return values[2] == 0.0;
+}
+
+/// What was expected of the value, or null if it is fine.
+const char* read_key(std::string_view key, std::string_view value, RosMap& map) {
+  const auto number = number_of(value);
+  if (key == "image") {
+    map.image = std::string(unquoted(value));
+    return map.image.empty() ? "the name of an image" : nullptr;
+  }
+  if (key == "resolution") {
+    map.resolution_m = number.value_or(0.0);
+    return map.resolution_m > 0.0 ? nullptr : "metres a cell, above 0";
+  }
+  if (key == "origin") {
+    return read_origin(value, map.origin) ? nullptr : "[x, y, 0]: maps are not turned";
+  }
+  if (key == "negate") {
+    map.negate = value == "1" || value == "true";
+    return map.negate || value == "0" || value == "false" ? nullptr : "0 or 1";
+  }
+  if (key == "occupied_thresh" || key == "free_thresh") {
+    (key == "free_thresh" ? map.free_threshold : map.occupied_threshold) = number.value_or(-1.0);
+    return number && *number >= 0.0 && *number <= 1.0 ? nullptr : "a number from 0 to 1";
+  }
+  if (key == "mode") {
+    return value == "trinary" ? nullptr : "trinary, the only mode with free and occupied";
+  }
+  return "image, resolution, origin, negate, occupied_thresh, free_thresh or mode";
+}
+
+/// Header fields and plain pixels of a PGM: whole numbers between blanks and # comments.
+class PgmText {
+ public:
+  explicit PgmText(std::string_view text) : text_(text) {}
+
+  [[nodiscard]] std::optional<std::size_t> number() {
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else if (c == ' ' || c == '\t' || c == '\r' || c == '\n') {
+        ++at_;
+      } else {
+        break;
+      }
+    }
+    std::size_t value = 0;
+    const auto [stop, error] =
+        std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+    if (error != std::errc{}) {
+      return std::nullopt;
+    }
+    at_ = static_cast<std::size_t>(stop - text_.data());
+    return value;
+  }
+
+  [[nodiscard]] std::string_view rest() const { return text_.substr(std::min(at_, text_.size())); }
+  void skip(std::size_t bytes) { at_ += bytes; }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+struct Pgm {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  std::size_t most = 0;
+  std::vector<std::uint16_t> pixels;
+};
+
+/// Empty iff the image was read; else what was expected.
+std::string read_pgm(std::string_view text, Pgm& image) {
+  const bool plain = text.substr(0, 2) == "P2";
+  if (!plain && text.substr(0, 2) != "P5") {
+    return "a PGM image: P2 or P5";
+  }
+  PgmText fields(text.substr(2));
+  for (std::size_t* const field : {&image.columns, &image.rows, &image.most}) {
+    const auto value = fields.number();
+    if (!value || *value == 0) {
+      return "width, height and largest value, all above 0";
+    }
+    *field = *value;
+  }
+  if (image.most > 65535 || image.columns > kMostCells / image.rows) {
+    return "at most 100 million pixels of at most 65535";
+  }
+  const std::size_t count = image.columns * image.rows;
+  const std::string wanted = std::to_string(image.columns) + " x " + std::to_string(image.rows) +
+                             " pixels, as the header says";
+  if (plain) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto value = fields.number();
+      if (!value || *value > image.most) {
+        return wanted + ", but pixel " + std::to_string(i) + " is missing or too large";
+      }
+      image.pixels.push_back(static_cast<std::uint16_t>(*value));
+    }
+    if (fields.number() || !trimmed(fields.rest()).empty()) {
+      return wanted + ", and then the end of the file: one map a file";
+    }
+    return {};
+  }
+  fields.skip(1);
+  const std::string_view raw = fields.rest();
+  const std::size_t width = image.most > 255 ? 2 : 1;
+  if (raw.size() != count * width) {
+    return wanted + " in " + std::to_string(count * width) + " bytes, but there are " +
+           std::to_string(raw.size());
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto high = static_cast<unsigned char>(raw[i * width]);
+    const unsigned value =
+        width == 1 ? high : high * 256U + static_cast<unsigned char>(raw[i * width + 1]);
+    if (value > image.most) {
+      return wanted + ", but pixel " + std::to_string(i) + " is too large";
+    }
+    image.pixels.push_back(static_cast<std::uint16_t>(value));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<RosMap> read_ros_yaml(const Bytes& bytes,
+                                    const std::string& file,
+                                    std::vector<Diagnostic>& diagnostics) {
+  RosMap map;
+  std::string_view text = bytes.view();
+  bool good = true;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    line = trimmed(line.substr(0, std::min(line.find('#'), line.size())));
+    if (line.empty() || line == "---") {
+      continue;
+    }
+    const std::size_t colon = std::min(line.find(':'), line.size());
+    const std::string_view key = trimmed(line.substr(0, colon));
+    const std::string_view value = trimmed(line.substr(std::min(colon + 1, line.size())));
+    if (const char* const expected = read_key(key, value, map)) {
+      diagnostics.push_back(
+          {Severity::error, file, number, shortened(key), shortened(value), expected, 1});
+      good = false;
+    }
+  }
+  if (good && (map.image.empty() || !(map.resolution_m > 0.0))) {
+    diagnostics.push_back({Severity::error, file, 0, "", "", "image and resolution", 1});
+    good = false;
+  }
+  return good ? std::optional(map) : std::nullopt;
+}
+
+WorldsResult world_from_pgm(const Bytes& bytes,
+                            const std::string& file,
+                            const RosMap& map,
+                            const WorldFrame& frame) {
+  WorldsResult result;
+  Pgm image;
+  const std::string expected = read_pgm(bytes.view(), image);
+  if (!expected.empty()) {
+    result.diagnostics.push_back({Severity::error, file, 0, "", "", expected, 1});
+    return result;
+  }
+  Raster raster{image.columns, image.rows, {}};
+  for (const std::uint16_t pixel : image.pixels) {
+    const double share = static_cast<double>(pixel) / static_cast<double>(image.most);
+    const double occupancy = map.negate ? share : 1.0 - share;
+    raster.occupied.push_back(occupancy < map.free_threshold ? 0 : 1);
+  }
+  World world = raster_world(raster, map.origin, map.resolution_m);
+  world.start = frame.start;
+  world.goal = frame.goal;
+  result.worlds.push_back(std::move(world));
+  return result;
+}
+
+}  // namespace tcert

@@ -1,0 +1,219 @@
+#include "datasets/worlds/world_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "datasets/worlds/region_distance.hpp"
+#include "datasets/worlds/world_problems.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace tcert {
+namespace {
+
+using test_support::TemporaryFolder;
+
+WorldFrame frame() {
+  WorldFrame frame;
+  frame.start = Disc{{0.5, 0.5}, 0.2};
+  frame.goal = Disc{{3.5, 0.5}, 0.2};
+  return frame;
+}
+
+/// The only diagnostic of a file that is refused.
+std::string refusal(const WorldsResult& result) {
+  if (!result.worlds.empty() || result.diagnostics.size() != 1) {
+    return "worlds: " + std::to_string(result.worlds.size()) +
+           ", diagnostics: " + std::to_string(result.diagnostics.size());
+  }
+  return to_string(result.diagnostics.front());
+}
+
+std::string refused_map(std::string_view text) {
+  return refusal(world_from_moving_ai(Bytes::copy_of(text), "m.map", frame()));
+}
+
+#define EXPECT_HAS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+TEST(WorldFiles, OneJsonOrManyInOneFile) {
+  TemporaryFolder folder;
+  World world;
+  world.bounds = {{0.0, 0.0}, {4.0, 1.0}};
+  world.start = frame().start;
+  world.goal = frame().goal;
+  world.obstacles.emplace_back(Disc{{2.0, 0.5}, 0.1});
+  world.name = "one";
+  const std::string one = to_json(world);
+  world.name = "two";
+  const std::string two = to_json(world);
+  EXPECT_EQ(read_worlds(folder.write("a.json", one)).worlds.size(), 1U);
+  for (const auto& [name, text] : {std::pair<const char*, std::string>{"b.jsonl", one + "\n" + two},
+                                   {"c.json", "[" + one + "," + two + "]"}}) {
+    const WorldsResult read = read_worlds(folder.write(name, text));
+    ASSERT_EQ(read.worlds.size(), 2U) << name;
+    EXPECT_EQ(read.worlds[1].name, "two");
+    EXPECT_TRUE(read.diagnostics.empty());
+  }
+  const WorldsResult twice = read_worlds(folder.write("d.jsonl", one + one));
+  EXPECT_EQ(twice.worlds.size(), 1U);
+  ASSERT_EQ(twice.diagnostics.size(), 1U);
+  EXPECT_HAS(to_string(twice.diagnostics.front()), "'one' a name of its own");
+  const WorldsResult mixed = read_worlds(folder.write("e.jsonl", "{\"format\": 1}\n" + two));
+  EXPECT_EQ(mixed.worlds.size(), 1U);
+  ASSERT_EQ(mixed.diagnostics.size(), 1U);
+  EXPECT_HAS(to_string(mixed.diagnostics.front()), "e.jsonl:1: error");
+}
+
+TEST(WorldFiles, DiscsByWorldWithTheirLines) {
+  const WorldsResult read = worlds_from_disc_csv(
+      Bytes::copy_of("world,x_m,y_m,radius_m\na,2,0.5,0.1\nb,2,0.1,0.1\na,2,0.9,0.1\nc,2,0,-1\n"),
+      "d.csv",
+      frame());
+  ASSERT_EQ(read.worlds.size(), 2U);
+  EXPECT_EQ(read.worlds[0].name, "a");
+  EXPECT_EQ(read.worlds[0].obstacles.size(), 2U);
+  EXPECT_DOUBLE_EQ(read.worlds[0].bounds.low.x_m, 0.3);  // S ends there
+  ASSERT_EQ(read.diagnostics.size(), 1U);
+  EXPECT_HAS(to_string(read.diagnostics.front()), "d.csv:5: error: column 'radius_m': found '-1'");
+  EXPECT_HAS(to_string(read.diagnostics.front()), "world 'c' is left out");
+}
+
+TEST(WorldFiles, MovingAiMapsOfBothHeaders) {
+  for (const char* const header :
+       {"type octile\nheight 2\nwidth 4\nmap\n", "MapWidth=4\nMapHeight=2\nMapData \n"}) {
+    const WorldsResult read = world_from_moving_ai(
+        Bytes::copy_of(std::string(header) + "@@.@\n....\n"), "m.map", frame());
+    ASSERT_EQ(read.worlds.size(), 1U) << refusal(read);
+    const World& world = read.worlds.front();
+    EXPECT_EQ(world.bounds.high, (Point{4.0, 2.0}));
+    ASSERT_EQ(world.obstacles.size(), 2U);  // the first row lies at high y
+    EXPECT_EQ(region_distance(world.obstacles[0], {1.0, 1.5}), 0.0);
+    EXPECT_EQ(region_distance(world.obstacles[1], {3.5, 1.5}), 0.0);
+  }
+}
+
+TEST(WorldFiles, MapsWhoseHeaderLies) {
+  const std::string head = "type octile\nheight 2\nwidth 4\nmap\n";
+  EXPECT_HAS(refused_map(head + "....\n"), "2 rows, as the header says, but there are 1");
+  EXPECT_HAS(refused_map(head + "....\n...\n"), "m.map:6: error");
+  EXPECT_HAS(refused_map(head + "....\n.x..\n"), "cells of . G S");
+  const std::string map = head + "....\n....\n";
+  EXPECT_HAS(refused_map(map + map), "one map a file");
+  EXPECT_HAS(refused_map("type octile\nheight 0\nwidth 4\nmap\n"), "above 0");
+  EXPECT_HAS(refused_map("height 99999999999\nwidth 99999999999\nmap\n"), "100 million");
+  EXPECT_HAS(refused_map(""), "'map' or 'MapData'");
+}
+
+RosMap ros_map(bool negate = false) {
+  RosMap map;
+  map.image = "m.pgm";
+  map.resolution_m = 0.5;
+  map.origin = {-1.0, 2.0};
+  map.negate = negate;
+  return map;
+}
+
+TEST(WorldFiles, RosMapsPlainAndRaw) {
+  const std::string raw("P5\n# a comment\n3 1\n255\n\xfe\xcd\x00", 26);
+  for (const std::string& text : {std::string("P2\n3 1 # wide\n255\n254 205 0\n"), raw}) {
+    const WorldsResult read = world_from_pgm(Bytes::copy_of(text), "m.pgm", ros_map(), frame());
+    ASSERT_EQ(read.worlds.size(), 1U) << refusal(read);
+    const World& world = read.worlds.front();
+    EXPECT_EQ(world.bounds.low, (Point{-1.0, 2.0}));
+    EXPECT_EQ(world.bounds.high, (Point{0.5, 2.5}));
+    ASSERT_EQ(world.obstacles.size(), 1U);  // unknown (205) and occupied, side by side
+    const Extent extent = extent_of(world.obstacles.front());
+    EXPECT_EQ(extent.low, (Point{-0.5, 2.0}));
+    EXPECT_EQ(extent.high, (Point{0.5, 2.5}));
+  }
+  const WorldsResult negated =
+      world_from_pgm(Bytes::copy_of("P2 2 1 255 255 0"), "m.pgm", ros_map(true), frame());
+  ASSERT_EQ(negated.worlds.size(), 1U);
+  EXPECT_EQ(extent_of(negated.worlds[0].obstacles.at(0)).low, (Point{-1.0, 2.0}));
+}
+
+TEST(WorldFiles, RosMapsWhoseHeaderLies) {
+  const auto refused = [](std::string_view text) {
+    return refusal(world_from_pgm(Bytes::copy_of(text), "m.pgm", ros_map(), frame()));
+  };
+  EXPECT_HAS(refused("P2 2 2 255 0 0 0"), "pixel 3 is missing");
+  EXPECT_HAS(refused("P2 2 1 255 0 0 0"), "one map a file");
+  EXPECT_HAS(refused("P5 2 1 255\nabc"), "in 2 bytes, but there are 3");
+  EXPECT_HAS(refused("P5 2 1 255\naP5 2 1 255\nab"), "but there are");
+  EXPECT_HAS(refused("P6 2 1 255\nab"), "P2 or P5");
+  EXPECT_HAS(refused("P2 0 1 255\n"), "above 0");
+}
+
+TEST(WorldFiles, RosYamlIsReadStrictly) {
+  std::vector<Diagnostic> problems;
+  const auto map = read_ros_yaml(
+      Bytes::copy_of("image: \"a b.pgm\"\nresolution: 0.05  # m\norigin: [-1.5, 2, 0.0]\n"
+                     "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n"),
+      "m.yaml",
+      problems);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->image, "a b.pgm");
+  EXPECT_EQ(map->origin, (Point{-1.5, 2.0}));
+  EXPECT_EQ(map->free_threshold, 0.25);
+  EXPECT_FALSE(
+      read_ros_yaml(Bytes::copy_of("image: a.pgm\nresolution: 0\norigin: [0, 0, 1]\nnegat: 0\n"),
+                    "m.yaml",
+                    problems));
+  ASSERT_EQ(problems.size(), 3U);
+  EXPECT_HAS(to_string(problems[0]), "m.yaml:2: error: column 'resolution'");
+}
+
+World world() {
+  World result;
+  result.name = "w";
+  result.bounds = {{0.0, 0.0}, {4.0, 2.0}};
+  result.start = Disc{{0.5, 1.0}, 0.2};
+  result.goal = Disc{{3.5, 1.0}, 0.2};
+  result.obstacles.emplace_back(Polygon{{{1.5, 0.0}, {2.5, 0.0}, {2.5, 0.8}, {1.5, 0.8}}});
+  return result;
+}
+
+void expect_problem(const World& bad, std::string_view part) {
+  const std::vector<std::string> problems = world_problems(bad);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_HAS(problems.front(), part);
+}
+
+TEST(WorldProblems, NamesWhatIsWrong) {
+  EXPECT_TRUE(world_problems(world()).empty());
+  World bad = world();
+  bad.obstacles.clear();
+  expect_problem(bad, "world is empty");
+  bad = world();
+  bad.obstacles.emplace_back(Polygon{{{1.0, 1.5}, {2.0, 1.9}, {2.0, 1.5}, {1.0, 1.9}}});
+  expect_problem(bad, "of obstacles[1] crosses");
+  bad = world();
+  bad.goal = Disc{{2.0, 0.4}, 0.1};
+  expect_problem(bad, "a goal free of obstacles, but it touches obstacles[0]");
+  bad = world();
+  bad.start = Disc{{2.0, 0.6}, 0.5};  // the obstacle's corners lie outside of it
+  expect_problem(bad, "a start free of obstacles");
+  bad = world();
+  bad.goal = Disc{{0.6, 1.1}, 0.2};
+  expect_problem(bad, "overlap");
+  bad = world();
+  bad.start = Polygon{{{-0.1, 0.5}, {0.5, 0.5}, {0.5, 1.0}}};
+  expect_problem(bad, "inside the bounds");
+  bad = world();
+  bad.goal.reset();
+  expect_problem(bad, "a goal");
+}
+
+TEST(WorldFiles, ABadWorldIsNamedAndTheOthersGoOn) {
+  TemporaryFolder folder;
+  const auto path = folder.write("w.csv",
+                                 "world,x_m,y_m,radius_m\n"
+                                 "in-start,0.5,0.5,0.1\n"
+                                 "good,2,0.5,0.1\n");
+  const WorldsResult read = read_worlds(path, frame());
+  ASSERT_EQ(read.worlds.size(), 1U);
+  EXPECT_EQ(read.worlds.front().name, "good");
+  ASSERT_EQ(read.diagnostics.size(), 1U);
+  EXPECT_HAS(to_string(read.diagnostics.front()), "of world 'in-start' a start free of obstacles");
+}
+
+}  // namespace
+}  // namespace tcert
