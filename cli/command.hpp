@@ -27,6 +27,7 @@ extern const Command kHypotheses;
 extern const Command kAblate;
 extern const Command kSweep;
 extern const Command kReplay;
+extern const Command kExplore;
 extern const Command kGate;
 extern const Command kReport;
 extern const Command kReproduce;

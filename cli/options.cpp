@@ -333,7 +333,9 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
             .run();
     take_parameters(parsed, common.flag_parameters);
     po::store(parsed, values);
-    if (values.count(std::string(kConfig)) != 0) {
+    // A command may have a --config of its own kind.
+    if ((line.common & (uses_config | uses_parameters)) != 0 &&
+        values.count(std::string(kConfig)) != 0) {
       read_config(values[std::string(kConfig)].as<std::string>(), all, values, common);
     }
     po::notify(values);

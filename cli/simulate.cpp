@@ -4,6 +4,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
+#include "cli/simulate_terrain.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -13,6 +14,7 @@ constexpr std::string_view kText =
 built in, and everything else declared. It tests and shows the tool; it says nothing about a robot.
 
 Usage: tcert simulate --output DIR [options]
+       tcert simulate terrain --output FILE [options]   (see 'tcert simulate terrain --help')
 
 Example:
   tcert simulate --output corpus
@@ -51,6 +53,9 @@ CommandLine command_line(SimulateOptions& o) {
 }
 
 int run(Arguments arguments) {
+  if (!arguments.empty() && arguments.front() == "terrain") {
+    return simulate_terrain(arguments.subspan(1));
+  }
   SimulateOptions options;
   CommonOptions common;
   if (!parse(command_line(options), common, arguments)) {

@@ -1,0 +1,340 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <terrain/components.hpp>
+#include <terrain/controller.hpp>
+#include <terrain/explore.hpp>
+#include <terrain/lipschitz.hpp>
+#include <terrain/projection.hpp>
+#include <terrain/routes.hpp>
+
+namespace tcert::terrain {
+namespace {
+
+constexpr std::array<std::string_view, 3> kMotions{"jump", "route", "reactive"};
+
+[[nodiscard]] std::string text_of(Cell c) {
+  return "(" + std::to_string(c.x) + ", " + std::to_string(c.y) + ")";
+}
+
+class Run {
+ public:
+  Run(const Terrain& terrain, const ExploreSetup& setup, const Observer& observe)
+      : terrain_(terrain),
+        setup_(setup),
+        observe_(observe),
+        planner_(terrain.grid, setup.rules, setup.prior, setup.seeds),
+        robot_(position(setup.start)) {
+    if (!setup.blocked.empty()) {
+      planner_.set_blocked(setup.blocked);
+    }
+    result_.path.push_back(robot_);
+  }
+
+  ExploreResult run() {
+    for (const Measurement& m : setup_.known) {
+      planner_.add(m);
+    }
+    for (const Cell c : setup_.first_cells) {
+      planner_.add({position(c), terrain_.at(c)});
+    }
+    measure();
+    for (int step = 0;; ++step) {
+      adapt();
+      planner_.plan(setup_.goal, nearest_cell(robot_));
+      record(step);
+      if (const auto end = finished(step)) {
+        result_.end = *end;
+        note_frontier();
+        return std::move(result_);
+      }
+      go(target());
+      measure();
+    }
+  }
+
+ private:
+  void measure() {
+    const Cell c = nearest_cell(robot_);
+    last_ = {robot_, terrain_.at(c)};
+    if (setup_.rules.kind == RuleSet::certified && already_measured(c)) {
+      return;
+    }
+    visit(c);
+    planner_.add(last_);
+  }
+
+  [[nodiscard]] bool already_measured(Cell c) const {
+    const auto& known = planner_.measurements();
+    return std::any_of(
+        known.begin(), known.end(), [&](const Measurement& m) { return m.at == position(c); });
+  }
+
+  void visit(Cell c) {
+    if (terrain_.at(c) < setup_.rules.threshold) {
+      ++unsafe_visits_;
+    }
+  }
+
+  /// Doubles: the length scale and the Lipschitz constant are chosen anew.
+  void adapt() {
+    const std::size_t n = planner_.measurements().size();
+    if (n < next_choice_) {
+      return;
+    }
+    next_choice_ = std::max(setup_.adaptive.first, 2 * n);
+    if (setup_.lipschitz_confidence > 0.0) {
+      const LipschitzEstimate estimate = estimate_lipschitz(terrain_.grid,
+                                                            planner_.measurements(),
+                                                            planner_.model().prior().length_scale,
+                                                            setup_.rules.noise_bound,
+                                                            setup_.lipschitz_confidence);
+      if (std::isfinite(estimate.constant)) {
+        planner_.set_lipschitz(estimate.constant);
+      }
+    }
+    if (setup_.adaptive.on && n >= setup_.adaptive.first) {
+      choose_length_scale();
+    }
+  }
+
+  void choose_length_scale() {
+    GpPrior best = planner_.model().prior();
+    double highest = planner_.model().log_likelihood();
+    for (const double factor : setup_.adaptive.factors) {
+      GpPrior prior = setup_.prior;
+      prior.length_scale *= factor;
+      const double likelihood = log_likelihood(prior, planner_.measurements());
+      if (likelihood > highest) {
+        highest = likelihood;
+        best = prior;
+      }
+    }
+    if (best != planner_.model().prior()) {
+      planner_.change_prior(best);
+    }
+  }
+
+  void record(int step) {
+    const Plan& plan = planner_.last_plan();
+    ExploreStep s;
+    s.step = step;
+    s.at = last_.at;
+    s.value = last_.value;
+    s.safe = plan.safe;
+    s.expanders = plan.expanders;
+    s.next = plan.next;
+    s.lower = plan.lower;
+    s.upper = plan.upper;
+    s.lipschitz = planner_.rules().lipschitz;
+    s.travelled = travelled_;
+    s.unsafe_visits = unsafe_visits_;
+    for (std::size_t i = 0; i < terrain_.values.size(); ++i) {
+      const bool unsafe = planner_.safe()[i] != 0 && terrain_.values[i] < setup_.rules.threshold;
+      s.unsafe_certified += unsafe ? 1U : 0U;
+    }
+    result_.most_unsafe_certified = std::max(result_.most_unsafe_certified, s.unsafe_certified);
+    if (setup_.goal) {
+      s.certificate = widest_route(terrain_.grid,
+                                   planner_.ground(),
+                                   planner_.proven(),
+                                   setup_.rules.threshold,
+                                   setup_.start,
+                                   *setup_.goal);
+    }
+    result_.steps.push_back(s);
+    if (observe_) {
+      observe_(planner_, result_.steps.back(), result_);
+    }
+  }
+
+  [[nodiscard]] std::optional<End> finished(int step) {
+    const CellSet ground = planner_.ground();
+    if (planner_.last_plan().safe == 0) {
+      return End::empty_safe_set;
+    }
+    const Cell here = nearest_cell(robot_);
+    if (setup_.rules.kind == RuleSet::certified && ground[terrain_.grid.index(here)] == 0) {
+      return End::stranded;
+    }
+    if (setup_.goal && ground[terrain_.grid.index(*setup_.goal)] != 0 && joined(ground, here) &&
+        deep_enough(step)) {
+      go(*setup_.goal);
+      result_.steps.back().travelled = travelled_;
+      result_.steps.back().unsafe_visits = unsafe_visits_;
+      return End::reached;
+    }
+    if (!planner_.last_plan().next) {
+      return End::not_reachable;
+    }
+    if (step >= setup_.max_steps) {
+      return End::step_limit;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool joined(const CellSet& ground, Cell here) const {
+    return component_of(terrain_.grid, ground, here)[terrain_.grid.index(*setup_.goal)] != 0;
+  }
+
+  /// The published program stops only when the goal lies deep within the outline, but for the first
+  /// plan.
+  [[nodiscard]] bool deep_enough(int step) const {
+    if (setup_.rules.kind != RuleSet::published || step == 0) {
+      return true;
+    }
+    return projected_inwards(
+               terrain_.grid, planner_.safe(), *setup_.goal, setup_.simplification) == setup_.goal;
+  }
+
+  /// Where the next measurement is to be taken.
+  [[nodiscard]] Cell target() const {
+    Cell wanted = *planner_.last_plan().next;
+    if (setup_.rules.kind != RuleSet::published) {
+      return wanted;
+    }
+    const CellSet& safe = planner_.safe();
+    if (setup_.goal && safe[terrain_.grid.index(*setup_.goal)] != 0 &&
+        joined(safe, nearest_cell(robot_))) {
+      wanted = *setup_.goal;
+    }
+    return projected_inwards(terrain_.grid, safe, wanted, setup_.simplification).value_or(wanted);
+  }
+
+  void go(Cell to) {
+    if (setup_.motion == Motion::reactive) {
+      react(to);
+    }
+    const Cell from = nearest_cell(robot_);
+    std::vector<Cell> route;
+    if (setup_.motion != Motion::jump) {
+      route = shortest_route(terrain_.grid, planner_.ground(), from, to);
+    }
+    if (route.empty()) {
+      route = {from, to};
+    }
+    for (std::size_t k = 1; k < route.size(); ++k) {
+      // The end is visited by the measurement there, if there is one.
+      if (k + 1 < route.size() || to == setup_.goal) {
+        visit(route[k]);
+      }
+      result_.path.push_back(position(route[k]));
+    }
+    travelled_ += route_length(route);
+    robot_ = position(to);
+  }
+
+  /// As far as the controller brings the robot; a route does the rest.
+  void react(Cell to) {
+    ControllerOptions options;
+    options.robot_radius = setup_.robot_radius;
+    options.simplification = setup_.simplification;
+    const ReactiveWay way =
+        reactive_way(terrain_.grid, planner_.ground(), robot_, position(to), options);
+    Cell before = nearest_cell(robot_);
+    for (std::size_t k = 1; k < way.path.size(); ++k) {
+      const Cell c = nearest_cell(way.path[k]);
+      travelled_ += (way.path[k] - way.path[k - 1]).norm();
+      if (!(c == before)) {
+        visit(c);
+        before = c;
+      }
+      result_.path.push_back(way.path[k]);
+    }
+    const double rest = (way.path.back() - position(to)).norm();
+    if (rest > 2.0 * (setup_.robot_radius + setup_.simplification)) {
+      ++result_.controller_fallbacks;
+    }
+    robot_ = position(before);
+  }
+
+  void note_frontier() {
+    result_.frontier = robot_;
+    if (!setup_.goal) {
+      return;
+    }
+    const CellSet reach =
+        component_of(terrain_.grid, planner_.ground(), nearest_cell(robot_));
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < reach.size(); ++i) {
+      const double d2 = squared_distance(terrain_.grid.cell(i), *setup_.goal);
+      if (reach[i] != 0 && d2 < best) {
+        best = d2;
+        result_.frontier = position(terrain_.grid.cell(i));
+      }
+    }
+  }
+
+  const Terrain& terrain_;
+  const ExploreSetup& setup_;
+  const Observer& observe_;
+  Planner planner_;
+  ExploreResult result_;
+  Position robot_;
+  Measurement last_;
+  double travelled_ = 0.0;
+  std::size_t unsafe_visits_ = 0;
+  std::size_t next_choice_ = 0;
+};
+
+void require_inside(const Grid& grid, Cell c, const std::string& who) {
+  if (!grid.contains(c)) {
+    throw std::invalid_argument("the " + who + " " + text_of(c) + " lies outside the terrain of " +
+                                std::to_string(grid.rows) + " x " + std::to_string(grid.columns) +
+                                " cells");
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(Motion motion) noexcept {
+  return kMotions[static_cast<std::size_t>(motion)];
+}
+
+std::optional<Motion> motion_from(std::string_view word) noexcept {
+  const auto found = std::find(kMotions.begin(), kMotions.end(), word);
+  if (found == kMotions.end()) {
+    return std::nullopt;
+  }
+  return static_cast<Motion>(found - kMotions.begin());
+}
+
+std::string_view to_string(End end) noexcept {
+  switch (end) {
+    case End::reached:
+      return "reached";
+    case End::not_reachable:
+      return "not reachable at this threshold";
+    case End::step_limit:
+      return "step limit";
+    case End::empty_safe_set:
+      return "empty safe set";
+    case End::stranded:
+      break;
+  }
+  return "stranded";
+}
+
+ExploreResult explore(const Terrain& terrain, const ExploreSetup& setup, const Observer& observe) {
+  require_inside(terrain.grid, setup.start, "start");
+  if (setup.goal) {
+    require_inside(terrain.grid, *setup.goal, "goal");
+  }
+  for (const Cell c : setup.first_cells) {
+    require_inside(terrain.grid, c, "first measurement");
+  }
+  if (terrain.values.size() != terrain.grid.size()) {
+    throw std::invalid_argument("the terrain needs one value a cell");
+  }
+  if (setup.rules.kind == RuleSet::certified &&
+      terrain.at(setup.start) - setup.rules.noise_bound < setup.rules.threshold) {
+    throw std::invalid_argument("the start " + text_of(setup.start) + " stands on unsafe ground: " +
+                                std::to_string(terrain.at(setup.start)) + " is below the threshold " +
+                                std::to_string(setup.rules.threshold));
+  }
+  return Run(terrain, setup, observe).run();
+}
+
+}  // namespace tcert::terrain

@@ -1,0 +1,105 @@
+#pragma once
+/// \file
+/// The exploration loop: measure, plan, move, until the goal is connected or no cell helps.
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <terrain/planner.hpp>
+#include <vector>
+
+namespace tcert::terrain {
+
+/// The ground truth that a simulated robot feels, one value a cell.
+struct Terrain {
+  Grid grid;
+  std::vector<double> values;
+
+  [[nodiscard]] double at(Cell c) const { return values[grid.index(c)]; }
+};
+
+/// How the robot comes from one measurement to the next.
+enum class Motion {
+  jump,      ///< It is there: decisions alone are studied.
+  route,     ///< The shortest way over cells of S_t.
+  reactive,  ///< The diffeomorphic controller.
+};
+
+[[nodiscard]] std::string_view to_string(Motion motion) noexcept;
+[[nodiscard]] std::optional<Motion> motion_from(std::string_view word) noexcept;
+
+/// The length scale is chosen anew, by marginal likelihood, whenever the measurements have doubled.
+struct AdaptivePrior {
+  bool on = false;
+  std::vector<double> factors{0.5, 0.7071067811865476, 1.0, 1.4142135623730951, 2.0};
+  std::size_t first = 16;  ///< Measurements before the first choice.
+};
+
+struct ExploreSetup {
+  Rules rules;
+  GpPrior prior;
+  Cell start;
+  std::optional<Cell> goal;          ///< None: explore.
+  std::vector<Cell> first_cells;     ///< Measured before the first step, the start not among them.
+  std::vector<Measurement> known;    ///< Of an earlier run.
+  std::vector<Cell> seeds;           ///< S_0.
+  CellSet blocked;                   ///< Physical obstacles; empty: none.
+  int max_steps = 2000;              ///< Measurements after the first batch.
+  Motion motion = Motion::route;
+  double robot_radius = 2.0;
+  double simplification = 4.0;       ///< Tolerance of outlines and depth of sub-goals (`published`).
+  AdaptivePrior adaptive;
+  /// Confidence at which the Lipschitz constant is estimated, again whenever the measurements have
+  /// doubled; 0: as the rules give it. `certified` only.
+  double lipschitz_confidence = 0.0;
+};
+
+enum class End {
+  reached,         ///< The goal is safe and joined to the robot.
+  not_reachable,   ///< No cell within reach can make the safe set grow: not at this threshold.
+  step_limit,
+  empty_safe_set,  ///< Nothing is safe: the published program dies here.
+  stranded,        ///< The ground under the robot is no longer certified.
+};
+
+[[nodiscard]] std::string_view to_string(End end) noexcept;
+
+/// State after a measurement and the planning that followed. Row 0 is after the first batch; of the
+/// last one `travelled` and `unsafe_visits` include the way to the goal.
+struct ExploreStep {
+  int step = 0;
+  Position at{0.0, 0.0};  ///< Where the measurement was taken.
+  double value = 0.0;
+  std::size_t safe = 0;
+  std::size_t expanders = 0;
+  std::optional<Cell> next;
+  double lower = 0.0;  ///< Of the next sample; meaningless without one.
+  double upper = 0.0;
+  std::optional<double> certificate;  ///< Start to goal over S_t; none until they are joined.
+  double lipschitz = 0.0;
+  double travelled = 0.0;             ///< Cells, since the start.
+  std::size_t unsafe_certified = 0;   ///< Cells of S_t whose true value is below h.
+  std::size_t unsafe_visits = 0;      ///< Steps onto such cells so far, measured or walked over.
+};
+
+struct ExploreResult {
+  End end = End::step_limit;
+  std::vector<ExploreStep> steps;
+  std::vector<Position> path;
+  std::size_t most_unsafe_certified = 0;
+  std::size_t controller_fallbacks = 0;  ///< Times the reactive controller left the rest to a route.
+  Position frontier{0.0, 0.0};           ///< The cell within reach that is nearest to the goal.
+
+  [[nodiscard]] const ExploreStep& last() const { return steps.back(); }
+};
+
+using Observer = std::function<void(const Planner&, const ExploreStep&, const ExploreResult&)>;
+
+/// Runs until the goal is connected or nothing more can be done. `observe` sees every step.
+/// \throws std::invalid_argument if the start or the goal lies outside the grid, the start is known
+/// to be unsafe, or the setup cannot be.
+[[nodiscard]] ExploreResult explore(const Terrain& terrain,
+                                    const ExploreSetup& setup,
+                                    const Observer& observe = {});
+
+}  // namespace tcert::terrain

@@ -1,0 +1,285 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <terrain/components.hpp>
+#include <terrain/disc_growth.hpp>
+#include <terrain/distance_transform.hpp>
+#include <terrain/planner.hpp>
+#include <terrain/selection.hpp>
+
+namespace tcert::terrain {
+namespace {
+
+/// Slopes this much above the Lipschitz constant are rounding.
+constexpr double kSlopeSlack = 1e-9;
+
+}  // namespace
+
+Planner::Planner(const Grid& grid,
+                 const Rules& rules,
+                 const GpPrior& prior,
+                 const std::vector<Cell>& seeds)
+    : grid_(grid),
+      rules_(rules),
+      model_(std::make_unique<SeparableGp>(grid, prior)),
+      seeds_(grid.size(), 0),
+      safe_(grid.size(), 0),
+      expanders_(grid.size(), 0),
+      intervals_(grid.size()),
+      cone_(rules.kind == RuleSet::certified ? grid.size() : 0) {
+  require_valid(rules);
+  for (const Cell seed : seeds) {
+    if (!grid.contains(seed)) {
+      throw std::invalid_argument("a seed lies outside the grid");
+    }
+    seeds_[grid.index(seed)] = 1;
+    intervals_.lower[grid.index(seed)] = rules.threshold;
+  }
+  safe_ = seeds_;
+}
+
+double Planner::steepest_to(const Measurement& m) const {
+  double steepest = 0.0;
+  for (const Measurement& other : measurements_) {
+    const double d = (m.at - other.at).norm();
+    const double rise = std::abs(m.value - other.value) - 2.0 * rules_.noise_bound;
+    if (d > 0.0) {
+      steepest = std::max(steepest, rise / d);
+    } else if (rise > 0.0) {
+      throw std::invalid_argument("two measurements of one cell differ by more than the noise");
+    }
+  }
+  return steepest;
+}
+
+void Planner::add(const Measurement& m) {
+  if (!std::isfinite(m.value) || !m.at.allFinite()) {
+    throw std::invalid_argument("a measurement must be finite");
+  }
+  const Cell cell = nearest_cell(m.at);
+  if (rules_.kind == RuleSet::certified) {
+    if (!grid_.contains(cell) || position(cell) != m.at) {
+      throw std::invalid_argument("a measurement must be at a cell of the grid");
+    }
+    const double steepest = steepest_to(m);
+    measurements_.push_back(m);
+    if (steepest > rules_.lipschitz * (1.0 + kSlopeSlack)) {
+      ++contradictions_;
+      rules_.lipschitz = steepest;
+      derive_anew();
+    } else {
+      intersect_with_cone(cone_, grid_, cell, m.value, rules_.noise_bound, rules_.lipschitz);
+    }
+  } else {
+    measurements_.push_back(m);
+  }
+  model_->add(m.at, m.value);
+}
+
+void Planner::derive_anew() {
+  cone_ = Intervals(grid_.size());
+  intervals_ = Intervals(grid_.size());
+  safe_ = seeds_;
+  for (const Measurement& known : measurements_) {
+    intersect_with_cone(cone_,
+                        grid_,
+                        nearest_cell(known.at),
+                        known.value,
+                        rules_.noise_bound,
+                        rules_.lipschitz);
+  }
+}
+
+void Planner::set_lipschitz(double lipschitz) {
+  if (rules_.kind != RuleSet::certified) {
+    throw std::invalid_argument("only the certified rules change their Lipschitz constant");
+  }
+  double steepest = lipschitz;
+  for (const Measurement& m : measurements_) {
+    steepest = std::max(steepest, steepest_to(m));
+  }
+  if (steepest != rules_.lipschitz) {
+    rules_.lipschitz = steepest;
+    derive_anew();
+  }
+}
+
+void Planner::set_blocked(CellSet blocked) {
+  if (blocked.size() != grid_.size()) {
+    throw std::invalid_argument("the layer of obstacles must have the terrain's cells");
+  }
+  blocked_ = std::move(blocked);
+}
+
+CellSet Planner::ground() const {
+  CellSet ground = safe_;
+  for (std::size_t i = 0; i < blocked_.size(); ++i) {
+    ground[i] = ground[i] != 0 && blocked_[i] == 0 ? 1 : 0;
+  }
+  return ground;
+}
+
+void Planner::change_prior(const GpPrior& prior) {
+  auto model = std::make_unique<SeparableGp>(grid_, prior);
+  for (const Measurement& m : measurements_) {
+    model->add(m.at, m.value);
+  }
+  model_ = std::move(model);
+  if (rules_.kind == RuleSet::certified) {
+    // What the old model said of intervals no longer binds.
+    intervals_ = cone_;
+  }
+}
+
+const Plan& Planner::plan(std::optional<Cell> goal, std::optional<Cell> robot) {
+  plan_ = {};
+  switch (rules_.kind) {
+    case RuleSet::thesis:
+      plan_thesis(goal);
+      break;
+    case RuleSet::published:
+      plan_published(goal);
+      break;
+    case RuleSet::certified:
+      plan_certified(goal, robot);
+      break;
+  }
+  plan_.safe = count(safe_);
+  if (plan_.next) {
+    const std::size_t i = grid_.index(*plan_.next);
+    plan_.lower = intervals_.lower[i];
+    plan_.upper = intervals_.upper[i];
+  }
+  return plan_;
+}
+
+void Planner::choose(std::vector<std::size_t> candidates, std::optional<Cell> goal, Ties ties) {
+  if (goal) {
+    candidates = nearest_cells(
+        grid_, std::move(candidates), *goal, static_cast<std::size_t>(rules_.expanders));
+  }
+  if (const auto best = widest_cell(grid_, candidates, intervals_, goal, ties)) {
+    plan_.next = grid_.cell(*best);
+  }
+}
+
+void Planner::plan_thesis(std::optional<Cell> goal) {
+  if (model_->measurements() > 0) {
+    // An empty intersection keeps lower > upper: its width is negative and it is never chosen first.
+    empty_ = intersect_with_band(intervals_,
+                                 model_->mean(),
+                                 model_->variance(),
+                                 rules_.band(),
+                                 rules_.model_everywhere ? nullptr : &safe_);
+  }
+  safe_ = grow_discs(grid_,
+                     safe_,
+                     intervals_.lower,
+                     rules_.threshold,
+                     rules_.lipschitz,
+                     squared_depth(grid_, safe_));
+  expanders_ = expanders(safe_,
+                         intervals_.upper,
+                         rules_.threshold,
+                         rules_.lipschitz,
+                         squared_depth(grid_, safe_));
+  plan_.expanders = count(expanders_);
+  choose(members(expanders_), goal, Ties::nearest_first);
+}
+
+void Planner::plan_published(std::optional<Cell> goal) {
+  set_to_band(intervals_, model_->mean(), model_->variance(), rules_.band());
+  double highest_lower = -kUnbounded;
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    safe_[i] = intervals_.lower[i] > rules_.threshold ? 1 : 0;
+    if (safe_[i] != 0) {
+      highest_lower = std::max(highest_lower, intervals_.lower[i]);
+    }
+  }
+  // Maximisers, and the widest of them: what remains must be wider.
+  CellSet candidates = safe_;
+  double widest = 0.0;
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    if (safe_[i] != 0 && intervals_.upper[i] >= highest_lower) {
+      ++plan_.maximisers;
+      candidates[i] = 0;
+      widest = std::max(widest, intervals_.width(i));
+    }
+  }
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    candidates[i] = candidates[i] != 0 && intervals_.width(i) > widest ? 1 : 0;
+  }
+  plan_.candidates = count(candidates);
+  expanders_ = expanders(safe_,
+                         intervals_.upper,
+                         rules_.threshold,
+                         rules_.lipschitz,
+                         squared_depth(grid_, safe_));
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    expanders_[i] = expanders_[i] & candidates[i];
+  }
+  plan_.expanders = count(expanders_);
+  choose(members(expanders_), goal, Ties::row_major_first);
+}
+
+void Planner::plan_certified(std::optional<Cell> goal, std::optional<Cell> robot) {
+  // C_t: history, the model's band and the Lipschitz bound; where they exclude one another the
+  // model is wrong, and the Lipschitz bound alone is kept.
+  intersect_with_band(intervals_, model_->mean(), model_->variance(), rules_.band(), nullptr);
+  empty_ = 0;
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    double& lower = intervals_.lower[i];
+    double& upper = intervals_.upper[i];
+    lower = std::max(lower, cone_.lower[i]);
+    upper = std::min(upper, cone_.upper[i]);
+    if (lower > upper) {
+      lower = cone_.lower[i];
+      upper = cone_.upper[i];
+      ++empty_;
+    }
+    safe_[i] = safe_[i] != 0 || cone_.lower[i] >= rules_.threshold ? 1 : 0;
+  }
+  if (rules_.trust_model) {
+    safe_ = grow_discs(grid_,
+                       safe_,
+                       intervals_.lower,
+                       rules_.threshold,
+                       rules_.lipschitz,
+                       squared_depth(grid_, safe_));
+  }
+  const std::vector<std::int64_t> depth2 = squared_depth(grid_, safe_);
+  expanders_ =
+      expanders(safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, depth2);
+  const CellSet reachable = robot ? component_of(grid_, ground(), *robot) : ground();
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    expanders_[i] = expanders_[i] & reachable[i];
+  }
+  plan_.expanders = count(expanders_);
+  if (rules_.look_ahead && robot) {
+    look_ahead(members(expanders_), goal, *robot, depth2);
+  } else {
+    choose(members(expanders_), goal, Ties::nearest_first);
+  }
+}
+
+void Planner::look_ahead(const std::vector<std::size_t>& candidates,
+                         std::optional<Cell> goal,
+                         Cell robot,
+                         const std::vector<std::int64_t>& depth2) {
+  double best = kUnbounded;
+  for (const std::size_t i : candidates) {
+    const Cell c = grid_.cell(i);
+    const double expected = std::clamp(
+        model_->mean()[i], intervals_.lower[i], intervals_.upper[i]);
+    const double radius = std::max(0.0, (expected - rules_.threshold) / rules_.lipschitz);
+    const double gain = radius - std::sqrt(static_cast<double>(depth2[i]));
+    const double way = rules_.travel_weight * distance(c, robot);
+    const double score = goal ? distance(c, *goal) - radius + way : way - gain;
+    if (score < best) {
+      best = score;
+      plan_.next = c;
+    }
+  }
+}
+
+}  // namespace tcert::terrain

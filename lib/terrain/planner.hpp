@@ -1,0 +1,105 @@
+#pragma once
+/// \file
+/// One planning step: measurements in, safe set and next sample out.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <terrain/confidence.hpp>
+#include <terrain/grid.hpp>
+#include <terrain/rules.hpp>
+#include <terrain/selection.hpp>
+#include <terrain/separable_gp.hpp>
+#include <vector>
+
+namespace tcert::terrain {
+
+/// What a planning step found.
+struct Plan {
+  std::size_t safe = 0;        ///< |S_t|.
+  std::size_t expanders = 0;   ///< |G_t| before the n nearest are taken.
+  std::size_t maximisers = 0;  ///< `published`: |M|.
+  std::size_t candidates = 0;  ///< `published`: cells that may be tested as expanders.
+  std::optional<Cell> next;    ///< x_t; none if S_t is empty or no cell can make it grow.
+  double lower = 0.0;          ///< l_t and u_t there.
+  double upper = 0.0;
+};
+
+class Planner {
+ public:
+  /// `seeds` is S_0: ground that is known to be safe without a measurement (`thesis` needs it).
+  /// \throws std::invalid_argument for rules, a prior or seeds that cannot be.
+  Planner(const Grid& grid,
+          const Rules& rules,
+          const GpPrior& prior,
+          const std::vector<Cell>& seeds = {});
+
+  /// Takes a measurement. Under `certified` it must be at a cell's centre; if it contradicts the
+  /// Lipschitz constant, that is raised to the slope that was measured and everything certified is
+  /// derived anew. \throws std::invalid_argument for a value or position that cannot be.
+  void add(const Measurement& measurement);
+
+  /// Replaces the Lipschitz constant, never by less than what was measured; what is certified is
+  /// derived anew. `certified` only. \pre lipschitz > 0
+  void set_lipschitz(double lipschitz);
+
+  /// Cells that are physically blocked: safe or not, nothing is chosen or reached there.
+  void set_blocked(CellSet blocked);
+
+  /// Updates the sets and chooses. Without a goal: the widest expander anywhere. Under `certified`
+  /// only cells that `robot` can reach over certified ground are chosen.
+  const Plan& plan(std::optional<Cell> goal, std::optional<Cell> robot = std::nullopt);
+
+  /// Begins with another prior and the same measurements: O(n) additions.
+  void change_prior(const GpPrior& prior);
+
+  [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
+  [[nodiscard]] const Rules& rules() const noexcept { return rules_; }
+  [[nodiscard]] const SeparableGp& model() const noexcept { return *model_; }
+  [[nodiscard]] const std::vector<Measurement>& measurements() const noexcept {
+    return measurements_;
+  }
+  [[nodiscard]] const Plan& last_plan() const noexcept { return plan_; }
+  [[nodiscard]] const CellSet& safe() const noexcept { return safe_; }
+  /// Safe and not blocked.
+  [[nodiscard]] CellSet ground() const;
+  [[nodiscard]] const CellSet& expander_set() const noexcept { return expanders_; }
+  /// C_t: what the choice of samples goes by.
+  [[nodiscard]] const Intervals& intervals() const noexcept { return intervals_; }
+  /// l_t as the certificate takes it: under `certified` what is proven of each cell.
+  [[nodiscard]] const std::vector<double>& proven() const noexcept {
+    return rules_.kind == RuleSet::certified ? cone_.lower : intervals_.lower;
+  }
+  /// Times a measurement raised the Lipschitz constant.
+  [[nodiscard]] int contradictions() const noexcept { return contradictions_; }
+  /// Cells where the model's band and the Lipschitz bound exclude one another at the last step.
+  [[nodiscard]] std::size_t model_contradictions() const noexcept { return empty_; }
+
+ private:
+  void plan_thesis(std::optional<Cell> goal);
+  void plan_published(std::optional<Cell> goal);
+  void plan_certified(std::optional<Cell> goal, std::optional<Cell> robot);
+  void choose(std::vector<std::size_t> candidates, std::optional<Cell> goal, Ties ties);
+  void look_ahead(const std::vector<std::size_t>& candidates,
+                  std::optional<Cell> goal,
+                  Cell robot,
+                  const std::vector<std::int64_t>& depth2);
+  void derive_anew();
+  [[nodiscard]] double steepest_to(const Measurement& measurement) const;
+
+  Grid grid_;
+  Rules rules_;
+  std::unique_ptr<SeparableGp> model_;
+  std::vector<Measurement> measurements_;
+  CellSet seeds_;
+  CellSet blocked_;  // empty: none
+  CellSet safe_;
+  CellSet expanders_;
+  Intervals intervals_;
+  Intervals cone_;  // `certified`: of measurements and the Lipschitz constant alone
+  std::size_t empty_ = 0;
+  int contradictions_ = 0;
+  Plan plan_;
+};
+
+}  // namespace tcert::terrain

@@ -1,0 +1,140 @@
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <terrain/separable_gp.hpp>
+
+namespace tcert::terrain {
+namespace {
+
+/// The Gaussian factor of one axis, centred at `at`, on 0..count-1.
+[[nodiscard]] Eigen::VectorXd factor(int count, double at, double length_scale) {
+  Eigen::VectorXd values(count);
+  for (int i = 0; i < count; ++i) {
+    const double d = (i - at) / length_scale;
+    values(i) = std::exp(-0.5 * d * d);
+  }
+  return values;
+}
+
+/// Eigenvalues below this share of the largest are the solver's rounding. A factor's part along an
+/// eigenvector is at most the eigenvalue, so what is left out is rounding too.
+constexpr double kRounding = 2e-15;
+
+/// Orthonormal directions that hold every factor of the axis: eigenvectors of its Gram matrix.
+[[nodiscard]] Eigen::MatrixXd basis(int count, double length_scale) {
+  Eigen::MatrixXd gram(count, count);
+  for (int j = 0; j < count; ++j) {
+    gram.col(j) = factor(count, j, length_scale);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+  const Eigen::VectorXd& values = solver.eigenvalues();  // ascending
+  int kept = 0;
+  while (kept < count && values(count - 1 - kept) > kRounding * values(count - 1)) {
+    ++kept;
+  }
+  return solver.eigenvectors().rightCols(kept);
+}
+
+void require(bool holds, const char* message) {
+  if (!holds) {
+    throw std::invalid_argument(message);
+  }
+}
+
+}  // namespace
+
+SeparableGp::SeparableGp(const Grid& grid, const GpPrior& prior) : grid_(grid), prior_(prior) {
+  require(grid.rows > 0 && grid.columns > 0, "the grid needs cells");
+  require(std::isfinite(prior.mean), "the prior mean must be finite");
+  require(std::isfinite(prior.variance) && prior.variance > 0.0, "the kernel variance must be > 0");
+  require(std::isfinite(prior.length_scale) && prior.length_scale > 0.0,
+          "the kernel length scale must be > 0");
+  require(std::isfinite(prior.noise_variance) && prior.noise_variance >= 0.0,
+          "the noise variance must be >= 0");
+  rows_basis_ = basis(grid.rows, prior.length_scale);
+  columns_basis_ = basis(grid.columns, prior.length_scale);
+  mean_.assign(grid.size(), prior.mean);
+  variance_.assign(grid.size(), prior.variance);
+}
+
+void SeparableGp::add(const Position& p, double y) {
+  const std::size_t n = positions_.size();
+  // The new row of the Cholesky factor of K + noise I.
+  std::vector<double> row(n + 1);
+  double pivot = prior_.variance + prior_.noise_variance;
+  double residual = y - prior_.mean;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double d2 = (p - positions_[j]).squaredNorm();
+    double sum =
+        prior_.variance * std::exp(-0.5 * d2 / (prior_.length_scale * prior_.length_scale));
+    const std::vector<double>& other = cholesky_[j];
+    for (std::size_t k = 0; k < j; ++k) {
+      sum -= row[k] * other[k];
+    }
+    row[j] = sum / other[j];
+    pivot -= row[j] * row[j];
+    residual -= row[j] * whitened_[j];
+  }
+  if (!(pivot > 0.0)) {
+    throw std::domain_error("measurements coincide: the covariance is singular without noise");
+  }
+  const double root = std::sqrt(pivot);
+  row[n] = root;
+
+  // The same row of the factor for every cell, in directions.
+  const Eigen::VectorXd a =
+      rows_basis_.transpose() * factor(grid_.rows, p.x(), prior_.length_scale);
+  const Eigen::VectorXd b =
+      columns_basis_.transpose() * factor(grid_.columns, p.y(), prior_.length_scale);
+  Eigen::MatrixXd g = (prior_.variance * a) * b.transpose();
+  for (std::size_t j = 0; j < n; ++j) {
+    g.noalias() -= row[j] * directions_[j];
+  }
+  g /= root;
+
+  const double z = residual / root;
+  const RowMajor left = rows_basis_ * g;
+  cells_.noalias() = left * columns_basis_.transpose();
+  const double* v = cells_.data();
+  for (std::size_t i = 0; i < mean_.size(); ++i) {
+    mean_[i] += z * v[i];
+    variance_[i] -= v[i] * v[i];
+  }
+
+  log_likelihood_ -= 0.5 * (z * z + std::log(2.0 * std::numbers::pi * pivot));
+  positions_.push_back(p);
+  cholesky_.push_back(std::move(row));
+  directions_.push_back(std::move(g));
+  whitened_.push_back(z);
+}
+
+double log_likelihood(const GpPrior& prior, std::span<const Measurement> measurements) {
+  const auto n = static_cast<Eigen::Index>(measurements.size());
+  Eigen::MatrixXd k(n, n);
+  Eigen::VectorXd residual(n);
+  const double scale = -0.5 / (prior.length_scale * prior.length_scale);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Measurement& a = measurements[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const Measurement& b = measurements[static_cast<std::size_t>(j)];
+      k(i, j) = prior.variance * std::exp(scale * (a.at - b.at).squaredNorm());
+    }
+    k(i, i) += prior.noise_variance;
+    residual(i) = a.value - prior.mean;
+  }
+  const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> llt(k);
+  const Eigen::VectorXd whitened = llt.matrixL().solve(residual);
+  const auto logs = llt.matrixLLT().diagonal().array().log().sum();
+  return -0.5 * (whitened.squaredNorm() + static_cast<double>(n) * std::log(2.0 * std::numbers::pi)) -
+         logs;
+}
+
+std::size_t SeparableGp::bytes() const noexcept {
+  const std::size_t n = positions_.size();
+  const auto directions = static_cast<std::size_t>(rows_basis_.cols() * columns_basis_.cols());
+  const auto bases = static_cast<std::size_t>(rows_basis_.size() + columns_basis_.size());
+  return sizeof(double) * (3 * mean_.size() + bases + n * directions + n * (n + 1) / 2 + 3 * n);
+}
+
+}  // namespace tcert::terrain

@@ -1,0 +1,81 @@
+#include "terrain_study/soundness.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <terrain/explore.hpp>
+#include <vector>
+
+#include "datasets/random.hpp"
+#include "datasets/terrain_field/terrain_field.hpp"
+#include "terrain_study/scenarios.hpp"
+
+namespace tcert::terrain::study {
+namespace {
+
+constexpr std::uint32_t kPurpose = 0x7e44bb;
+
+struct Outcome {
+  ExploreResult result;
+  bool contradicted = false;
+};
+
+Outcome run(std::uint64_t number, double factor, bool trust_model, std::uint64_t seed) {
+  constexpr double kLipschitz = 20.0;
+  TerrainFieldOptions field;
+  field.rows = 48;
+  field.columns = 36;
+  field.length_scale = 8.0;
+  field.lipschitz = kLipschitz;
+  field.seed = seed;
+  field.number = number;
+  TerrainGrid made = random_terrain(field);
+  const Terrain terrain{{made.rows, made.columns}, std::move(made.values)};
+  RandomStream random(seed, kPurpose, number);
+  const auto safe_cell = [&] {
+    for (;;) {
+      const Cell c = terrain.grid.cell(random.below(static_cast<std::uint32_t>(terrain.grid.size())));
+      if (terrain.at(c) >= field.mean) {
+        return c;
+      }
+    }
+  };
+  ExploreSetup setup;
+  setup.start = safe_cell();
+  if (number % 4 != 0) {
+    setup.goal = safe_cell();
+  }
+  setup.rules.threshold = field.mean;
+  setup.rules.lipschitz = factor * kLipschitz;
+  setup.rules.trust_model = trust_model;
+  setup.rules.look_ahead = number % 2 == 0;
+  setup.prior = prior_of(setup.rules.lipschitz, field.length_scale, terrain.at(setup.start));
+  setup.max_steps = 150;
+  setup.motion = number % 3 == 0 ? Motion::reactive : Motion::route;
+  Outcome outcome;
+  outcome.result = explore(terrain, setup);
+  outcome.contradicted = outcome.result.last().lipschitz > setup.rules.lipschitz;
+  return outcome;
+}
+
+}  // namespace
+
+Soundness soundness(std::size_t terrains, double factor, bool trust_model, std::uint64_t seed) {
+  std::vector<Outcome> outcomes(terrains);
+  tbb::parallel_for(std::size_t{0}, terrains, [&](std::size_t i) {
+    outcomes[i] = run(i, factor, trust_model, seed);
+  });
+  Soundness sum;
+  sum.terrains = terrains;
+  for (const Outcome& o : outcomes) {
+    sum.with_unsafe_cells += o.result.most_unsafe_certified > 0 ? 1U : 0U;
+    sum.with_unsafe_visits += o.result.last().unsafe_visits > 0 ? 1U : 0U;
+    sum.contradicted += o.contradicted ? 1U : 0U;
+    sum.reached += o.result.end == End::reached ? 1U : 0U;
+    sum.not_reachable += o.result.end == End::not_reachable ? 1U : 0U;
+    sum.mean_samples += static_cast<double>(o.result.steps.size()) / static_cast<double>(terrains);
+  }
+  sum.limit = terrains - sum.reached - sum.not_reachable;
+  return sum;
+}
+
+}  // namespace tcert::terrain::study

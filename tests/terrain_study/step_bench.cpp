@@ -1,0 +1,91 @@
+// Times of one planning step at full size, printed as JSON: what scripts/compare_with_numpy sets beside
+// the direct way.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <terrain/planner.hpp>
+#include <vector>
+
+#include "datasets/random.hpp"
+#include "datasets/terrain_field/terrain_field.hpp"
+
+namespace tcert::terrain::study {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double quantile(std::vector<double> times, double share) {
+  std::sort(times.begin(), times.end());
+  const auto last = static_cast<double>(times.size() - 1);
+  return times[static_cast<std::size_t>(share * last + 0.5)];
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// Steps of the published rules at 600 x 400 cells, timed in blocks of 50 measurements.
+void run(RuleSet kind, int measurements) {
+  TerrainFieldOptions field;
+  const TerrainGrid made = random_terrain(field);
+  const Grid grid{made.rows, made.columns};
+  Rules rules;
+  rules.kind = kind;
+  rules.threshold = 1000.0;
+  rules.lipschitz = kind == RuleSet::certified ? field.lipschitz : 0.003;
+  GpPrior prior{0.0, 2.0, 30.0, 1.0};
+  if (kind == RuleSet::certified) {
+    prior = {1000.0, 80000.0, 30.0, 1.0};
+  }
+  Planner planner(grid, rules, prior);
+  RandomStream random(1, 0x7e44bd, 0);
+  std::vector<double> block;
+  std::vector<double> cpu;
+  std::printf("{\"rules\": \"%s\", \"blocks\": [", std::string(to_string(kind)).c_str());
+  for (int n = 1; n <= measurements; ++n) {
+    const Cell c{static_cast<int>(random.below(600)), static_cast<int>(random.below(400))};
+    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t cpu_begin = std::clock();
+    planner.add({position(c), made.values[grid.index(c)]});
+    planner.plan(Cell{300, 200}, c);
+    block.push_back(1e3 * seconds_since(begin));
+    cpu.push_back(1e3 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
+    if (n % 50 == 0) {
+      std::printf("%s{\"n\": %d, \"median_ms\": %.3f, \"p99_ms\": %.3f, \"median_cpu_ms\": %.3f, "
+                  "\"p99_cpu_ms\": %.3f}",
+                  n == 50 ? "" : ", ",
+                  n,
+                  quantile(block, 0.5),
+                  quantile(block, 0.99),
+                  quantile(cpu, 0.5),
+                  quantile(cpu, 0.99));
+      block.clear();
+      cpu.clear();
+    }
+  }
+  std::printf("], \"model_mb\": %.1f, \"peak_mb\": %.1f}",
+              static_cast<double>(planner.model().bytes()) / 1048576.0,
+              peak_megabytes());
+}
+
+}  // namespace
+}  // namespace tcert::terrain::study
+
+int main(int argc, char** argv) {
+  using namespace tcert::terrain;
+  const int measurements = argc > 1 ? std::atoi(argv[1]) : 500;
+  std::printf("[");
+  study::run(RuleSet::published, measurements);
+  std::printf(", ");
+  study::run(RuleSet::certified, measurements);
+  std::printf("]\n");
+}

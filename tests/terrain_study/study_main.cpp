@@ -1,0 +1,213 @@
+// Runs the scenarios on a terrain file: one CSV row a run.
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <terrain/baselines.hpp>
+#include <terrain/lipschitz.hpp>
+#include <vector>
+
+#include "datasets/terrain_file.hpp"
+#include "datasets/random.hpp"
+#include "terrain_study/scenarios.hpp"
+#include "terrain_study/soundness.hpp"
+
+namespace tcert::terrain::study {
+namespace {
+
+struct Job {
+  Scenario scenario;
+  Variant variant;
+  std::uint64_t seed = 0;
+};
+
+std::string run(const Terrain& terrain, const Job& job) {
+  ExploreSetup setup = setup_of(terrain, job.scenario, job.variant, job.seed);
+  if (job.scenario.reuse) {
+    // The map of a run of "around" under the same variant and seed.
+    const Scenario before = scenarios()[1];
+    std::vector<Measurement> known;
+    const auto keep = [&](const Planner& planner, const ExploreStep&, const ExploreResult&) {
+      known = planner.measurements();
+    };
+    (void)explore(terrain, setup_of(terrain, before, job.variant, job.seed), keep);
+    setup.known = std::move(known);
+    if (job.variant.rules.kind == RuleSet::thesis) {
+      for (const Measurement& m : setup.known) {
+        setup.seeds.push_back(nearest_cell(m.at));
+      }
+    }
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const ExploreResult result = explore(terrain, setup);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  char line[400];
+  std::snprintf(line,
+                sizeof line,
+                "%s,%s,%llu,%s,%zu,%zu,%zu,%zu,%zu,%.1f,%.4f,%zu,%.2f\n",
+                job.scenario.name.c_str(),
+                job.variant.name.c_str(),
+                static_cast<unsigned long long>(job.seed),
+                std::string(to_string(result.end)).c_str(),
+                result.steps.size(),
+                setup.first_cells.size() + 1,
+                result.last().safe,
+                result.last().unsafe_visits,
+                result.most_unsafe_certified,
+                result.last().travelled,
+                seconds / static_cast<double>(result.steps.size()),
+                result.controller_fallbacks,
+                result.last().certificate.value_or(-1.0));
+  return line;
+}
+
+/// How often what is held safe is not, on random terrains.
+int soundness_table(int terrains) {
+  std::printf(
+      "told,model_trusted,terrains,with_unsafe_cells,with_unsafe_visits,contradicted,reached,"
+      "not_reachable,limit,mean_samples\n");
+  for (const bool trust : {false, true}) {
+    for (const double factor : {1.0, 0.75, 0.5}) {
+      const Soundness s = soundness(static_cast<std::size_t>(terrains), factor, trust, 1);
+      std::printf("%.2f,%d,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%.1f\n",
+                  factor,
+                  trust ? 1 : 0,
+                  s.terrains,
+                  s.with_unsafe_cells,
+                  s.with_unsafe_visits,
+                  s.contradicted,
+                  s.reached,
+                  s.not_reachable,
+                  s.limit,
+                  s.mean_samples);
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+}
+
+/// Table 4.1 with numbers: the baselines on the scenarios with a goal.
+void baseline_table(const Terrain& terrain, int seeds) {
+  std::printf("scenario,method,seed,reached,unsafe_visits,samples,plans,length,plan_s\n");
+  for (const Scenario& s : scenarios()) {
+    if (!s.goal || s.reuse) {
+      continue;
+    }
+    const auto print = [&](const char* name, int seed, const BaselineResult& r, double seconds) {
+      std::printf("%s,%s,%d,%d,%zu,%zu,%zu,%.1f,%.4f\n",
+                  s.name.c_str(),
+                  name,
+                  seed,
+                  r.reached ? 1 : 0,
+                  r.unsafe_visits,
+                  r.samples,
+                  r.plans,
+                  r.length,
+                  seconds / static_cast<double>(r.plans));
+      std::fflush(stdout);
+    };
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    auto begin = now();
+    const BaselineResult walk = straight_walk(terrain, {}, s.threshold, s.start, *s.goal);
+    print("straight walk", 0, walk, std::chrono::duration<double>(now() - begin).count());
+    for (int seed = 0; seed < seeds; ++seed) {
+      RandomStream random(static_cast<std::uint64_t>(seed), 0x7e44bc, 0);
+      SparseRrtOptions options;
+      options.prior.mean = s.threshold;
+      begin = now();
+      const BaselineResult rrt = sparse_rrt_walk(
+          terrain, s.threshold, s.start, *s.goal, options, [&] { return random.uniform(); });
+      print("sparse GP, RRT*", seed, rrt, std::chrono::duration<double>(now() - begin).count());
+    }
+  }
+}
+
+int main_of(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "soundness") {
+    return soundness_table(argc > 2 ? std::atoi(argv[2]) : 1000);
+  }
+  if (argc < 4) {
+    std::fprintf(stderr,
+                 "usage: terrain_study TERRAIN SCENARIO|all VARIANT|all [SEEDS]\n"
+                 "       terrain_study TERRAIN baselines all [SEEDS]\n"
+                 "       terrain_study soundness [TERRAINS]\n");
+    return 2;
+  }
+  const std::string wanted_scenario = argv[2];
+  const std::string wanted_variant = argv[3];
+  const int seeds = argc > 4 ? std::atoi(argv[4]) : 20;
+  auto file = read_terrain(argv[1], {{}, TerrainHeader::yes});
+  if (!file.terrain) {
+    for (const Diagnostic& problem : file.diagnostics) {
+      std::fprintf(stderr, "%s\n", to_string(problem).c_str());
+    }
+    return 65;
+  }
+  const Terrain terrain{{file.terrain->rows, file.terrain->columns},
+                        std::move(file.terrain->values)};
+  if (wanted_scenario == "baselines") {
+    baseline_table(terrain, seeds);
+    return 0;
+  }
+  const double lipschitz = lipschitz_bound(terrain.grid, terrain.values);
+  std::fprintf(stderr, "Lipschitz bound %.3f\n", lipschitz);
+  std::vector<Job> jobs;
+  for (const Scenario& s : scenarios()) {
+    Variant ahead = certified(s.threshold, lipschitz, terrain.at(s.start));
+    ahead.name = "certified, look-ahead";
+    ahead.rules.look_ahead = true;
+    Variant trusting = ahead;
+    trusting.name = "trusting the model";
+    trusting.rules.trust_model = true;
+    Variant adaptive = ahead;
+    adaptive.name = "certified, look-ahead, adaptive";
+    adaptive.adaptive.on = true;
+    Variant reactive = certified(s.threshold, lipschitz, terrain.at(s.start));
+    reactive.name = "certified, reactive";
+    reactive.motion = Motion::reactive;
+    Variant batched = certified(s.threshold, lipschitz, terrain.at(s.start));
+    batched.name = "certified, published batch";
+    batched.batch = true;
+    Variant published_adaptive = published(s.threshold);
+    published_adaptive.name = "published, adaptive";
+    published_adaptive.adaptive.on = true;
+    for (const Variant& v : {published(s.threshold),
+                             thesis_as_printed(s.threshold),
+                             thesis_tuned(s.threshold, lipschitz),
+                             certified(s.threshold, lipschitz, terrain.at(s.start)),
+                             ahead,
+                             trusting,
+                             adaptive,
+                             reactive,
+                             batched,
+                             published_adaptive}) {
+      for (int seed = 0; seed < seeds; ++seed) {
+        const bool one = !v.batch && seed > 0;  // nothing is drawn
+        if (!one && (wanted_scenario == "all" || wanted_scenario == s.name) &&
+            (wanted_variant == "all" || wanted_variant == v.name)) {
+          jobs.push_back({s, v, static_cast<std::uint64_t>(seed)});
+        }
+      }
+    }
+  }
+  std::vector<std::string> lines(jobs.size());
+  std::printf(
+      "scenario,variant,seed,end,iterations,first,safe,unsafe_visits,unsafe_certified,travelled,"
+      "step_s,fallbacks,certificate\n");
+  tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+    lines[i] = run(terrain, jobs[i]);
+    std::fputs(lines[i].c_str(), stderr);
+  });
+  for (const std::string& line : lines) {
+    std::fputs(line.c_str(), stdout);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace tcert::terrain::study
+
+int main(int argc, char** argv) { return tcert::terrain::study::main_of(argc, argv); }
