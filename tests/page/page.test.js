@@ -159,6 +159,8 @@ describe('the page of a study', () => {
     assert.ok(compared >= 40);
     await page.fill('#tick', '0');
     const first = await page.getAttribute('.robot', 'transform');
+    const cursors = () => page.$$eval('.u-cursor-x', (lines) => lines.map((line) => line.getBoundingClientRect().x));
+    const [start] = await cursors();
     for (let i = 0; i < 5; ++i) await page.click('button[aria-label="Step forward"]');
     assert.equal(await page.inputValue('#tick'), '5');
     await page.click('button[aria-label="Step back"]');
@@ -167,6 +169,8 @@ describe('the page of a study', () => {
     await page.click('#play');
     await page.waitForFunction(() => Number(document.querySelector('#tick').value) > 50);
     assert.notEqual(await page.getAttribute('.robot', 'transform'), first);
+    const moved = await cursors();
+    assert.ok(moved.length >= 2 && moved.every((x) => x > start + 10 && Math.abs(x - moved[0]) < 3), `${start}: ${moved}`);
     await page.click('#play');
     for (const part of ['.map .wall', '.map .odometry', '.map .edge', '.map .bottleneck', '.map .issued', '.map .start', '.map .goal']) {
       assert.ok(await page.locator(part).count() > 0, part);

@@ -19,7 +19,7 @@ function options(panel, width, height, cursorMoved) {
   return {
     width, height,
     legend: { show: false },
-    cursor: { y: false, drag: { x: true, y: false }, sync: { key: 'tick' }, points: { size: 7 } },
+    cursor: { drag: { x: true, y: false }, sync: { key: 'tick' }, points: { size: 7 } },
     scales: { x: { time: false } },
     axes: [
       { ...axis, label: 'Time [s]', labelSize: 20, size: 32 },

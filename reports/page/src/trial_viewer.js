@@ -19,11 +19,11 @@ export class TrialViewer {
     this.report = report;
     this.lines = lines;
     this.element = el('section', { class: 'card viewer', id: 'trial', hidden: true, 'aria-labelledby': 'trial-title' });
-    onThemeChange(() => this.plots?.draw());
+    onThemeChange(() => this.redraw());
     let settled = 0;
     addEventListener('resize', () => {
       clearTimeout(settled);
-      settled = setTimeout(() => this.plots?.draw(), 150);
+      settled = setTimeout(() => this.redraw(), 150);
     });
   }
 
@@ -75,6 +75,12 @@ export class TrialViewer {
     this.show(0);
     this.element.querySelector('h3').focus({ preventScroll: true });
     this.element.scrollIntoView({ block: 'start' });
+  }
+
+  redraw() {
+    if (!this.plots) return;
+    this.plots.draw();
+    this.show(this.tick);
   }
 
   show(tick) {
