@@ -172,6 +172,17 @@ describe('the page of a study', () => {
     const moved = await cursors();
     assert.ok(moved.length >= 2 && moved.every((x) => x > start + 10 && Math.abs(x - moved[0]) < 3), `${start}: ${moved}`);
     await page.click('#play');
+    // Another width, the same tick.
+    await page.fill('#tick', String(Math.floor(last / 2)));
+    const [before] = await cursors();
+    await page.setViewportSize({ width: 1000, height: 900 });
+    await page.waitForFunction((x) => {
+      const [line] = document.querySelectorAll('.u-cursor-x');
+      return line && Math.abs(line.getBoundingClientRect().x - x) > 5;
+    }, before);
+    assert.ok((await cursors()).every((x) => x > 500));
+    await page.setViewportSize({ width: 1280, height: 900 });
+    await page.waitForTimeout(300);
     for (const part of ['.map .wall', '.map .odometry', '.map .edge', '.map .bottleneck', '.map .issued', '.map .start', '.map .goal']) {
       assert.ok(await page.locator(part).count() > 0, part);
     }

@@ -61,6 +61,7 @@ export class TrialViewer {
       : `${this.last + 1} of ${trial.ticks} ticks: ${this.report.series.rule}`;
     this.element.replaceChildren(
       el('h3', { id: 'trial-title', tabindex: -1 }, `Trial ${name}`),
+      this.report.synthetic ? el('p', { class: 'made' }, this.report.synthetic) : '',
       el('p', { class: 'facts' }, trial.facts),
       el('div', { class: 'player', role: 'group', 'aria-label': 'Step through time' },
         this.playButton, step('Step back', -1), step('Step forward', 1),
