@@ -40,7 +40,7 @@ Example:
     --start 230,220 --goal 104,82
   tcert explore terrain.csv --start 300,200 --mode explore --max-steps 100 --lipschitz auto
 
-Cost: 10 to 50 ms a step at 240,000 cells, and 100 MB at 500 measurements.
+Cost: 5 to 30 ms a step at 240,000 cells, and 60 MB at 500 measurements.
 )";
 
 [[nodiscard]] bool is_given(const CommonOptions& common, const char* name) {
