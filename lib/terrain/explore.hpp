@@ -55,8 +55,10 @@ struct ExploreSetup {
 };
 
 enum class End {
-  reached,        ///< The goal is safe and joined to the robot.
-  not_reachable,  ///< No cell within reach can make the safe set grow: not at this threshold.
+  reached,  ///< The goal is safe and joined to the robot.
+  /// No cell within reach can make the safe set grow: not at this threshold. Under `certified` the
+  /// measurements and the Lipschitz constant alone say so, not the model.
+  not_reachable,
   step_limit,
   empty_safe_set,  ///< Nothing is safe: the published program dies here.
   stranded,        ///< The ground under the robot is no longer certified.
