@@ -49,8 +49,9 @@ struct ExploreSetup {
   double robot_radius = 2.0;
   double simplification = 4.0;  ///< Tolerance of outlines and depth of sub-goals (`published`).
   AdaptivePrior adaptive;
-  /// Confidence at which the Lipschitz constant is estimated, again whenever the measurements have
-  /// doubled; 0: as the rules give it. `certified` only.
+  /// Confidence at which the Lipschitz constant is estimated, after the first batch and again
+  /// whenever the measurements have doubled; it holds for all estimates together, and none lowers
+  /// the constant. 0: as the rules give it. `certified` only.
   double lipschitz_confidence = 0.0;
 };
 
