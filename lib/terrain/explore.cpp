@@ -94,15 +94,21 @@ class Run {
   }
 
   /// Raises the Lipschitz constant where the measurements ask for it. Never lowers it: where they
-  /// were taken depends on what was measured before.
+  /// were taken depends on what was measured before. Without a further place nothing new is known,
+  /// and no risk is taken.
   void estimate_anew() {
-    const double confidence = confidence_of_estimate(setup_.lipschitz_confidence, ++estimates_);
+    const double confidence = confidence_of_estimate(setup_.lipschitz_confidence, estimates_ + 1);
     const LipschitzEstimate estimate = estimate_lipschitz(terrain_.grid,
                                                           planner_.measurements(),
                                                           planner_.model().prior().length_scale,
                                                           setup_.rules.noise_bound,
                                                           confidence);
-    if (std::isfinite(estimate.constant) && estimate.constant > planner_.rules().lipschitz) {
+    if (estimate.patches <= patches_) {
+      return;
+    }
+    ++estimates_;
+    patches_ = estimate.patches;
+    if (estimate.constant > planner_.rules().lipschitz) {
       planner_.set_lipschitz(estimate.constant);
     }
   }
@@ -285,6 +291,7 @@ class Run {
   std::size_t unsafe_visits_ = 0;
   std::size_t next_choice_ = 0;
   int estimates_ = 0;
+  int patches_ = 0;
 };
 
 void require_inside(const Grid& grid, Cell c, const std::string& who) {

@@ -1,4 +1,5 @@
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -36,6 +37,13 @@ constexpr double kRounding = 2e-15;
   return solver.eigenvectors().rightCols(kept);
 }
 
+/// A smaller share of the kernel's variance is lost in the rounding of a factor of 500 rows.
+constexpr double kLeastNoise = 1e-10;
+
+[[nodiscard]] double noise_of(const GpPrior& prior) {
+  return std::max(prior.noise_variance, kLeastNoise * prior.variance);
+}
+
 void require(bool holds, const char* message) {
   if (!holds) {
     throw std::invalid_argument(message);
@@ -62,7 +70,7 @@ void SeparableGp::add(const Position& p, double y) {
   const std::size_t n = positions_.size();
   // The new row of the Cholesky factor of K + noise I.
   std::vector<double> row(n + 1);
-  double pivot = prior_.variance + prior_.noise_variance;
+  double pivot = prior_.variance + noise_of(prior_);
   double residual = y - prior_.mean;
   for (std::size_t j = 0; j < n; ++j) {
     const double d2 = (p - positions_[j]).squaredNorm();
@@ -77,7 +85,7 @@ void SeparableGp::add(const Position& p, double y) {
     residual -= row[j] * whitened_[j];
   }
   if (!(pivot > 0.0)) {
-    throw std::domain_error("measurements coincide: the covariance is singular without noise");
+    throw std::domain_error("measurements coincide: the covariance is singular");
   }
   const double root = std::sqrt(pivot);
   row[n] = root;
@@ -120,7 +128,7 @@ double log_likelihood(const GpPrior& prior, std::span<const Measurement> measure
       const Measurement& b = measurements[static_cast<std::size_t>(j)];
       k(i, j) = prior.variance * std::exp(scale * (a.at - b.at).squaredNorm());
     }
-    k(i, i) += prior.noise_variance;
+    k(i, i) += noise_of(prior);
     residual(i) = a.value - prior.mean;
   }
   const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> llt(k);

@@ -13,9 +13,10 @@ namespace tcert::terrain {
 /// k(p, q) = variance exp(-|p - q|^2 / (2 length_scale^2)), constant prior mean.
 struct GpPrior {
   double mean = 0.0;
-  double variance = 2.0;        ///< > 0.
-  double length_scale = 30.0;   ///< Cells, > 0.
-  double noise_variance = 1.0;  ///< Of a measurement, >= 0; see Model below.
+  double variance = 2.0;       ///< > 0.
+  double length_scale = 30.0;  ///< Cells, > 0.
+  double noise_variance =
+      1.0;  ///< Of a measurement, >= 0; 1e-10 of the variance at least is taken.
   friend bool operator==(const GpPrior&, const GpPrior&) = default;
 };
 
@@ -34,7 +35,7 @@ class SeparableGp {
   SeparableGp(const Grid& grid, const GpPrior& prior);
 
   /// Conditions on value `y` at `p`, which need not be a cell. \throws std::domain_error if the
-  /// position repeats others so that the covariance is singular (noise_variance 0).
+  /// covariance is singular to the last bit.
   void add(const Position& p, double y);
 
   [[nodiscard]] const Grid& grid() const noexcept { return grid_; }

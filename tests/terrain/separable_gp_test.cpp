@@ -123,9 +123,17 @@ TEST(SeparableGp, RefusesWhatCannotBe) {
   EXPECT_THROW(SeparableGp({0, 4}, {}), std::invalid_argument);
   EXPECT_THROW(SeparableGp({4, 4}, {0.0, -1.0, 3.0, 1.0}), std::invalid_argument);
   EXPECT_THROW(SeparableGp({4, 4}, {0.0, 1.0, 0.0, 1.0}), std::invalid_argument);
-  SeparableGp exact({4, 4}, {0.0, 1.0, 2.0, 0.0});
-  exact.add({1.0, 1.0}, 3.0);
-  EXPECT_THROW(exact.add({1.0, 1.0}, 3.0), std::domain_error);
+}
+
+TEST(SeparableGp, BearsNeighboursAndRepeatsWithoutNoise) {
+  SeparableGp exact({20, 20}, {0.0, 9e4, 70.0, 0.0});
+  for (int i = 0; i < 400; ++i) {
+    ASSERT_NO_THROW(exact.add(Position(i / 20, i % 20), 0.5 * (i / 20)));
+  }
+  ASSERT_NO_THROW(exact.add(Position(3, 4), 1.5));
+  for (std::size_t i = 0; i < 400; ++i) {
+    EXPECT_NEAR(0.5 * static_cast<double>(i / 20), exact.mean()[i], 0.05);
+  }
 }
 
 }  // namespace
