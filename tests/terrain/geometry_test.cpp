@@ -109,6 +109,8 @@ TEST(Simplified, NeverLeavesTheGround) {
 
 TEST(EarClipping, CoversThePolygonOnce) {
   std::mt19937 random(29);
+  std::size_t parts = 0;
+  std::size_t clipped = 0;
   for (int run = 0; run < 40; ++run) {
     const Grid grid{40, 33};
     const CellSet ground = random_ground(grid, random);
@@ -124,7 +126,9 @@ TEST(EarClipping, CoversThePolygonOnce) {
         EXPECT_GT(one, 0.0);
         area += one;
       }
+      ++parts;
       if (!triangles.empty()) {
+        ++clipped;
         EXPECT_NEAR(doubled_area(part.ring), area, 1e-9);
         const auto tree = triangle_tree(triangles, triangles.size() / 2);
         EXPECT_EQ(triangles.size(), tree.size());
@@ -134,6 +138,8 @@ TEST(EarClipping, CoversThePolygonOnce) {
       }
     }
   }
+  RecordProperty("clipped", static_cast<int>(clipped));
+  EXPECT_GE(10 * clipped, 9 * parts);
 }
 
 /// The map has a pole on an obstacle's border.
@@ -183,6 +189,44 @@ TEST(ObstacleMap, HasTheJacobianOfItsDifferences) {
   EXPECT_GT(moved, 20U) << "the test needs points near obstacles";
 }
 
+/// The stupid way: a thousand points.
+bool sampled_on_ground(const Grid& grid,
+                       const CellSet& ground,
+                       const Position& a,
+                       const Position& b) {
+  for (int k = 0; k <= 1000; ++k) {
+    const Cell c = nearest_cell(a + (b - a) * (k / 1000.0));
+    if (!grid.contains(c) || ground[grid.index(c)] == 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+TEST(Segment, StaysOnTheGroundAtEveryPoint) {
+  CellSet corner{1, 0, 1, 1};  // (0, 1) is no ground
+  EXPECT_FALSE(stays_on_ground({2, 2}, corner, {0.41, 0.44}, {0.52, 0.55}));
+  std::mt19937 random(43);
+  const Grid grid{30, 25};
+  std::uniform_real_distribution<double> at(0.0, 23.0);
+  std::uniform_real_distribution<double> by(-3.0, 3.0);
+  int stays = 0;
+  for (int run = 0; run < 10; ++run) {
+    const CellSet ground = random_ground(grid, random);
+    for (int k = 0; k < 500; ++k) {
+      const Position a(at(random), at(random));
+      const Position b = a + Position(by(random), by(random));
+      const bool exact = stays_on_ground(grid, ground, a, b);
+      stays += exact ? 1 : 0;
+      // Points may miss a corner that is cut; they never see one that is not.
+      if (exact) {
+        ASSERT_TRUE(sampled_on_ground(grid, ground, a, b));
+      }
+    }
+  }
+  EXPECT_GT(stays, 500);
+}
+
 TEST(Controller, StaysOnTheGround) {
   std::mt19937 random(37);
   const Grid grid{60, 50};
@@ -203,12 +247,13 @@ TEST(Controller, StaysOnTheGround) {
         reactive_way(grid, ground, position(from), position(to), ControllerOptions{});
     ++ways;
     arrived += way.arrived ? 1 : 0;
-    for (const Position& p : way.path) {
-      ASSERT_EQ(1, ground[grid.index(nearest_cell(p))]);
+    for (std::size_t k = 1; k < way.path.size(); ++k) {
+      ASSERT_TRUE(sampled_on_ground(grid, ground, way.path[k - 1], way.path[k])) << run;
     }
   }
   RecordProperty("arrived", arrived);
   RecordProperty("ways", ways);
+  EXPECT_GE(arrived, 3) << "the ground is narrow, but some ways lead to the end";
 }
 
 TEST(Routes, WidestEqualsBruteForce) {

@@ -21,6 +21,8 @@ TEST(Certified, SaysWhatAnUnderstatedConstantCosts) {
   RecordProperty("unsafe_25", static_cast<int>(quarter.with_unsafe_cells));
   RecordProperty("unsafe_50", static_cast<int>(half.with_unsafe_cells));
   EXPECT_LE(quarter.with_unsafe_cells, half.with_unsafe_cells);
+  EXPECT_GE(quarter.with_unsafe_cells, 10U) << "the test must be able to see unsafe cells";
+  EXPECT_GE(half.with_unsafe_cells, 50U);
   EXPECT_GT(half.contradicted, 0U) << "measurements contradict half the constant";
 }
 
