@@ -154,12 +154,12 @@ int run(Arguments arguments) {
     }
     for (const ExploreFrame& frame : chosen) {
       folder->write(
-          fmt::format("frame_{}.svg", ++number),
+          fmt::format("frames/frame_{:03}.svg", ++number),
           explore_picture(ground, setup.rules.threshold, frame, result.path, setup.goal, label));
     }
     Manifest manifest;
     manifest.command = "explore";
-    manifest.options = common.effective;
+    record(common, manifest);
     manifest.seed = static_cast<std::uint64_t>(common.seed);
     manifest.synthetic = label;
     manifest.inputs = {{name_of(options.terrain), digest_file(options.terrain)}};

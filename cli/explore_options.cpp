@@ -28,7 +28,7 @@ TERRAIN is a rectangle of numbers, higher is safer; x counts its lines, y its co
 first. --rules: 'certified' certifies by measurements and the Lipschitz constant alone; 'thesis' is
 Algorithm 1 as printed; 'published' is the published program.
 
-With --output DIR: DIR/series.csv (one row a step), DIR/path.csv, DIR/frame_*.svg and
+With --output DIR: DIR/series.csv (one row a step), DIR/path.csv, DIR/frames/frame_*.svg and
 DIR/manifest.json. Without it: the summary alone.
 
 Usage: tcert explore TERRAIN --start X,Y [--goal X,Y] [options]
@@ -210,7 +210,9 @@ CommandLine explore_command_line(ExploreOptions& o) {
       "kernel-mean",
       number(o.kernel_mean, "M"),
       "prior mean; certified rules take the value at the start unless it is a flag")(
-      "noise-variance", number(o.noise_variance, "V"), "of a measurement, in the model")(
+      "noise-variance",
+      number(o.noise_variance, "V"),
+      "of a measurement, in the model; at least 1e-10 of the kernel's is taken")(
       "noise-bound",
       number(o.noise_bound, "E"),
       "largest error of a measurement (certified rules)")(

@@ -221,12 +221,16 @@ std::vector<ManifestArgument> arguments_of(const CommandLine& line,
   std::vector<ManifestArgument> arguments;
   for (const Positional& one : line.positional) {
     if (!one.value->empty()) {
-      const bool input = one.name == "BUNDLE" || one.name == "LOG" || one.name == "RESULTS";
+      const bool input = one.name == "BUNDLE" || one.name == "LOG" || one.name == "RESULTS" ||
+                         one.name == "TERRAIN";
       arguments.push_back({input ? name_of(*one.value) : *one.value, input});
     }
   }
   for (const std::string& name : names_of(shown)) {
-    if (shapes_the_result(name) && values.count(name) != 0 && !values[name].defaulted()) {
+    // A --config of the command's own kind is an input: nothing else says what it says.
+    const bool own_config = name == kConfig && (line.common & (uses_config | uses_parameters)) == 0;
+    if ((shapes_the_result(name) || own_config) && values.count(name) != 0 &&
+        !values[name].defaulted()) {
       append_option(name, values[name].value(), is_input(shown, name), arguments);
     }
   }

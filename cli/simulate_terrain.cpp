@@ -63,7 +63,7 @@ int simulate_terrain(Arguments arguments) {
   terrain.header = to_string(label);
   Manifest manifest;
   manifest.command = "simulate";
-  manifest.options = common.effective;
+  record(common, manifest);
   manifest.seed = field.seed;
   manifest.synthetic = label;
   write_with_manifest(common.output, terrain_text(terrain), std::move(manifest));

@@ -95,8 +95,11 @@ std::vector<ExploreFrame> FrameKeeper::evenly(std::size_t wanted) const {
   if (last_ && (all.empty() || all.back().step != last_->step)) {
     all.push_back(*last_);
   }
-  if (all.size() <= wanted || wanted < 2) {
+  if (all.size() <= wanted) {
     return all;
+  }
+  if (wanted < 2) {
+    return wanted == 0 ? std::vector<ExploreFrame>{} : std::vector<ExploreFrame>{all.back()};
   }
   std::vector<ExploreFrame> chosen;
   const int first = all.front().step;

@@ -27,8 +27,8 @@ class FrameKeeper {
  public:
   void add(ExploreFrame frame);
 
-  /// `wanted` of them, evenly spaced over the steps, the first and the last among them; all there
-  /// are if there are fewer.
+  /// `wanted` of them, evenly spaced over the steps, the first and the last among them; one is
+  /// the last; all there are if there are fewer.
   [[nodiscard]] std::vector<ExploreFrame> evenly(std::size_t wanted) const;
 
  private:

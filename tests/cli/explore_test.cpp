@@ -109,10 +109,30 @@ TEST_F(ExploreCommand, WritesSeriesPicturesAndManifest) {
   EXPECT_EQ("0", last_of(series, "unsafe_certified"));
   EXPECT_EQ("0", last_of(series, "unsafe_visits"));
   EXPECT_EQ("4", last_of(series, "synthetic_seed"));
-  expect_part(work.read("run/frame_1.svg"), "SYNTHETIC data");
-  expect_part(work.read("run/frame_1.svg"), "</svg>");
+  expect_part(work.read("run/frames/frame_001.svg"), "SYNTHETIC data");
+  expect_part(work.read("run/frames/frame_001.svg"), "</svg>");
   const auto manifest = nlohmann::json::parse(work.read("run/manifest.json"));
   EXPECT_EQ("explore", manifest.at("command"));
+  // The words of the manifest make the same result.
+  std::vector<std::string> words{"explore"};
+  for (const auto& word : manifest.at("arguments")) {
+    words.push_back(word.is_object() ? word.at("input").get<std::string>()
+                                     : word.get<std::string>());
+  }
+  ASSERT_TRUE(manifest.at("arguments").at(0).is_object());
+  EXPECT_EQ("terrain.csv", words.at(1));
+  words.insert(words.end(), {"--output", "from_manifest"});
+  const ProcessResult made = work.run(words);
+  ASSERT_EQ(0, made.exit_code) << to_string(made);
+  EXPECT_EQ(series, work.read("from_manifest/series.csv"));
+  EXPECT_EQ(work.read("run/manifest.json"), work.read("from_manifest/manifest.json"));
+  // One picture is the last.
+  words.insert(words.end(), {"--frames", "1"});
+  words.at(words.size() - 3) = "one_frame";
+  const ProcessResult one = work.run(words);
+  ASSERT_EQ(0, one.exit_code) << to_string(one);
+  EXPECT_EQ(work.read("run/frames/frame_009.svg"), work.read("one_frame/frames/frame_001.svg"));
+  EXPECT_FALSE(std::filesystem::exists(work.path() / "one_frame/frames/frame_002.svg"));
   // The same again gives the same bytes.
   const ProcessResult again = work.run(arguments);
   ASSERT_EQ(0, again.exit_code) << to_string(again);

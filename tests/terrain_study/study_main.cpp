@@ -44,10 +44,14 @@ std::string run(const Terrain& terrain, const Job& job) {
   const ExploreResult result = explore(terrain, setup);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  char certificate[40] = "";
+  if (result.last().certificate) {
+    std::snprintf(certificate, sizeof certificate, "%.2f", *result.last().certificate);
+  }
   char line[400];
   std::snprintf(line,
                 sizeof line,
-                "%s,%s,%llu,%s,%zu,%zu,%zu,%zu,%zu,%.1f,%.4f,%zu,%.2f\n",
+                "%s,%s,%llu,%s,%zu,%zu,%zu,%zu,%zu,%.1f,%.4f,%zu,%s\n",
                 job.scenario.name.c_str(),
                 job.variant.name.c_str(),
                 static_cast<unsigned long long>(job.seed),
@@ -60,7 +64,7 @@ std::string run(const Terrain& terrain, const Job& job) {
                 result.last().travelled,
                 seconds / static_cast<double>(result.steps.size()),
                 result.controller_fallbacks,
-                result.last().certificate.value_or(-1.0));
+                certificate);
   return line;
 }
 
