@@ -280,6 +280,46 @@ TEST_F(Live, TakesOneProducerAfterTheOtherOnAUnixSocket) {
       << "a producer that comes back breaks the path";
 }
 
+TEST_F(Live, ReplacesAForsakenSocketAndNoOtherFile) {
+  prepare(1);
+  work_.write("precious.csv", "a,b\n");
+  const ProcessResult live =
+      work_.run({"live", "--bundle", "corpus", "--listen", "unix:precious.csv"});
+  EXPECT_EQ(live.exit_code, 66) << to_string(live);
+  EXPECT_NE(live.err.find("in use"), std::string::npos) << live.err;
+  EXPECT_EQ(work_.read("precious.csv"), "a,b\n");
+
+  start({"--listen", "unix:ticks.socket"});
+  ::close(connect_unix("ticks.socket"));
+  EXPECT_EQ(end(SIGKILL), 128 + SIGKILL);
+  ASSERT_TRUE(fs::is_socket(work_ / "ticks.socket"));
+  start({"--listen", "unix:ticks.socket"});
+  ::close(connect_unix("ticks.socket"));
+  // Somebody else takes the path meanwhile: theirs stays.
+  fs::remove(work_ / "ticks.socket");
+  work_.write("ticks.socket", "theirs");
+  EXPECT_EQ(end(SIGTERM), 0) << err();
+  EXPECT_EQ(work_.read("ticks.socket"), "theirs");
+}
+
+TEST_F(Live, GoesOnIgnoringWhatItWasStartedToIgnore) {
+  prepare(1);
+  make_fifo(".stdin");
+  ::signal(SIGHUP, SIG_IGN);  // as nohup does; the child inherits it
+  start({});
+  ::signal(SIGHUP, SIG_DFL);
+  const int input = ::open((work_ / ".stdin").c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(input, 0);
+  const std::size_t half = ticks_.find('\n', ticks_.size() / 2) + 1;
+  send_all(input, std::string_view(ticks_).substr(0, half));
+  ASSERT_TRUE(waits_for_lines(lines_of(ticks_.substr(0, half)) - 1));
+  ::kill(child_, SIGHUP);
+  send_all(input, std::string_view(ticks_).substr(half));
+  ::close(input);
+  EXPECT_EQ(wait(), 0) << err();
+  EXPECT_TRUE(out() == series_);
+}
+
 TEST_F(Live, TakesDatagramsOnLoopback) {
   prepare(1);
   start({"--listen", "udp:0"});
