@@ -18,7 +18,8 @@ struct CurvatureQuery {
   double body_width_m = 0.0;
   double cell_m = 0.1;
   int headings = 48;
-  double above_m = 0.0;         ///< Paths of no more than this are of no interest.
+  double above_m = 0.0;         ///< Paths of no more than this are of no interest; at least the
+                                ///< slack of clearance 0.
   double enough_m = 0.0;        ///< Values above this count as this.
   std::vector<double> radii_m;  ///< Of the arcs, both ways; straight ones besides.
   std::vector<double> worth_m;  ///< r - R_min of each.
