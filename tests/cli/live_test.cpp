@@ -59,6 +59,18 @@ void send_all(int descriptor, std::string_view bytes) {
   }
 }
 
+/// Ticks of a robot that stands still.
+std::string still_ticks(const std::string& ticks, std::size_t count) {
+  const std::size_t header_end = ticks.find('\n', ticks.find('\n') + 1) + 1;
+  const std::string first = ticks.substr(header_end, ticks.find('\n', header_end) - header_end);
+  const std::string rest = first.substr(first.find(','));
+  std::string text = ticks.substr(0, header_end);
+  for (std::size_t k = 0; k < count; ++k) {
+    text += std::to_string(k / 10) + "." + std::to_string(k % 10) + rest + "\n";
+  }
+  return text;
+}
+
 /// `tcert live` in a folder with a corpus, its ticks and its series.
 class Live : public ::testing::Test {
  protected:
@@ -280,6 +292,20 @@ TEST_F(Live, TakesOneProducerAfterTheOtherOnAUnixSocket) {
       << "a producer that comes back breaks the path";
 }
 
+TEST_F(Live, SaysThatTimesGoOnToAProducerWhoseClockBeginsAgain) {
+  prepare(1);
+  start({"--listen", "unix:ticks.socket"});
+  for (int k = 0; k < 2; ++k) {
+    const int socket = connect_unix("ticks.socket");
+    send_all(socket, still_ticks(ticks_, 3));
+    ::close(socket);
+    ASSERT_TRUE(waits_for_lines(4));
+  }
+  EXPECT_TRUE(eventually([&] { return err().find("times go on") != std::string::npos; })) << err();
+  EXPECT_EQ(end(SIGTERM), 3) << err();
+  EXPECT_EQ(lines_of(out()), 4U);
+}
+
 TEST_F(Live, ReplacesAForsakenSocketAndNoOtherFile) {
   prepare(1);
   work_.write("precious.csv", "a,b\n");
@@ -354,18 +380,6 @@ TEST_F(Live, TakesDatagramsOnLoopback) {
   EXPECT_TRUE(out() == series_);
 }
 
-/// Ticks of a robot that stands still.
-std::string still_ticks(const std::string& ticks, std::size_t count) {
-  const std::size_t header_end = ticks.find('\n', ticks.find('\n') + 1) + 1;
-  const std::string first = ticks.substr(header_end, ticks.find('\n', header_end) - header_end);
-  const std::string rest = first.substr(first.find(','));
-  std::string text = ticks.substr(0, header_end);
-  for (std::size_t k = 0; k < count; ++k) {
-    text += std::to_string(k / 10) + "." + std::to_string(k % 10) + rest + "\n";
-  }
-  return text;
-}
-
 TEST_F(Live, DropsRowsAndNeverTicksForASlowConsumer) {
   prepare(1);
   constexpr std::size_t kCount = 20'000;
@@ -383,6 +397,7 @@ TEST_F(Live, DropsRowsAndNeverTicksForASlowConsumer) {
   EXPECT_EQ(end(SIGTERM), 0) << err();
   ::close(unread);
   EXPECT_NE(err().find("rows were dropped"), std::string::npos) << err();
+  EXPECT_NE(err().find("the last row was cut off"), std::string::npos) << err();
   EXPECT_NE(err().find("20000 ticks recorded"), std::string::npos) << err();
   fs::remove(work_ / ".stdout");
 }
