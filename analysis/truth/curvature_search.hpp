@@ -27,7 +27,8 @@ struct CurvatureQuery {
 
 /// Arcs from S to G, the best path of the search; empty if none is above `above_m`. `steps` orders
 /// poses of the same value: fewer to go first.
-/// \throws std::invalid_argument if the lattice would have more than 2^28 poses.
+/// \throws std::invalid_argument if the lattice would have more than 2^25 poses, 28 bytes each
+/// when all are seen.
 [[nodiscard]] std::vector<Arc> search_path(const World& world,
                                            const ClearanceTable& table,
                                            const std::vector<std::uint32_t>& steps,
