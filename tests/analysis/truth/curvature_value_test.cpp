@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
+#include "analysis/truth/curvature_search.hpp"
 #include "analysis/truth/random_worlds.hpp"
 #include "analysis/truth/truth.hpp"
 
@@ -156,6 +158,16 @@ TEST(CurvatureValue, StaysWithinTheBoundsInEitherConvention) {
       }
     }
   }
+}
+
+// 1.3e8 poses would take some 4 GB.
+TEST(CurvatureValue, RefusesASearchThatWouldTakeAllMemory) {
+  const World world = corridor_with_gate(1.2, 0.63);
+  const ObstacleDistance obstacles(world);
+  const ClearanceTable table(world, obstacles, 0.05);
+  CurvatureQuery query;
+  query.cell_m = 0.0016;
+  EXPECT_THROW((void)search_path(world, table, {}, query), std::invalid_argument);
 }
 
 TEST(CurvatureValue, LiesBelowTheExactClearanceInRandomWorlds) {
