@@ -172,7 +172,8 @@ bool shapes_the_result(const std::string& name) {
 
 bool is_input(const po::options_description& all, const std::string& name) {
   const po::option_description* const known = all.find_nothrow(name, false);
-  return known != nullptr && known->semantic()->name().rfind("FILE", 0) == 0;
+  return known != nullptr && (known->semantic()->name().rfind("FILE", 0) == 0 ||
+                              known->semantic()->name().rfind("FOLDER", 0) == 0);
 }
 
 /// What shapes the result; files by their names.
