@@ -1,6 +1,8 @@
 #include "cli/verify/make_again.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
@@ -23,6 +25,19 @@ const Command* command_called(const std::string& name) {
   return nullptr;
 }
 
+/// True if the tree holds every manifest that a page, or figures, of results list: whatever it was
+/// called when they were made.
+bool is_drawn_of(const VerifyTarget& target, const fs::path& results) {
+  const WrittenResult& manifest = target.result.manifest;
+  std::error_code error;
+  return (manifest.command == "report" || manifest.command == "figures") &&
+         !manifest.inputs.empty() &&
+         std::all_of(
+             manifest.inputs.begin(), manifest.inputs.end(), [&](const ManifestFile& input) {
+               return fs::is_regular_file(results / input.path, error);
+             });
+}
+
 /// The command line that makes the result again; names what cannot be found.
 std::vector<std::string> words_of(const VerifyTarget& target,
                                   const fs::path& results,
@@ -32,6 +47,8 @@ std::vector<std::string> words_of(const VerifyTarget& target,
   for (const ManifestArgument& argument : *target.result.manifest.arguments) {
     if (!argument.is_input) {
       words.push_back(argument.text);
+    } else if (words.empty() && is_drawn_of(target, results)) {
+      words.push_back(results.string());
     } else if (const auto path = find_input(argument.text, target, results, inputs)) {
       words.push_back(path->string());
     } else {

@@ -136,13 +136,6 @@ TEST_F(ResultsTree, StandsWithEveryKindOfResultInIt) {
       {"replay", "all/corpus", "--output", "all/replays"},
       {"hypotheses", "h2", "--features", "all/certificates/features.csv", "--output", "all/h2/"},
       {"hypotheses", "h3", "--replays", "all/replays/replay.csv", "--output", "all/h3.md"},
-      {"fit",
-       "roc",
-       "success ~ tc_early",
-       "--data",
-       "all/certificates/features.csv",
-       "--output",
-       "all/roc.txt"},
       {"sweep",
        "all/corpus",
        "--grid",
@@ -162,7 +155,7 @@ TEST_F(ResultsTree, StandsWithEveryKindOfResultInIt) {
   const ProcessResult run = work->run({"verify", "all", "--format", "csv", "--threads", "2"});
   EXPECT_EQ(run.exit_code, 0) << to_string(run);
   EXPECT_EQ(run.out.find(",no,"), std::string::npos) << "everything is made again: " << run.out;
-  for (const char* const name : {"figures,", "h3.md,", "roc.txt,", "sweep,", "gate,"}) {
+  for (const char* const name : {"figures,", "h3.md,", "sweep,", "gate,"}) {
     EXPECT_NE(run.out.find(name), std::string::npos) << name << run.out;
   }
   work->write("all/h3.md", work->read("all/h3.md") + "one more line\n");
