@@ -91,14 +91,15 @@ constexpr std::string_view kSyntheticPrefix = "SYNTHETIC data, seed ";
                 ? fmt::format("certificate: {:.6g}\n", *last.certificate)
                 : "certificate: NA\n";
   }
-  text += fmt::format("Lipschitz constant: {:.6g}\nunsafe cells held to be safe, at most: {}\nsteps "
-                      "onto unsafe cells: {}\n",
-                      last.lipschitz,
-                      result.most_unsafe_certified,
-                      last.unsafe_visits);
+  text += fmt::format(
+      "Lipschitz constant: {:.6g}\nunsafe cells held to be safe, at most: {}\nsteps "
+      "onto unsafe cells: {}\n",
+      last.lipschitz,
+      result.most_unsafe_certified,
+      last.unsafe_visits);
   if (setup.motion == terrain::Motion::reactive) {
-    text += fmt::format("ways left by the controller to a route: {}\n",
-                        result.controller_fallbacks);
+    text +=
+        fmt::format("ways left by the controller to a route: {}\n", result.controller_fallbacks);
   }
   return text;
 }
@@ -131,9 +132,9 @@ int run(Arguments arguments) {
     if (folder && options.frames > 0) {
       frames.add({step.step,
                   planner.safe(),
-                  planner.expander_set(),
+                  planner.considered(),
                   so_far.path.back(),
-                  {},
+                  so_far.free_space,
                   step.next,
                   so_far.path.size()});
     }
@@ -154,8 +155,7 @@ int run(Arguments arguments) {
     for (const ExploreFrame& frame : chosen) {
       folder->write(
           fmt::format("frame_{}.svg", ++number),
-          explore_picture(
-              ground, setup.rules.threshold, frame, result.path, setup.goal, label));
+          explore_picture(ground, setup.rules.threshold, frame, result.path, setup.goal, label));
     }
     Manifest manifest;
     manifest.command = "explore";

@@ -115,12 +115,13 @@ void set_certified(terrain::ExploreSetup& setup,
   around.push_back(setup.start);
   for (const Cell c : around) {
     if (terrain.at(c) - o.noise_bound < o.threshold) {
-      throw BadData(fmt::format("the ground round the start is not safe: {} at ({}, {}) is below "
-                                "the threshold {}; start elsewhere or lower --start-radius",
-                                terrain.at(c),
-                                c.x,
-                                c.y,
-                                o.threshold));
+      throw BadData(
+          fmt::format("the ground round the start is not safe: {} at ({}, {}) is below "
+                      "the threshold {}; start elsewhere or lower --start-radius",
+                      terrain.at(c),
+                      c.x,
+                      c.y,
+                      o.threshold));
     }
   }
   const std::vector<Measurement> first = measured(terrain, around);
@@ -130,11 +131,12 @@ void set_certified(terrain::ExploreSetup& setup,
     setup.rules.lipschitz = lipschitz_of(o.lipschitz);
     if (steepest > setup.rules.lipschitz * (1.0 + 1e-9)) {
       estimated = true;
-      say(fmt::format("warning: the Lipschitz constant {} is contradicted by the first measurements "
-                      "({:.3g} per cell); it is estimated instead. Give the terrain's own with "
-                      "--lipschitz.",
-                      setup.rules.lipschitz,
-                      steepest));
+      say(fmt::format(
+          "warning: the Lipschitz constant {} is contradicted by the first measurements "
+          "({:.3g} per cell); it is estimated instead. Give the terrain's own with "
+          "--lipschitz.",
+          setup.rules.lipschitz,
+          steepest));
     }
   }
   if (estimated) {
@@ -147,7 +149,8 @@ void set_certified(terrain::ExploreSetup& setup,
     }
     setup.rules.lipschitz = estimate.constant;
     setup.lipschitz_confidence = o.confidence;
-    say(fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} "
+    say(
+        fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} "
                     "measurements; estimated again as they double.",
                     estimate.constant,
                     100.0 * o.confidence,
@@ -202,7 +205,9 @@ CommandLine explore_command_line(ExploreOptions& o) {
       number(o.kernel_mean, "M"),
       "prior mean; certified rules take the value at the start unless it is a flag")(
       "noise-variance", number(o.noise_variance, "V"), "of a measurement, in the model")(
-      "noise-bound", number(o.noise_bound, "E"), "largest error of a measurement (certified rules)")(
+      "noise-bound",
+      number(o.noise_bound, "E"),
+      "largest error of a measurement (certified rules)")(
       "start-radius",
       whole(o.start_radius, "CELLS"),
       "cells round the start that are measured first (certified and thesis rules)")(
@@ -270,18 +275,17 @@ void check(const ExploreOptions& o) {
   if (o.terrain.empty()) {
     throw UsageError("needs TERRAIN, or a config file with environment.FILENAME");
   }
-  const auto one_of = [](const char* option,
-                         const std::string& value,
-                         const std::vector<std::string>& words) {
-    if (std::find(words.begin(), words.end(), value) == words.end()) {
-      std::string expected;
-      for (const std::string& word : words) {
-        expected += (expected.empty() ? "" : " or ") + word;
-      }
-      throw UsageError("--" + std::string(option) + ": found '" + value + "', expected " +
-                       expected + did_you_mean(value, words));
-    }
-  };
+  const auto one_of =
+      [](const char* option, const std::string& value, const std::vector<std::string>& words) {
+        if (std::find(words.begin(), words.end(), value) == words.end()) {
+          std::string expected;
+          for (const std::string& word : words) {
+            expected += (expected.empty() ? "" : " or ") + word;
+          }
+          throw UsageError("--" + std::string(option) + ": found '" + value + "', expected " +
+                           expected + did_you_mean(value, words));
+        }
+      };
   one_of("rules", o.rules, {"certified", "thesis", "published"});
   one_of("motion", o.motion, {"route", "reactive", "jump"});
   one_of("header", o.header, {"detect", "yes", "no"});
@@ -327,8 +331,8 @@ terrain::ExploreSetup explore_setup(const ExploreOptions& o,
   if (!o.goal.empty() && o.mode != "explore") {
     setup.goal = cell_of("goal", o.goal);
   }
-  for (const auto& [name, cell] : {std::pair{"start", std::optional(setup.start)},
-                                   std::pair{"goal", setup.goal}}) {
+  for (const auto& [name, cell] :
+       {std::pair{"start", std::optional(setup.start)}, std::pair{"goal", setup.goal}}) {
     if (cell && !terrain.grid.contains(*cell)) {
       throw UsageError(fmt::format("--{}: ({}, {}) lies outside the terrain of {} x {} cells",
                                    name,
@@ -346,8 +350,7 @@ terrain::ExploreSetup explore_setup(const ExploreOptions& o,
   if (setup.rules.kind == RuleSet::published) {
     setup.first_cells = published_batch(terrain, setup.start, o.threshold, common.seed);
   } else {
-    setup.first_cells =
-        cells_round(terrain, setup.start, static_cast<int>(o.start_radius));
+    setup.first_cells = cells_round(terrain, setup.start, static_cast<int>(o.start_radius));
   }
   if (setup.rules.kind == RuleSet::certified) {
     set_certified(setup, o, common, terrain);
@@ -366,12 +369,13 @@ terrain::ExploreSetup explore_setup(const ExploreOptions& o,
     }
   }
   if (terrain.at(setup.start) < o.threshold) {
-    say(fmt::format("warning: the start ({}, {}) stands on unsafe ground: {} is below the threshold "
-                    "{}.",
-                    setup.start.x,
-                    setup.start.y,
-                    terrain.at(setup.start),
-                    o.threshold));
+    say(fmt::format(
+        "warning: the start ({}, {}) stands on unsafe ground: {} is below the threshold "
+        "{}.",
+        setup.start.x,
+        setup.start.y,
+        terrain.at(setup.start),
+        o.threshold));
   }
   return setup;
 }

@@ -18,10 +18,10 @@ struct TerrainFieldOptions {
   std::uint64_t number = 0;  ///< Of the field among those of the seed.
 };
 
-/// mean + c g, g a sum of 256 random waves whose covariance is that of a Gaussian process in the mean
-/// over seeds, c such that the steepest bilinear gradient is `lipschitz`: then
-/// |f(p) - f(q)| <= lipschitz |p - q| for all cells. O(256 cells).
-/// \throws std::invalid_argument for a size below 2 x 2 or a scale that is not positive.
+/// mean + c g, g a sum of 256 random waves whose covariance is that of a Gaussian process in the
+/// mean over seeds, c such that the steepest bilinear gradient is `lipschitz`: then |f(p) - f(q)|
+/// <= lipschitz |p - q| for all cells. O(256 cells). \throws std::invalid_argument for a size below
+/// 2 x 2 or a scale that is not positive.
 [[nodiscard]] TerrainGrid random_terrain(const TerrainFieldOptions& options);
 
 }  // namespace tcert

@@ -57,7 +57,8 @@ class SparseField {
     deviation_.resize(mean_.size());
     for (int i = 0; i < rows; ++i) {
       for (int j = 0; j < columns_; ++j) {
-        const Eigen::VectorXd k = row({static_cast<double>(i * kStep), static_cast<double>(j * kStep)});
+        const Eigen::VectorXd k =
+            row({static_cast<double>(i * kStep), static_cast<double>(j * kStep)});
         const auto at = static_cast<std::size_t>(i * columns_ + j);
         mean_[at] = prior_.mean + k.dot(weights);
         const double variance = prior_.variance - prior_factor_.matrixL().solve(k).squaredNorm() +
@@ -90,7 +91,9 @@ class SparseField {
     const int j = static_cast<int>(y);
     const double u = x - i;
     const double v = y - j;
-    const auto at = [&](int a, int b) { return values[static_cast<std::size_t>(a * columns_ + b)]; };
+    const auto at = [&](int a, int b) {
+      return values[static_cast<std::size_t>(a * columns_ + b)];
+    };
     return (1 - u) * ((1 - v) * at(i, j) + v * at(i, j + 1)) +
            u * ((1 - v) * at(i + 1, j) + v * at(i + 1, j + 1));
   }
@@ -214,11 +217,8 @@ class Tree {
 
 }  // namespace
 
-BaselineResult straight_walk(const Terrain& terrain,
-                             const CellSet& blocked,
-                             double threshold,
-                             Cell start,
-                             Cell goal) {
+BaselineResult straight_walk(
+    const Terrain& terrain, const CellSet& blocked, double threshold, Cell start, Cell goal) {
   BaselineResult result;
   result.path.push_back(position(start));
   CellSet open(terrain.grid.size(), 1);
@@ -260,7 +260,8 @@ BaselineResult sparse_rrt_walk(const Terrain& terrain,
     for (int k = 0; k < options.samples_per_plan; ++k) {
       const double radius = options.sensor_range * std::sqrt(uniform());
       const double angle = 2.0 * M_PI * uniform();
-      const Cell c = nearest_cell(robot + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+      const Cell c =
+          nearest_cell(robot + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
       if (terrain.grid.contains(c)) {
         field.add({position(c), terrain.at(c)});
         ++result.samples;
@@ -272,8 +273,10 @@ BaselineResult sparse_rrt_walk(const Terrain& terrain,
     const std::vector<Position> way = tree.plan(robot, target);
     for (std::size_t k = 1; k < way.size() && left > 0.0; ++k) {
       const double length = (way[k] - robot).norm();
-      const Position to = length <= left ? way[k] : Position(robot + (way[k] - robot) * (left / length));
-      along(robot, to, [&](Cell c) { result.unsafe_visits += terrain.at(c) < threshold ? 1U : 0U; });
+      const Position to =
+          length <= left ? way[k] : Position(robot + (way[k] - robot) * (left / length));
+      along(
+          robot, to, [&](Cell c) { result.unsafe_visits += terrain.at(c) < threshold ? 1U : 0U; });
       const double gone = (to - robot).norm();
       result.length += gone;
       left -= gone;

@@ -37,11 +37,7 @@ std::size_t intersect_with_band(Intervals& intervals,
 
 /// What one measurement y at c, with |y - f(c)| <= noise_bound, says of every cell if f is
 /// L-Lipschitz: C <- C intersected with [y - noise - L d, y + noise + L d]. O(cells).
-void intersect_with_cone(Intervals& intervals,
-                         const Grid& grid,
-                         Cell c,
-                         double y,
-                         double noise_bound,
-                         double lipschitz);
+void intersect_with_cone(
+    Intervals& intervals, const Grid& grid, Cell c, double y, double noise_bound, double lipschitz);
 
 }  // namespace tcert::terrain

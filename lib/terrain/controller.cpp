@@ -83,9 +83,8 @@ ReactiveWay reactive_way(const Grid& grid,
       return way;
     }
     const Mapped here = map.map(x);
-    const std::vector<Position> free =
-        eroded(power_cell({here.x, options.robot_radius}, map.roots(), corners),
-               options.robot_radius);
+    const std::vector<Position> free = eroded(
+        power_cell({here.x, options.robot_radius}, map.roots(), corners), options.robot_radius);
     if (frame == 0) {
       way.free_space = free;
     }

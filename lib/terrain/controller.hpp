@@ -9,10 +9,10 @@ namespace tcert::terrain {
 
 struct ControllerOptions {
   double robot_radius = 2.0;
-  double simplification = 4.0;  ///< Tolerance of outlines.
-  double gain = 0.2;            ///< Of a frame.
-  double longest_step = 2.5;    ///< Cells a frame.
-  double standstill = 0.1;      ///< |u| below this is an equilibrium.
+  double simplification = 4.0;         ///< Tolerance of outlines.
+  double gain = 0.2;                   ///< Of a frame.
+  double longest_step = 2.5;           ///< Cells a frame.
+  double standstill = 0.1;             ///< |u| below this is an equilibrium.
   std::size_t standstill_frames = 20;  ///< So is coming no further than a cell in so many frames.
   int most_frames = 2000;
 };
@@ -24,9 +24,9 @@ struct ReactiveWay {
   std::size_t triangles = 0;
 };
 
-/// Moves from one position to another within one part of the ground. Every point of the way rounds to
-/// a cell of the ground: a step that would not is shortened, and the way ends where none is left.
-/// Outlines keep their holes and are simplified towards the ground only.
+/// Moves from one position to another within one part of the ground. Every point of the way rounds
+/// to a cell of the ground: a step that would not is shortened, and the way ends where none is
+/// left. Outlines keep their holes and are simplified towards the ground only.
 [[nodiscard]] ReactiveWay reactive_way(const Grid& grid,
                                        const CellSet& ground,
                                        const Position& from,

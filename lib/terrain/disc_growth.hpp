@@ -9,8 +9,8 @@
 
 namespace tcert::terrain {
 
-/// Cells x' with lower(x) - L |x - x'| >= h for some x of `safe`: Algorithm 1, line 6. Members whose
-/// lower bound is below h drop out unless another disc holds them.
+/// Cells x' with lower(x) - L |x - x'| >= h for some x of `safe`: Algorithm 1, line 6. Members
+/// whose lower bound is below h drop out unless another disc holds them.
 ///
 /// A disc whose radius is below the distance to the nearest cell outside is not drawn: it adds
 /// nothing to what its members that stay make. `depth2` is squared_depth(grid, safe).

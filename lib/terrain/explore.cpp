@@ -185,8 +185,8 @@ class Run {
     if (setup_.rules.kind != RuleSet::published || step == 0) {
       return true;
     }
-    return projected_inwards(
-               terrain_.grid, planner_.safe(), *setup_.goal, setup_.simplification) == setup_.goal;
+    return projected_inwards(terrain_.grid, planner_.safe(), *setup_.goal, setup_.simplification) ==
+           setup_.goal;
   }
 
   /// Where the next measurement is to be taken.
@@ -233,6 +233,7 @@ class Run {
     options.simplification = setup_.simplification;
     const ReactiveWay way =
         reactive_way(terrain_.grid, planner_.ground(), robot_, position(to), options);
+    result_.free_space = way.free_space;
     Cell before = nearest_cell(robot_);
     for (std::size_t k = 1; k < way.path.size(); ++k) {
       const Cell c = nearest_cell(way.path[k]);
@@ -255,8 +256,7 @@ class Run {
     if (!setup_.goal) {
       return;
     }
-    const CellSet reach =
-        component_of(terrain_.grid, planner_.ground(), nearest_cell(robot_));
+    const CellSet reach = component_of(terrain_.grid, planner_.ground(), nearest_cell(robot_));
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < reach.size(); ++i) {
       const double d2 = squared_distance(terrain_.grid.cell(i), *setup_.goal);
@@ -331,8 +331,8 @@ ExploreResult explore(const Terrain& terrain, const ExploreSetup& setup, const O
   if (setup.rules.kind == RuleSet::certified &&
       terrain.at(setup.start) - setup.rules.noise_bound < setup.rules.threshold) {
     throw std::invalid_argument("the start " + text_of(setup.start) + " stands on unsafe ground: " +
-                                std::to_string(terrain.at(setup.start)) + " is below the threshold " +
-                                std::to_string(setup.rules.threshold));
+                                std::to_string(terrain.at(setup.start)) +
+                                " is below the threshold " + std::to_string(setup.rules.threshold));
   }
   return Run(terrain, setup, observe).run();
 }

@@ -39,15 +39,15 @@ struct ExploreSetup {
   Rules rules;
   GpPrior prior;
   Cell start;
-  std::optional<Cell> goal;          ///< None: explore.
-  std::vector<Cell> first_cells;     ///< Measured before the first step, the start not among them.
-  std::vector<Measurement> known;    ///< Of an earlier run.
-  std::vector<Cell> seeds;           ///< S_0.
-  CellSet blocked;                   ///< Physical obstacles; empty: none.
-  int max_steps = 2000;              ///< Measurements after the first batch.
+  std::optional<Cell> goal;        ///< None: explore.
+  std::vector<Cell> first_cells;   ///< Measured before the first step, the start not among them.
+  std::vector<Measurement> known;  ///< Of an earlier run.
+  std::vector<Cell> seeds;         ///< S_0.
+  CellSet blocked;                 ///< Physical obstacles; empty: none.
+  int max_steps = 2000;            ///< Measurements after the first batch.
   Motion motion = Motion::route;
   double robot_radius = 2.0;
-  double simplification = 4.0;       ///< Tolerance of outlines and depth of sub-goals (`published`).
+  double simplification = 4.0;  ///< Tolerance of outlines and depth of sub-goals (`published`).
   AdaptivePrior adaptive;
   /// Confidence at which the Lipschitz constant is estimated, again whenever the measurements have
   /// doubled; 0: as the rules give it. `certified` only.
@@ -55,8 +55,8 @@ struct ExploreSetup {
 };
 
 enum class End {
-  reached,         ///< The goal is safe and joined to the robot.
-  not_reachable,   ///< No cell within reach can make the safe set grow: not at this threshold.
+  reached,        ///< The goal is safe and joined to the robot.
+  not_reachable,  ///< No cell within reach can make the safe set grow: not at this threshold.
   step_limit,
   empty_safe_set,  ///< Nothing is safe: the published program dies here.
   stranded,        ///< The ground under the robot is no longer certified.
@@ -77,18 +77,20 @@ struct ExploreStep {
   double upper = 0.0;
   std::optional<double> certificate;  ///< Start to goal over S_t; none until they are joined.
   double lipschitz = 0.0;
-  double travelled = 0.0;             ///< Cells, since the start.
-  std::size_t unsafe_certified = 0;   ///< Cells of S_t whose true value is below h.
-  std::size_t unsafe_visits = 0;      ///< Steps onto such cells so far, measured or walked over.
+  double travelled = 0.0;            ///< Cells, since the start.
+  std::size_t unsafe_certified = 0;  ///< Cells of S_t whose true value is below h.
+  std::size_t unsafe_visits = 0;     ///< Steps onto such cells so far, measured or walked over.
 };
 
 struct ExploreResult {
   End end = End::step_limit;
   std::vector<ExploreStep> steps;
   std::vector<Position> path;
+  std::vector<Position> free_space;  ///< Local free space of the controller when it last set out.
   std::size_t most_unsafe_certified = 0;
-  std::size_t controller_fallbacks = 0;  ///< Times the reactive controller left the rest to a route.
-  Position frontier{0.0, 0.0};           ///< The cell within reach that is nearest to the goal.
+  std::size_t controller_fallbacks =
+      0;                        ///< Times the reactive controller left the rest to a route.
+  Position frontier{0.0, 0.0};  ///< The cell within reach that is nearest to the goal.
 
   [[nodiscard]] const ExploreStep& last() const { return steps.back(); }
 };

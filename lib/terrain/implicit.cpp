@@ -25,8 +25,8 @@ Implicit conjunction(const Implicit& a, const Implicit& b) {
   if (scale == 0.0) {
     return {0.0, a.gradient + b.gradient};
   }
-  const double root = std::pow(even_power(a.value / scale) + even_power(b.value / scale),
-                               1.0 / kConjunctionPower);
+  const double root =
+      std::pow(even_power(a.value / scale) + even_power(b.value / scale), 1.0 / kConjunctionPower);
   const double radius = scale * root;
   return {a.value + b.value - radius,
           (1.0 - ninth_power(a.value / radius)) * a.gradient +

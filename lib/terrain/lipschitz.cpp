@@ -138,11 +138,10 @@ LipschitzEstimate estimate_lipschitz(const Grid& grid,
     return estimate;
   }
   estimate.gradient_sd = std::sqrt(sum / (2.0 * estimate.patches));
-  const double quantile = solve_rising(
-      [&](double x) { return chi_square_even(estimate.patches, x); }, half_risk, 1e6);
+  const double quantile =
+      solve_rising([&](double x) { return chi_square_even(estimate.patches, x); }, half_risk, 1e6);
   const double sd_bound = std::sqrt(sum / quantile);
-  estimate.constant =
-      std::max(steepest, sd_bound * steepest_factor(grid, length_scale, half_risk));
+  estimate.constant = std::max(steepest, sd_bound * steepest_factor(grid, length_scale, half_risk));
   return estimate;
 }
 

@@ -19,8 +19,9 @@ namespace tcert::terrain {
 
 /// k such that the gradient of a stationary Gaussian field with the kernel of GpPrior exceeds k
 /// times the standard deviation of one component, anywhere on the grid, with probability at most
-/// about `risk`: the expected Euler characteristic of the excursion set of a chi-square field with 2
-/// degrees of freedom (Worsley 1994), with the larger of the spectral moments, 3 / length_scale^2.
+/// about `risk`: the expected Euler characteristic of the excursion set of a chi-square field with
+/// 2 degrees of freedom (Worsley 1994), with the larger of the spectral moments, 3 /
+/// length_scale^2.
 [[nodiscard]] double steepest_factor(const Grid& grid, double length_scale, double risk);
 
 struct LipschitzEstimate {

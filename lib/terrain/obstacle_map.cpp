@@ -40,10 +40,11 @@ constexpr double kChildCentre = 0.8;   // of the way through the parent
   const double w = box.high.x() - box.low.x();
   const double h = box.high.y() - box.low.y();
   const double round = 2.0 * (w + h);
-  const std::array<std::pair<double, Position>, 4> corners{{{0.0, box.low},
-                                                            {w, {box.high.x(), box.low.y()}},
-                                                            {w + h, box.high},
-                                                            {2.0 * w + h, {box.low.x(), box.high.y()}}}};
+  const std::array<std::pair<double, Position>, 4> corners{
+      {{0.0, box.low},
+       {w, {box.high.x(), box.low.y()}},
+       {w + h, box.high},
+       {2.0 * w + h, {box.low.x(), box.high.y()}}}};
   const double from = perimeter_at(box, a);
   double to = perimeter_at(box, b);
   to += to <= from ? round : 0.0;
@@ -77,7 +78,8 @@ struct HalfPlane {
   return {right, right.dot(a)};
 }
 
-/// A half plane that holds convex `kept` and not the inside of convex `other`; none if they overlap.
+/// A half plane that holds convex `kept` and not the inside of convex `other`; none if they
+/// overlap.
 [[nodiscard]] std::optional<HalfPlane> separating(const std::vector<Position>& kept,
                                                   const std::vector<Position>& other) {
   constexpr double kTouch = 1e-9;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The diffeomorphism of a part of the ground: its uncertified surroundings and pockets become discs and
-/// points that a controller can be kept away from.
+/// The diffeomorphism of a part of the ground: its uncertified surroundings and pockets become
+/// discs and points that a controller can be kept away from.
 
 #include <optional>
 #include <terrain/outline.hpp>
@@ -27,8 +27,8 @@ struct Box {
 /// The box round the outline without the outline, in pieces, then its holes.
 [[nodiscard]] std::vector<PseudoObstacle> pseudo_obstacles(const Outline& outline);
 
-/// A convex collar round a convex counter-clockwise core: edges moved out by `width`, corners cut at
-/// that distance; edges listed in `fixed` stay.
+/// A convex collar round a convex counter-clockwise core: edges moved out by `width`, corners cut
+/// at that distance; edges listed in `fixed` stay.
 [[nodiscard]] std::vector<Position> collar_round(const std::vector<Position>& core,
                                                  double width,
                                                  const std::vector<std::size_t>& fixed);

@@ -38,9 +38,7 @@ class Squares {
         return (*this)(from.x, from.y - 1);
     }
   }
-  [[nodiscard]] bool right(Cell from, int d) const {
-    return left(from, (d + 3) % 4);
-  }
+  [[nodiscard]] bool right(Cell from, int d) const { return left(from, (d + 3) % 4); }
 
  private:
   const Grid& grid_;
@@ -131,7 +129,8 @@ class Simplifier {
     }
   }
 
-  /// Splitting at the farthest corner keeps the steps of a staircase: what the rules allow to go, goes.
+  /// Splitting at the farthest corner keeps the steps of a staircase: what the rules allow to go,
+  /// goes.
   void drop_needless(std::vector<std::size_t>& kept) const {
     for (bool dropped = true; dropped && kept.size() > 3;) {
       dropped = false;
@@ -150,9 +149,8 @@ class Simplifier {
   /// Distance of corner k from the chord.
   [[nodiscard]] double off(std::size_t from, std::size_t to, std::size_t k) const {
     const double length = distance(at(from), at(to));
-    return length > 0.0
-               ? std::abs(static_cast<double>(cross(at(from), at(to), at(k)))) / length
-               : distance(at(from), at(k));
+    return length > 0.0 ? std::abs(static_cast<double>(cross(at(from), at(to), at(k)))) / length
+                        : distance(at(from), at(k));
   }
 
   /// The ground lies to the left of the ring, so what a chord cuts off must lie to its right.
@@ -272,7 +270,9 @@ bool runs_within(const Grid& grid, const CellSet& ground, Cell a, Cell b) {
     // y over [k, k+1], in units of 1 / run.
     const std::int64_t first = std::min(k * rise, (k + 1) * rise);
     const std::int64_t last = std::max(k * rise, (k + 1) * rise);
-    const auto floor_of = [&](std::int64_t v) { return v >= 0 ? v / run : -((-v + run - 1) / run); };
+    const auto floor_of = [&](std::int64_t v) {
+      return v >= 0 ? v / run : -((-v + run - 1) / run);
+    };
     for (std::int64_t y = floor_of(first); y * run < last; ++y) {
       if (!squares(low.x + static_cast<int>(k), low.y + static_cast<int>(y))) {
         return false;

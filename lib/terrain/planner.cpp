@@ -25,6 +25,7 @@ Planner::Planner(const Grid& grid,
       seeds_(grid.size(), 0),
       safe_(grid.size(), 0),
       expanders_(grid.size(), 0),
+      considered_(grid.size(), 0),
       intervals_(grid.size()),
       cone_(rules.kind == RuleSet::certified ? grid.size() : 0) {
   require_valid(rules);
@@ -81,12 +82,8 @@ void Planner::derive_anew() {
   intervals_ = Intervals(grid_.size());
   safe_ = seeds_;
   for (const Measurement& known : measurements_) {
-    intersect_with_cone(cone_,
-                        grid_,
-                        nearest_cell(known.at),
-                        known.value,
-                        rules_.noise_bound,
-                        rules_.lipschitz);
+    intersect_with_cone(
+        cone_, grid_, nearest_cell(known.at), known.value, rules_.noise_bound, rules_.lipschitz);
   }
 }
 
@@ -153,11 +150,18 @@ const Plan& Planner::plan(std::optional<Cell> goal, std::optional<Cell> robot) {
   return plan_;
 }
 
-void Planner::choose(std::vector<std::size_t> candidates, std::optional<Cell> goal, Ties ties) {
-  if (goal) {
-    candidates = nearest_cells(
-        grid_, std::move(candidates), *goal, static_cast<std::size_t>(rules_.expanders));
+void Planner::consider(const std::vector<std::size_t>& cells) {
+  considered_.assign(grid_.size(), 0);
+  for (const std::size_t i : cells) {
+    considered_[i] = 1;
   }
+}
+
+void Planner::choose(std::vector<std::size_t> candidates, std::optional<Cell> goal, Ties ties) {
+  const auto n = static_cast<std::size_t>(rules_.expanders);
+  candidates = goal ? nearest_cells(grid_, std::move(candidates), *goal, n)
+                    : widest_cells(std::move(candidates), intervals_, n);
+  consider(candidates);
   if (const auto best = widest_cell(grid_, candidates, intervals_, goal, ties)) {
     plan_.next = grid_.cell(*best);
   }
@@ -165,7 +169,8 @@ void Planner::choose(std::vector<std::size_t> candidates, std::optional<Cell> go
 
 void Planner::plan_thesis(std::optional<Cell> goal) {
   if (model_->measurements() > 0) {
-    // An empty intersection keeps lower > upper: its width is negative and it is never chosen first.
+    // An empty intersection keeps lower > upper: its width is negative and it is never chosen
+    // first.
     empty_ = intersect_with_band(intervals_,
                                  model_->mean(),
                                  model_->variance(),
@@ -178,11 +183,8 @@ void Planner::plan_thesis(std::optional<Cell> goal) {
                      rules_.threshold,
                      rules_.lipschitz,
                      squared_depth(grid_, safe_));
-  expanders_ = expanders(safe_,
-                         intervals_.upper,
-                         rules_.threshold,
-                         rules_.lipschitz,
-                         squared_depth(grid_, safe_));
+  expanders_ = expanders(
+      safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, squared_depth(grid_, safe_));
   plan_.expanders = count(expanders_);
   choose(members(expanders_), goal, Ties::nearest_first);
 }
@@ -210,11 +212,8 @@ void Planner::plan_published(std::optional<Cell> goal) {
     candidates[i] = candidates[i] != 0 && intervals_.width(i) > widest ? 1 : 0;
   }
   plan_.candidates = count(candidates);
-  expanders_ = expanders(safe_,
-                         intervals_.upper,
-                         rules_.threshold,
-                         rules_.lipschitz,
-                         squared_depth(grid_, safe_));
+  expanders_ = expanders(
+      safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, squared_depth(grid_, safe_));
   for (std::size_t i = 0; i < grid_.size(); ++i) {
     expanders_[i] = expanders_[i] & candidates[i];
   }
@@ -248,8 +247,7 @@ void Planner::plan_certified(std::optional<Cell> goal, std::optional<Cell> robot
                        squared_depth(grid_, safe_));
   }
   const std::vector<std::int64_t> depth2 = squared_depth(grid_, safe_);
-  expanders_ =
-      expanders(safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, depth2);
+  expanders_ = expanders(safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, depth2);
   const CellSet reachable = robot ? component_of(grid_, ground(), *robot) : ground();
   for (std::size_t i = 0; i < grid_.size(); ++i) {
     expanders_[i] = expanders_[i] & reachable[i];
@@ -269,8 +267,7 @@ void Planner::look_ahead(const std::vector<std::size_t>& candidates,
   double best = kUnbounded;
   for (const std::size_t i : candidates) {
     const Cell c = grid_.cell(i);
-    const double expected = std::clamp(
-        model_->mean()[i], intervals_.lower[i], intervals_.upper[i]);
+    const double expected = std::clamp(model_->mean()[i], intervals_.lower[i], intervals_.upper[i]);
     const double radius = std::max(0.0, (expected - rules_.threshold) / rules_.lipschitz);
     const double gain = radius - std::sqrt(static_cast<double>(depth2[i]));
     const double way = rules_.travel_weight * distance(c, robot);
@@ -280,6 +277,10 @@ void Planner::look_ahead(const std::vector<std::size_t>& candidates,
       plan_.next = c;
     }
   }
+  // All were looked at; those nearest to the goal are shown.
+  const auto n = static_cast<std::size_t>(rules_.expanders);
+  consider(goal ? nearest_cells(grid_, candidates, *goal, n)
+                : widest_cells(candidates, intervals_, n));
 }
 
 }  // namespace tcert::terrain

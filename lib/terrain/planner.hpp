@@ -64,6 +64,9 @@ class Planner {
   /// Safe and not blocked.
   [[nodiscard]] CellSet ground() const;
   [[nodiscard]] const CellSet& expander_set() const noexcept { return expanders_; }
+  /// The members of G_t that were considered: the n nearest to the goal, or the n widest without
+  /// one.
+  [[nodiscard]] const CellSet& considered() const noexcept { return considered_; }
   /// C_t: what the choice of samples goes by.
   [[nodiscard]] const Intervals& intervals() const noexcept { return intervals_; }
   /// l_t as the certificate takes it: under `certified` what is proven of each cell.
@@ -79,6 +82,7 @@ class Planner {
   void plan_thesis(std::optional<Cell> goal);
   void plan_published(std::optional<Cell> goal);
   void plan_certified(std::optional<Cell> goal, std::optional<Cell> robot);
+  void consider(const std::vector<std::size_t>& cells);
   void choose(std::vector<std::size_t> candidates, std::optional<Cell> goal, Ties ties);
   void look_ahead(const std::vector<std::size_t>& candidates,
                   std::optional<Cell> goal,
@@ -95,6 +99,7 @@ class Planner {
   CellSet blocked_;  // empty: none
   CellSet safe_;
   CellSet expanders_;
+  CellSet considered_;
   Intervals intervals_;
   Intervals cone_;  // `certified`: of measurements and the Lipschitz constant alone
   std::size_t empty_ = 0;

@@ -7,9 +7,9 @@
 
 namespace tcert::terrain {
 
-/// The cell nearest to `target` (lowest index on ties) that lies at least `depth` within the outlines
-/// of `safe`: outlines go through the centres of border cells and have no holes. None if no cell
-/// lies that deep. O(cells).
+/// The cell nearest to `target` (lowest index on ties) that lies at least `depth` within the
+/// outlines of `safe`: outlines go through the centres of border cells and have no holes. None if
+/// no cell lies that deep. O(cells).
 [[nodiscard]] std::optional<Cell> projected_inwards(const Grid& grid,
                                                     const CellSet& safe,
                                                     Cell target,

@@ -52,8 +52,8 @@ std::vector<Cell> shortest_route(const Grid& grid, const CellSet& ground, Cell f
         continue;
       }
       const bool diagonal = k >= 4;
-      if (diagonal && !(is_member(grid, ground, {next.x, c.y}) &&
-                        is_member(grid, ground, {c.x, next.y}))) {
+      if (diagonal &&
+          !(is_member(grid, ground, {next.x, c.y}) && is_member(grid, ground, {c.x, next.y}))) {
         continue;
       }
       const double through = cost[at] + (diagonal ? std::sqrt(2.0) : 1.0);

@@ -20,9 +20,9 @@ namespace tcert::terrain {
 /// Length of a polyline through cells.
 [[nodiscard]] double route_length(const std::vector<Cell>& route) noexcept;
 
-/// The largest m such that `from` and `to` are joined by a 4-connected way over `ground` along which
-/// value - h >= m everywhere: the certificate of the start and the goal. Missing if they are not
-/// joined. O(cells log cells).
+/// The largest m such that `from` and `to` are joined by a 4-connected way over `ground` along
+/// which value - h >= m everywhere: the certificate of the start and the goal. Missing if they are
+/// not joined. O(cells log cells).
 [[nodiscard]] std::optional<double> widest_route(const Grid& grid,
                                                  const CellSet& ground,
                                                  std::span<const double> value,

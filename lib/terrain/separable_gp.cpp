@@ -126,7 +126,8 @@ double log_likelihood(const GpPrior& prior, std::span<const Measurement> measure
   const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> llt(k);
   const Eigen::VectorXd whitened = llt.matrixL().solve(residual);
   const auto logs = llt.matrixLLT().diagonal().array().log().sum();
-  return -0.5 * (whitened.squaredNorm() + static_cast<double>(n) * std::log(2.0 * std::numbers::pi)) -
+  return -0.5 *
+             (whitened.squaredNorm() + static_cast<double>(n) * std::log(2.0 * std::numbers::pi)) -
          logs;
 }
 

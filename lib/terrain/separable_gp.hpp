@@ -71,6 +71,7 @@ struct Measurement {
 };
 
 /// log p(values | prior) without a grid. O(n^3).
-[[nodiscard]] double log_likelihood(const GpPrior& prior, std::span<const Measurement> measurements);
+[[nodiscard]] double log_likelihood(const GpPrior& prior,
+                                    std::span<const Measurement> measurements);
 
 }  // namespace tcert::terrain

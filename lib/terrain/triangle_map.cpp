@@ -111,10 +111,9 @@ bool TriangleMap::outside(const Position& x) const noexcept {
 Implicit TriangleMap::beta(const Position& x) const {
   const Implicit sides = conjunction(half_plane(x, vertices_[2], normals_[1]),
                                      half_plane(x, vertices_[2], normals_[2]));
-  const Implicit base =
-      disc_ ? half_plane(x, vertices_[0], normals_[0])
-            : conjunction(half_plane(x, centre_, centre_normals_[0]),
-                          half_plane(x, centre_, centre_normals_[1]));
+  const Implicit base = disc_ ? half_plane(x, vertices_[0], normals_[0])
+                              : conjunction(half_plane(x, centre_, centre_normals_[0]),
+                                            half_plane(x, centre_, centre_normals_[1]));
   const Implicit inside = conjunction(sides, base);
   return {-inside.value, -inside.gradient};
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Maps one triangle of an obstacle onto its parent, a disc, or the border: the smooth step of which
-/// the diffeomorphism is made (Vasilopoulos et al., 2020/2021).
+/// Maps one triangle of an obstacle onto its parent, a disc, or the border: the smooth step of
+/// which the diffeomorphism is made (Vasilopoulos et al., 2020/2021).
 
 #include <optional>
 #include <terrain/implicit.hpp>

@@ -8,7 +8,10 @@
 namespace tcert::terrain {
 namespace {
 
-[[nodiscard]] bool within(const Position& p, const Position& a, const Position& b, const Position& c) {
+[[nodiscard]] bool within(const Position& p,
+                          const Position& a,
+                          const Position& b,
+                          const Position& c) {
   return doubled_area(a, b, p) >= 0.0 && doubled_area(b, c, p) >= 0.0 &&
          doubled_area(c, a, p) >= 0.0;
 }

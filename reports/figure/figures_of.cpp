@@ -133,7 +133,8 @@ StudyFigures study_figures(const Results& results) {
   }
   all.add("truth",
           features ? truth_figure(*features, results.synthetic) : std::nullopt,
-          "no columns t_lower_m and t_upper_m in features.csv");
+          "no columns truth_lower_m and truth_upper_m in features.csv: 'tcert certify --truth' "
+          "writes them");
   return std::move(all).figures();
 }
 

@@ -436,7 +436,7 @@ std::optional<Figure> speed_figure(const Table& speed,
 
 std::optional<Figure> truth_figure(const DataTable& features,
                                    const std::optional<SyntheticLabel>& synthetic) {
-  if (features.find("t_lower_m") == nullptr || features.find("t_upper_m") == nullptr) {
+  if (features.find("truth_lower_m") == nullptr || features.find("truth_upper_m") == nullptr) {
     return std::nullopt;
   }
   Figure figure = named("truth", "The certificate against the truth", synthetic);
@@ -445,13 +445,13 @@ std::optional<Figure> truth_figure(const DataTable& features,
       "proven, against the certificate T_t at the end of the trial. A lower bound lies on the "
       "diagonal or above it.";
   figure.key = {"", {"success", "failure"}};
-  figure.data =
-      figure_table("truth", {"trial_id", "outcome"}, {"certificate_m", "t_lower_m", "t_upper_m"});
+  figure.data = figure_table(
+      "truth", {"trial_id", "outcome"}, {"certificate_m", "truth_lower_m", "truth_upper_m"});
   Extent extent;
   for (std::size_t row = 0; row < features.rows; ++row) {
     const double certificate = number_at(features, row, "certificate_m");
-    const double low = number_at(features, row, "t_lower_m");
-    const double high = number_at(features, row, "t_upper_m");
+    const double low = number_at(features, row, "truth_lower_m");
+    const double high = number_at(features, row, "truth_upper_m");
     const double success = number_at(features, row, "success");
     if (!std::isfinite(certificate) || (!std::isfinite(low) && !std::isfinite(high))) {
       continue;
@@ -479,13 +479,13 @@ std::optional<Figure> truth_figure(const DataTable& features,
   one.y.unit = "m";
   extent.apply(one.x);
   extent.apply(one.y);
-  Layer equal = layer(Mark::line, "equal", "certificate_m", "t_lower_m");
+  Layer equal = layer(Mark::line, "equal", "certificate_m", "truth_lower_m");
   equal.tone = Tone::muted;
   equal.width = 1.0;
-  Layer range = range_y("trial", "certificate_m", "t_lower_m", "t_upper_m");
+  Layer range = range_y("trial", "certificate_m", "truth_lower_m", "truth_upper_m");
   range.colour = "outcome";
   range.width = 0.8;
-  Layer point = layer(Mark::point, "trial", "certificate_m", "t_lower_m");
+  Layer point = layer(Mark::point, "trial", "certificate_m", "truth_lower_m");
   point.colour = "outcome";
   point.size = 0.7;
   one.layers = {equal, range, point};

@@ -36,8 +36,8 @@ namespace tcert {
                                                  const DataTable& features,
                                                  const std::string& grouped_by);
 
-/// The truth T(E; A) against the certificate T_t, from features.csv with the columns t_lower_m and
-/// t_upper_m; empty without them.
+/// The truth T(E; A) against the certificate T_t, from features.csv with the columns truth_lower_m
+/// and truth_upper_m; empty without them.
 [[nodiscard]] std::optional<Figure> truth_figure(const DataTable& features,
                                                  const std::optional<SyntheticLabel>& synthetic);
 

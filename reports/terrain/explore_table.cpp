@@ -51,20 +51,21 @@ namespace {
 }  // namespace
 
 std::vector<ColumnDoc> explore_columns() {
-  return {{"step", "", "measurements after the first batch; row 0 is the state after that batch"},
-          {"x", "cell", "row of the terrain at which was measured"},
-          {"y", "cell", "column of the terrain at which was measured"},
-          {"measurement", "", "value that was felt there"},
-          {"safe_cells", "cell", "|S_t|, cells that the rules hold to be safe"},
-          {"expander_cells", "cell", "|G_t|, cells that could make S_t grow"},
-          {"next_x", "cell", "row of the cell chosen next; empty if there is none"},
-          {"next_y", "cell", "column of the cell chosen next"},
-          {"width", "", "u_t - l_t there"},
-          {"certificate", "", "widest path over S_t of l_t - h from start to goal; empty until joined"},
-          {"lipschitz", "1/cell", "Lipschitz constant in use"},
-          {"travelled", "cell", "length of the way so far"},
-          {"unsafe_certified", "cell", "cells of S_t whose true value is below the threshold"},
-          {"unsafe_visits", "", "steps onto such cells so far"}};
+  return {
+      {"step", "", "measurements after the first batch; row 0 is the state after that batch"},
+      {"x", "cell", "row of the terrain at which was measured"},
+      {"y", "cell", "column of the terrain at which was measured"},
+      {"measurement", "", "value that was felt there"},
+      {"safe_cells", "cell", "|S_t|, cells that the rules hold to be safe"},
+      {"expander_cells", "cell", "|G_t|, cells that could make S_t grow"},
+      {"next_x", "cell", "row of the cell chosen next; empty if there is none"},
+      {"next_y", "cell", "column of the cell chosen next"},
+      {"width", "", "u_t - l_t there"},
+      {"certificate", "", "widest path over S_t of l_t - h from start to goal; empty until joined"},
+      {"lipschitz", "1/cell", "Lipschitz constant in use"},
+      {"travelled", "cell", "length of the way so far"},
+      {"unsafe_certified", "cell", "cells of S_t whose true value is below the threshold"},
+      {"unsafe_visits", "", "steps onto such cells so far"}};
 }
 
 Table explore_table(const terrain::ExploreResult& result,

@@ -15,7 +15,7 @@ namespace tcert {
 struct ExploreFrame {
   int step = 0;
   terrain::CellSet safe;
-  terrain::CellSet expanders;
+  terrain::CellSet expanders;  ///< Those that were considered.
   terrain::Position robot{0.0, 0.0};
   std::vector<terrain::Position> free_space;  ///< Local free space; empty: not drawn.
   std::optional<terrain::Cell> next;
@@ -37,10 +37,10 @@ class FrameKeeper {
   int stride_ = 1;
 };
 
-/// SVG with the thesis' legend: white and gray is ground truth at or above, and below, the threshold;
-/// black the box round the safe set without it, light blue the safe set, red the expanders, green
-/// the local free space, pink the next sample, dark blue the goal. x runs to the right. The way is
-/// a thin line.
+/// SVG with the thesis' legend: white and gray is ground truth at or above, and below, the
+/// threshold; black the box round the safe set without it, light blue the safe set, red the
+/// expanders considered, green the local free space, pink the next sample, dark blue the goal. x
+/// runs to the right. The way is a thin line.
 [[nodiscard]] std::string explore_picture(const terrain::Terrain& terrain,
                                           double threshold,
                                           const ExploreFrame& frame,

@@ -1,5 +1,5 @@
-// Any bytes as a terrain file: the reader neither throws nor reads outside, says why it rejects, and
-// what it takes reads back to the same bits.
+// Any bytes as a terrain file: the reader neither throws nor reads outside, says why it rejects,
+// and what it takes reads back to the same bits.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tcert;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  for (const TerrainHeader header : {TerrainHeader::detect, TerrainHeader::yes, TerrainHeader::no}) {
+  for (const TerrainHeader header :
+       {TerrainHeader::detect, TerrainHeader::yes, TerrainHeader::no}) {
     const auto result = read_terrain(Bytes::copy_of(text), {"fuzz.csv", header});
     fuzz::require(result.terrain.has_value() != has_error(result.diagnostics),
                   "no terrain without a reason");

@@ -159,6 +159,8 @@ describe('the page of a study', () => {
     assert.ok(compared >= 40);
     await page.fill('#tick', '0');
     const first = await page.getAttribute('.robot', 'transform');
+    const cursors = () => page.$$eval('.u-cursor-x', (lines) => lines.map((line) => line.getBoundingClientRect().x));
+    const [start] = await cursors();
     for (let i = 0; i < 5; ++i) await page.click('button[aria-label="Step forward"]');
     assert.equal(await page.inputValue('#tick'), '5');
     await page.click('button[aria-label="Step back"]');
@@ -167,7 +169,20 @@ describe('the page of a study', () => {
     await page.click('#play');
     await page.waitForFunction(() => Number(document.querySelector('#tick').value) > 50);
     assert.notEqual(await page.getAttribute('.robot', 'transform'), first);
+    const moved = await cursors();
+    assert.ok(moved.length >= 2 && moved.every((x) => x > start + 10 && Math.abs(x - moved[0]) < 3), `${start}: ${moved}`);
     await page.click('#play');
+    // Another width, the same tick.
+    await page.fill('#tick', String(Math.floor(last / 2)));
+    const [before] = await cursors();
+    await page.setViewportSize({ width: 1000, height: 900 });
+    await page.waitForFunction((x) => {
+      const [line] = document.querySelectorAll('.u-cursor-x');
+      return line && Math.abs(line.getBoundingClientRect().x - x) > 5;
+    }, before);
+    assert.ok((await cursors()).every((x) => x > 500));
+    await page.setViewportSize({ width: 1280, height: 900 });
+    await page.waitForTimeout(300);
     for (const part of ['.map .wall', '.map .odometry', '.map .edge', '.map .bottleneck', '.map .issued', '.map .start', '.map .goal']) {
       assert.ok(await page.locator(part).count() > 0, part);
     }

@@ -233,7 +233,7 @@ DataTable table_of(const char* text) {
 
 TEST(TruthFigure, TakesTheProvenIntervalAndLeavesOutWhatIsNotKnown) {
   const DataTable features = table_of(
-      "trial_id,success,certificate_m,t_lower_m,t_upper_m\n"
+      "trial_id,success,certificate_m,truth_lower_m,truth_upper_m\n"
       "t1,1,0.05,0.06,0.07\n"
       "t2,0,,0.01,0.02\n"
       "t3,1,0.1,,\n");

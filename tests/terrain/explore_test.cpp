@@ -110,9 +110,9 @@ TEST(Lipschitz, BoundHoldsForAllPairsAndIsTight) {
     double steepest = 0.0;
     for (std::size_t i = 0; i < grid.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        steepest = std::max(steepest,
-                            std::abs(made.values[i] - made.values[j]) /
-                                distance(grid.cell(i), grid.cell(j)));
+        steepest = std::max(
+            steepest,
+            std::abs(made.values[i] - made.values[j]) / distance(grid.cell(i), grid.cell(j)));
       }
     }
     EXPECT_LE(steepest, field.lipschitz * (1.0 + 1e-12));
@@ -185,10 +185,10 @@ TEST(Scenarios, RunOnThePublishedTerrain) {
   EXPECT_EQ(239600U, printed.steps.front().safe) << "one step holds the whole map safe";
   EXPECT_GT(printed.most_unsafe_certified, 100000U);
   for (const study::Scenario& s : {all[0], all[1]}) {
-    const ExploreResult ours = explore(
-        terrain,
-        study::setup_of(
-            terrain, s, study::certified(s.threshold, lipschitz, terrain.at(s.start)), 0));
+    const ExploreResult ours =
+        explore(terrain,
+                study::setup_of(
+                    terrain, s, study::certified(s.threshold, lipschitz, terrain.at(s.start)), 0));
     EXPECT_EQ(End::reached, ours.end);
     EXPECT_EQ(0U, ours.most_unsafe_certified);
     EXPECT_EQ(0U, ours.last().unsafe_visits);

@@ -13,8 +13,8 @@ TEST(FullSize, TenStepsOfThePublishedProgram) {
   TCERT_NEED_VECTOR("testvec_terrain.json");
   TCERT_NEED_VECTOR("terrain_600x400.csv.gz");
   // The published program drops the first row.
-  const auto file = read_terrain(test::vectors() / "terrain_600x400.csv.gz",
-                                 {{}, TerrainHeader::yes});
+  const auto file =
+      read_terrain(test::vectors() / "terrain_600x400.csv.gz", {{}, TerrainHeader::yes});
   ASSERT_TRUE(file.terrain);
   const Grid grid{file.terrain->rows, file.terrain->columns};
   const std::vector<double>& terrain = file.terrain->values;
@@ -23,8 +23,8 @@ TEST(FullSize, TenStepsOfThePublishedProgram) {
   rules.kind = RuleSet::published;
   Planner planner(grid, rules, {0.0, 2.0, 30.0, 1.0 + 1e-8});
   const auto measure = [&](Cell c) {
-    // The vector was made from values with one decimal. The file's two do not tell which way a 5 goes:
-    // 1451.65 was below, the other three that were measured were above.
+    // The vector was made from values with one decimal. The file's two do not tell which way a 5
+    // goes: 1451.65 was below, the other three that were measured were above.
     const double tenths = terrain[grid.index(c)] * 10.0;
     const bool down = c == Cell{246, 212};
     planner.add({position(c), (down ? std::floor(tenths) : std::round(tenths)) / 10.0});

@@ -67,16 +67,16 @@ TEST(DiscGrowth, EqualsBruteForce) {
     }
     constexpr double kThreshold = 10.0;
     const double lipschitz = run % 3 == 0 ? 0.01 : 3.0;
-    const CellSet grown = grow_discs(
-        grid, safe, lower, kThreshold, lipschitz, squared_depth(grid, safe));
+    const CellSet grown =
+        grow_discs(grid, safe, lower, kThreshold, lipschitz, squared_depth(grid, safe));
     for (std::size_t i = 0; i < grid.size(); ++i) {
       bool expected = false;
       for (std::size_t j = 0; j < grid.size(); ++j) {
-        expected = expected || (safe[j] != 0 &&
-                                reaches(lower[j],
-                                        kThreshold,
-                                        lipschitz,
-                                        squared_distance(grid.cell(i), grid.cell(j))));
+        expected =
+            expected ||
+            (safe[j] != 0 &&
+             reaches(
+                 lower[j], kThreshold, lipschitz, squared_distance(grid.cell(i), grid.cell(j))));
       }
       ASSERT_EQ(expected ? 1 : 0, grown[i]) << "run " << run << " cell " << i;
     }
@@ -95,10 +95,7 @@ TEST(Expanders, EqualBruteForce) {
       for (std::size_t j = 0; j < grid.size(); ++j) {
         expected = expected ||
                    (safe[i] != 0 && safe[j] == 0 &&
-                    reaches(upper[i],
-                            10.0,
-                            3.0,
-                            squared_distance(grid.cell(i), grid.cell(j))));
+                    reaches(upper[i], 10.0, 3.0, squared_distance(grid.cell(i), grid.cell(j))));
       }
       ASSERT_EQ(expected ? 1 : 0, found[i]);
     }

@@ -53,11 +53,8 @@ Refit refit(const Grid& grid,
 
 /// Largest errors of the incremental posterior, of the mean relative to the largest value and of
 /// the variance relative to the prior's.
-std::pair<double, double> errors(const Grid& grid,
-                                 const GpPrior& prior,
-                                 std::size_t n,
-                                 bool on_cells,
-                                 double scale) {
+std::pair<double, double> errors(
+    const Grid& grid, const GpPrior& prior, std::size_t n, bool on_cells, double scale) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(0.0, grid.rows - 1.0);
   std::uniform_real_distribution<double> y(0.0, grid.columns - 1.0);

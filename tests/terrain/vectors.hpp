@@ -52,7 +52,7 @@ namespace tcert::terrain::test {
 
 }  // namespace tcert::terrain::test
 
-#define TCERT_NEED_VECTOR(name)                                            \
-  if (!std::filesystem::exists(tcert::terrain::test::vectors() / (name))) { \
+#define TCERT_NEED_VECTOR(name)                                              \
+  if (!std::filesystem::exists(tcert::terrain::test::vectors() / (name))) {  \
     GTEST_SKIP() << "missing: " << tcert::terrain::test::vectors() / (name); \
   }

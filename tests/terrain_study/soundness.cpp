@@ -33,7 +33,8 @@ Outcome run(std::uint64_t number, double factor, bool trust_model, std::uint64_t
   RandomStream random(seed, kPurpose, number);
   const auto safe_cell = [&] {
     for (;;) {
-      const Cell c = terrain.grid.cell(random.below(static_cast<std::uint32_t>(terrain.grid.size())));
+      const Cell c =
+          terrain.grid.cell(random.below(static_cast<std::uint32_t>(terrain.grid.size())));
       if (terrain.at(c) >= field.mean) {
         return c;
       }

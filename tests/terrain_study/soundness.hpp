@@ -18,8 +18,8 @@ struct Soundness {
   double mean_samples = 0.0;
 };
 
-/// `terrains` fields of 48 x 36 cells, length scale 8, threshold at their mean, start and goal drawn
-/// from safe cells; the planner is told `factor` times the true constant. Deterministic.
+/// `terrains` fields of 48 x 36 cells, length scale 8, threshold at their mean, start and goal
+/// drawn from safe cells; the planner is told `factor` times the true constant. Deterministic.
 [[nodiscard]] Soundness soundness(std::size_t terrains,
                                   double factor,
                                   bool trust_model,

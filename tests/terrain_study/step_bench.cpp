@@ -1,5 +1,5 @@
-// Times of one planning step at full size, printed as JSON: what scripts/compare_with_numpy sets beside
-// the direct way.
+// Times of one planning step at full size, printed as JSON: what scripts/compare_with_numpy sets
+// beside the direct way.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -60,14 +60,15 @@ void run(RuleSet kind, int measurements) {
     block.push_back(1e3 * seconds_since(begin));
     cpu.push_back(1e3 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
     if (n % 50 == 0) {
-      std::printf("%s{\"n\": %d, \"median_ms\": %.3f, \"p99_ms\": %.3f, \"median_cpu_ms\": %.3f, "
-                  "\"p99_cpu_ms\": %.3f}",
-                  n == 50 ? "" : ", ",
-                  n,
-                  quantile(block, 0.5),
-                  quantile(block, 0.99),
-                  quantile(cpu, 0.5),
-                  quantile(cpu, 0.99));
+      std::printf(
+          "%s{\"n\": %d, \"median_ms\": %.3f, \"p99_ms\": %.3f, \"median_cpu_ms\": %.3f, "
+          "\"p99_cpu_ms\": %.3f}",
+          n == 50 ? "" : ", ",
+          n,
+          quantile(block, 0.5),
+          quantile(block, 0.99),
+          quantile(cpu, 0.5),
+          quantile(cpu, 0.99));
       block.clear();
       cpu.clear();
     }

@@ -9,8 +9,8 @@
 #include <terrain/lipschitz.hpp>
 #include <vector>
 
-#include "datasets/terrain_file.hpp"
 #include "datasets/random.hpp"
+#include "datasets/terrain_file.hpp"
 #include "terrain_study/scenarios.hpp"
 #include "terrain_study/soundness.hpp"
 

@@ -11,7 +11,7 @@ const lines = [
   { colour: '--class-4', dash: [10, 3, 2, 3] },
 ];
 
-function options(panel, width, height, cursorMoved) {
+function options(panel, width, height, cursorMoved, ready) {
   const axis = {
     stroke: colour('--ink'), grid: { stroke: colour('--grid'), width: 1 },
     ticks: { stroke: colour('--grid'), width: 1 }, font: '12px system-ui, sans-serif', labelFont: '12px system-ui, sans-serif',
@@ -19,7 +19,7 @@ function options(panel, width, height, cursorMoved) {
   return {
     width, height,
     legend: { show: false },
-    cursor: { y: false, drag: { x: true, y: false }, sync: { key: 'tick' }, points: { size: 7 } },
+    cursor: { drag: { x: true, y: false }, sync: { key: 'tick' }, points: { size: 7 } },
     scales: { x: { time: false } },
     axes: [
       { ...axis, label: 'Time [s]', labelSize: 20, size: 32 },
@@ -30,7 +30,7 @@ function options(panel, width, height, cursorMoved) {
       dash: lines[i % lines.length].dash, points: { show: false }, spanGaps: false,
       paths: column.steps ? uPlot.paths.stepped({ align: 1 }) : undefined,
     }))],
-    hooks: { setCursor: [cursorMoved] },
+    hooks: { setCursor: [cursorMoved], ready: [ready] },
   };
 }
 
@@ -47,6 +47,7 @@ export class SeriesPlots {
     this.series = series;
     this.pick = pick;
     this.silent = false;
+    this.tick = 0;
     this.plots = [];
     this.boxes = panels.map((panel) => el('div', { class: 'series-plot', role: 'img',
       'aria-label': `${panel.title} over time: ${panel.columns.map((column) => column.heading).join(', ')}` }));
@@ -60,15 +61,20 @@ export class SeriesPlots {
     const moved = (plot) => {
       if (!this.silent && plot.cursor.idx !== null && plot.cursor.event) this.pick(plot.cursor.idx);
     };
-    this.plots = this.panels.map((panel, i) => new uPlot(options(panel, width, i === 0 ? 240 : 150, moved),
+    // A plot has no scales before it is ready, which is after this turn.
+    const ready = (plot) => this.place(plot);
+    this.plots = this.panels.map((panel, i) => new uPlot(options(panel, width, i === 0 ? 240 : 150, moved, ready),
       [this.series.time_s, ...panel.columns.map((column) => this.series[column.name])], this.boxes[i]));
   }
 
   show(tick) {
+    this.tick = tick;
+    this.plots.filter((plot) => plot.status === 1).forEach((plot) => this.place(plot));
+  }
+
+  place(plot) {
     this.silent = true;
-    for (const plot of this.plots) {
-      plot.setCursor({ left: plot.valToPos(this.series.time_s[tick], 'x'), top: 0 }, false);
-    }
+    plot.setCursor({ left: plot.valToPos(this.series.time_s[this.tick], 'x'), top: 0 }, false);
     this.silent = false;
   }
 }

@@ -19,11 +19,11 @@ export class TrialViewer {
     this.report = report;
     this.lines = lines;
     this.element = el('section', { class: 'card viewer', id: 'trial', hidden: true, 'aria-labelledby': 'trial-title' });
-    onThemeChange(() => this.plots?.draw());
+    onThemeChange(() => this.redraw());
     let settled = 0;
     addEventListener('resize', () => {
       clearTimeout(settled);
-      settled = setTimeout(() => this.plots?.draw(), 150);
+      settled = setTimeout(() => this.redraw(), 150);
     });
   }
 
@@ -61,6 +61,7 @@ export class TrialViewer {
       : `${this.last + 1} of ${trial.ticks} ticks: ${this.report.series.rule}`;
     this.element.replaceChildren(
       el('h3', { id: 'trial-title', tabindex: -1 }, `Trial ${name}`),
+      this.report.synthetic ? el('p', { class: 'made' }, this.report.synthetic) : '',
       el('p', { class: 'facts' }, trial.facts),
       el('div', { class: 'player', role: 'group', 'aria-label': 'Step through time' },
         this.playButton, step('Step back', -1), step('Step forward', 1),
@@ -75,6 +76,12 @@ export class TrialViewer {
     this.show(0);
     this.element.querySelector('h3').focus({ preventScroll: true });
     this.element.scrollIntoView({ block: 'start' });
+  }
+
+  redraw() {
+    if (!this.plots) return;
+    this.plots.draw();
+    this.show(this.tick);
   }
 
   show(tick) {
