@@ -35,7 +35,7 @@ Example:
   tcert report out/results --bundle out/corpus --output report.html
   tcert report out/reproduce --output report.html --figures figures
 
-Cost: a second and 3 MB of page for 660 trials.
+Cost: two seconds and 6 MB of page for 660 trials.
 )";
 
 struct ReportOptions {
