@@ -90,9 +90,8 @@ std::vector<std::string> h1_success_notes(const H1Table& h1) {
       "the predictor less that of the rival, on the same resamples (" +
       std::to_string(h1.options.replicates) + ", seed " + std::to_string(h1.options.seed) +
       "). p: clustered DeLong (Obuchowski 1997), two-sided; Holm over the rivals in AUC and in C.");
-  notes.push_back(
-      model_note() +
-      "Their p is the likelihood-ratio test of the logistic model, trials independent.");
+  notes.push_back(model_note());
+  notes.back() += "Their p is the likelihood-ratio test of the logistic model, trials independent.";
   notes.push_back("Out of fold: mean within " + std::to_string(h1.options.folds) +
                   " folds of whole clusters, weighted by comparable pairs.");
   if (h1.outcome_missing > 0) {
