@@ -17,11 +17,15 @@ namespace {
 
 std::atomic<int> told{-1};  // where an interrupt is written to; -1: it ends the process
 
+/// Those that the process was not started to ignore, as nohup does.
 sigset_t interrupts() {
   sigset_t set;
   sigemptyset(&set);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    sigaddset(&set, signal);
+    struct sigaction now {};
+    if (::sigaction(signal, nullptr, &now) != 0 || now.sa_handler != SIG_IGN) {
+      sigaddset(&set, signal);
+    }
   }
   return set;
 }
@@ -33,8 +37,7 @@ sigset_t interrupts() {
   ::_exit(128 + signal);
 }
 
-void wait_for_interrupts() {
-  const sigset_t set = interrupts();
+void wait_for(const sigset_t& set) {
   for (;;) {
     int signal = 0;
     if (::sigwait(&set, &signal) != 0) {
@@ -57,7 +60,7 @@ void wait_for_interrupts() {
 void watch_interrupts() {
   const sigset_t set = interrupts();
   ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
-  std::thread(wait_for_interrupts).detach();
+  std::thread([set] { wait_for(set); }).detach();
 }
 
 int interrupt_descriptor() {

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What happens when the process is told to end by SIGINT, SIGTERM or SIGHUP.
+/// What happens when the process is told to end by SIGINT, SIGTERM or SIGHUP. Those that it was
+/// started to ignore (nohup) stay ignored.
 
 namespace tcert::cli {
 

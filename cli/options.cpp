@@ -162,17 +162,18 @@ std::string as_text(const boost::any& value) {
   return text;
 }
 
-/// Neither where the result goes, nor what is kept for later, nor by how many threads it is made;
-/// the config file and --set by what they say.
+/// Neither where the result and what goes with it (pictures, figures) go, nor what is kept for
+/// later, nor by how many threads it is made; the config file and --set by what they say.
 bool shapes_the_result(const std::string& name) {
   return name != "output" && name != "threads" && name != "quiet" && name != "help" &&
-         name != "cache" && name != "no-cache" && name != "picture" && name != kConfig &&
-         name != kSet && name != kPositional;
+         name != "cache" && name != "no-cache" && name != "picture" && name != "figures" &&
+         name != kConfig && name != kSet && name != kPositional;
 }
 
 bool is_input(const po::options_description& all, const std::string& name) {
   const po::option_description* const known = all.find_nothrow(name, false);
-  return known != nullptr && known->semantic()->name().rfind("FILE", 0) == 0;
+  return known != nullptr && (known->semantic()->name().rfind("FILE", 0) == 0 ||
+                              known->semantic()->name().rfind("FOLDER", 0) == 0);
 }
 
 /// What shapes the result; files by their names.

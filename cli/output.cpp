@@ -9,8 +9,20 @@
 #include "datasets/atomic_file.hpp"
 
 namespace tcert::cli {
+namespace {
+
+int silences = 0;
+
+}  // namespace
+
+SilentPrint::SilentPrint() noexcept { ++silences; }
+
+SilentPrint::~SilentPrint() { --silences; }
 
 void print(std::string_view text) {
+  if (silences > 0) {
+    return;
+  }
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
     return;
   }

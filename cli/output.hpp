@@ -14,6 +14,15 @@ namespace tcert::cli {
 /// Writes to stdout and flushes. \throws BrokenPipe if nobody reads it any more, WriteError.
 void print(std::string_view text);
 
+/// While one lives print() writes nothing: a command is run for what it leaves in a folder.
+class SilentPrint {
+ public:
+  SilentPrint() noexcept;
+  ~SilentPrint();
+  SilentPrint(const SilentPrint&) = delete;
+  SilentPrint& operator=(const SilentPrint&) = delete;
+};
+
 /// One line on stderr.
 void say(std::string_view line);
 

@@ -9,6 +9,7 @@
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/result_folder.hpp"
 #include "cli/simulated.hpp"
 #include "datasets/csv_write.hpp"
 #include "reports/results/results.hpp"
@@ -30,7 +31,8 @@ in DIR/gates, unless they are there already. Then it runs the other commands, ea
   DIR/gate          tcert gate        DIR/sensitivity  tcert sweep --sensitivity, if asked for
 
 and prints the tables; DIR/report.html (tcert report) shows all of it. A step that the data do not
-allow (no lighting, no baseline) is left out and named. 'tcert verify DIR' makes everything again and compares it.
+allow (no lighting, no baseline) is left out and named. What an earlier run left in DIR and this one
+does not make is removed; if it was edited, nothing is done. 'tcert verify DIR' makes everything again and compares it.
 
 Usage: tcert reproduce [BUNDLE] --output DIR [options]
 
@@ -141,9 +143,9 @@ class Steps {
         note(code);
       }
     } catch (const BadData& error) {
-      say(std::string(part) + " is left out: " + error.what());
+      leave_out(command, part, error);
     } catch (const UsageError& error) {
-      say(std::string(part) + " is left out: " + error.what());
+      leave_out(command, part, error);
     }
   }
 
@@ -153,6 +155,11 @@ class Steps {
   [[nodiscard]] Words with_output(Words words, const char* part) const {
     words.insert(words.end(), {"--output", (folder_ / part / "").string()});
     return words;
+  }
+  /// Nothing of an earlier run stands for it.
+  void leave_out(const Command& command, const char* part, const std::exception& error) const {
+    remove_own_folder(folder_ / part, std::string(command.name));
+    say(std::string(part) + " is left out: " + error.what());
   }
   void note(int code) { exit_code_ = std::max(exit_code_, code); }
 
@@ -178,6 +185,30 @@ Words landmark_of(const OpenedBundle& opened) {
   std::string text;
   append_number(text, time_s);
   return {"--landmark", text};
+}
+
+/// True if `inner` is `outer` or lies in it.
+bool lies_in(const fs::path& inner, const fs::path& outer) {
+  const fs::path in = fs::weakly_canonical(inner);
+  const fs::path out = fs::weakly_canonical(outer);
+  return std::mismatch(out.begin(), out.end(), in.begin(), in.end()).first == out.end();
+}
+
+/// What an earlier run left and this one does not make, and the page, which is made last: it would
+/// be of other tables. \throws WriteError if any of it was edited.
+void remove_stale(const fs::path& output, const ReproduceOptions& options) {
+  if (!options.sensitivity) {
+    remove_own_folder(output / "sensitivity", "sweep");
+  }
+  if (!options.bundle.empty()) {
+    remove_own_folder(output / "gate", "gate");
+    for (const char* const part : {"gates", "corpus"}) {
+      if (!lies_in(options.bundle, output / part)) {
+        remove_own_folder(output / part, "simulate");
+      }
+    }
+  }
+  remove_own_file(output / "report.html");
 }
 
 /// The tables that people read, in the order of the paper.
@@ -210,6 +241,8 @@ void write_page(const fs::path& folder, const std::string& bundle, const Steps& 
     kReport.run(words);
   } catch (const NoInput& error) {
     say(std::string("report.html is left out: ") + error.what());
+  } catch (const BadData& error) {
+    say(std::string("report.html is left out: ") + error.what());
   }
 }
 
@@ -225,6 +258,7 @@ int run(Arguments arguments) {
   }
   const bool own_corpus = options.bundle.empty();
   const fs::path output = common.output;
+  remove_stale(output, options);
   const std::string bundle =
       own_corpus ? corpus_in(output / "corpus", false, options, common) : options.bundle;
   for (const char* part : {"certificates", "replays", "ablation", "sensitivity"}) {

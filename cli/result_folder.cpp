@@ -116,6 +116,27 @@ void require_own_file(const std::filesystem::path& path) {
   }
 }
 
+void remove_own_folder(const std::filesystem::path& path, const std::string& command) {
+  std::error_code error;
+  if (may_replace(path, command)) {
+    std::filesystem::remove_all(path, error);
+  }
+  if (error) {
+    fail(path, error.value());
+  }
+}
+
+void remove_own_file(const std::filesystem::path& path) {
+  require_own_file(path);
+  for (const std::string& name : {path.string(), path.string() + ".manifest.json"}) {
+    std::error_code error;
+    std::filesystem::remove(name, error);
+    if (error) {
+      fail(name, error.value());
+    }
+  }
+}
+
 void write_with_manifest(const std::filesystem::path& path,
                          std::string_view text,
                          Manifest manifest) {

@@ -54,6 +54,14 @@ class ResultFolder {
 /// changed since.
 void require_own_file(const std::filesystem::path& path);
 
+/// Removes what ResultFolder(path, command) would replace, if it is there. \throws WriteError if it
+/// may not be replaced.
+void remove_own_folder(const std::filesystem::path& path, const std::string& command);
+
+/// Removes a file that write_with_manifest() wrote, and its manifest, if it is there.
+/// \throws WriteError; see require_own_file.
+void remove_own_file(const std::filesystem::path& path);
+
 /// One file of results and, beside it, <file>.manifest.json. \throws WriteError; see
 /// require_own_file.
 void write_with_manifest(const std::filesystem::path& path,

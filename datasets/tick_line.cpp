@@ -156,7 +156,10 @@ std::optional<TickLine> TickLineParser::to_tick() {
     append_seconds(found, time_ns_);
     found += " after ";
     append_seconds(found, *last_ns_);
-    reject(columns_.time_column, found, "a time after that of the row before");
+    reject(columns_.time_column,
+           found,
+           restarted_ ? "a time after the last of the producer before: times go on"
+                      : "a time after that of the row before");
     return std::nullopt;
   }
   const bool gap = last_ns_ && static_cast<double>(time_ns_ - *last_ns_) > options_.max_gap_s * 1e9;

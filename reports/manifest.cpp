@@ -65,8 +65,14 @@ std::string to_json(const Manifest& manifest) {
 }
 
 std::string name_of(const std::filesystem::path& path) {
-  const std::string name = (path / "").lexically_normal().parent_path().filename().generic_string();
-  return name == "." || name == ".." ? "" : name;
+  if (path.empty()) {
+    return {};
+  }
+  return (std::filesystem::absolute(path) / "")
+      .lexically_normal()
+      .parent_path()
+      .filename()
+      .generic_string();
 }
 
 std::vector<ManifestFile> folder_outputs(const std::filesystem::path& folder) {

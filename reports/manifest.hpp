@@ -48,7 +48,8 @@ struct Manifest {
 /// The JSON document, ended by a newline. Values that are numbers are written as numbers.
 [[nodiscard]] std::string to_json(const Manifest& manifest);
 
-/// Name of a file or folder without the machine's part of its path: its last component.
+/// Name of a file or folder without the machine's part of its path: its last component; of "."
+/// that of the current folder. Empty for an empty path.
 [[nodiscard]] std::string name_of(const std::filesystem::path& path);
 
 /// The files of `folder` as outputs: each file on its own; a folder in it as one entry with its

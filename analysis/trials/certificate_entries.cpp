@@ -79,14 +79,16 @@ void add_swept_area(ParameterEntries& table) {
                          group,
                          &P::least_obstacle_m,
                          kNotNegative));
-  table.push_back(number({"sharpest_corner_rad",
-                          "rad",
-                          kStage,
-                          "No obstacle has a sharper corner, which could reach in between two "
-                          "readings; pi for smooth walls."},
-                         group,
-                         &P::sharpest_corner_rad,
-                         {0.0, 3.1415926535897932, false}));
+  table.push_back(
+      number({"sharpest_corner_rad",
+              "rad",
+              kStage,
+              "At depth h behind its tip every obstacle is at least 2 h tan(half of "
+              "this) wide, up to least_obstacle_m: what reaches in between two readings; "
+              "lower it where there are wedges, rounded or not."},
+             group,
+             &P::sharpest_corner_rad,
+             {0.0, 1.5707963267948966, false}));
   table.push_back(number({"swept_lag_m",
                           "m",
                           kStage,

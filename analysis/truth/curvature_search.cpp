@@ -12,7 +12,7 @@
 namespace tcert {
 namespace {
 
-constexpr double kMostPoses = 268'435'456.0;
+constexpr double kMostPoses = 33'554'432.0;  // about 1 GB
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNone = 0xffff'ffffU;
 

@@ -18,7 +18,8 @@ struct CurvatureQuery {
   double body_width_m = 0.0;
   double cell_m = 0.1;
   int headings = 48;
-  double above_m = 0.0;         ///< Paths of no more than this are of no interest.
+  double above_m = 0.0;         ///< Paths of no more than this are of no interest; at least the
+                                ///< slack of clearance 0.
   double enough_m = 0.0;        ///< Values above this count as this.
   std::vector<double> radii_m;  ///< Of the arcs, both ways; straight ones besides.
   std::vector<double> worth_m;  ///< r - R_min of each.
@@ -26,7 +27,8 @@ struct CurvatureQuery {
 
 /// Arcs from S to G, the best path of the search; empty if none is above `above_m`. `steps` orders
 /// poses of the same value: fewer to go first.
-/// \throws std::invalid_argument if the lattice would have more than 2^28 poses.
+/// \throws std::invalid_argument if the lattice would have more than 2^25 poses, 28 bytes each
+/// when all are seen.
 [[nodiscard]] std::vector<Arc> search_path(const World& world,
                                            const ClearanceTable& table,
                                            const std::vector<std::uint32_t>& steps,

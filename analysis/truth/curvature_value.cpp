@@ -70,7 +70,9 @@ class Rounds {
       query_.radii_m.push_back(2.0 * query_.radii_m.front());
       query_.worth_m.push_back(query_.radii_m.back() - robot_.min_turn_radius_m);
     }
-    query_.above_m = std::max(best_.slack_m, -robot_.body_width_m);
+    // Outside of the bounds the clearance is 0: no path of no more than that leaves them.
+    query_.above_m =
+        std::max(best_.slack_m, clearance_slack(0.0, robot_.body_width_m, options_.convention));
     CurvatureValue value = measured(
         search_path(world_, table_, steps_, query_), obstacles_, robot_, options_.convention);
     if (value.slack_m > best_.slack_m) {

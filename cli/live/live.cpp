@@ -45,7 +45,8 @@ tick is reported on stderr and skipped; the exit code is then 3.
 
 Ticks come from stdin, or with --listen from one producer after the other on a Unix socket, or as
 datagrams of whole lines on UDP, which only this machine can send. A producer that comes back
-begins with a header again (or with JSON); its first tick is a break of the path.
+begins with a header again (or with JSON); its first tick is a break of the path. Its times go on: a
+tick that is not after the last one, as of a clock that begins at 0 again, is skipped as a bad line.
 
 --record DIR writes the ticks as a bundle with one trial, which 'certify' reads back to the same
 series. It appears when the run ends, by the end of the input, SIGINT or SIGTERM; until then, and
@@ -244,6 +245,9 @@ void report(const TickSource& source,
   say(source.bad_lines(), " bad lines were skipped.");
   say(producer.lost(), " datagrams were lost by the system before they were read.");
   say(rows.dropped(), " rows were dropped: whoever reads them is too slow. No tick was.");
+  if (rows.cut_off()) {
+    status.say("tcert live: the last row was cut off: nobody read on.");
+  }
   say(status.dropped(), " lines of status were dropped.");
   if (!has_reader) {
     status.say("tcert live: nobody reads the rows any more; ended.");

@@ -46,6 +46,7 @@ void RowSink::write_some() {
       write_without_waiting(STDOUT_FILENO, pending_.data() + at_, pending_.size() - at_);
   if (written >= 0) {
     at_ += static_cast<std::size_t>(written);
+    last_written_ = at_ > 0 ? pending_[at_ - 1] : last_written_;
   } else if (errno == EPIPE) {
     throw BrokenPipe("stdout");
   } else if (errno != EINTR && errno != EAGAIN) {

@@ -25,11 +25,14 @@ class RowSink {
   /// Writes as much as the reader has room for.
   void drain();
 
-  /// Drains for up to `patience_ms`; what is left then is dropped.
+  /// Drains for up to `patience_ms`; what is left then is dropped, and the row of which the reader
+  /// has only the beginning is cut off.
   void finish(int patience_ms);
 
   [[nodiscard]] bool waits() const noexcept { return at_ < pending_.size(); }
   [[nodiscard]] std::size_t dropped() const noexcept { return dropped_; }
+  /// True if the last row that was written is not whole.
+  [[nodiscard]] bool cut_off() const noexcept { return last_written_ != '\n'; }
 
  private:
   void write_some();
@@ -38,6 +41,7 @@ class RowSink {
   int interrupt_;
   std::string pending_;
   std::size_t at_ = 0;
+  char last_written_ = '\n';
   std::size_t dropped_ = 0;
 };
 

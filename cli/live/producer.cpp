@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -75,6 +76,32 @@ class StandardInput : public Producer {
   std::string name_ = "stdin";
 };
 
+/// The file of a listening socket: removed at the end, unless somebody else has put another there.
+class SocketFile {
+ public:
+  SocketFile() = default;
+  ~SocketFile() {
+    struct stat now {};
+    if (!path_.empty() && ::lstat(path_.c_str(), &now) == 0 && now.st_dev == own_.st_dev &&
+        now.st_ino == own_.st_ino) {
+      ::unlink(path_.c_str());
+    }
+  }
+  SocketFile(const SocketFile&) = delete;
+  SocketFile& operator=(const SocketFile&) = delete;
+
+  /// The file at `path` is ours.
+  void own(const std::string& path) {
+    if (::lstat(path.c_str(), &own_) == 0) {
+      path_ = path;
+    }
+  }
+
+ private:
+  std::string path_;
+  struct stat own_ {};
+};
+
 class UnixSocket : public Producer {
  public:
   explicit UnixSocket(std::string path) : path_(std::move(path)), name_("unix:" + path_) {
@@ -88,23 +115,18 @@ class UnixSocket : public Producer {
     listener_.reset(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     const auto* const generic = reinterpret_cast<const sockaddr*>(&address);
     const auto bind = [&] { return ::bind(listener_.get(), generic, sizeof address) == 0; };
-    bound_ = bind();
-    if (!bound_ && errno == EADDRINUSE && is_forsaken(generic, sizeof address)) {
+    bool bound = bind();
+    if (!bound && errno == EADDRINUSE && is_forsaken(path_, generic, sizeof address)) {
       ::unlink(path_.c_str());
-      bound_ = bind();
+      bound = bind();
     }
-    if (!bound_ || ::listen(listener_.get(), 4) != 0) {
+    if (bound) {
+      file_.own(path_);
+    }
+    if (!bound || ::listen(listener_.get(), 4) != 0) {
       throw NoInput("cannot listen on '" + name_ + "': " + reason());
     }
   }
-
-  ~UnixSocket() override {
-    if (bound_) {
-      ::unlink(path_.c_str());
-    }
-  }
-  UnixSocket(const UnixSocket&) = delete;
-  UnixSocket& operator=(const UnixSocket&) = delete;
 
   [[nodiscard]] const std::string& name() const override { return name_; }
 
@@ -126,10 +148,13 @@ class UnixSocket : public Producer {
   }
 
  private:
-  /// A socket that was left behind: nobody listens on it.
-  static bool is_forsaken(const sockaddr* address, socklen_t size) {
+  /// A socket that was left behind: nobody listens on it. Any other file refuses connections too.
+  static bool is_forsaken(const std::string& path, const sockaddr* address, socklen_t size) {
+    struct stat file {};
+    const bool is_socket = ::lstat(path.c_str(), &file) == 0 && S_ISSOCK(file.st_mode);
     const Descriptor probe(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-    const bool forsaken = ::connect(probe.get(), address, size) != 0 && errno == ECONNREFUSED;
+    const bool forsaken =
+        is_socket && ::connect(probe.get(), address, size) != 0 && errno == ECONNREFUSED;
     errno = EADDRINUSE;
     return forsaken;
   }
@@ -137,8 +162,8 @@ class UnixSocket : public Producer {
   std::string path_;
   std::string name_;
   Descriptor listener_;
+  SocketFile file_;
   Descriptor client_;
-  bool bound_ = false;
 };
 
 /// Every datagram is one or more whole lines.

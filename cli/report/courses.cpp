@@ -15,14 +15,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True unless the manifest names a trials.csv with another digest.
+/// True unless the manifest names a trials.csv with another digest; of a .zip, results made of the
+/// archive list the archive, those made of its folder the trials.csv in it.
 bool is_input_of(const Bundle& bundle, const Result& certified) {
   const auto& inputs = certified.manifest.inputs;
+  std::error_code error;
+  const bool archive = fs::is_regular_file(bundle.path, error);
+  const BundleFiles files(bundle.path);
   return std::all_of(inputs.begin(), inputs.end(), [&](const ManifestFile& input) {
-    std::error_code error;
-    const fs::path path = bundle.path / input.path;
-    return !input.path.starts_with("trials.csv") || !fs::is_regular_file(path, error) ||
-           digest_file(path).sha256 == input.digest.sha256;
+    if (input.path.ends_with(".zip")) {
+      return archive && digest_file(bundle.path).sha256 == input.digest.sha256;
+    }
+    if (!input.path.starts_with("trials.csv")) {
+      return true;
+    }
+    const auto found = files.problem().empty() ? files.find(input.path) : std::nullopt;
+    if (!found) {
+      return false;
+    }
+    if (!archive) {
+      return digest_file(bundle.path / *found).sha256 == input.digest.sha256;
+    }
+    const BytesResult bytes = files.read(*found);
+    return bytes.bytes && sha256(bytes.bytes->view()) == input.digest.sha256;
   });
 }
 
@@ -60,7 +75,7 @@ Courses::Courses(const Results& results, const Result& certified, const std::str
   }
   if (!is_input_of(*opened.bundle, certified)) {
     const std::string words = "'" + folder.filename().string() + "' is not the bundle that '" +
-                              certified.name + "' was made from: its trials.csv is another";
+                              certified.name + "' was made from";
     if (!path.empty()) {
       throw BadData(words + "; name the right one");
     }

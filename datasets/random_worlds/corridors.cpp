@@ -103,8 +103,8 @@ RandomWorld draw_bends(RandomStream& random) {
 }
 
 // Two straights joined by a half turn about the end of the wall, half of them too narrow for the
-// turning limit. The end room is as long as the
-// corridors are wide, so that only the outer walls limit the turn.
+// turning limit. The end room is longer than the corridors are wide, so that only the outer walls
+// limit the turn.
 RandomWorld draw_u_turn(RandomStream& random) {
   RandomWorld drawn;
   drawn.corridor_m =

@@ -28,22 +28,31 @@ void append(std::vector<Point>& path, const std::vector<Point>& more) {
   path.insert(path.end(), more.begin() + 1, more.end());
 }
 
-/// A wall of quadrilaterals round a circle; its inner vertices lie on the circle.
+// The ring's inside and the island are regular polygons that face each other side by side: the
+// distance between their sides, and so the widest disc that gets round, is exactly the lane's
+// width.
+constexpr int kSides = 72;
+
+/// A corner of the regular polygon whose sides touch the circle of `radius`.
+Point corner_about(double radius, int i) {
+  return radius / std::cos(kPi / kSides) * direction(2.0 * kPi * i / kSides);
+}
+
+/// A wall of quadrilaterals round a circle, which they touch.
 void add_ring(World& world, double radius) {
-  constexpr int kPieces = 72;
-  for (int i = 0; i < kPieces; ++i) {
-    const Point from = direction(2.0 * kPi * i / kPieces);
-    const Point to = direction(2.0 * kPi * (i + 1) / kPieces);
-    const double outer = radius + kWallThickness;
-    world.obstacles.emplace_back(Polygon{{radius * from, outer * from, outer * to, radius * to}});
+  const double outer = radius + kWallThickness;
+  for (int i = 0; i < kSides; ++i) {
+    world.obstacles.emplace_back(Polygon{{corner_about(radius, i),
+                                          corner_about(outer, i),
+                                          corner_about(outer, i + 1),
+                                          corner_about(radius, i + 1)}});
   }
 }
 
 void add_island(World& world, double radius) {
-  constexpr int kVertices = 72;
   Polygon island;
-  for (int i = 0; i < kVertices; ++i) {
-    island.vertices.push_back(radius * direction(2.0 * kPi * i / kVertices));
+  for (int i = 0; i < kSides; ++i) {
+    island.vertices.push_back(corner_about(radius, i));
   }
   world.obstacles.emplace_back(std::move(island));
 }

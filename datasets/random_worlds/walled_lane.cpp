@@ -35,17 +35,46 @@ double swerve(const WalledLane& lane, double along_m) noexcept {
   return weight > 0.0 ? offset / std::max(weight, 1e-9) * std::min(weight, 1.0) : 0.0;
 }
 
-void add_side(World& world, const WalledLane& lane, double side) {
+/// Points of the lane's centre line, with the direction from each in which a wall's corner lies: in
+/// it, at `across` times its length, the lines beside two chords at the distance `across` meet.
+struct Corner {
+  Point centre;
+  Point outwards;
+};
+
+std::vector<Corner> corners_of(const WalledLane& lane) {
   const double length = length_of(lane);
   const auto steps = static_cast<int>(std::ceil(length / kWallStep));
+  std::vector<Pose> poses;
+  for (int i = 0; i <= steps; ++i) {
+    poses.push_back(pose_at(lane, length * i / steps));
+  }
+  std::vector<Corner> corners;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto chord = [&](std::size_t from) {
+      const Point way = poses[from + 1].position - poses[from].position;
+      return (1.0 / norm(way)) * way;
+    };
+    const Point before = i > 0 ? chord(i - 1) : chord(0);
+    const Point after = i + 1 < poses.size() ? chord(i) : before;
+    const bool is_end = i == 0 || i + 1 == poses.size();
+    const Point along = is_end ? direction(poses[i].yaw_rad) : before + after;
+    const Point normal = (1.0 / norm(along)) * Point{-along.y_m, along.x_m};
+    corners.push_back({poses[i].position, (1.0 / cross(before, normal)) * normal});
+  }
+  return corners;
+}
+
+void add_side(World& world, const WalledLane& lane, double side) {
   const double near = side * 0.5 * lane.width_m;
   const double far = near + side * kWallThickness;
+  const std::vector<Corner> corners = corners_of(lane);
   Polygon wall;
-  for (int i = 0; i <= steps; ++i) {
-    wall.vertices.push_back(transform(pose_at(lane, length * i / steps), {0.0, near}));
+  for (const Corner& corner : corners) {
+    wall.vertices.push_back(corner.centre + near * corner.outwards);
   }
-  for (int i = steps; i >= 0; --i) {
-    wall.vertices.push_back(transform(pose_at(lane, length * i / steps), {0.0, far}));
+  for (std::size_t i = corners.size(); i-- > 0;) {
+    wall.vertices.push_back(corners[i].centre + far * corners[i].outwards);
   }
   world.obstacles.emplace_back(std::move(wall));
 }

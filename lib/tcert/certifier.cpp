@@ -14,9 +14,10 @@ namespace {
 
 constexpr double kNoPath = -std::numeric_limits<double>::infinity();
 
-bool is_finite(const Pose& pose) noexcept {
-  return std::isfinite(pose.position.x_m) && std::isfinite(pose.position.y_m) &&
-         std::isfinite(pose.yaw_rad);
+// NaN is not within it either.
+bool is_usable(const Pose& pose) noexcept {
+  return std::abs(pose.position.x_m) <= kLargestPose &&
+         std::abs(pose.position.y_m) <= kLargestPose && std::abs(pose.yaw_rad) <= kLargestPose;
 }
 
 bool lies_in(const std::optional<Region>& region, Point p) noexcept {
@@ -79,7 +80,7 @@ struct Certifier::State {
 };
 
 bool Certifier::State::accepts(const Tick& tick) const noexcept {
-  return is_finite(tick.pose) && tick.rays.size() == robot.rays.size() &&
+  return is_usable(tick.pose) && tick.rays.size() == robot.rays.size() &&
          (!has_time || tick.time_ns > last_ns);
 }
 

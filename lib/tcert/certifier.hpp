@@ -18,7 +18,7 @@ class CorridorGraph;
 /// they stay set.
 enum TickFlag : std::uint32_t {
   flag_stale = 1U << 0U,        ///< The tick was skipped as evidence.
-  flag_bad_input = 1U << 1U,    ///< Pose not finite or time not increasing: skipped.
+  flag_bad_input = 1U << 1U,    ///< Pose not usable or time not increasing: skipped.
   flag_missing_ray = 1U << 2U,  ///< A ray has no reading; its side gets no credit.
   flag_break = 1U << 3U,        ///< The path broke here; a new component starts.
   flag_capacity_exceeded =
@@ -87,10 +87,10 @@ class Certifier {
   Certifier& operator=(const Certifier& other) = delete;
 
   /// Takes the next tick. Refused input is flagged, never thrown and never credited: a pose that is
-  /// not finite, a time that does not increase, a wrong number of rays (flag_bad_input: the tick is
-  /// skipped, and the next one is judged by the last good time); a stale tick (flag_stale:
-  /// skipped); a reading that is NaN or infinite (flag_missing_ray: its side counts as the half
-  /// body).
+  /// not finite or beyond kLargestPose, a time that does not increase, a wrong number of rays
+  /// (flag_bad_input: the tick is skipped, and the next one is judged by the last good time); a
+  /// stale tick (flag_stale: skipped); a reading that is NaN or infinite (flag_missing_ray: its
+  /// side counts as the half body).
   CertifiedTick update(const Tick& tick) noexcept;
 
   /// m_t(theta_k) of the last fresh tick, one per ray (paper 3.1): the margin of heading along it.

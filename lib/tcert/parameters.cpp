@@ -10,6 +10,8 @@
 namespace tcert {
 namespace {
 
+constexpr double kMostLag = 1e5;  // in dead bands: a step is kept for each
+
 enum class Bound { above_zero, not_negative };
 
 void require(std::string_view name, double value, Bound bound) {
@@ -41,10 +43,13 @@ void validate(const CertificateParameters& p) {
   require("swept_cell_m", p.swept_cell_m, Bound::above_zero);
   require("least_obstacle_m", p.least_obstacle_m, Bound::not_negative);
   require("sharpest_corner_rad", p.sharpest_corner_rad, Bound::above_zero);
-  if (p.sharpest_corner_rad > std::numbers::pi) {
-    throw std::invalid_argument("sharpest_corner_rad must be at most pi");
+  if (p.sharpest_corner_rad > 0.5 * std::numbers::pi) {
+    throw std::invalid_argument("sharpest_corner_rad must be at most pi/2");
   }
   require("swept_lag_m", p.swept_lag_m, Bound::above_zero);
+  if (p.swept_lag_m > kMostLag * p.travel_deadband_m) {
+    throw std::invalid_argument("swept_lag_m must be at most 100000 times travel_deadband_m");
+  }
   require("curvature_window_m", p.curvature_window_m, Bound::above_zero);
   require("curvature_min_travel_m", p.curvature_min_travel_m, Bound::above_zero);
   require("min_curvature_per_m", p.min_curvature_per_m, Bound::above_zero);

@@ -41,9 +41,12 @@ struct CertificateParameters {
 
   // Swept area (clearance = swept).
   double swept_cell_m = 0.02;
-  double least_obstacle_m = 0.08;                       ///< No obstacle is narrower.
-  double sharpest_corner_rad = 0.5 * std::numbers::pi;  ///< No obstacle has a sharper corner.
-  double swept_lag_m = 1.0;  ///< Travel after which the clearance of a place is settled.
+  double least_obstacle_m = 0.08;  ///< No obstacle is narrower.
+  /// At depth h behind its tip every obstacle is at least 2 h tan(half of it) wide, up to
+  /// least_obstacle_m; at most pi/2.
+  double sharpest_corner_rad = 0.5 * std::numbers::pi;
+  /// Travel after which the clearance of a place is settled; at most 1e5 travel_deadband_m.
+  double swept_lag_m = 1.0;
 
   // Turn radius.
   double curvature_window_m = 0.25;

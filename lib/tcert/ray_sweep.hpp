@@ -14,14 +14,16 @@ struct SweepRule {
   double cell_m = 0.02;
   double least_step_m = 0.01;      ///< A ray that moved less is not yet a new one.
   double least_obstacle_m = 0.08;  ///< No obstacle is narrower than this.
-  double lost_share = 0.5;         ///< 1 / (2 tan(corner / 2)), corner its sharpest.
+  double lost_share = 0.5;         ///< 1 / (2 tan(a / 2)) of the rule below; at least 0.5.
 };
 
 /// The last positions of one ray. Two neighbours span a strip, as long as the smallest clearance
-/// read at them or between, less what an obstacle that neither of the two met can reach in between:
-/// if it is wider than the distance d that the ray's tip moved, only a corner can, and one of angle
-/// a no further than d / (2 tan(a / 2)). A cell is free if, while the ray went from before it to
-/// behind it, the cell lay within every strip on the way.
+/// read at them or between, less what an obstacle that neither of the two met can reach in between.
+/// The rule for obstacles: at depth h behind its tip each is at least 2 h tan(a / 2) wide, up to
+/// least_obstacle_m. So one that fits between rays whose tips are d <= least_obstacle_m apart
+/// reaches no further than d / (2 tan(a / 2)) past them. Corners of at least a keep the rule, and
+/// for a = pi/2 discs of that diameter do; for a larger a they do not. A cell is free if, while the
+/// ray went from before it to behind it, the cell lay within every strip on the way.
 class RaySweep {
  public:
   void restart() noexcept { count_ = 0; }

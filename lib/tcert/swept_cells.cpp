@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <bit>
+#include <cassert>
+#include <limits>
 #include <tcert/swept_cells.hpp>
 
 namespace tcert {
@@ -53,6 +55,7 @@ bool SweptCells::contains(SweptCell cell) const noexcept {
 }
 
 void SweptCells::mark_run(std::int32_t iy, std::int32_t first, std::int32_t last) noexcept {
+  assert(last <= std::numeric_limits<std::int32_t>::max() - kSide);
   const std::int32_t by = block_of(iy);
   for (std::int32_t bx = block_of(first); first <= last; ++bx) {
     const std::int32_t end = std::min(last, bx * kSide + kSide - 1);

@@ -27,7 +27,7 @@ class SweptCells {
   void clear() noexcept;
 
   void mark(SweptCell cell) noexcept { mark_run(cell.iy, cell.ix, cell.ix); }
-  /// Marks the cells of row `iy` from `first` to `last`, both included.
+  /// Marks the cells of row `iy` from `first` to `last`, both included. \pre last < 2^31 - 8.
   void mark_run(std::int32_t iy, std::int32_t first, std::int32_t last) noexcept;
 
   [[nodiscard]] bool contains(SweptCell cell) const noexcept;

@@ -20,15 +20,16 @@
  * - Lifetime. tcert_create copies all that it is given and takes all memory. tcert_update and
  *   tcert_reset allocate nothing, take no lock, make no system call, read no clock and never fail
  *   on what a sensor says. Readings are only looked at during the call.
- * - Capacity is fixed by max_nodes, max_edges and max_memory_cells. When nodes or edges are used
+ * - Capacity is fixed by max_nodes, max_edges, max_memory_cells and (swept)
+ *   max_swept_cells. When nodes, edges or swept cells are used
  *   up, new evidence is ignored and TCERT_CAPACITY_EXCEEDED stays set: the certificate is then
  *   never above that of a run with more. When contact memory that still counts had to give way,
  *   TCERT_MEMORY_EVICTED stays set: the corridor value and the speed may then be too high by at
  *   most memory_weight_m; the certificate does not depend on it.
  * - Units. Metres, radians (counter-clockwise), newtons, seconds; times in ns on one monotonic
  *   clock. NaN means not known; -infinity in a value means that there is no path yet.
- * - Refused input is flagged in the output, never credited. A pose that is not finite, a time that
- *   does not increase, a wrong number of readings: TCERT_BAD_INPUT, the tick is skipped and the
+ * - Refused input is flagged in the output, never credited. A pose that is not finite or holds a
+ *   number beyond 1e9 (m, rad), a time that does not increase, a wrong number of readings: TCERT_BAD_INPUT, the tick is skipped and the
  *   speed is 0. A stale tick: TCERT_STALE, likewise. A reading that is NaN or infinite:
  *   TCERT_MISSING_RAY, and its side counts as no wider than the body.
  * - Versions. A struct that may grow begins with struct_size, its size where the caller was

@@ -11,6 +11,9 @@ namespace tcert {
 
 inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
+/// The largest coordinate in m and yaw in rad of a pose: no lengths then overflow.
+inline constexpr double kLargestPose = 1e9;
+
 /// Reading of one ray: filtered (median of three raw samples), not calibrated.
 struct RayReading {
   double value = kMissing;  ///< Bend in rad or range in m, by the ray's kind; NaN is missing.
@@ -21,7 +24,7 @@ struct RayReading {
 /// during the call that takes the tick.
 struct Tick {
   std::int64_t time_ns = 0;  ///< On the trial's monotonic clock; strictly increasing.
-  Pose pose;
+  Pose pose;                 ///< Each number at most kLargestPose in size, or it is bad input.
   std::span<const RayReading> rays;
   bool stale = false;          ///< A required stream is silent: no evidence.
   bool segment_start = false;  ///< The log has a gap before this tick: the path is broken here.

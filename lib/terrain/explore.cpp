@@ -86,17 +86,24 @@ class Run {
     }
     next_choice_ = std::max(setup_.adaptive.first, 2 * n);
     if (setup_.lipschitz_confidence > 0.0) {
-      const LipschitzEstimate estimate = estimate_lipschitz(terrain_.grid,
-                                                            planner_.measurements(),
-                                                            planner_.model().prior().length_scale,
-                                                            setup_.rules.noise_bound,
-                                                            setup_.lipschitz_confidence);
-      if (std::isfinite(estimate.constant)) {
-        planner_.set_lipschitz(estimate.constant);
-      }
+      estimate_anew();
     }
     if (setup_.adaptive.on && n >= setup_.adaptive.first) {
       choose_length_scale();
+    }
+  }
+
+  /// Raises the Lipschitz constant where the measurements ask for it. Never lowers it: where they
+  /// were taken depends on what was measured before.
+  void estimate_anew() {
+    const double confidence = confidence_of_estimate(setup_.lipschitz_confidence, ++estimates_);
+    const LipschitzEstimate estimate = estimate_lipschitz(terrain_.grid,
+                                                          planner_.measurements(),
+                                                          planner_.model().prior().length_scale,
+                                                          setup_.rules.noise_bound,
+                                                          confidence);
+    if (std::isfinite(estimate.constant) && estimate.constant > planner_.rules().lipschitz) {
+      planner_.set_lipschitz(estimate.constant);
     }
   }
 
@@ -277,6 +284,7 @@ class Run {
   double travelled_ = 0.0;
   std::size_t unsafe_visits_ = 0;
   std::size_t next_choice_ = 0;
+  int estimates_ = 0;
 };
 
 void require_inside(const Grid& grid, Cell c, const std::string& who) {

@@ -49,14 +49,17 @@ struct ExploreSetup {
   double robot_radius = 2.0;
   double simplification = 4.0;  ///< Tolerance of outlines and depth of sub-goals (`published`).
   AdaptivePrior adaptive;
-  /// Confidence at which the Lipschitz constant is estimated, again whenever the measurements have
-  /// doubled; 0: as the rules give it. `certified` only.
+  /// Confidence at which the Lipschitz constant is estimated, after the first batch and again
+  /// whenever the measurements have doubled; it holds for all estimates together, and none lowers
+  /// the constant. 0: as the rules give it. `certified` only.
   double lipschitz_confidence = 0.0;
 };
 
 enum class End {
-  reached,        ///< The goal is safe and joined to the robot.
-  not_reachable,  ///< No cell within reach can make the safe set grow: not at this threshold.
+  reached,  ///< The goal is safe and joined to the robot.
+  /// No cell within reach can make the safe set grow: not at this threshold. Under `certified` the
+  /// measurements and the Lipschitz constant alone say so, not the model.
+  not_reachable,
   step_limit,
   empty_safe_set,  ///< Nothing is safe: the published program dies here.
   stranded,        ///< The ground under the robot is no longer certified.

@@ -1,10 +1,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <terrain/lipschitz.hpp>
-#include <utility>
 
 namespace tcert::terrain {
 namespace {
@@ -31,8 +29,33 @@ template <class F>
   return high;
 }
 
-/// Squared norm of the least-squares plane's gradient; negative if the points are on a line.
+// In length scales. A patch holds the measurements within kReach of its anchor; anchors are kApart
+// from one another, so that the patches' centres are at least two apart.
+constexpr double kReach = 0.5;
+constexpr double kApart = 3.0;
+
+/// A plane over a patch flattens the field: of a gradient's variance it keeps at least (1 +
+/// kReach^2 / 2)^-2, which it does if all measurements are at the patch's edge.
+constexpr double kLeastShare = 0.79;
+
+[[nodiscard]] std::vector<const Measurement*> points_round(std::span<const Measurement> all,
+                                                           const Position& anchor,
+                                                           double reach) {
+  std::vector<const Measurement*> points;
+  for (const Measurement& m : all) {
+    if ((m.at - anchor).norm() <= reach) {
+      points.push_back(&m);
+    }
+  }
+  return points;
+}
+
+/// Squared norm of the least-squares plane's gradient; negative if there are fewer than three
+/// points or all are on a line.
 [[nodiscard]] double squared_gradient(const std::vector<const Measurement*>& points) {
+  if (points.size() < 3) {
+    return -1.0;
+  }
   Position centre(0.0, 0.0);
   double mean = 0.0;
   for (const Measurement* m : points) {
@@ -110,33 +133,39 @@ double steepest_factor(const Grid& grid, double length_scale, double risk) {
   return std::sqrt(t);
 }
 
+double confidence_of_estimate(double confidence, int number) noexcept {
+  return 1.0 - std::ldexp(1.0 - confidence, -number);
+}
+
 LipschitzEstimate estimate_lipschitz(const Grid& grid,
                                      std::span<const Measurement> measurements,
                                      double length_scale,
                                      double noise_bound,
                                      double confidence) {
-  std::map<std::pair<int, int>, std::vector<const Measurement*>> patches;
-  const double side = 2.0 * length_scale;
-  for (const Measurement& m : measurements) {
-    patches[{static_cast<int>(std::floor(m.at.x() / side)),
-             static_cast<int>(std::floor(m.at.y() / side))}]
-        .push_back(&m);
-  }
   LipschitzEstimate estimate;
+  std::vector<Position> anchors;
   double sum = 0.0;
-  for (const auto& [where, points] : patches) {
-    const double gradient2 = points.size() < 3 ? -1.0 : squared_gradient(points);
+  for (const Measurement& m : measurements) {
+    const bool apart = std::all_of(anchors.begin(), anchors.end(), [&](const Position& a) {
+      return (a - m.at).norm() >= kApart * length_scale;
+    });
+    if (!apart) {
+      continue;
+    }
+    const double gradient2 =
+        squared_gradient(points_round(measurements, m.at, kReach * length_scale));
     if (gradient2 >= 0.0) {
-      sum += gradient2;
-      ++estimate.patches;
+      sum += gradient2 / kLeastShare;
+      anchors.push_back(m.at);
     }
   }
-  const double half_risk = 0.5 * (1.0 - confidence);
-  const double steepest = steepest_measured(measurements, noise_bound);
+  estimate.patches = static_cast<int>(anchors.size());
   if (estimate.patches == 0) {
     estimate.constant = kUnbounded;
     return estimate;
   }
+  const double half_risk = 0.5 * (1.0 - confidence);
+  const double steepest = steepest_measured(measurements, noise_bound);
   estimate.gradient_sd = std::sqrt(sum / (2.0 * estimate.patches));
   const double quantile =
       solve_rising([&](double x) { return chi_square_even(estimate.patches, x); }, half_risk, 1e6);

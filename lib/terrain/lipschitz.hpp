@@ -24,6 +24,10 @@ namespace tcert::terrain {
 /// length_scale^2.
 [[nodiscard]] double steepest_factor(const Grid& grid, double length_scale, double risk);
 
+/// Confidence of the `number`-th estimate (from 1) of a run, such that all of them together hold at
+/// `confidence`: the k-th takes 2^-k of the risk.
+[[nodiscard]] double confidence_of_estimate(double confidence, int number) noexcept;
+
 struct LipschitzEstimate {
   double constant = 0.0;     ///< Upper bound at the stated confidence; infinite without a patch.
   double gradient_sd = 0.0;  ///< Of one component, estimated.
@@ -31,10 +35,12 @@ struct LipschitzEstimate {
 };
 
 /// Upper confidence bound of the Lipschitz constant, if the terrain is a stationary Gaussian field
-/// with this length scale. Squares of two length scales that hold three measurements or more not on
-/// a line give one gradient each (least-squares plane); their squared norms bound the gradients'
-/// variance from above (chi-square, half of the risk), and steepest_factor takes the other half.
-/// Never below the steepest slope measured. \pre 0 < confidence < 1
+/// with this length scale. A place with three measurements or more, not on a line, within half a
+/// length scale gives a gradient (least-squares plane). Such places count once they are three
+/// length scales apart, in the order of the measurements: nearer ones have much the same gradient.
+/// The squared norms bound the gradients' variance from above (chi-square, half of the risk), and
+/// steepest_factor takes the other half. Never below the steepest slope measured. O(n (patches +
+/// n)). \pre 0 < confidence < 1
 [[nodiscard]] LipschitzEstimate estimate_lipschitz(const Grid& grid,
                                                    std::span<const Measurement> measurements,
                                                    double length_scale,

@@ -26,6 +26,7 @@ Planner::Planner(const Grid& grid,
       safe_(grid.size(), 0),
       expanders_(grid.size(), 0),
       considered_(grid.size(), 0),
+      measured_(grid.size(), 0),
       intervals_(grid.size()),
       cone_(rules.kind == RuleSet::certified ? grid.size() : 0) {
   require_valid(rules);
@@ -63,7 +64,9 @@ void Planner::add(const Measurement& m) {
       throw std::invalid_argument("a measurement must be at a cell of the grid");
     }
     const double steepest = steepest_to(m);
+    model_->add(m.at, m.value);
     measurements_.push_back(m);
+    measured_[grid_.index(cell)] = 1;
     if (steepest > rules_.lipschitz * (1.0 + kSlopeSlack)) {
       ++contradictions_;
       rules_.lipschitz = steepest;
@@ -72,9 +75,9 @@ void Planner::add(const Measurement& m) {
       intersect_with_cone(cone_, grid_, cell, m.value, rules_.noise_bound, rules_.lipschitz);
     }
   } else {
+    model_->add(m.at, m.value);
     measurements_.push_back(m);
   }
-  model_->add(m.at, m.value);
 }
 
 void Planner::derive_anew() {
@@ -150,6 +153,16 @@ const Plan& Planner::plan(std::optional<Cell> goal, std::optional<Cell> robot) {
   return plan_;
 }
 
+CellSet Planner::unmeasured_expanders(const Intervals& by,
+                                      const CellSet& reachable,
+                                      const std::vector<std::int64_t>& depth2) const {
+  CellSet set = expanders(safe_, by.upper, rules_.threshold, rules_.lipschitz, depth2);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    set[i] = set[i] != 0 && reachable[i] != 0 && measured_[i] == 0 ? 1 : 0;
+  }
+  return set;
+}
+
 void Planner::consider(const std::vector<std::size_t>& cells) {
   considered_.assign(grid_.size(), 0);
   for (const std::size_t i : cells) {
@@ -157,12 +170,15 @@ void Planner::consider(const std::vector<std::size_t>& cells) {
   }
 }
 
-void Planner::choose(std::vector<std::size_t> candidates, std::optional<Cell> goal, Ties ties) {
+void Planner::choose(std::vector<std::size_t> candidates,
+                     const Intervals& by,
+                     std::optional<Cell> goal,
+                     Ties ties) {
   const auto n = static_cast<std::size_t>(rules_.expanders);
   candidates = goal ? nearest_cells(grid_, std::move(candidates), *goal, n)
-                    : widest_cells(std::move(candidates), intervals_, n);
+                    : widest_cells(std::move(candidates), by, n);
   consider(candidates);
-  if (const auto best = widest_cell(grid_, candidates, intervals_, goal, ties)) {
+  if (const auto best = widest_cell(grid_, candidates, by, goal, ties)) {
     plan_.next = grid_.cell(*best);
   }
 }
@@ -186,7 +202,7 @@ void Planner::plan_thesis(std::optional<Cell> goal) {
   expanders_ = expanders(
       safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, squared_depth(grid_, safe_));
   plan_.expanders = count(expanders_);
-  choose(members(expanders_), goal, Ties::nearest_first);
+  choose(members(expanders_), intervals_, goal, Ties::nearest_first);
 }
 
 void Planner::plan_published(std::optional<Cell> goal) {
@@ -218,7 +234,7 @@ void Planner::plan_published(std::optional<Cell> goal) {
     expanders_[i] = expanders_[i] & candidates[i];
   }
   plan_.expanders = count(expanders_);
-  choose(members(expanders_), goal, Ties::row_major_first);
+  choose(members(expanders_), intervals_, goal, Ties::row_major_first);
 }
 
 void Planner::plan_certified(std::optional<Cell> goal, std::optional<Cell> robot) {
@@ -247,16 +263,22 @@ void Planner::plan_certified(std::optional<Cell> goal, std::optional<Cell> robot
                        squared_depth(grid_, safe_));
   }
   const std::vector<std::int64_t> depth2 = squared_depth(grid_, safe_);
-  expanders_ = expanders(safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, depth2);
   const CellSet reachable = robot ? component_of(grid_, ground(), *robot) : ground();
-  for (std::size_t i = 0; i < grid_.size(); ++i) {
-    expanders_[i] = expanders_[i] & reachable[i];
-  }
+  expanders_ = unmeasured_expanders(intervals_, reachable, depth2);
   plan_.expanders = count(expanders_);
+  if (plan_.expanders == 0) {
+    // That nothing more can grow is the model's word; the Lipschitz bound alone may end the search.
+    expanders_ = unmeasured_expanders(cone_, reachable, depth2);
+    plan_.expanders = count(expanders_);
+    plan_.against_the_model = plan_.expanders > 0;
+  }
   if (rules_.look_ahead && robot) {
     look_ahead(members(expanders_), goal, *robot, depth2);
   } else {
-    choose(members(expanders_), goal, Ties::nearest_first);
+    choose(members(expanders_),
+           plan_.against_the_model ? cone_ : intervals_,
+           goal,
+           Ties::nearest_first);
   }
 }
 

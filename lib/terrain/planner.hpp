@@ -23,6 +23,9 @@ struct Plan {
   std::optional<Cell> next;    ///< x_t; none if S_t is empty or no cell can make it grow.
   double lower = 0.0;          ///< l_t and u_t there.
   double upper = 0.0;
+  /// `certified`: the model rules every expander out, the Lipschitz bound does not; G_t is by the
+  /// latter.
+  bool against_the_model = false;
 };
 
 class Planner {
@@ -82,8 +85,16 @@ class Planner {
   void plan_thesis(std::optional<Cell> goal);
   void plan_published(std::optional<Cell> goal);
   void plan_certified(std::optional<Cell> goal, std::optional<Cell> robot);
+  /// Members of G_t that are reachable and not measured yet, by the upper bounds given. The disc of
+  /// a measurement is part of S_t: to measure there again makes it grow by the noise at most.
+  [[nodiscard]] CellSet unmeasured_expanders(const Intervals& by,
+                                             const CellSet& reachable,
+                                             const std::vector<std::int64_t>& depth2) const;
   void consider(const std::vector<std::size_t>& cells);
-  void choose(std::vector<std::size_t> candidates, std::optional<Cell> goal, Ties ties);
+  void choose(std::vector<std::size_t> candidates,
+              const Intervals& by,
+              std::optional<Cell> goal,
+              Ties ties);
   void look_ahead(const std::vector<std::size_t>& candidates,
                   std::optional<Cell> goal,
                   Cell robot,
@@ -100,6 +111,7 @@ class Planner {
   CellSet safe_;
   CellSet expanders_;
   CellSet considered_;
+  CellSet measured_;  // `certified`
   Intervals intervals_;
   Intervals cone_;  // `certified`: of measurements and the Lipschitz constant alone
   std::size_t empty_ = 0;

@@ -43,6 +43,11 @@ struct AsNumber {
 
 }  // namespace
 
+bool is_control(char c) noexcept {
+  const auto code = static_cast<unsigned char>(c);
+  return code < 0x20U || code == 0x7FU;
+}
+
 std::string text_at(const Table& table, std::size_t row, std::string_view column) {
   const TableCell* const cell = cell_at(table, row, column);
   const auto* const text = cell != nullptr ? std::get_if<std::string>(cell) : nullptr;
@@ -127,6 +132,7 @@ void make_plain(Figure& figure) {
   const auto plain = [](std::string& text) {
     std::replace(text.begin(), text.end(), ',', ';');
     std::replace(text.begin(), text.end(), '"', '\'');
+    std::replace_if(text.begin(), text.end(), is_control, ' ');
   };
   for (auto& row : figure.data.rows) {
     for (TableCell& cell : row) {
@@ -138,8 +144,12 @@ void make_plain(Figure& figure) {
   for (std::string& name : figure.key.classes) {
     plain(name);
   }
+  for (std::string* const text : {&figure.name, &figure.title, &figure.caption}) {
+    std::replace_if(text->begin(), text->end(), is_control, ' ');
+  }
   for (Panel& panel : figure.panels) {
     plain(panel.name);
+    std::replace_if(panel.title.begin(), panel.title.end(), is_control, ' ');
     for (Axis* const axis : {&panel.x, &panel.y}) {
       for (std::string& name : axis->categories) {
         plain(name);

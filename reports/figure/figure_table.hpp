@@ -15,6 +15,9 @@
 
 namespace tcert {
 
+/// A control character of ASCII: a newline, a tab. Bytes of UTF-8 are none.
+[[nodiscard]] bool is_control(char c) noexcept;
+
 /// Text of a cell; empty if it is missing or there is no such column.
 [[nodiscard]] std::string text_at(const Table& table, std::size_t row, std::string_view column);
 [[nodiscard]] std::string text_at(const DataTable& table, std::size_t row, std::string_view column);
@@ -38,7 +41,8 @@ void add_figure_row(Table& table,
                     const std::vector<double>& numbers);
 
 /// Commas and quotation marks of every text in the figure become other signs: gnuplot has no CSV
-/// with either in a cell.
+/// with either in a cell. Control characters, of titles too, become spaces: gnuplot ends a comment
+/// and a row at a newline.
 void make_plain(Figure& figure);
 
 /// A round step that cuts `span` into at most `parts`: 1, 2 or 5 times a power of ten.

@@ -1,11 +1,13 @@
 #include "reports/figure/gnuplot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
 
 #include "datasets/csv_write.hpp"
+#include "reports/figure/figure_table.hpp"
 #include "reports/figure/gnuplot_layout.hpp"
 #include "reports/figure/gnuplot_plot.hpp"
 
@@ -13,6 +15,14 @@ namespace tcert {
 namespace {
 
 std::string screen(double pixels, double whole) { return fixed(pixels / whole, 6); }
+
+/// A comment line: gnuplot runs what stands behind a newline, and a backslash at the end of a line
+/// takes the next one in.
+std::string comment(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return is_control(c) || c == '\\'; }, ' ');
+  return "# " + text + "\n";
+}
 
 /// One script, three terminals. Points of the PDF are three quarters of a pixel.
 std::string terminals(const Figure& figure, const FigureLayout& layout) {
@@ -149,11 +159,11 @@ std::string head_commands(const Figure& figure, const FigureLayout& layout) {
 std::string gnuplot_script(const Figure& figure) {
   check(figure);
   const FigureLayout layout = gnuplot_layout(figure);
-  std::string out = "# " + figure.title + "\n";
+  std::string out = comment(figure.title);
   if (figure.synthetic) {
-    out += "# " + to_string(*figure.synthetic) + "\n";
+    out += comment(to_string(*figure.synthetic));
   }
-  out += "# gnuplot -c " + figure.name + ".gp svg|pdf|png reads " + figure.name + ".csv\n";
+  out += comment("gnuplot -c " + figure.name + ".gp svg|pdf|png reads " + figure.name + ".csv");
   out += terminals(figure, layout);
   out +=
       "set encoding utf8\nset datafile separator ','\nset datafile columnheaders\n"
@@ -162,7 +172,7 @@ std::string gnuplot_script(const Figure& figure) {
   out += class_functions(figure) + head_commands(figure, layout);
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     const Panel& panel = figure.panels[p];
-    out += "\n# " + (panel.title.empty() ? "panel " + std::to_string(p + 1) : panel.title) + "\n";
+    out += "\n" + comment(panel.title.empty() ? "panel " + std::to_string(p + 1) : panel.title);
     out += "unset object\n";
     out += box_commands(layout.boxes[p], layout);
     out += panel.x.hidden ? "unset border\n" : "set border 3 lc rgb '#444444'\n";

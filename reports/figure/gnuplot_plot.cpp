@@ -215,7 +215,7 @@ struct Polygon {
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
-    out += c == '\n' ? std::string(" ") : c == '\'' ? std::string("''") : std::string(1, c);
+    out += is_control(c) ? std::string(" ") : c == '\'' ? std::string("''") : std::string(1, c);
   }
   return out + "'";
 }

@@ -247,9 +247,13 @@ std::optional<Figure> cells_figure(const Table& cells,
     return number_at(cells, a, "auc") < number_at(cells, b, "auc");
   });
   Figure figure = named(name, title, cells.synthetic);
+  const bool has_full = std::any_of(rows.begin(), rows.end(), [&](std::size_t row) {
+    return text_at(cells, row, "cell") == "full";
+  });
   figure.caption =
       "AUC of TC_early under each cell's parameters with 95 % BCa intervals, sorted. "
-      "Vertical: 0.5 (chance) and, dashed, the full method" +
+      "Vertical: 0.5 (chance)" +
+      std::string(has_full ? " and, dashed, the full method" : "") +
       std::string(last == "landmark" ? "; landmark panel." : ".");
   figure.key = {"", {"full method", "one change"}};
   figure.data = figure_table(name, {"cell", "kind"}, {"auc", "auc_low", "auc_high"});

@@ -12,9 +12,11 @@ namespace tcert {
 /// and each column the first tick with the smallest and the first with the largest value stay, so
 /// every peak and every dip of every column is there with its value. The first and the last tick
 /// and those of `always` stay too, and count towards the limit. All ticks if there are no more than
-/// `limit`. Values that are NaN are passed over. If `always` alone, or one bucket, is more than the
-/// limit, that is what stays. O(rows * columns * log rows). \pre every column has `rows` values;
-/// `always` is within them.
+/// `limit`. Of every gap of NaN in a column the ticks on both sides of its ends stay; where such
+/// ticks and `always` are more than half the limit, the first NaN of each bucket, so that every gap
+/// that is not beside another in its bucket stays a gap. If `always` alone, or one bucket, is more
+/// than the limit, that is what stays. O(rows * columns * log rows). \pre every column has `rows`
+/// values; `always` is within them.
 [[nodiscard]] std::vector<std::size_t> kept_ticks(std::size_t rows,
                                                   std::span<const std::span<const double>> columns,
                                                   std::span<const std::size_t> always,

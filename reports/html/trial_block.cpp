@@ -154,7 +154,9 @@ Json json_map(const TrialMap& map,
   const std::vector<double> y = column_of(series, "y_m");
   for (std::size_t i = 0; i < issued.size(); ++i) {
     if (issued[i] == 1.0) {
-      json["issued"] = json_point({x[i], y[i]});
+      if (std::isfinite(x[i]) && std::isfinite(y[i])) {
+        json["issued"] = json_point({x[i], y[i]});
+      }
       break;
     }
   }

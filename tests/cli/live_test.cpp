@@ -59,6 +59,18 @@ void send_all(int descriptor, std::string_view bytes) {
   }
 }
 
+/// Ticks of a robot that stands still.
+std::string still_ticks(const std::string& ticks, std::size_t count) {
+  const std::size_t header_end = ticks.find('\n', ticks.find('\n') + 1) + 1;
+  const std::string first = ticks.substr(header_end, ticks.find('\n', header_end) - header_end);
+  const std::string rest = first.substr(first.find(','));
+  std::string text = ticks.substr(0, header_end);
+  for (std::size_t k = 0; k < count; ++k) {
+    text += std::to_string(k / 10) + "." + std::to_string(k % 10) + rest + "\n";
+  }
+  return text;
+}
+
 /// `tcert live` in a folder with a corpus, its ticks and its series.
 class Live : public ::testing::Test {
  protected:
@@ -280,6 +292,60 @@ TEST_F(Live, TakesOneProducerAfterTheOtherOnAUnixSocket) {
       << "a producer that comes back breaks the path";
 }
 
+TEST_F(Live, SaysThatTimesGoOnToAProducerWhoseClockBeginsAgain) {
+  prepare(1);
+  start({"--listen", "unix:ticks.socket"});
+  for (int k = 0; k < 2; ++k) {
+    const int socket = connect_unix("ticks.socket");
+    send_all(socket, still_ticks(ticks_, 3));
+    ::close(socket);
+    ASSERT_TRUE(waits_for_lines(4));
+  }
+  EXPECT_TRUE(eventually([&] { return err().find("times go on") != std::string::npos; })) << err();
+  EXPECT_EQ(end(SIGTERM), 3) << err();
+  EXPECT_EQ(lines_of(out()), 4U);
+}
+
+TEST_F(Live, ReplacesAForsakenSocketAndNoOtherFile) {
+  prepare(1);
+  work_.write("precious.csv", "a,b\n");
+  const ProcessResult live =
+      work_.run({"live", "--bundle", "corpus", "--listen", "unix:precious.csv"});
+  EXPECT_EQ(live.exit_code, 66) << to_string(live);
+  EXPECT_NE(live.err.find("in use"), std::string::npos) << live.err;
+  EXPECT_EQ(work_.read("precious.csv"), "a,b\n");
+
+  start({"--listen", "unix:ticks.socket"});
+  ::close(connect_unix("ticks.socket"));
+  EXPECT_EQ(end(SIGKILL), 128 + SIGKILL);
+  ASSERT_TRUE(fs::is_socket(work_ / "ticks.socket"));
+  start({"--listen", "unix:ticks.socket"});
+  ::close(connect_unix("ticks.socket"));
+  // Somebody else takes the path meanwhile: theirs stays.
+  fs::remove(work_ / "ticks.socket");
+  work_.write("ticks.socket", "theirs");
+  EXPECT_EQ(end(SIGTERM), 0) << err();
+  EXPECT_EQ(work_.read("ticks.socket"), "theirs");
+}
+
+TEST_F(Live, GoesOnIgnoringWhatItWasStartedToIgnore) {
+  prepare(1);
+  make_fifo(".stdin");
+  ::signal(SIGHUP, SIG_IGN);  // as nohup does; the child inherits it
+  start({});
+  ::signal(SIGHUP, SIG_DFL);
+  const int input = ::open((work_ / ".stdin").c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(input, 0);
+  const std::size_t half = ticks_.find('\n', ticks_.size() / 2) + 1;
+  send_all(input, std::string_view(ticks_).substr(0, half));
+  ASSERT_TRUE(waits_for_lines(lines_of(ticks_.substr(0, half)) - 1));
+  ::kill(child_, SIGHUP);
+  send_all(input, std::string_view(ticks_).substr(half));
+  ::close(input);
+  EXPECT_EQ(wait(), 0) << err();
+  EXPECT_TRUE(out() == series_);
+}
+
 TEST_F(Live, TakesDatagramsOnLoopback) {
   prepare(1);
   start({"--listen", "udp:0"});
@@ -314,18 +380,6 @@ TEST_F(Live, TakesDatagramsOnLoopback) {
   EXPECT_TRUE(out() == series_);
 }
 
-/// Ticks of a robot that stands still.
-std::string still_ticks(const std::string& ticks, std::size_t count) {
-  const std::size_t header_end = ticks.find('\n', ticks.find('\n') + 1) + 1;
-  const std::string first = ticks.substr(header_end, ticks.find('\n', header_end) - header_end);
-  const std::string rest = first.substr(first.find(','));
-  std::string text = ticks.substr(0, header_end);
-  for (std::size_t k = 0; k < count; ++k) {
-    text += std::to_string(k / 10) + "." + std::to_string(k % 10) + rest + "\n";
-  }
-  return text;
-}
-
 TEST_F(Live, DropsRowsAndNeverTicksForASlowConsumer) {
   prepare(1);
   constexpr std::size_t kCount = 20'000;
@@ -343,6 +397,7 @@ TEST_F(Live, DropsRowsAndNeverTicksForASlowConsumer) {
   EXPECT_EQ(end(SIGTERM), 0) << err();
   ::close(unread);
   EXPECT_NE(err().find("rows were dropped"), std::string::npos) << err();
+  EXPECT_NE(err().find("the last row was cut off"), std::string::npos) << err();
   EXPECT_NE(err().find("20000 ticks recorded"), std::string::npos) << err();
   fs::remove(work_ / ".stdout");
 }

@@ -94,6 +94,102 @@ TEST_F(ResultsTree, NamesAnInputThatChangedThoughEveryDigestFits) {
       << run.err;
 }
 
+TEST_F(ResultsTree, DoesNotStandWithAManifestThatSaysOtherwise) {
+  const std::string path = "falsified/certificates/manifest.json";
+  const auto verified_with = [&](const std::string& text) {
+    work->write(path, text);
+    return work->run({"verify", "falsified"});
+  };
+  copy_to("falsified");
+  const std::string manifest = work->read(path);
+  const auto key = manifest.find("\"body_width_m\": ");
+  ASSERT_NE(key, std::string::npos);
+  std::string other = manifest;
+  other.replace(key, manifest.find(',', key) - key, "\"body_width_m\": 0.987");
+  const ProcessResult parameter = verified_with(other);
+  EXPECT_EQ(parameter.exit_code, 1) << to_string(parameter);
+  EXPECT_NE(parameter.err.find("the parameter body_width_m as '0.987'"), std::string::npos)
+      << parameter.err;
+  other = manifest;
+  const auto digest = other.rfind("\"sha256\": \"");
+  other.replace(digest + 11, 64, std::string(64, '0'));
+  const ProcessResult zeroed = verified_with(other);
+  EXPECT_EQ(zeroed.exit_code, 1) << to_string(zeroed);
+  EXPECT_NE(zeroed.err.find("another digest of"), std::string::npos) << zeroed.err;
+}
+
+TEST_F(ResultsTree, NamesWhatNoManifestCovers) {
+  copy_to("uncovered");
+  fs::remove(work->path() / "uncovered/h1/manifest.json");
+  work->write("uncovered/notes.txt", "looks like a result");
+  const ProcessResult run = work->run({"verify", "uncovered", "--files-only"});
+  EXPECT_EQ(run.exit_code, 1) << to_string(run);
+  EXPECT_NE(run.err.find("'h1/' is no result"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("'notes.txt' is no result"), std::string::npos) << run.err;
+}
+
+TEST_F(ResultsTree, StandsWithEveryKindOfResultInIt) {
+  copy_to("all");
+  const std::vector<std::vector<std::string>> steps = {
+      {"simulate", "--micro-study", "--output", "all/gates"},
+      {"gate", "all/gates", "--output", "all/gate/"},
+      {"replay", "all/corpus", "--output", "all/replays"},
+      {"hypotheses", "h2", "--features", "all/certificates/features.csv", "--output", "all/h2/"},
+      {"hypotheses", "h3", "--replays", "all/replays/replay.csv", "--output", "all/h3.md"},
+      {"sweep",
+       "all/corpus",
+       "--grid",
+       "beta_per_m=5,10",
+       "--replicates",
+       "60",
+       "--no-cache",
+       "--output",
+       "all/sweep"},
+      {"figures", "all", "--output", "all/figures"}};
+  for (const auto& step : steps) {
+    const ProcessResult run = work->run(step);
+    ASSERT_EQ(run.exit_code, 0) << step[0] << ' ' << to_string(run);
+  }
+  const ProcessResult page = work->run({"report", "all", "--output", "all/report.html"});
+  ASSERT_TRUE(page.exit_code == 0 || page.exit_code == 66) << to_string(page);
+  const ProcessResult run = work->run({"verify", "all", "--format", "csv", "--threads", "2"});
+  EXPECT_EQ(run.exit_code, 0) << to_string(run);
+  EXPECT_EQ(run.out.find(",no,"), std::string::npos) << "everything is made again: " << run.out;
+  for (const char* const name : {"figures,", "h3.md,", "sweep,", "gate,"}) {
+    EXPECT_NE(run.out.find(name), std::string::npos) << name << run.out;
+  }
+  work->write("all/h3.md", work->read("all/h3.md") + "one more line\n");
+  const ProcessResult edited = work->run({"verify", "all", "--files-only"});
+  EXPECT_EQ(edited.exit_code, 1) << to_string(edited);
+  EXPECT_NE(edited.err.find("h3.md: 'h3.md' was changed"), std::string::npos) << edited.err;
+}
+
+TEST_F(ResultsTree, ReproducedLosesWhatIsNotMadeAgain) {
+  const std::vector<std::string> again = {
+      "reproduce", "made/corpus", "--output", "rep", "--no-series", "--quiet"};
+  const std::vector<std::string> sweep = {"sweep",
+                                          "made/corpus",
+                                          "--grid",
+                                          "beta_per_m=5,10",
+                                          "--replicates",
+                                          "60",
+                                          "--output",
+                                          "rep/sensitivity"};
+  ASSERT_EQ(work->run(sweep).exit_code, 0);
+  ASSERT_EQ(work->run({"simulate", "--micro-study", "--output", "rep/gates"}).exit_code, 0);
+  std::vector<std::string> other = again;
+  other.insert(other.end(), {"--set", "body_width_m=0.5"});
+  const ProcessResult run = work->run(other);
+  EXPECT_EQ(run.exit_code, 0) << to_string(run);
+  EXPECT_FALSE(fs::exists(work->path() / "rep/sensitivity"));
+  EXPECT_FALSE(fs::exists(work->path() / "rep/gates"));
+  ASSERT_EQ(work->run(sweep).exit_code, 0);
+  work->write("rep/sensitivity/mine.txt", "mine");
+  const ProcessResult refused = work->run(again);
+  EXPECT_EQ(refused.exit_code, 73) << to_string(refused);
+  EXPECT_EQ(work->read("rep/sensitivity/mine.txt"), "mine");
+}
+
 TEST_F(ResultsTree, CannotBeVerifiedWithoutItsInputs) {
   copy_to("alone");
   fs::rename(work->path() / "alone/corpus", work->path() / "elsewhere");

@@ -1,5 +1,6 @@
 // The series of trials by the core alone, one after the other on stdout, as `certify` writes each:
 //   core_series [--c] FILE       FILE of export_ticks; --c: through the C interface
+//   core_series --swept FILE     with clearance=swept
 //   core_series --steady FILE    no output: updates between two marks, for a tracer of system calls
 
 #include <unistd.h>
@@ -22,8 +23,14 @@ using test_support::TickFile;
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
-void print_by_cpp(const TickFile& file, const SeriesFormat& format) {
-  Certifier certifier(file.robot, file.course, {});
+CertificateParameters reading(ClearanceReading clearance) {
+  CertificateParameters parameters;
+  parameters.clearance = clearance;
+  return parameters;
+}
+
+void print_by_cpp(const TickFile& file, const SeriesFormat& format, ClearanceReading clearance) {
+  Certifier certifier(file.robot, file.course, reading(clearance));
   std::string text;
   for (const TickFile::Trial& trial : file.trials) {
     certifier.reset();
@@ -61,9 +68,11 @@ bool print_by_c(const TickFile& file, const SeriesFormat& format) {
   return true;
 }
 
-/// Both interfaces, every trial, with guards; nothing else happens between the marks.
+/// Both interfaces and the swept area, every trial, with guards; nothing else happens between the
+/// marks.
 bool run_steadily(const TickFile& file) {
   Certifier certifier(file.robot, file.course, {});
+  Certifier swept(file.robot, file.course, reading(ClearanceReading::swept));
   Guards guards(SpeedLaw{}, GuardParameters{}, TrackingErrorTable());
   test_support::CSetup setup(file.robot, file.course);
   tcert_certifier* by_c = nullptr;
@@ -76,6 +85,7 @@ bool run_steadily(const TickFile& file) {
   [[maybe_unused]] auto marked = ::write(STDOUT_FILENO, "begin\n", 6);
   for (const TickFile::Trial& trial : file.trials) {
     certifier.reset();
+    swept.reset();
     tcert_reset(by_c);
     for (const Tick& tick : trial.ticks) {
       sum += guards.update(tick, certifier.update(tick)).speed_mps;
@@ -83,11 +93,13 @@ bool run_steadily(const TickFile& file) {
       tcert_output out = test_support::empty_output();
       tcert_update(by_c, &felt, &out);
       sum += out.speed_mps;
+      sum += swept.update(tick).corridor_value_m > 0.0 ? 1e-9 : 0.0;
       ++ticks;
     }
   }
   marked = ::write(STDOUT_FILENO, "end\n", 4);
-  std::printf("%zu ticks, each by both interfaces; sum of speeds %g\n", ticks, sum);
+  std::printf(
+      "%zu ticks, each by both interfaces and by the swept area; sum of speeds %g\n", ticks, sum);
   tcert_destroy(by_c);
   return true;
 }
@@ -96,8 +108,9 @@ bool run_steadily(const TickFile& file) {
 
 int main(int argc, char** argv) {
   const std::string mode = argc == 3 ? argv[1] : "";
-  if (argc < 2 || argc > 3 || (argc == 3 && mode != "--c" && mode != "--steady")) {
-    std::fprintf(stderr, "core_series [--c | --steady] FILE\n");
+  if (argc < 2 || argc > 3 ||
+      (argc == 3 && mode != "--c" && mode != "--swept" && mode != "--steady")) {
+    std::fprintf(stderr, "core_series [--c | --swept | --steady] FILE\n");
     return 2;
   }
   std::ifstream stream(argv[argc - 1], std::ios::binary);
@@ -112,6 +125,6 @@ int main(int argc, char** argv) {
   if (mode == "--c") {
     return print_by_c(file, format) ? 0 : 1;
   }
-  print_by_cpp(file, format);
+  print_by_cpp(file, format, mode == "--swept" ? ClearanceReading::swept : ClearanceReading::width);
   return 0;
 }

@@ -6,6 +6,8 @@
 
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/random_worlds/random_run.hpp"
+#include "datasets/random_worlds/walled_lane.hpp"
+#include "datasets/worlds/region_distance.hpp"
 
 namespace tcert {
 namespace {
@@ -64,6 +66,54 @@ TEST(RandomWorlds, TrueTicksAreWhatTheWallsAre) {
                   clearances[r],
                   1e-12);
     }
+  }
+}
+
+// A disc of the lane's width gets along the chords of the centre line, and between every two of
+// them lies a segment of that length from wall to wall.
+TEST(RandomWorlds, ALaneIsAsWideAsItSaysInItsTightestBend) {
+  WalledLane lane;
+  lane.begin = {{0.3, -0.2}, 0.4};
+  lane.width_m = 1.1;
+  lane.pieces = {
+      {1.03, 0.0}, {1.2, 1.0 / 0.85}, {2.1, -1.0 / 0.85}, {0.31, 0.0}, {0.5, 1.0}, {1.0, 0.0}};
+  World world;
+  add_walls(world, lane);
+  const auto steps = static_cast<int>(std::ceil(length_of(lane) / 0.08));
+  for (int i = 0; i < steps; ++i) {
+    const Point from = pose_at(lane, length_of(lane) * i / steps).position;
+    const Point to = pose_at(lane, length_of(lane) * (i + 1) / steps).position;
+    for (int k = 0; k <= 20; ++k) {
+      const Point p = from + k / 20.0 * (to - from);
+      for (const Region& wall : world.obstacles) {
+        ASSERT_GE(region_distance(wall, p), 0.55 - 1e-12) << i << " " << k;
+      }
+    }
+    const Point middle = 0.5 * (from + to);
+    for (const Region& wall : world.obstacles) {
+      ASSERT_NEAR(region_distance(wall, middle), 0.55, 1e-12) << i;
+    }
+  }
+}
+
+TEST(RandomWorlds, ALoopIsAsWideAllRound) {
+  const World world = draw_random_world(WorldFamily::loop, 2, 1).world;
+  const std::size_t ring = world.obstacles.size() - 73;
+  const Region& island = world.obstacles.back();
+  const double radius = std::get<Disc>(*world.goal).centre.x_m;
+  const double half =
+      radius - std::get<Polygon>(island).vertices.front().x_m * std::cos(std::numbers::pi / 72.0);
+  for (int i = 0; i < 720; ++i) {
+    const double angle = i * std::numbers::pi / 360.0;
+    const double off_middle =
+        std::remainder(angle - std::numbers::pi / 72.0, std::numbers::pi / 36);
+    const Point p = radius / std::cos(off_middle) * direction(angle);
+    double outer = 10.0;
+    for (std::size_t k = ring; k + 1 < world.obstacles.size(); ++k) {
+      outer = std::min(outer, region_distance(world.obstacles[k], p));
+    }
+    ASSERT_NEAR(outer, half, 1e-12) << i;
+    ASSERT_GE(region_distance(island, p), half - 1e-12) << i;
   }
 }
 

@@ -127,6 +127,11 @@ TEST(CApi, FlagsWhatItRefusesAndNeverFails) {
   EXPECT_EQ(tcert_update(certifier, &tick, &out), TCERT_OK);
   EXPECT_EQ(out.flags & TCERT_BAD_INPUT, TCERT_BAD_INPUT) << "no pose";
 
+  tick.time_ns += 100'000'000;
+  tick.x_m = -1.01e9;
+  EXPECT_EQ(tcert_update(certifier, &tick, &out), TCERT_OK);
+  EXPECT_EQ(out.flags & TCERT_BAD_INPUT, TCERT_BAD_INPUT) << "too far";
+
   tick = to_c(run.ticks[0], readings);
   tick.stale = 0;
   tick.time_ns += 100'000'000;
@@ -186,7 +191,7 @@ TEST(CApi, SaysWhatIsWrongWithWhatItIsMadeFrom) {
       [](CSetup& c) { c.parameters.beta_per_m = 0.0; }, TCERT_ERROR_PARAMETER, "beta_per_m");
   expect_refused([](CSetup& c) { c.parameters.tracking_radius_m = &c.parameters.beta_per_m; },
                  TCERT_ERROR_PARAMETER,
-                 "");
+                 "tracking error: speed_mps must start at 0 and rise");
   expect_refused(
       [](CSetup& c) { c.parameters.struct_size = 8; }, TCERT_ERROR_VERSION, "struct_size is 8");
   expect_refused([](CSetup& c) { c.course.struct_size = 0; }, TCERT_ERROR_VERSION, "course");

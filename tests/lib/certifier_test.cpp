@@ -391,43 +391,6 @@ TEST(Certifier, UpdateAllocatesNothing) {
   }
 }
 
-TEST(Certifier, SkipsAndFlagsWhatIsNoTick) {
-  RandomRun run = random_run(4, 100);
-  Certifier certifier(run.robot, run.course, {});
-  const CertifiedTick good = certifier.update(run.ticks[0]);
-  Tick bad = run.ticks[1];
-  bad.pose.position.x_m = std::nan("");
-  EXPECT_EQ(certifier.update(bad).flags & flag_bad_input, flag_bad_input);
-  bad = run.ticks[1];
-  bad.time_ns = run.ticks[0].time_ns;
-  EXPECT_EQ(certifier.update(bad).flags & flag_bad_input, flag_bad_input);
-  bad = run.ticks[1];
-  bad.rays = bad.rays.first(1);
-  const CertifiedTick skipped = certifier.update(bad);
-  EXPECT_EQ(skipped.flags & flag_bad_input, flag_bad_input);
-  EXPECT_TRUE(std::isnan(skipped.margin_m));
-  EXPECT_EQ(skipped.corridor_value_m, good.corridor_value_m);
-  EXPECT_EQ(skipped.nodes, good.nodes);
-}
-
-TEST(Certifier, AGapBeforeASkippedTickIsStillABreak) {
-  RandomRun run = random_run(4, 3);
-  for (Tick& tick : run.ticks) {
-    tick.pose = run.ticks[0].pose;
-    tick.stale = tick.segment_start = false;
-  }
-  for (const bool stale : {true, false}) {
-    Certifier certifier(run.robot, run.course, {});
-    certifier.update(run.ticks[0]);
-    Tick skipped = run.ticks[1];
-    skipped.segment_start = true;
-    skipped.stale = stale;
-    skipped.pose.yaw_rad = stale ? 0.0 : std::nan("");
-    EXPECT_EQ(certifier.update(skipped).flags & flag_break, 0U);
-    EXPECT_EQ(certifier.update(run.ticks[2]).flags & flag_break, flag_break);
-  }
-}
-
 TEST(Certifier, AnOptimisticCertificateIsThereFromTheStartAndMayFall) {
   CertificateParameters optimistic;
   optimistic.unknown = UnknownSpace::free;

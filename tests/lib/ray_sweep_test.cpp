@@ -34,6 +34,18 @@ struct Walls {
       return p.x_m > b.low.x_m && p.x_m < b.high.x_m && p.y_m > b.low.y_m && p.y_m < b.high.y_m;
     });
   }
+  [[nodiscard]] bool clear_within(Point p, double radius) const {
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+      if (distance(p, centres[i]) < radii[i] + radius) {
+        return false;
+      }
+    }
+    return std::none_of(boxes.begin(), boxes.end(), [&](const Box& b) {
+      const double dx = std::max({b.low.x_m - p.x_m, 0.0, p.x_m - b.high.x_m});
+      const double dy = std::max({b.low.y_m - p.y_m, 0.0, p.y_m - b.high.y_m});
+      return std::hypot(dx, dy) < radius;
+    });
+  }
   [[nodiscard]] double cast(Point from, Point u) const {
     double r = 0.0;
     while (r < kReach && !occupied(from + r * u)) {
@@ -71,7 +83,8 @@ void for_each_marked(const SweptCells& cells, Visit visit) {
   }
 }
 
-TEST(RaySweep, MarksNoCellThatAnObstacleTouches) {
+// With mounts in the open and with mounts deep in a body, wherever a body that deep has room.
+std::size_t expect_no_touched_cell(const SweepRule& rule, bool has_body) {
   std::size_t marked = 0;
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     std::mt19937 engine(seed);
@@ -93,26 +106,40 @@ TEST(RaySweep, MarksNoCellThatAnObstacleTouches) {
       const Point mount = transform(pose, local);
       // Of a body that is free; a mount inside of an obstacle is no ray.
       const Point u = direction(pose.yaw_rad + bearing);
+      const bool in_body =
+          has_body && walls.clear_within(mount, rule.lost_share * rule.least_obstacle_m);
       if (walls.occupied(mount) || engine() % 40 == 0) {
-        sweep.advance(mount, u, std::nan(""), false, kRule, cells);
+        sweep.advance(mount, u, std::nan(""), in_body, rule, cells);
       } else {
-        sweep.advance(mount, u, walls.cast(mount, u), false, kRule, cells);
+        sweep.advance(mount, u, walls.cast(mount, u), in_body, rule, cells);
       }
     }
     for_each_marked(cells, [&](std::int32_t ix, std::int32_t iy) {
       ++marked;
       for (int i = 0; i <= 4; ++i) {
         for (int j = 0; j <= 4; ++j) {
-          const Point p{(ix + 0.25 * i) * kRule.cell_m, (iy + 0.25 * j) * kRule.cell_m};
-          ASSERT_FALSE(walls.occupied(p)) << "seed " << seed << " at " << p.x_m << ", " << p.y_m;
+          const Point p{(ix + 0.25 * i) * rule.cell_m, (iy + 0.25 * j) * rule.cell_m};
+          EXPECT_FALSE(walls.occupied(p)) << "seed " << seed << " at " << p.x_m << ", " << p.y_m;
         }
       }
     });
-    if (testing::Test::HasFatalFailure()) {
-      return;
+    if (testing::Test::HasFailure()) {
+      return marked;
     }
   }
-  EXPECT_GT(marked, 6'000U);
+  return marked;
+}
+
+TEST(RaySweep, MarksNoCellThatAnObstacleTouches) {
+  const std::size_t open = expect_no_touched_cell(kRule, false);
+  EXPECT_GT(open, 6'000U);
+  EXPECT_GT(expect_no_touched_cell(kRule, true), open);
+  SweepRule sharp = kRule;
+  sharp.lost_share = 0.5 / std::tan(std::numbers::pi / 12.0);  // wedges of 30 degrees
+  const std::size_t sharp_open = expect_no_touched_cell(sharp, false);
+  EXPECT_GT(sharp_open, 1'000U);
+  EXPECT_LT(sharp_open, open);
+  EXPECT_GT(expect_no_touched_cell(sharp, true), sharp_open);
 }
 
 // A ray square to a straight way, free all along: everything that it passed, less the loss.

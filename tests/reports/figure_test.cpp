@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -106,6 +107,33 @@ TEST(Figure, HasUnitsOnItsAxes) {
 
 TEST(Figure, QuotesWhatGnuplotWouldRead) {
   EXPECT_NE(gnuplot_script(small_figure()).find("'It''s small'"), std::string::npos);
+}
+
+/// No line of the script begins with what a text of the figure says.
+void expect_nothing_run(const std::string& script) {
+  std::istringstream lines(script);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_FALSE(line.starts_with("system(")) << script;
+    EXPECT_FALSE(line.starts_with("#") && line.ends_with("\\")) << script;
+  }
+  EXPECT_EQ(script.find('\r'), std::string::npos);
+}
+
+TEST(Figure, RunsNothingThatATextSays) {
+  const std::string hostile = "Dark\nsystem('touch pwned')\r\nsystem('x') \\";
+  Figure figure = small_figure();
+  figure.title = hostile;
+  figure.panels[0].title = hostile;
+  figure.panels[0].x.title = hostile;
+  figure.key.classes[0] = hostile;
+  figure.data.rows[0][1] = hostile;
+  expect_nothing_run(gnuplot_script(figure));
+  make_plain(figure);
+  expect_nothing_run(gnuplot_script(figure));
+  expect_same_data(figure);
+  const std::string csv = figure_csv(figure);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a row a line: " << csv;
+  EXPECT_EQ(csv.find('"'), std::string::npos) << csv;
 }
 
 TEST(Figure, IsTheSameForTheSameData) {

@@ -36,5 +36,15 @@ TEST(Manifest, WritesNumbersAsNumbersAndTheAbsentAsNull) {
 
 TEST(Manifest, IsTheSameForTheSameFacts) { EXPECT_EQ(to_json(example()), to_json(example())); }
 
+TEST(NameOf, IsThatOfTheFolderItselfForADot) {
+  const std::string here = std::filesystem::current_path().filename().string();
+  EXPECT_EQ(name_of("."), here);
+  EXPECT_EQ(name_of("./"), here);
+  EXPECT_EQ(name_of("x/.."), here);
+  EXPECT_EQ(name_of("a/corpus/"), "corpus");
+  EXPECT_EQ(name_of("a/corpus"), "corpus");
+  EXPECT_EQ(name_of(""), "");
+}
+
 }  // namespace
 }  // namespace tcert

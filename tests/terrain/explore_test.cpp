@@ -120,32 +120,6 @@ TEST(Lipschitz, BoundHoldsForAllPairsAndIsTight) {
   }
 }
 
-TEST(Lipschitz, EstimateCoversAsStated) {
-  // Fields of one covariance: the constant is that of the field, not scaled to one.
-  TerrainFieldOptions field;
-  field.rows = 60;
-  field.columns = 48;
-  field.length_scale = 8.0;
-  int covered = 0;
-  constexpr int kRuns = 200;
-  for (int run = 0; run < kRuns; ++run) {
-    field.number = static_cast<std::uint64_t>(run);
-    const TerrainGrid made = random_terrain(field);
-    const Grid grid{made.rows, made.columns};
-    RandomStream random(9, 1, field.number);
-    std::vector<Measurement> measurements;
-    // Within a corner of the field: what a robot knows early.
-    for (int k = 0; k < 60; ++k) {
-      const Cell c{static_cast<int>(random.below(30)), static_cast<int>(random.below(30))};
-      measurements.push_back({position(c), made.values[grid.index(c)]});
-    }
-    const LipschitzEstimate estimate = estimate_lipschitz(grid, measurements, 8.0, 0.0, 0.9);
-    covered += estimate.constant >= field.lipschitz ? 1 : 0;
-  }
-  EXPECT_GE(covered, 180);
-  RecordProperty("covered_of_200", covered);
-}
-
 TEST(Baselines, WalkStraightAndFail) {
   const Terrain terrain = ravine(4);
   const BaselineResult walk = straight_walk(terrain, {}, 0.0, {5, 15}, {35, 15});

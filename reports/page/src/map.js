@@ -29,7 +29,8 @@ function bounds(map, xs, ys) {
     add(x1, y1);
     add(x2, y2);
   }
-  return box;
+  // Nothing with a place: a map of nothing, not one without bounds.
+  return box.x0 <= box.x1 ? box : { x0: 0, x1: 1, y0: 0, y1: 1 };
 }
 
 function points(list) {
@@ -76,7 +77,7 @@ function key(map, range) {
 }
 
 export class TrialMap {
-  // `xs`, `ys`, `yaws` by tick; `pick(tick)` when the reader points at the path.
+  // `xs`, `ys`, `yaws` by tick, null where it is not known; `pick(tick)` when the reader points at the path.
   constructor(map, xs, ys, yaws, pick) {
     this.xs = xs;
     this.ys = ys;
@@ -86,7 +87,7 @@ export class TrialMap {
     const width = x1 - x0 + 2 * margin;
     const height = y1 - y0 + 2 * margin;
     this.unit = Math.max(width, height) / 500; // about a pixel
-    const path = xs.map((x, i) => [x, ys[i]]).filter(([x]) => x !== null);
+    const path = xs.map((x, i) => [x, ys[i]]).filter(([x, y]) => x !== null && y !== null);
     const range = edgeRange(map.edges);
     this.past = svg('polyline', { class: 'past' });
     this.robot = svg('path', { class: 'robot', d: `M${9} 0L${-6} 6L${-3} 0L${-6} -6Z` });
@@ -122,7 +123,7 @@ export class TrialMap {
     let best = 0;
     let least = Infinity;
     this.xs.forEach((x, i) => {
-      const far = x === null ? Infinity : (x - at.x) ** 2 + (this.ys[i] + at.y) ** 2;
+      const far = x === null || this.ys[i] === null ? Infinity : (x - at.x) ** 2 + (this.ys[i] + at.y) ** 2;
       if (far < least) {
         least = far;
         best = i;
@@ -134,15 +135,16 @@ export class TrialMap {
   show(tick) {
     const x = this.xs[tick];
     const y = this.ys[tick];
-    if (x === null || y === null) {
-      this.robot.setAttribute('visibility', 'hidden');
-      return;
+    const yaw = this.yaws[tick];
+    // An arrow without a heading would be a guess.
+    const known = x !== null && y !== null && yaw !== null;
+    this.robot.setAttribute('visibility', known ? 'visible' : 'hidden');
+    if (known) {
+      const degrees = (-yaw * 180) / Math.PI;
+      this.robot.setAttribute('transform', `translate(${x} ${-y}) rotate(${degrees}) scale(${this.unit * 1.4})`);
     }
-    const degrees = (-(this.yaws[tick] ?? 0) * 180) / Math.PI;
-    this.robot.setAttribute('visibility', 'visible');
-    this.robot.setAttribute('transform', `translate(${x} ${-y}) rotate(${degrees}) scale(${this.unit * 1.4})`);
     const past = [];
-    for (let i = 0; i <= tick; ++i) if (this.xs[i] !== null) past.push([this.xs[i], this.ys[i]]);
+    for (let i = 0; i <= tick; ++i) if (this.xs[i] !== null && this.ys[i] !== null) past.push([this.xs[i], this.ys[i]]);
     this.past.setAttribute('points', points(past));
   }
 }

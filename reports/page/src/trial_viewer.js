@@ -41,7 +41,9 @@ export class TrialViewer {
     const map = {
       polygons: [], discs: [], beams: [], bounds: null, start: null, goal: null, ...(world ?? {}), ...trial.map,
     };
-    this.map = new TrialMap(map, series.x_m, series.y_m, series.yaw_rad, pick);
+    // A column without any value is not sent.
+    const column = (name) => series[name] ?? series.time_s.map(() => null);
+    this.map = new TrialMap(map, column('x_m'), column('y_m'), column('yaw_rad'), pick);
     const panels = this.report.series.panels.map((panel) => ({
       ...panel, columns: panel.columns.filter((column) => series[column.name]?.some((value) => value !== null)),
     })).filter((panel) => panel.columns.length > 0);

@@ -5,6 +5,16 @@ import { el } from './dom.js';
 import { TrialList } from './trial_list.js';
 import { TrialViewer } from './trial_viewer.js';
 
+// The trial that the address names, or none; an address may hold anything.
+function askedFor() {
+  const asked = /^#trial=(.*)$/.exec(location.hash);
+  try {
+    return asked ? decodeURIComponent(asked[1]) : null;
+  } catch {
+    return null;
+  }
+}
+
 export async function trials(report) {
   const [line] = readLines('trials');
   if (line === undefined) {
@@ -22,8 +32,8 @@ export async function trials(report) {
     history.replaceState(null, '', `#trial=${encodeURIComponent(name)}`);
   };
   const list = new TrialList(table, open);
-  const asked = /^#trial=(.*)$/.exec(location.hash);
-  const index = asked ? table.rows.findIndex((row) => row[0] === decodeURIComponent(asked[1])) : -1;
+  const asked = askedFor();
+  const index = asked === null ? -1 : table.rows.findIndex((row) => row[0] === asked);
   if (index >= 0) setTimeout(() => open(index));
   return [
     el('p', {}, withSeries

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
+#include "analysis/truth/curvature_search.hpp"
 #include "analysis/truth/random_worlds.hpp"
 #include "analysis/truth/truth.hpp"
 
@@ -123,6 +125,49 @@ TEST(CurvatureValue, TheUTurnIsNegativeWhereTheBodyFitsButCannotTurn) {
     EXPECT_GE(truth.lower_m, exact - 0.03) << width;
     EXPECT_GT(clearance_value(world, 0.02).clearance_m, 0.5 * body.body_width_m - 0.03) << width;
   }
+}
+
+/// A wall of discs with gaps that the body does not fit, from border to border.
+World fence() {
+  World world;
+  world.name = "fence";
+  world.bounds = {{0.0, 0.0}, {4.0, 4.0}};
+  world.start = Disc{{1.0, 1.0}, 0.3};
+  world.goal = Disc{{3.0, 1.0}, 0.3};
+  for (int i = 0; i < 11; ++i) {
+    world.obstacles.emplace_back(Disc{{2.0, 0.05 + 0.28 * i}, 0.2});
+  }
+  return world;
+}
+
+// A slack of clearance 0 is -w_B by width, but -w_B / 2 radially; a path below it leaves the
+// bounds.
+TEST(CurvatureValue, StaysWithinTheBoundsInEitherConvention) {
+  for (const auto convention : {SlackConvention::width, SlackConvention::radial}) {
+    const World world = fence();
+    for (const double min_radius : {0.35, 5.0}) {
+      TruthOptions options;
+      options.convention = convention;
+      const Truth truth = truth_of(world, robot(0.45, min_radius), options);
+      EXPECT_LE(truth.lower_m, truth.upper_m);
+      for (const Arc& arc : truth.path) {
+        for (const double share : {0.0, 0.5, 1.0}) {
+          const Point p = pose_at(arc, share * arc.length_m).position;
+          EXPECT_TRUE(p.x_m >= 0.0 && p.y_m >= 0.0 && p.x_m <= 4.0 && p.y_m <= 4.0);
+        }
+      }
+    }
+  }
+}
+
+// 1.3e8 poses would take some 4 GB.
+TEST(CurvatureValue, RefusesASearchThatWouldTakeAllMemory) {
+  const World world = corridor_with_gate(1.2, 0.63);
+  const ObstacleDistance obstacles(world);
+  const ClearanceTable table(world, obstacles, 0.05);
+  CurvatureQuery query;
+  query.cell_m = 0.0016;
+  EXPECT_THROW((void)search_path(world, table, {}, query), std::invalid_argument);
 }
 
 TEST(CurvatureValue, LiesBelowTheExactClearanceInRandomWorlds) {

@@ -86,6 +86,31 @@ TEST(KeptTicks, KeepsEveryRangeTheEndsAndWhatIsAskedFor) {
   }
 }
 
+TEST(KeptTicks, AGapOfOneTickStaysAGap) {
+  const double missing = std::numeric_limits<double>::quiet_NaN();
+  Columns columns(2, std::vector<double>(1000));
+  for (std::size_t i = 0; i < 1000; ++i) {
+    columns[0][i] = std::sin(static_cast<double>(i) / 50.0);
+    columns[1][i] = 1.0;
+  }
+  columns[0][503] = missing;
+  const auto few = kept_ticks(1000, views(columns), {}, 40);
+  EXPECT_LE(few.size(), 40U);
+  for (const std::size_t tick : {502U, 503U, 504U}) {
+    EXPECT_TRUE(std::binary_search(few.begin(), few.end(), tick)) << tick;
+  }
+  // So many gaps that their ends alone are too many: one of each bucket.
+  for (std::size_t i = 0; i < 1000; i += 3) {
+    columns[0][i] = missing;
+  }
+  const auto many = kept_ticks(1000, views(columns), {}, 40);
+  EXPECT_LE(many.size(), 40U);
+  EXPECT_GT(
+      std::count_if(
+          many.begin(), many.end(), [&](std::size_t tick) { return std::isnan(columns[0][tick]); }),
+      8);
+}
+
 TEST(KeptTicks, FillsMostOfTheLimit) {
   std::mt19937 engine(7);
   const Columns columns = random_columns(engine, 6, 5000);

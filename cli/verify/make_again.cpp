@@ -1,0 +1,150 @@
+#include "cli/verify/make_again.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "cli/command.hpp"
+#include "cli/errors.hpp"
+#include "cli/output.hpp"
+#include "cli/scratch_folder.hpp"
+#include "cli/verify/compare.hpp"
+#include "cli/verify/find_input.hpp"
+
+namespace tcert::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Command* command_called(const std::string& name) {
+  for (const Command* command : commands()) {
+    if (command->name == name) {
+      return command;
+    }
+  }
+  return nullptr;
+}
+
+/// True if the tree holds every manifest that a page, or figures, of results list: whatever it was
+/// called when they were made.
+bool is_drawn_of(const VerifyTarget& target, const fs::path& results) {
+  const WrittenResult& manifest = target.result.manifest;
+  std::error_code error;
+  return (manifest.command == "report" || manifest.command == "figures") &&
+         !manifest.inputs.empty() &&
+         std::all_of(
+             manifest.inputs.begin(), manifest.inputs.end(), [&](const ManifestFile& input) {
+               return fs::is_regular_file(results / input.path, error);
+             });
+}
+
+/// The command line that makes the result again; names what cannot be found.
+std::vector<std::string> words_of(const VerifyTarget& target,
+                                  const fs::path& results,
+                                  const std::vector<std::string>& inputs,
+                                  Finding& finding) {
+  std::vector<std::string> words;
+  for (const ManifestArgument& argument : *target.result.manifest.arguments) {
+    if (!argument.is_input) {
+      words.push_back(argument.text);
+    } else if (words.empty() && is_drawn_of(target, results)) {
+      words.push_back(results.string());
+    } else if (const auto path = find_input(argument.text, target, results, inputs)) {
+      words.push_back(path->string());
+    } else {
+      finding.obstacles.push_back("its input '" + argument.text +
+                                  "' cannot be found; name its place with --inputs");
+    }
+  }
+  words.emplace_back("--quiet");
+  const std::string& command = target.result.manifest.command;
+  if (command == "ablate" || command == "sweep") {
+    words.emplace_back("--no-cache");
+  }
+  return words;
+}
+
+/// Runs it; false, with the reason in the finding, if nothing came of it.
+bool run_into(const VerifyTarget& target,
+              std::vector<std::string> words,
+              const fs::path& output,
+              Finding& finding) {
+  words.insert(words.end(), {"--output", output.string()});
+  const SilentPrint silent;
+  try {
+    command_called(target.result.manifest.command)->run(words);
+    return true;
+  } catch (const NoInput& error) {
+    finding.obstacles.push_back(std::string("it cannot be made again here: ") + error.what());
+  } catch (const std::exception& error) {
+    finding.differences.push_back(std::string("it cannot be made again: ") + error.what());
+  }
+  return false;
+}
+
+void compare_file(const VerifyTarget& target, const fs::path& again, Finding& finding) {
+  const fs::path found = target.result.folder / target.file;
+  std::error_code error;
+  if (!fs::is_regular_file(found, error)) {
+    finding.differences.push_back("'" + target.file + "' is missing");
+  } else if (digest_file(found).sha256 != digest_file(again).sha256) {
+    finding.differences.push_back("'" + target.file + "' is not what is made again");
+  }
+}
+
+void make_and_compare(const VerifyTarget& target,
+                      const fs::path& results,
+                      const std::vector<std::string>& inputs,
+                      Finding& finding) {
+  const WrittenResult& manifest = target.result.manifest;
+  if (command_called(manifest.command) == nullptr || !manifest.arguments) {
+    finding.differences.push_back("it was written by another version (" + manifest.tool_version +
+                                  ") and cannot be made again");
+    return;
+  }
+  const std::vector<std::string> words = words_of(target, results, inputs, finding);
+  if (!finding.obstacles.empty()) {
+    return;
+  }
+  const ScratchFolder scratch;
+  const fs::path again = scratch.path() / "again";
+  const bool is_file = !target.file.empty();
+  if (is_file) {
+    fs::create_directory(again);
+  }
+  if (!run_into(target, words, again / target.file, finding)) {
+    return;
+  }
+  const auto now = read_manifest(is_file ? (again / target.file).string() + ".manifest.json"
+                                         : (again / "manifest.json").string());
+  if (!now) {
+    finding.differences.emplace_back("it cannot be made again: nothing was written");
+    return;
+  }
+  finding.made_again = true;
+  if (is_file) {
+    compare_file(target, again / target.file, finding);
+  } else {
+    finding.differences = compare_folders(target.result.folder, again);
+  }
+  for (std::string& difference : compare_manifests(manifest, *now)) {
+    finding.differences.push_back(std::move(difference));
+  }
+}
+
+}  // namespace
+
+Finding made_again(const VerifyTarget& target,
+                   const fs::path& results,
+                   const std::vector<std::string>& inputs) {
+  Finding finding;
+  make_and_compare(target, results, inputs, finding);
+  if (!finding.made_again) {
+    for (std::string& difference : file_differences(target)) {
+      finding.differences.push_back(std::move(difference));
+    }
+  }
+  return finding;
+}
+
+}  // namespace tcert::cli
