@@ -1,6 +1,9 @@
 #include "reports/h1_notes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string_view>
 
 #include "reports/h1_table.hpp"
 #include "reports/table.hpp"
@@ -27,12 +30,13 @@ std::string cluster_note(const H1Table& h1) {
   return note + (few ? "; with fewer than 30 of them intervals tend to be too narrow." : ".");
 }
 
-std::string model_note() {
-  return "'rivals together' is gained on by the predictor alone; 'rivals + ...' gains over the "
-         "rivals together. Models are scored by their fixed part on the trials they were fitted "
-         "to, "
-         "and re-fitted in each resample; out of fold they score clusters that they have not "
-         "seen. ";
+/// `p` says what the p of a model is.
+std::string model_note(std::string_view p) {
+  return fmt::format(
+      "'rivals together' is gained on by the predictor alone; 'rivals + ...' gains over the rivals "
+      "together. Models are scored by their fixed part on the trials they were fitted to, and "
+      "re-fitted in each resample; out of fold they score clusters that they have not seen. {}",
+      p);
 }
 
 void add_conditions(const H1Table& h1, std::vector<std::string>& notes) {
@@ -90,8 +94,8 @@ std::vector<std::string> h1_success_notes(const H1Table& h1) {
       "the predictor less that of the rival, on the same resamples (" +
       std::to_string(h1.options.replicates) + ", seed " + std::to_string(h1.options.seed) +
       "). p: clustered DeLong (Obuchowski 1997), two-sided; Holm over the rivals in AUC and in C.");
-  notes.push_back(model_note());
-  notes.back() += "Their p is the likelihood-ratio test of the logistic model, trials independent.";
+  notes.push_back(model_note(
+      "Their p is the likelihood-ratio test of the logistic model, trials independent."));
   notes.push_back("Out of fold: mean within " + std::to_string(h1.options.folds) +
                   " folds of whole clusters, weighted by comparable pairs.");
   if (h1.outcome_missing > 0) {
@@ -128,9 +132,8 @@ std::vector<std::string> h1_time_notes(const H1Table& h1) {
       "HR: hazard ratio of egress per standard deviation (column SD) towards the better side, Cox "
       "with Efron ties, cluster-robust; above 1 is sooner. At limit: failures stay at risk to " +
           limits + ". " + strata,
-      model_note() +
-          "For C the model is a Cox model; its p is the likelihood-ratio test, trials "
-          "independent. The HR of 'rivals + ...' is the predictor's, rivals held fixed.",
+      model_note("For C the model is a Cox model; its p is the likelihood-ratio test, trials "
+                 "independent. The HR of 'rivals + ...' is the predictor's, rivals held fixed."),
       "Clusters, panels and conditions: see the table of success."};
 }
 
