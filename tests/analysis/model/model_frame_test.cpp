@@ -199,7 +199,8 @@ TEST(ModelFrame, TruthValuesAreAFactorOfTwoLevels) {
 }
 
 TEST(ModelFrame, TruthValuesAreComparedWithTheirWords) {
-  const Eigen::VectorXd b = (Eigen::VectorXd(5) << 1, 0, 1, 1, 0).finished();
+  Eigen::VectorXd b(5);
+  b << 1, 0, 1, 1, 0;
   EXPECT_EQ(truths("y ~ I(b == \"TRUE\")").design.col(1), b);
   EXPECT_EQ(truths("y ~ I(b != \"false\")").design.col(1), b);
   EXPECT_THROW(static_cast<void>(truths("y ~ I(b == \"yes\")")), FormulaError);
