@@ -197,7 +197,8 @@ CommandLine explore_command_line(ExploreOptions& o) {
       "threshold", number(o.threshold, "H"), "ground is safe at values of at least this")(
       "lipschitz",
       text(o.lipschitz, "L"),
-      "largest slope per cell, or 'auto': estimated (certified rules)")(
+      "largest slope per cell: give it if it is known; 'auto' is an estimate, several times "
+      "too wide from one place, so that goals may not be reached (certified rules)")(
       "confidence",
       number(o.confidence, "P"),
       "that no estimate of the Lipschitz constant in the run is too low")(

@@ -129,7 +129,7 @@ TEST(ImportBarn, ReadsThePublicOutcomes) {
   const TextTableResult planners = read("barn-trials/trials.csv");
   const TextTableResult dated = read("barn-trials/mlda_dated.csv");
   if (!metrics.table || !planners.table || !dated.table) {
-    GTEST_SKIP() << "no real data in " << folder;
+    GTEST_SKIP() << "no real data: the CSV files of " << folder << " are missing";
   }
   const BarnImportResult a = import_barn(*planners.table, "t", *metrics.table, "m");
   EXPECT_EQ(a.summary.read, 7476U);
