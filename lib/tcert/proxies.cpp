@@ -14,6 +14,15 @@ double side_window(const Robot& robot, const CertificateParameters& parameters) 
   return parameters.side_window_m > 0.0 ? parameters.side_window_m : robot.body_width_m;
 }
 
+/// The longest clearance that a ray can state. A calibration may end short of the reach: beyond it
+/// nothing is ever read, so nothing may wait for it.
+double longest_clearance(const Ray& ray) {
+  return ray.kind == RayKind::bend ? std::min(ray.reach_m,
+                                              std::max(ray.calibration.clearance_m.front(),
+                                                       ray.calibration.clearance_m.back()))
+                                   : ray.reach_m;
+}
+
 }  // namespace
 
 Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
@@ -29,6 +38,7 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
   for (const Ray& ray : robot.rays) {
     RayState state;
     state.ray = ray;
+    state.ray.reach_m = longest_clearance(ray);
     const double from_left = std::abs(angle_between(kSquare, ray.bearing_rad));
     const double from_right = std::abs(angle_between(-kSquare, ray.bearing_rad));
     const double within = parameters.side_angle_rad + kAngleRounding;
@@ -38,7 +48,7 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
     state.ahead = direction(ray.bearing_rad);
     double& reach_m = state.side > 0 ? left_m : right_m;
     if (state.side != 0) {
-      reach_m = std::min(reach_m, state.offset_m + ray.reach_m * state.across);
+      reach_m = std::min(reach_m, state.offset_m + state.ray.reach_m * state.across);
     }
     rays_.push_back(state);
   }
