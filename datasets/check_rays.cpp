@@ -16,7 +16,10 @@ namespace {
 
 constexpr std::size_t kLeastTicks = 50;
 constexpr double kLeastWayM = 1.0;
-constexpr double kLeastFreeShare = 0.5;
+// Grazing a wall at the end of its reach, a ray reads free as often as not, for up to a fifth of a
+// trial's way; one that hangs does so for most of what is left.
+constexpr double kLeastFreeShare = 0.5;  // of the readings since the contact began
+constexpr double kLeastShareOfWay = 1.0 / 3.0;
 
 /// A reading at a fresh tick.
 struct Felt {
@@ -83,7 +86,8 @@ std::optional<Diagnostic> never_releases(const Ray& ray,
       free_way_m += felt == began ? 0.0 : felt->way_m - std::prev(felt)->way_m;
     }
   }
-  if (free_way_m < kLeastWayM || free < kLeastFreeShare * known) {
+  if (free_way_m < std::max(kLeastWayM, kLeastShareOfWay * column.back().way_m) ||
+      free < kLeastFreeShare * known) {
     return std::nullopt;
   }
   return Diagnostic{

@@ -17,9 +17,10 @@ namespace tcert {
 /// alone count, and a trial with fewer than 50 of them or less than 1 m of way says nothing.
 ///
 /// - *Never releases*: a tip force that, once at contact_on_n, does not fall below contact_off_n
-///   before the log ends, while for at least 1 m of way, and at half or more of those ticks, the
-///   ray's own reading is free: within contact_slack_m of the longest clearance that it can state.
-///   A robot that is held in a gate, or drives along a wall, reads the wall and is not warned of.
+///   before the log ends, while the ray's own reading is free (within contact_slack_m of the
+///   longest clearance that it can state) at half or more of the ticks since, and on 1 m and a
+///   third of the trial's way. A robot that is held in a gate, or drives along a wall, reads the
+///   wall; one that grazes a wall at the end of its reach does not do so for long.
 /// - *Never moves*: one reading at all ticks. A `range` ray may state its reach all along: nothing
 ///   is there. A tentacle's sensor is never that still, bent or not.
 /// - *Identical*: a ray whose readings are those of an earlier ray at every tick, the missing ones
