@@ -65,7 +65,7 @@ struct Layer {
   double size = 1.0;    ///< Of points, relative.
   bool hollow = false;  ///< Points.
   bool guide = false;   ///< Not data but what they are compared with: a dashed line.
-  double raise = 0.0;   ///< Texts, above their point, in lines.
+  double raise = 0.0;   ///< Texts, in lines above and to the right of their point; 0: upon it.
 };
 
 /// A line across a panel at one value of an axis. Not data: a margin, 0, or 1.

@@ -188,8 +188,8 @@ std::vector<double> round_ticks(double low, double high, int most) {
 }
 
 std::vector<double> ratio_ticks(double low, double high) {
-  if (high / low < 1.6) {
-    return round_ticks(low, high, 5);  // As good as a linear scale.
+  if (high / low < 3.0) {
+    return round_ticks(low, high, 5);  // Nearly a linear scale.
   }
   std::vector<double> candidates = {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0};
   if (high / low >= 6.0) {

@@ -81,7 +81,8 @@ std::string style_of(const Layer& layer, const Look& look) {
     case Mark::band:
       return "with filledcurves lc " + look.colour + " fs transparent solid 0.18 noborder";
     case Mark::text:
-      return "with labels offset 0," + number(layer.raise) + " textcolor " + look.colour;
+      return "with labels" + (layer.raise > 0.0 ? std::string(" left offset 0.6,") + number(layer.raise) : "") +
+             " textcolor " + look.colour;
     case Mark::polygon:
       break;
   }

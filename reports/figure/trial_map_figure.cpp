@@ -1,3 +1,5 @@
+#include "reports/figure/trial_figures.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +8,6 @@
 
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_table.hpp"
-#include "reports/figure/trial_figures.hpp"
 
 namespace tcert {
 namespace {

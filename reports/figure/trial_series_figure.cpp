@@ -1,10 +1,11 @@
+#include "reports/figure/trial_figures.hpp"
+
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_table.hpp"
-#include "reports/figure/trial_figures.hpp"
 
 namespace tcert {
 namespace {

@@ -1,18 +1,19 @@
+#include "reports/figure/set_figures.hpp"
+
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_table.hpp"
-#include "reports/figure/set_figures.hpp"
 
 namespace tcert {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* kSuccess = "success, dot at the upper bound of T";
-constexpr const char* kFailure = "failure, dot at the upper bound of T";
-constexpr const char* kUnknown = "outcome not known, dot at the upper bound of T";
+constexpr const char* kSuccess = "success (dot: upper bound of T)";
+constexpr const char* kFailure = "failure (dot: upper bound of T)";
+constexpr const char* kUnknown = "outcome not known (dot: upper bound of T)";
 constexpr const char* kRefuted = "T_t above the upper bound: refuted";
 
 const char* outcome(double success) {

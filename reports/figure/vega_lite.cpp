@@ -197,6 +197,10 @@ Json mark_of(const Figure& figure, const Panel& panel, const Layer& layer) {
       break;
     case Mark::text:
       mark = {{"type", "text"}, {"fontSize", 11}, {"dy", -13.0 * layer.raise}};
+      if (layer.raise > 0.0) {
+        mark["align"] = "left";
+        mark["dx"] = 5;
+      }
       break;
   }
   if (!has_classes(figure, layer)) {
