@@ -38,6 +38,7 @@ struct Count {
   int samples = 0;
   int own = 0;      ///< Ink of the series' own colour.
   int covered = 0;  ///< Ink of something else that lies on top.
+  int bare = 0;     ///< No ink at the very pixel: between dashes.
 
   [[nodiscard]] double empty() const {
     return samples == 0 ? 0.0 : 1.0 - static_cast<double>(own + covered) / samples;
@@ -62,15 +63,16 @@ class Ink {
       }
     }
     ++count.samples;
+    count.bare += tinted(at, 60.0) ? 0 : 1;
     count.own += own ? 1 : 0;
     count.covered += !own && other ? 1 : 0;
   }
 
-  /// A tint: of a band.
-  [[nodiscard]] bool tinted(Place at) const {
+  /// True if the pixel is darker than that: by default the tint of a band.
+  [[nodiscard]] bool tinted(Place at, double least = 12.0) const {
     const auto x = static_cast<int>(std::lround(at.x * scale_));
     const auto y = static_cast<int>(std::lround(picture_.height - at.y * scale_));
-    return x >= 0 && y >= 0 && x < picture_.width && y < picture_.height && darkness(x, y) > 12.0;
+    return x >= 0 && y >= 0 && x < picture_.width && y < picture_.height && darkness(x, y) > least;
   }
 
   /// Pixels of nearly this colour for which `where` is true.
@@ -219,7 +221,7 @@ class PanelCheck {
     if (count.empty() > most || (count.own == 0 && count.covered < count.samples)) {
       say(what, "is not drawn", count);
     } else if (dashed && count.samples > 80 && count.covered * 2 < count.samples &&
-               count.empty() < 0.05) {
+               count.bare * 50 < count.samples) {
       say(what, "is not interrupted", count);
     }
   }
@@ -228,7 +230,8 @@ class PanelCheck {
     problems_.push_back(figure_.name + ", panel '" + panel_.name + "': " + what + " " + fault +
                         ": of " + std::to_string(count.samples) + " places " +
                         std::to_string(count.own) + " have its ink, " +
-                        std::to_string(count.covered) + " are covered");
+                        std::to_string(count.covered) + " are covered, " +
+                        std::to_string(count.bare) + " are bare");
   }
 
   void check(const Layer& layer,
@@ -238,7 +241,8 @@ class PanelCheck {
     if (rows.empty()) {
       return;
     }
-    std::optional<Colour> colour = colour_of(layer.tone);
+    std::optional<Colour> colour =
+        colour_of(layer.mark == Mark::polygon ? Tone::faint : layer.tone);
     if (index) {
       colour = colour_of(class_colour(*index));
     } else if (!layer.colour.empty()) {
