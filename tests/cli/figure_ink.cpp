@@ -38,7 +38,8 @@ struct Count {
   int samples = 0;
   int own = 0;      ///< Ink of the series' own colour.
   int covered = 0;  ///< Ink of something else that lies on top.
-  int bare = 0;     ///< No ink at the very pixel: between dashes.
+  int bare = 0;     ///< No ink at the very pixel.
+  int gaps = 0;     ///< Nor at its neighbours: between dashes of a straight line.
 
   [[nodiscard]] double empty() const {
     return samples == 0 ? 0.0 : 1.0 - static_cast<double>(own + covered) / samples;
@@ -63,7 +64,14 @@ class Ink {
       }
     }
     ++count.samples;
-    count.bare += tinted(at, 60.0) ? 0 : 1;
+    const double pixel = 1.0 / scale_;
+    const bool bare = !tinted(at, 60.0);
+    count.bare += bare ? 1 : 0;
+    count.gaps += bare && !tinted({at.x - pixel, at.y}, 60.0) &&
+                          !tinted({at.x + pixel, at.y}, 60.0) &&
+                          !tinted({at.x, at.y - pixel}, 60.0) && !tinted({at.x, at.y + pixel}, 60.0)
+                      ? 1
+                      : 0;
     count.own += own ? 1 : 0;
     count.covered += !own && other ? 1 : 0;
   }
@@ -155,7 +163,7 @@ class PanelCheck {
              colour_of(reference.strong ? Tone::ink : Tone::muted),
              count);
       }
-      judge_line("a reference at " + std::to_string(reference.at), count, reference.strong);
+      judge_line("a reference at " + std::to_string(reference.at), count, reference.strong, true);
     }
     return std::move(problems_);
   }
@@ -213,7 +221,8 @@ class PanelCheck {
     }
   }
 
-  void judge_line(const std::string& what, const Count& count, bool dashed) {
+  /// Of a winding line dashes are told by single pixels: a dash may go round a corner.
+  void judge_line(const std::string& what, const Count& count, bool dashed, bool straight) {
     if (count.samples < 4) {
       return;
     }
@@ -221,7 +230,7 @@ class PanelCheck {
     if (count.empty() > most || (count.own == 0 && count.covered < count.samples)) {
       say(what, "is not drawn", count);
     } else if (dashed && count.samples > 80 && count.covered * 2 < count.samples &&
-               count.bare * 50 < count.samples) {
+               (straight ? count.gaps * 20 : count.bare * 50) < count.samples) {
       say(what, "is not interrupted", count);
     }
   }
@@ -254,7 +263,7 @@ class PanelCheck {
       case Mark::line:
       case Mark::step:
         path(layer, class_name, rows, colour, count);
-        judge_line(what, count, layer.guide || (index && *index % 6 != 0));
+        judge_line(what, count, layer.guide || (index && *index % 6 != 0), layer.guide);
         return;
       case Mark::segment:
       case Mark::range_x:
@@ -267,11 +276,11 @@ class PanelCheck {
                colour,
                count);
         }
-        judge_line(what, count, false);
+        judge_line(what, count, false, true);
         return;
       case Mark::polygon:
         outlines(layer, rows, colour, count);
-        judge_line(what, count, false);
+        judge_line(what, count, false, true);
         return;
       case Mark::band:
         band(layer, rows, count);

@@ -16,7 +16,8 @@ export function inkOf({ svg, spec }) {
 
   async function pixels(prefix, i) {
     const copy = root.cloneNode(true);
-    copy.setAttribute('style', 'visibility:hidden');
+    // Of the drawing alone: what is hidden clips everything away.
+    copy.querySelectorAll(':scope > g').forEach((drawing) => drawing.setAttribute('style', 'visibility:hidden'));
     const marks = copy.querySelectorAll(`[class~="${prefix}layer_${i}_marks"]`);
     marks.forEach((mark) => mark.setAttribute('style', 'visibility:visible'));
     const image = new Image();
