@@ -33,7 +33,7 @@ std::string terminals(const Figure& figure, const FigureLayout& layout) {
          "if (form eq 'pdf') {\n"
          "  set terminal pdfcairo noenhanced size " +
          inches +
-         " font 'DejaVu Sans,9' fontscale 1 linewidth 1 rounded background rgb 'white'\n"
+         " font 'DejaVu Sans,9' fontscale 0.75 linewidth 1.5 rounded background rgb 'white'\n"
          "} else { if (form eq 'png') {\n"
          "  set terminal pngcairo noenhanced size " +
          pixels +
