@@ -48,6 +48,10 @@ void make_plain(Figure& figure);
 /// A round step that cuts `span` into at most `parts`: 1, 2 or 5 times a power of ten.
 [[nodiscard]] double round_step(double span, int parts);
 
+/// Multiples of a round step within the range, at most `most` + 1: each is the number that its
+/// label says. Empty if the range is.
+[[nodiscard]] std::vector<double> round_ticks(double low, double high, int most);
+
 /// Ticks of a scale of ratios that a span of this kind needs.
 [[nodiscard]] std::vector<double> ratio_ticks(double low, double high);
 
