@@ -16,6 +16,8 @@ constexpr std::size_t kHalvings = 40;
 constexpr std::size_t kStalled = 4;       ///< Steps without gain before the fit is judged.
 constexpr double kRunaway = 1e-3;         ///< A step as large, without gain, is no rounding.
 constexpr double kLimitTolerance = 1e-6;  ///< Information left in the limit, of that at 0.
+constexpr double kErrors = 1e-6;          ///< A step of that many standard errors changes nothing.
+constexpr double kRounding = 1e-13;       ///< Of a log-likelihood: a change as small is rounding.
 constexpr double kVanished = 1e-12;       ///< As little is no more than rounding: no step there.
 constexpr double kPart = 1e-3;            ///< Of a column's length: it is part of a lost direction.
 constexpr double kMoves = 1e-8;           ///< Of the largest: it is part of a certified direction.
@@ -172,14 +174,28 @@ void judge(const CoxRows& rows,
   name_infinite(basis, share, maximum);
 }
 
-/// Moves by `step`, halved until the log-likelihood does not fall; false if it always does.
-bool climb(const CoxRows& rows, Ties ties, Eigen::VectorXd step, CoxMaximum& maximum) {
-  const double slack = 1e-13 * std::abs(maximum.fitted.loglik);
+/// The length of the score where a direction of information 1 at beta = 0 has length 1.
+double score_length(const CoxDerivatives& at, const Eigen::MatrixXd& basis) {
+  return (basis.transpose() * at.score).norm();
+}
+
+/// Moves by `step`, halved until the log-likelihood does not fall; false if it always does. Where
+/// the step promises less than the log-likelihood's rounding, the score must fall instead.
+bool climb(const CoxRows& rows,
+           Ties ties,
+           const Eigen::MatrixXd& basis,
+           Eigen::VectorXd step,
+           CoxMaximum& maximum) {
+  const double rounding = kRounding * std::max(1.0, std::abs(maximum.fitted.loglik));
+  const double length = score_length(maximum.fitted, basis);
   for (std::size_t halving = 0; halving < kHalvings; ++halving) {
     const Eigen::VectorXd beta = maximum.beta + step;
     CoxDerivatives next = cox_derivatives(rows, beta, ties);
-    if (std::isfinite(next.loglik) && next.score.allFinite() && next.information.allFinite() &&
-        next.loglik >= maximum.fitted.loglik - slack) {
+    const bool is_finite = std::isfinite(next.loglik) && next.score.allFinite() &&
+                           next.information.allFinite();
+    const bool is_small = 0.5 * maximum.fitted.score.dot(step) <= rounding;
+    if (is_finite && (next.loglik >= maximum.fitted.loglik ||
+                      (is_small && score_length(next, basis) < length))) {
       maximum.beta = beta;
       maximum.fitted = std::move(next);
       return true;
@@ -211,7 +227,9 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
   bool settled = false;
   while (true) {
     summary.last_step = relative_size(step, maximum.beta);
-    settled = level && summary.last_step <= options.step_tolerance;
+    // Newton's decrement: the step in standard errors.
+    const double errors = std::sqrt(std::max(0.0, maximum.fitted.score.dot(step)));
+    settled = level && summary.last_step <= options.step_tolerance && errors <= kErrors;
     // A direction that runs away is followed until its information has vanished.
     stalled = level && summary.last_step <= kRunaway ? stalled + 1 : 0;
     if (settled || summary.iterations == options.iterations) {
@@ -219,9 +237,9 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
     }
     ++summary.iterations;
     const double before = maximum.fitted.loglik;
-    if (stalled == kStalled || !climb(rows, options.ties, step, maximum)) {
+    if (stalled == kStalled || !climb(rows, options.ties, basis, step, maximum)) {
       // Without gain a small step is rounding.
-      settled = summary.last_step <= kRunaway;
+      settled = summary.last_step <= kRunaway && errors <= kErrors;
       break;
     }
     level = std::abs(maximum.fitted.loglik - before) <=
