@@ -67,7 +67,7 @@ struct CoxOptions {
 };
 
 enum class CoxTermination : std::uint8_t {
-  converged,
+  converged,  ///< Newton's next step is below 1e-5 standard errors.
   monotone,  ///< The log-likelihood converged, a coefficient runs to infinity.
   iteration_limit,
   no_fit,  ///< An error among the conditions.

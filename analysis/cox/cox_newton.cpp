@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -16,7 +17,8 @@ constexpr std::size_t kHalvings = 40;
 constexpr std::size_t kStalled = 4;       ///< Steps without gain before the fit is judged.
 constexpr double kRunaway = 1e-3;         ///< A step as large, without gain, is no rounding.
 constexpr double kLimitTolerance = 1e-6;  ///< Information left in the limit, of that at 0.
-constexpr double kErrors = 1e-6;          ///< A step of that many standard errors changes nothing.
+constexpr double kErrors = 1e-6;          ///< A step of that many standard errors is the last.
+constexpr double kMostErrors = 1e-5;      ///< The largest that rounding may leave at the end.
 constexpr double kRounding = 1e-13;       ///< Of a log-likelihood: a change as small is rounding.
 constexpr double kVanished = 1e-12;       ///< As little is no more than rounding: no step there.
 constexpr double kPart = 1e-3;            ///< Of a column's length: it is part of a lost direction.
@@ -142,16 +144,19 @@ void name_infinite(const Eigen::MatrixXd& basis,
 
 /// Says what the end of the iteration is. A fit that has lost the information of a direction is
 /// believed only if the data allow a maximum there.
+/// \param errors the step that Newton's method would take next, in standard errors.
 void judge(const CoxRows& rows,
            Ties ties,
            const Eigen::MatrixXd& basis,
            bool settled,
+           double errors,
            CoxMaximum& maximum) {
   const auto share = share_of_information(maximum.fitted, basis);
   const double least = share.eigenvalues()(0);
   CoxTermination& termination = maximum.summary.termination;
-  termination = settled ? CoxTermination::converged : CoxTermination::iteration_limit;
-  if (settled && least > kLimitTolerance) {
+  const bool converged = settled && errors <= kMostErrors;
+  termination = converged ? CoxTermination::converged : CoxTermination::iteration_limit;
+  if (converged && least > kLimitTolerance) {
     return;
   }
   const auto direction =
@@ -186,16 +191,19 @@ bool climb(const CoxRows& rows,
            const Eigen::MatrixXd& basis,
            Eigen::VectorXd step,
            CoxMaximum& maximum) {
-  const double rounding = kRounding * std::max(1.0, std::abs(maximum.fitted.loglik));
+  const double size = std::max(1.0, std::abs(maximum.fitted.loglik));
+  // What a sum over the rows may lose.
+  const double noise = std::numeric_limits<double>::epsilon() * static_cast<double>(rows.rows());
   const double length = score_length(maximum.fitted, basis);
   for (std::size_t halving = 0; halving < kHalvings; ++halving) {
     const Eigen::VectorXd beta = maximum.beta + step;
     CoxDerivatives next = cox_derivatives(rows, beta, ties);
-    const bool is_finite = std::isfinite(next.loglik) && next.score.allFinite() &&
-                           next.information.allFinite();
-    const bool is_small = 0.5 * maximum.fitted.score.dot(step) <= rounding;
-    if (is_finite && (next.loglik >= maximum.fitted.loglik ||
-                      (is_small && score_length(next, basis) < length))) {
+    const bool is_finite =
+        std::isfinite(next.loglik) && next.score.allFinite() && next.information.allFinite();
+    const double fall = maximum.fitted.loglik - next.loglik;
+    const bool is_small = 0.5 * maximum.fitted.score.dot(step) <= kRounding * size;
+    if (is_finite && (fall <= kRounding * size ||
+                      (is_small && fall <= noise * size && score_length(next, basis) < length))) {
       maximum.beta = beta;
       maximum.fitted = std::move(next);
       return true;
@@ -225,10 +233,11 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
   std::size_t stalled = 0;
   bool level = kept.empty();
   bool settled = false;
+  double errors = 0.0;
   while (true) {
     summary.last_step = relative_size(step, maximum.beta);
     // Newton's decrement: the step in standard errors.
-    const double errors = std::sqrt(std::max(0.0, maximum.fitted.score.dot(step)));
+    errors = std::sqrt(std::max(0.0, maximum.fitted.score.dot(step)));
     settled = level && summary.last_step <= options.step_tolerance && errors <= kErrors;
     // A direction that runs away is followed until its information has vanished.
     stalled = level && summary.last_step <= kRunaway ? stalled + 1 : 0;
@@ -239,7 +248,7 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
     const double before = maximum.fitted.loglik;
     if (stalled == kStalled || !climb(rows, options.ties, basis, step, maximum)) {
       // Without gain a small step is rounding.
-      settled = summary.last_step <= kRunaway && errors <= kErrors;
+      settled = summary.last_step <= kRunaway;
       break;
     }
     level = std::abs(maximum.fitted.loglik - before) <=
@@ -249,7 +258,7 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
   if (kept.empty()) {
     summary.termination = CoxTermination::converged;
   } else {
-    judge(rows, options.ties, basis, settled, maximum);
+    judge(rows, options.ties, basis, settled, errors, maximum);
   }
   summary.gradient_norm = kept.empty() ? 0.0 : maximum.fitted.score(kept).cwiseAbs().maxCoeff();
   return maximum;
