@@ -171,6 +171,7 @@ void judge(const CoxRows& rows,
   maximum.recession = *direction;
   if (least > kLimitTolerance || relative_size(rest, maximum.beta) > kRunaway) {
     // Rounding has stopped the fit before its limit: it has no numbers beside the infinite ones.
+    maximum.at_limit = false;
     for (const Eigen::Index j : ranked_columns(maximum.columns)) {
       maximum.columns[static_cast<std::size_t>(j)] = ColumnState::infinite;
     }
@@ -274,7 +275,7 @@ std::vector<Eigen::Index> ranked_columns(const std::vector<ColumnState>& columns
   return ranked;
 }
 
-Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
+Eigen::MatrixXd limit_inverse(const CoxMaximum& maximum) {
   const Eigen::Index p = maximum.beta.size();
   std::vector<Eigen::Index> kept = ranked_columns(maximum.columns);
   if (maximum.summary.termination == CoxTermination::monotone) {
@@ -285,7 +286,7 @@ Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
     kept = independent_columns(
         maximum.fitted.information, kept, maximum.null.information.diagonal(), kLimitTolerance);
   }
-  Eigen::MatrixXd inverse = Eigen::MatrixXd::Constant(p, p, std::nan(""));
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(p, p);
   if (!kept.empty()) {
     const Eigen::MatrixXd information = maximum.fitted.information(kept, kept);
     const auto size = static_cast<Eigen::Index>(kept.size());
@@ -293,13 +294,17 @@ Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
         information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
     inverse(kept, kept) = solution;
   }
-  for (Eigen::Index j = 0; j < p; ++j) {
-    if (maximum.columns[static_cast<std::size_t>(j)] == ColumnState::infinite) {
-      inverse.row(j).setConstant(std::nan(""));
-      inverse.col(j).setConstant(std::nan(""));
+  return inverse;
+}
+
+Eigen::MatrixXd with_missing(Eigen::MatrixXd variance, const CoxMaximum& maximum) {
+  for (Eigen::Index j = 0; j < variance.cols(); ++j) {
+    if (maximum.columns[static_cast<std::size_t>(j)] != ColumnState::estimated) {
+      variance.row(j).setConstant(std::nan(""));
+      variance.col(j).setConstant(std::nan(""));
     }
   }
-  return inverse;
+  return variance;
 }
 
 }  // namespace tcert

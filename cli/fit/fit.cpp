@@ -10,6 +10,7 @@
 #include "cli/fit/outcome_words.hpp"
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
+#include "cli/time_rounding_option.hpp"
 #include "datasets/csv_write.hpp"
 
 namespace tcert::cli {
@@ -119,6 +120,7 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
       text(o.curves, "ROWS"),
       "cox: predicted survival of these rows of the table, counted from 1, comma between; "
       "in json, or by --table curves");
+  add_time_rounding_option(line.own, o.no_time_rounding);
   add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
   add("firth",
       po::bool_switch(&o.firth),
@@ -188,6 +190,7 @@ FrameOptions frame_options(const FitOptions& options, const Kind& kind) {
   frame.strata = options.strata;
   frame.right_side = kind.right_side;
   frame.allow_infinite = kind.allow_infinite;
+  frame.round_times = !options.no_time_rounding;
   return frame;
 }
 
