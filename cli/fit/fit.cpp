@@ -36,6 +36,8 @@ and counted. offset() is for glm and cox; strata() for cox, for the pairs of con
 where it stratifies the log-rank test, or without other terms gives a curve a stratum.
 
 An outcome of two texts is coded in byte order; write outcome == "text" for the one that counts as 1.
+Times that differ by rounding are one time; --no-time-rounding keeps them apart. Stamps stay as far
+apart as they are; one among durations is named.
 For competing causes the status is 1 for every cause, and --cause names the column that tells them
 apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends.
 
