@@ -23,8 +23,9 @@ constexpr std::string_view kText =
 Of a bundle: each trial's streams, rates, gaps, and whether it starts in S and ends in G, and what no
 working ray does: a contact that never ends though the ray reads free, a reading that never moves,
 two rays that are one. Of a CSV file: its dialect, header and columns, and the clock of a stream: a
-table of trials has none. Then every problem, with file, line, column, what was found and what was
-expected. Ends with 1 if there is a warning or an error, with 0 otherwise.
+table of trials has none, but its times are looked at: a stamp among durations, stamps alone. Then
+every problem, with file, line, column, what was found and what was expected. Ends with 1 if there is
+a warning or an error, with 0 otherwise.
 
 Usage: tcert check BUNDLE|FILE [options]
 

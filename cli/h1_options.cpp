@@ -5,6 +5,7 @@
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
+#include "cli/time_rounding_option.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -82,6 +83,7 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
       text(o.limit, "S"),
       "trial limit: failures stay at risk to it, longer trials are censored there; the longest "
       "time unless given");
+  add_time_rounding_option(own, o.no_time_rounding);
   add("replicates",
       po::value(&o.replicates)->value_name("R")->default_value(o.replicates),
       "of the bootstrap; more for stable third digits");
@@ -130,6 +132,7 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   if (!options.limit.empty()) {
     h1.limit_s = number_of("limit", options.limit);
   }
+  h1.round_times = !options.no_time_rounding;
   h1.level = options.level;
   h1.replicates = static_cast<std::size_t>(options.replicates);
   h1.folds = static_cast<std::size_t>(options.folds);

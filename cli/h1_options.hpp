@@ -24,6 +24,7 @@ struct HypothesesOptions {
   std::string table;
   std::string landmark;
   std::string limit;
+  bool no_time_rounding = false;
   double level = 0.95;
   std::int64_t replicates = 2000;
   std::int64_t folds = 5;

@@ -8,6 +8,7 @@
 
 #include "datasets/bytes.hpp"
 #include "datasets/csv_write.hpp"
+#include "datasets/unlike_times.hpp"
 
 namespace tcert {
 
@@ -23,6 +24,12 @@ constexpr std::array<std::string_view, 8> kTrialNames = {
 /// Parts of the names of a sensor's columns.
 constexpr std::array<std::string_view, 7> kStreamParts = {
     "x_m", "y_m", "yaw", "bend", "force", "fsr", "range"};
+
+/// Parts of the names of a table's columns of times, beside those of a clock.
+constexpr std::array<std::string_view, 4> kTimeParts = {"time", "stamp", "duration", "elapsed"};
+
+/// Times whose range is a smaller share of them are stamps: a day of seconds since 1970.
+constexpr double kRangeOfStamps = 1e-4;
 
 /// In a file of unknown columns: the share of steps that may go back before its times are no clock.
 constexpr double kMostStepsBack = 0.1;
@@ -61,6 +68,16 @@ std::string number_text(double value) {
   return text;
 }
 
+bool is_clock_name(const std::string& lower) {
+  return std::ranges::find(kClockNames, lower) != kClockNames.end();
+}
+
+bool is_time_name(const std::string& lower) {
+  return is_clock_name(lower) || std::ranges::any_of(kTimeParts, [&](std::string_view part) {
+           return lower.find(part) != std::string::npos;
+         });
+}
+
 double share_of_sorted(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
@@ -77,10 +94,13 @@ class CsvChecker {
       check_.columns.push_back({name, 0, 0, 0, {}, {}});
     }
     const auto is_clock = [](const ColumnCheck& column) {
-      return std::ranges::find(kClockNames, lower_case(column.name)) != kClockNames.end();
+      return is_clock_name(lower_case(column.name));
     };
-    for (const ColumnCheck& column : check_.columns) {
-      const std::string name = lower_case(column.name);
+    for (std::size_t i = 0; i < check_.columns.size(); ++i) {
+      const std::string name = lower_case(check_.columns[i].name);
+      if (is_time_name(name)) {
+        times_.push_back({i, {}, {}});
+      }
       of_trials_ = of_trials_ || std::ranges::find(kTrialNames, name) != kTrialNames.end();
       of_stream_ = of_stream_ || std::ranges::any_of(kStreamParts, [&](std::string_view part) {
                      return name.find(part) != std::string::npos;
@@ -107,6 +127,12 @@ class CsvChecker {
     }
     if (fields == last_) {
       problems.add({Severity::warning, file_, line, "", "the row before again", "new values", 1});
+    }
+    for (TimesOfColumn& times : times_) {
+      if (const auto value = number_in(fields[times.column], dialect_.decimal_point)) {
+        times.values.push_back(*value);
+        times.lines.push_back(line);
+      }
     }
     last_ = fields;
   }
@@ -137,11 +163,50 @@ class CsvChecker {
       for (Diagnostic& problem : clock_problems_.take()) {
         problems.add(std::move(problem));
       }
+    } else {
+      for (const TimesOfColumn& times : times_) {
+        check_times_of_trials(times, problems);
+      }
     }
     return std::move(check_);
   }
 
  private:
+  /// The numbers of a column of times, each with its line.
+  struct TimesOfColumn {
+    std::size_t column;
+    std::vector<double> values;
+    std::vector<std::size_t> lines;
+  };
+
+  /// Of a table of trials: stamps among durations, or stamps alone.
+  void check_times_of_trials(const TimesOfColumn& times, DiagnosticGroups& problems) const {
+    const ColumnCheck& column = check_.columns[times.column];
+    if (const auto unlike = unlike_times(times.values)) {
+      std::string found = number_text(unlike->time) + ", " + distance_in_words(*unlike);
+      if (unlike->count > 1) {
+        found += " (" + std::to_string(unlike->count) + " such times)";
+      }
+      problems.add({Severity::warning,
+                    file_,
+                    times.lines[unlike->first],
+                    column.name,
+                    std::move(found),
+                    "times of one kind",
+                    1});
+    } else if (column.numbers > 1 && !column.is_constant() && *column.least > 0.0 &&
+               *column.largest - *column.least < kRangeOfStamps * *column.least) {
+      problems.add(
+          {Severity::note,
+           file_,
+           0,
+           column.name,
+           "stamps, from " + number_text(*column.least) + " to " + number_text(*column.largest),
+           "durations: subtract the first time",
+           1});
+    }
+  }
+
   void take_cell(ColumnCheck& column,
                  const std::string& cell,
                  std::size_t line,
@@ -235,6 +300,7 @@ class CsvChecker {
   bool of_trials_ = false;
   bool of_stream_ = false;
   DiagnosticGroups clock_problems_;
+  std::vector<TimesOfColumn> times_;
 };
 
 /// Bytes that no text has: a file that was cut off or overwritten.

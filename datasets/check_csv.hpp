@@ -56,9 +56,10 @@ struct CsvCheckResult {
 /// Reads a CSV file of any dialect (.gz and .zst are expanded) and names its faults: lines before
 /// the header, control bytes, rows of another length, text in a column of numbers, missing cells,
 /// rows that repeat the one before, constant columns (a note); in a stream also times that do not
-/// increase and gaps of more than `max_gap_s`. A stream has a sensor's columns, or neither those
-/// nor a table of trials' (success, status, ...) and times of which a tenth at most go back. Never
-/// throws on what it finds. O(size).
+/// increase and gaps of more than `max_gap_s`; in a table that is no stream, times far from the
+/// others of their column (`unlike_times`), and a column of stamps (a note). A stream has a
+/// sensor's columns, or neither those nor a table of trials' (success, status, ...) and times of
+/// which a tenth at most go back. Never throws on what it finds. O(size).
 [[nodiscard]] CsvCheckResult check_csv_file(const std::filesystem::path& path,
                                             double max_gap_s = 1.0,
                                             CsvOptions csv = {});

@@ -39,6 +39,7 @@ enum class ConditionKind : std::uint8_t {
   quasi_separation,
   penalised_separation,  ///< Separation under a penalty, which alone keeps the estimate finite.
   monotone_likelihood,   ///< Cox: a coefficient runs to infinity.
+  infinite_hazard,       ///< Cox: the baseline hazard runs to infinity with a coefficient.
   // The estimate.
   not_converged,
   singular_fit,         ///< Mixed model: a variance between groups is 0, or a correlation is 1.
@@ -63,8 +64,13 @@ enum class ConditionKind : std::uint8_t {
   // Equivalence and calibration.
   few_bins,             ///< Ties leave fewer bins of probabilities than were asked for.
   singular_covariance,  ///< Too few clusters for a joint test of so many groups.
-  // Trial limits.
-  beyond_limit,  ///< Times above the limit: censored there.
+  // Times and trial limits.
+  beyond_limit,        ///< Times above the limit: censored there.
+  limit_from_data,     ///< No limit was given, and the longest time is far above the others.
+  near_times,          ///< R's timefix would make distinct times equal that are kept apart here.
+  merged_times,        ///< Distinct times made equal: they differ by rounding.
+  unlike_times,        ///< A time far from the others: a stamp among durations.
+  no_robust_variance,  ///< Robust: clusters too few for a joint test, or a column without variance.
 };
 
 /// How far the numbers stand.

@@ -206,7 +206,6 @@ SurvivalOutcome uncensored(std::span<const double> values) {
   SurvivalOutcome outcome;
   outcome.stop.assign(values.begin(), values.end());
   outcome.event.assign(values.size(), 1);
-  snap_times(outcome);
   return outcome;
 }
 

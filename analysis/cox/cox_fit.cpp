@@ -208,6 +208,10 @@ CoxFit fit_cox(const CoxData& data, const CoxOptions& options) {
     return fit;
   }
   fit.df = ranked_columns(maximum.columns).size();
+  fit.at_limit = maximum.at_limit;
+  if (maximum.recession.size() > 0) {
+    fit.recession = maximum.recession.cwiseQuotient(rows.scale);
+  }
   fit.beta = maximum.beta.cwiseQuotient(rows.scale);
   fit.means = centring_means(data, rows, options.ties);
   fit.loglik_null = maximum.null.loglik;

@@ -44,6 +44,7 @@ struct H1Options {
   bool always_landmark = false;      ///< A landmark panel without landmark columns too.
   std::optional<double> limit_s;     ///< Trial limit, where longer ones are censored; empty: the
                                      ///< longest time of the panel.
+  bool round_times = true;           ///< Times that differ by rounding are one.
   double level = 0.95;
   std::size_t replicates = 2000;
   std::size_t folds = 5;

@@ -7,6 +7,7 @@
 #include "analysis/basics/quantile.hpp"
 #include "analysis/model/variable.hpp"
 #include "analysis/survival/failures_at_limit.hpp"
+#include "analysis/survival/time_conditions.hpp"
 #include "datasets/csv_write.hpp"
 #include "datasets/nearest_name.hpp"
 
@@ -254,7 +255,9 @@ void end_at_limit(const H1Options& options,
   }
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < outcome.rows(); ++i) {
-    if (outcome.stop[i] > *options.limit_s) {
+    if (same_time(outcome.stop[i], *options.limit_s)) {
+      outcome.stop[i] = *options.limit_s;
+    } else if (outcome.stop[i] > *options.limit_s) {
       outcome.stop[i] = *options.limit_s;
       outcome.event[i] = 0;
       data.cut[i] = 1;
@@ -290,11 +293,27 @@ void add_times(const std::vector<double>& time,
     panel.has_time = false;
     return;
   }
+  add_unlike_times(
+      time,
+      options.time,
+      [&](std::size_t i) { return "row " + std::to_string(rows[i] + 1); },
+      panel.conditions);
+  const bool is_far = has(panel.conditions, ConditionKind::unlike_times);
   end_at_limit(options, earliest, outcome, panel, data);
-  snap_times(outcome);
+  if (options.round_times) {
+    add_rounding_conditions(round_times(outcome), options.time, panel.conditions);
+  }
   const double longest =
       time.empty() ? 0.0 : *std::max_element(outcome.stop.begin(), outcome.stop.end());
   panel.limit_s = options.limit_s.value_or(longest);
+  if (is_far && !options.limit_s) {
+    std::string detail = "failures stay at risk to ";
+    append_number(detail, longest);
+    panel.conditions.push_back({ConditionKind::limit_from_data,
+                                ConditionSeverity::warning,
+                                options.time,
+                                std::move(detail)});
+  }
   std::vector<std::uint8_t> failed(data.success.size());
   std::transform(data.success.begin(), data.success.end(), failed.begin(), [](std::uint8_t s) {
     return static_cast<std::uint8_t>(s == 0 ? 1 : 0);

@@ -306,8 +306,7 @@ class FrameBuilder {
     }
     check_times(survival, time.name, frame_);
     if (!has_error(frame_.conditions)) {
-      snap_times(survival);
-      check_snapped(survival, time.name, frame_);
+      round_and_check_times(survival, time.name, options_.round_times, frame_);
     }
     frame_.outcome = std::move(survival);
   }

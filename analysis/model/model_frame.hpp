@@ -32,6 +32,7 @@ struct FrameOptions {
   std::string strata;   ///< Column of the strata, beside strata() in the formula.
   RightSide right_side = RightSide::design;
   bool allow_infinite = false;  ///< Of predictors, where only ranks count.
+  bool round_times = true;      ///< Times that differ by rounding are one (`round_times`).
 };
 
 /// Successes out of trials, one row each; a 0/1 outcome has trials of 1.
@@ -82,7 +83,7 @@ struct ModelFrame {
 };
 
 /// Evaluates `formula` on `table`. The kind of outcome follows the response: Surv() -> survival
-/// with snapped times, cbind() -> counts, anything else -> numbers (a text column or factor() of
+/// with rounded times, cbind() -> counts, anything else -> numbers (a text column or factor() of
 /// two levels is 0 and 1 in the order of all its levels, and so is a status; times and counts are
 /// numbers). Where infinities are allowed, a row in which a product of a term is infinity times 0
 /// is missing. \throws FormulaError if a column is not in the table (with the nearest name), a

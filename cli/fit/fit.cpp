@@ -10,6 +10,7 @@
 #include "cli/fit/outcome_words.hpp"
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
+#include "cli/time_rounding_option.hpp"
 #include "datasets/csv_write.hpp"
 
 namespace tcert::cli {
@@ -35,6 +36,8 @@ and counted. offset() is for glm and cox; strata() for cox, for the pairs of con
 where it stratifies the log-rank test, or without other terms gives a curve a stratum.
 
 An outcome of two texts is coded in byte order; write outcome == "text" for the one that counts as 1.
+Times that differ by rounding are one time; --no-time-rounding keeps them apart. Stamps stay as far
+apart as they are; one among durations is named.
 For competing causes the status is 1 for every cause, and --cause names the column that tells them
 apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends.
 
@@ -119,6 +122,7 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
       text(o.curves, "ROWS"),
       "cox: predicted survival of these rows of the table, counted from 1, comma between; "
       "in json, or by --table curves");
+  add_time_rounding_option(line.own, o.no_time_rounding);
   add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
   add("firth",
       po::bool_switch(&o.firth),
@@ -188,6 +192,7 @@ FrameOptions frame_options(const FitOptions& options, const Kind& kind) {
   frame.strata = options.strata;
   frame.right_side = kind.right_side;
   frame.allow_infinite = kind.allow_infinite;
+  frame.round_times = !options.no_time_rounding;
   return frame;
 }
 

@@ -25,6 +25,8 @@ struct FitOptions {
   std::string table;
   double level = 0.95;
 
+  bool no_time_rounding = false;
+
   // cox
   std::string ties = "efron";
   bool robust = false;

@@ -84,5 +84,19 @@ TEST(CheckCsvFile, ReadsARealRobotsLogBehindItsPreamble) {
   EXPECT_EQ(constant, 15);  // the depth, and two flippers that the cameras never saw
 }
 
+TEST(CheckCsvFile, NamesStampsInATableOfTrials) {
+  const test_support::TemporaryFolder folder;
+  const auto mixed = check_csv_file(
+      folder.write("mixed.csv", "success,time_s\n1,5\n1,9\n1,13\n1,17\n0,1764174008\n"));
+  EXPECT_TRUE(
+      has(mixed.diagnostics, Severity::warning, "1764174008, 1.36e+08 times the median of 13"));
+  const auto stamps = check_csv_file(
+      folder.write("stamps.csv", "success,end_time\n1,1764174008\n1,1764174031\n0,1764174017\n"));
+  EXPECT_TRUE(has(stamps.diagnostics, Severity::note, "stamps, from 1764174008 to 1764174031"));
+  const auto durations =
+      check_csv_file(folder.write("fine.csv", "success,time_s\n1,5\n1,9.5\n0,120\n"));
+  EXPECT_TRUE(durations.diagnostics.empty());
+}
+
 }  // namespace
 }  // namespace tcert
