@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "datasets/cell_reading.hpp"
+
 namespace tcert {
 
 namespace {
@@ -80,7 +82,16 @@ class RowReporter {
 
  private:
   static std::string expectation(CellKind kind) {
-    return kind == CellKind::seconds ? "a time in seconds" : "a finite number";
+    switch (kind) {
+      case CellKind::seconds:
+        return "a time in seconds";
+      case CellKind::optional_number:
+        return "a finite number (" + std::string(kHowMissingIsWritten) + ")";
+      case CellKind::number:
+      case CellKind::ignored:
+        break;
+    }
+    return "a finite number";
   }
 
   void add(Severity severity,

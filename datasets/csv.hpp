@@ -19,7 +19,7 @@ namespace tcert {
 struct NumberColumn {
   std::string name;
   bool required = true;       ///< The file must have the column.
-  bool may_be_empty = false;  ///< An empty cell is missing (NaN), not an error.
+  bool may_be_empty = false;  ///< A missing cell (empty, NA, nan) is NaN, not an error.
 };
 
 struct NumberOptions {

@@ -1,10 +1,12 @@
 #include "datasets/csv_row.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
 #include "datasets/bytes.hpp"
+#include "datasets/cell_reading.hpp"
 #include "datasets/decimal.hpp"
 
 namespace tcert {
@@ -18,26 +20,20 @@ class CellReader {
       : plan_(plan), time_ns_(time_ns), values_(values) {}
 
   [[nodiscard]] bool read(const CellPlan& cell, std::string_view text) {
-    if (text.empty()) {
-      if (cell.kind == CellKind::optional_number) {
-        values_[cell.slot] = std::numeric_limits<double>::quiet_NaN();
-      }
-      return cell.kind == CellKind::optional_number || cell.kind == CellKind::ignored;
+    if (cell.kind == CellKind::ignored) {
+      return true;
     }
-    padded_.assign(text);
-    const char* const begin = padded_.view().data();
-    const char* end = begin + text.size();
     const char point = plan_.dialect.decimal_point;
-    switch (cell.kind) {
-      case CellKind::ignored:
-        return true;
-      case CellKind::seconds:
-        return scan_seconds(begin, point, time_ns_) == end;
-      case CellKind::number:
-      case CellKind::optional_number:
-        break;
+    if (cell.kind == CellKind::seconds) {
+      padded_.assign(text);
+      const char* const begin = padded_.view().data();
+      return !text.empty() && scan_seconds(begin, point, time_ns_) == begin + text.size();
     }
-    return scan_number(begin, point, values_[cell.slot]) == end;
+    const CellReading reading = read_cell(text, point);
+    values_[cell.slot] = reading.value;
+    return reading.meaning == CellMeaning::missing
+               ? cell.kind == CellKind::optional_number
+               : reading.meaning == CellMeaning::number && std::isfinite(reading.value);
   }
 
  private:
