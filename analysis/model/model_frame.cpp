@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/model/design_matrix.hpp"
 #include "analysis/model/frame_checks.hpp"
@@ -390,8 +391,10 @@ class FrameBuilder {
       return design_matrix(formula_, right_, frame_.rows.size());
     }
     Formula whole = formula_;
-    whole.terms.insert(
-        whole.terms.end(), formula_.strata_effects.begin(), formula_.strata_effects.end());
+    std::copy_if(formula_.strata_effects.begin(),
+                 formula_.strata_effects.end(),
+                 std::back_inserter(whole.terms),
+                 [&](const Term& effect) { return is_on_the_right(effect.variables.front()); });
     const DesignMatrix all = design_matrix(whole, right_, frame_.rows.size());
     DesignMatrix design;
     std::vector<Eigen::Index> kept;
@@ -404,6 +407,12 @@ class FrameBuilder {
     }
     design.values = all.values(Eigen::all, kept);
     return design;
+  }
+
+  [[nodiscard]] bool is_on_the_right(const Expression& expression) const {
+    return std::any_of(right_.begin(), right_.end(), [&](const NamedVariable& variable) {
+      return variable.expression == expression;
+    });
   }
 
   [[nodiscard]] bool has_products_with_strata() const {
