@@ -31,9 +31,18 @@ class CellReader {
     }
     const CellReading reading = read_cell(text, point);
     values_[cell.slot] = reading.value;
-    return reading.meaning == CellMeaning::missing
-               ? cell.kind == CellKind::optional_number
-               : reading.meaning == CellMeaning::number && std::isfinite(reading.value);
+    switch (reading.meaning) {
+      case CellMeaning::number:
+        return std::isfinite(reading.value);
+      case CellMeaning::missing:
+        return cell.kind != CellKind::number;
+      case CellMeaning::truth:
+        return cell.kind == CellKind::optional_flag;
+      case CellMeaning::missing_word:
+      case CellMeaning::text:
+        break;
+    }
+    return false;
   }
 
  private:
@@ -93,6 +102,7 @@ inline const char* scan_plain(const CellPlan& cell,
                               double* values) noexcept {
   switch (cell.kind) {
     case CellKind::optional_number:
+    case CellKind::optional_flag:
       if (*p == dialect.separator || *p == '\n' || *p == '\r') {
         values[cell.slot] = std::numeric_limits<double>::quiet_NaN();
         return p;

@@ -16,6 +16,7 @@ enum class CellKind : std::uint8_t {
   seconds,          ///< Exact decimal -> integer nanoseconds.
   number,           ///< Finite; a missing cell is an error.
   optional_number,  ///< Finite or missing.
+  optional_flag,    ///< The same, or a truth value, which is 1 or 0.
 };
 
 /// What to do with the field at one position of a row.

@@ -102,9 +102,12 @@ void read_numbers(const Bytes& bytes,
     if (slot == kSkipped) {
       return;
     }
+    Seen& seen = reading.seen[slot];
+    if (seen.texts) {
+      return;  // its numbers are not kept
+    }
     const CellReading read = reader.read(cell);
     row[slot] = read.value;
-    Seen& seen = reading.seen[slot];
     if (read.meaning == CellMeaning::number) {
       const bool zero_or_one = read.value == 0.0 || read.value == 1.0;
       seen.zero_or_one = seen.zero_or_one || zero_or_one;
