@@ -5,6 +5,7 @@
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
+#include "cli/outcome_column.hpp"
 #include "cli/time_rounding_option.hpp"
 
 namespace tcert::cli {
@@ -66,7 +67,10 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
   add("baselines",
       text(o.baselines, "COLUMNS"),
       "its rivals, comma between; those of the paper unless predictors are given");
-  add("success", text(o.success, "COLUMN")->default_value(o.success), "outcome, 0 or 1");
+  add("success",
+      text(o.success, "COLUMN[=WORDS]")->default_value(o.success),
+      "outcome: 0 or 1, true or false, success or failure, ok or fail; status=goal,done names the "
+      "words that count as success, and all others are failures");
   add("time",
       text(o.time, "COLUMN")->default_value(o.time),
       "time to egress, or to the end of a failed trial; without it there is no C");
@@ -111,7 +115,7 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   }
   H1Options h1;
   h1.predictors = predictors_of(options);
-  h1.success = options.success;
+  h1.success = outcome_column(options.success).column;
   h1.time = options.time;
   h1.cluster = options.cluster;
   h1.strata = options.strata;

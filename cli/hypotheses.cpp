@@ -11,6 +11,7 @@
 #include "cli/h3.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
+#include "cli/outcome_column.hpp"
 #include "cli/output.hpp"
 #include "cli/report_output.hpp"
 #include "reports/features_table.hpp"
@@ -57,6 +58,7 @@ Example:
   tcert hypotheses h1 --features results/features.csv --format md --output tables/h1.md
   tcert hypotheses h1 --features barn.csv --predictor m1 --baselines m2,m3:smaller --cluster world \
     --strata planner --time time_s
+  tcert hypotheses h1 --features runs.csv --success 'status=goal,done' --predictor margin_m --strata ''
   tcert hypotheses h2 corpus --margin 0.05 --output h2/
   tcert hypotheses h2 --features barn.csv --predictor m1 --group planner --cluster world --strata ''
   tcert hypotheses h3 corpus --betas 5,10,20
@@ -181,6 +183,8 @@ int run(Arguments arguments) {
                                          : study_of_table(options, hypothesis.columns, common);
   FitReport result;
   try {
+    refuse_missing_words(hypothesis.columns, study.file.table);
+    code_outcome_column(outcome_column(options.success), study.file.table);
     result = hypothesis.test(study.file.table);
   } catch (const FormulaError& error) {
     throw UsageError(error.what());

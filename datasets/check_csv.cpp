@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "datasets/bytes.hpp"
+#include "datasets/cell_reading.hpp"
 #include "datasets/csv_write.hpp"
+#include "datasets/mixture_check.hpp"
 #include "datasets/unlike_times.hpp"
 
 namespace tcert {
@@ -42,26 +44,6 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-std::optional<double> number_in(std::string_view cell, char decimal_point) {
-  std::string text(cell);
-  if (decimal_point != '.') {
-    std::ranges::replace(text, decimal_point, '.');
-  }
-  const char* begin = text.c_str() + (text.starts_with('+') ? 1 : 0);
-  const char* end = text.c_str() + text.size();
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-bool is_missing(std::string_view cell) {
-  const std::string word = lower_case(cell);
-  return word.empty() || word == "na" || word == "nan" || word == "null";
-}
-
 std::string number_text(double value) {
   std::string text;
   append_number(text, value);
@@ -91,8 +73,9 @@ class CsvChecker {
     check_.preamble_records = header.preamble_records;
     check_.header_line = header.line;
     for (const std::string& name : header.names) {
-      check_.columns.push_back({name, 0, 0, 0, {}, {}});
+      check_.columns.push_back({name, 0, 0, 0, 0, {}, {}});
     }
+    mixtures_.resize(header.names.size());
     const auto is_clock = [](const ColumnCheck& column) {
       return is_clock_name(lower_case(column.name));
     };
@@ -123,14 +106,15 @@ class CsvChecker {
     }
     ++check_.rows;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      take_cell(check_.columns[i], fields[i], line, i == clock_, problems);
+      take_cell(i, fields[i], line, problems);
     }
     if (fields == last_) {
       problems.add({Severity::warning, file_, line, "", "the row before again", "new values", 1});
     }
     for (TimesOfColumn& times : times_) {
-      if (const auto value = number_in(fields[times.column], dialect_.decimal_point)) {
-        times.values.push_back(*value);
+      const CellReading reading = read_cell(fields[times.column], dialect_.decimal_point);
+      if (reading.meaning == CellMeaning::number && std::isfinite(reading.value)) {
+        times.values.push_back(reading.value);
         times.lines.push_back(line);
       }
     }
@@ -138,16 +122,9 @@ class CsvChecker {
   }
 
   CsvCheck finish(DiagnosticGroups& problems) {
-    for (const ColumnCheck& column : check_.columns) {
-      if (column.numbers > 0 && column.texts > 0) {
-        problems.add({Severity::error,
-                      file_,
-                      0,
-                      column.name,
-                      std::to_string(column.texts) + " cells that are no number",
-                      "numbers, as in its " + std::to_string(column.numbers) + " other cells",
-                      1});
-      }
+    for (std::size_t i = 0; i < check_.columns.size(); ++i) {
+      ColumnCheck& column = check_.columns[i];
+      mixtures_[i].finish(file_, column, problems);
       if (column.is_constant() && check_.rows > 1) {
         problems.add({Severity::note,
                       file_,
@@ -207,29 +184,34 @@ class CsvChecker {
     }
   }
 
-  void take_cell(ColumnCheck& column,
+  void take_cell(std::size_t i,
                  const std::string& cell,
                  std::size_t line,
-                 bool is_clock,
                  DiagnosticGroups& problems) {
-    if (const auto value = number_in(cell, dialect_.decimal_point)) {
-      ++column.numbers;
-      column.least = column.least ? std::min(*column.least, *value) : *value;
-      column.largest = column.largest ? std::max(*column.largest, *value) : *value;
-      if (is_clock) {
-        take_time(column.name, *value, line);
-      }
-    } else if (is_missing(cell)) {
-      ++column.missing;
+    ColumnCheck& column = check_.columns[i];
+    const CellReading reading = read_cell(cell, dialect_.decimal_point);
+    mixtures_[i].take(reading, cell, line);
+    const auto warn = [&](std::string found, std::string expectation) {
       problems.add({Severity::warning,
                     file_,
                     line,
                     column.name,
-                    cell.empty() ? "an empty cell" : shortened(cell),
-                    "a value",
+                    std::move(found),
+                    std::move(expectation),
                     1});
-    } else {
-      ++column.texts;
+    };
+    if (reading.meaning == CellMeaning::number) {
+      const double value = reading.value;
+      column.least = column.least ? std::min(*column.least, value) : value;
+      column.largest = column.largest ? std::max(*column.largest, value) : value;
+      if (std::isinf(value)) {
+        warn(shortened(cell), "a finite number");
+      } else if (i == clock_) {
+        take_time(column.name, value, line);
+      }
+    } else if (reading.meaning == CellMeaning::missing) {
+      ++column.missing;
+      warn(cell.empty() ? "an empty cell" : shortened(cell), "a value");
     }
   }
 
@@ -290,6 +272,7 @@ class CsvChecker {
   CsvDialect dialect_;
   double max_gap_s_;
   CsvCheck check_;
+  std::vector<MixtureCheck> mixtures_;  ///< Of each column.
   std::size_t clock_ = 0;
   std::vector<std::string> last_;
   double first_time_s_ = 0.0;

@@ -69,7 +69,7 @@ constexpr auto kEntries = std::to_array<Entry>({
      "use more clusters or fewer columns"},
     {ConditionKind::text_outcome,
      "text_outcome",
-     "texts are coded in byte order",
+     "texts are coded as 0 and 1",
      "write 'column == \"text\"' for the one that counts as 1"},
     {ConditionKind::bad_weight,
      "bad_weight",

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "analysis/basics/quantile.hpp"
+#include "analysis/model/stray_text.hpp"
 #include "analysis/model/variable.hpp"
 #include "analysis/survival/failures_at_limit.hpp"
 #include "analysis/survival/time_conditions.hpp"
@@ -23,7 +24,7 @@ Expression column_named(const std::string& name) {
 std::vector<double> numbers(const DataTable& table, const std::string& column) {
   Variable variable = evaluate(column_named(column), table);
   if (variable.kind == Variable::Kind::factor) {
-    throw FormulaError("column '" + column + "' of " + table.file + " holds text, not numbers");
+    throw FormulaError("column " + not_numbers(table, column));
   }
   return std::move(variable.numbers);
 }

@@ -35,9 +35,12 @@ against their first level in byte order; --ref changes it. Rows with a missing v
 and counted. offset() is for glm and cox; strata() for cox, for the pairs of concordance, and for km,
 where it stratifies the log-rank test, or without other terms gives a curve a stratum.
 
-An outcome of two texts is coded in byte order; write outcome == "text" for the one that counts as 1.
-Times that differ by rounding are one time; --no-time-rounding keeps them apart. Stamps stay as far
-apart as they are; one among durations is named.
+A missing cell is empty, NA or nan. TRUE, True, true, T and their opposites are truth values. An outcome
+of texts is 1 where it says success, s, ok, pass, yes or true, 0 where it says the opposite; any other two
+texts are coded in byte order: write outcome == "text" for the one that counts as 1. In cox, + 0 and - 1
+change nothing, as in coxph, and x * strata(g) gives an effect of x a stratum. Times that differ by
+rounding are one time; --no-time-rounding keeps them apart. Stamps stay as far apart as they are; one
+among durations is named.
 For competing causes the status is 1 for every cause, and --cause names the column that tells them
 apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends.
 
@@ -279,7 +282,7 @@ void require_references(const FrameOptions& frame, const Formula& formula, const
                        did_you_mean(column, used));
     }
     const DataColumn* const data = table.find(column);
-    bool is_factor = data == nullptr || data->is_text;
+    bool is_factor = data == nullptr || data->is_text || data->is_truth;
     for (const Term& term : formula.terms) {
       for (const Expression& variable : term.variables) {
         is_factor =

@@ -42,7 +42,12 @@ TEST(CheckCsvFile, NamesEveryFault) {
   EXPECT_NEAR(result.check->clock->longest_gap_s, 1.9, 1e-12);
   EXPECT_TRUE(has(result.diagnostics, Severity::error, "0.1 after 0.1"));
   EXPECT_TRUE(has(result.diagnostics, Severity::error, "3 fields"));
-  EXPECT_TRUE(has(result.diagnostics, Severity::error, "1 cells that are no number"));
+  EXPECT_TRUE(std::ranges::any_of(result.diagnostics, [](const Diagnostic& one) {
+    return one.severity == Severity::error && one.line == 3 && one.column == "c" &&
+           one.value == "x" &&
+           one.expectation ==
+               "a number, as in its 5 other cells (a missing cell is empty, NA or nan)";
+  }));
   EXPECT_TRUE(has(result.diagnostics, Severity::warning, "a gap of 1.9 s"));
   EXPECT_TRUE(has(result.diagnostics, Severity::warning, "an empty cell"));
   EXPECT_TRUE(has(result.diagnostics, Severity::warning, "the row before again"));
@@ -56,6 +61,35 @@ TEST(CheckCsvFile, FindsNothingWrongWithAGoodFile) {
   ASSERT_TRUE(result.check);
   EXPECT_TRUE(result.diagnostics.empty());
   EXPECT_NEAR(result.check->clock->median_rate_hz, 2.0, 1e-12);
+}
+
+TEST(CheckCsvFile, TellsNumbersTruthValuesMissingCellsAndNames) {
+  const test_support::TemporaryFolder folder;
+  const auto path = folder.write("t.csv",
+                                 "r,ok,light,room,speed\n"
+                                 "inf,True,dim,101,N/A\n"
+                                 "-nan,False,N/A,B1,0.1\n"
+                                 "2,NA,dark,101,null\n"
+                                 "3,True,dim,B1,N/A\n");
+  const CsvCheckResult result = check_csv_file(path);
+  ASSERT_TRUE(result.check);
+  const auto& columns = result.check->columns;
+  EXPECT_EQ(columns[0].numbers, 3U);
+  EXPECT_EQ(columns[0].missing, 1U);
+  EXPECT_EQ(columns[1].truths, 3U);
+  EXPECT_EQ(columns[1].missing, 1U);
+  EXPECT_EQ(columns[1].texts, 0U);
+  EXPECT_EQ(columns[2].texts, 4U);
+  EXPECT_TRUE(has(result.diagnostics, Severity::warning, "inf"));
+  EXPECT_TRUE(has(result.diagnostics, Severity::warning, "-nan"));
+  // Beside names N/A is a name, and a warning; beside numbers it is an error.
+  EXPECT_TRUE(has(result.diagnostics, Severity::warning, "N/A"));
+  EXPECT_TRUE(has(result.diagnostics, Severity::warning, "B1"));
+  const auto error = std::ranges::find(result.diagnostics, Severity::error, &Diagnostic::severity);
+  ASSERT_NE(error, result.diagnostics.end());
+  EXPECT_EQ(error->column, "speed");
+  EXPECT_EQ(error->line, 2U);
+  EXPECT_EQ(error->count, 3U);
 }
 
 TEST(CheckCsvFile, SaysWhatItCannotRead) {
