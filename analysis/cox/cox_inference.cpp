@@ -7,13 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/cox/cox_robust.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr std::size_t kFewClusters = 30;
 
 std::size_t distinct_clusters(const Factor& cluster) {
   std::vector<char> seen(cluster.levels.size(), 0);
@@ -62,11 +61,8 @@ void add_robust_variance(const CoxData& data,
       fit.vcov.setConstant(std::nan(""));
       return;
     }
-    if (fit.clusters < kFewClusters) {
-      fit.conditions.push_back({ConditionKind::few_clusters,
-                                ConditionSeverity::note,
-                                {},
-                                std::to_string(fit.clusters) + " clusters"});
+    if (auto few = few_clusters(fit.clusters, fit.df)) {
+      fit.conditions.push_back(std::move(*few));
     }
   }
   const std::vector<Eigen::Index> ranked = ranked_columns(maximum.columns);

@@ -119,7 +119,7 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
       text(o.curves, "ROWS"),
       "cox: predicted survival of these rows of the table, counted from 1, comma between; "
       "in json, or by --table curves");
-  add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
+  add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile limits");
   add("firth",
       po::bool_switch(&o.firth),
       "glm: Firth's penalty: finite estimates under separation, less bias in small samples");
@@ -132,7 +132,9 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
   add("quadrature",
       po::value(&o.quadrature)->value_name("N"),
       "glmm: points per group, 1 (Laplace) to 100; 15 for a single random intercept, else 1");
-  add("profile", po::bool_switch(&o.profile), "glmm: profile intervals too");
+  add("profile",
+      po::bool_switch(&o.profile),
+      "glmm: profile intervals too; glm: however long they take");
   add("drop1", po::bool_switch(&o.drop1), "glmm: likelihood-ratio test of each fixed term");
   add("interval",
       text(o.interval, "WORD")->default_value(o.interval),
@@ -320,6 +322,7 @@ int run(Arguments arguments) {
     return exit_done;
   }
   options.seed = static_cast<std::uint64_t>(common.seed);
+  options.quiet = common.quiet;
   const Kind& kind = kind_of(options.kind);
   check(options);
   const ThreadLimit threads(common.threads);
@@ -340,7 +343,14 @@ int run(Arguments arguments) {
     require_table(report, options.table);
     const std::string text = render(report, common.table_format(), options.table);
     write_or_print(text, "fit", file, common);
-    return has_error(report.conditions) ? exit_bad_data : exit_done;
+    if (has_error(report.conditions)) {
+      return exit_bad_data;
+    }
+    if (!has_estimate(report)) {
+      say("tcert fit: nothing that was asked for has an estimate");
+      return exit_bad_data;
+    }
+    return exit_done;
   } catch (const FormulaError& error) {
     throw UsageError(error.what());
   }

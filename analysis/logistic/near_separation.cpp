@@ -1,0 +1,86 @@
+#include "analysis/logistic/near_separation.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/basics/quantile.hpp"
+
+namespace tcert {
+namespace {
+
+/// Log odds at which a probability is numerically 1: R's 1 - 10 epsilon.
+constexpr double kCertain = 34.0;
+/// Of a log odds ratio per spread.
+constexpr double kLargestError = 10.0;
+
+}  // namespace
+
+double typical_spread(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  constexpr double kNormalRange = 1.349;
+  const double range = quantile(values, 0.75).value() - quantile(values, 0.25).value();
+  if (range > 0.0) {
+    return range / kNormalRange;
+  }
+  const double median = values[values.size() / 2];
+  std::vector<double> distances;
+  for (const double value : values) {
+    if (value != median) {
+      distances.push_back(std::abs(value - median));
+    }
+  }
+  std::sort(distances.begin(), distances.end());
+  return distances.empty() ? 0.0 : distances[distances.size() / 2];
+}
+
+std::vector<bool> ran_away(const LogisticInput& input,
+                           const LogisticProblem& problem,
+                           const std::vector<std::size_t>& names,
+                           const KeptEstimates& kept,
+                           double largest_eta) {
+  const auto size = static_cast<std::size_t>(kept.estimates.size());
+  std::vector<bool> result(size, false);
+  if (!(largest_eta > kSuspiciousEta) || size == 0) {
+    return result;
+  }
+  const Eigen::MatrixXd& basis = problem.space.basis;
+  const Eigen::LLT<Eigen::MatrixXd> even(basis.transpose() *
+                                         (0.25 * problem.rows.trials).asDiagonal() * basis);
+  const double trials = problem.rows.trials.sum();
+  bool any = false;
+  std::vector<std::size_t> without_spread;
+  for (std::size_t k = 0; k < size; ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    const auto column = static_cast<Eigen::Index>(names[problem.space.kept[k]]);
+    std::vector<double> values;
+    values.reserve(problem.used.size());
+    for (const Eigen::Index used : problem.used) {
+      values.push_back(input.design(used, column));
+    }
+    const double spread = typical_spread(std::move(values)) * kept.units[row];
+    if (spread == 0.0) {
+      without_spread.push_back(k);
+      continue;
+    }
+    const Eigen::VectorXd functional = kept.back.row(row).transpose();
+    const double at_even_odds = functional.dot(even.solve(functional));
+    const bool curved = trials * at_even_odds >= kept.variances[row];
+    const double error = std::sqrt(kept.variances[row]) * spread;
+    result[k] =
+        std::abs(kept.estimates[row]) * spread > kCertain || (!curved && error > kLargestError);
+    any = any || result[k];
+  }
+  for (const std::size_t k : without_spread) {
+    const auto row = static_cast<Eigen::Index>(k);
+    const double unit = kept.units[row];
+    result[k] = any && (std::abs(kept.estimates[row]) * unit > kCertain ||
+                        std::sqrt(kept.variances[row]) * unit > kLargestError);
+  }
+  return result;
+}
+
+}  // namespace tcert
