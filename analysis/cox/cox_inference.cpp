@@ -1,5 +1,7 @@
 #include "analysis/cox/cox_inference.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <optional>
@@ -10,6 +12,7 @@
 #include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/cox/cox_robust.hpp"
+#include "analysis/cox/cox_runaway.hpp"
 
 namespace tcert {
 namespace {
@@ -92,6 +95,31 @@ void add_robust_variance(const CoxData& data,
   }
 }
 
+/// Estimates that have run away are known no longer: NaN among the variances.
+void withhold_runaways(const CoxData& data,
+                       const CoxRows& rows,
+                       const CoxMaximum& maximum,
+                       CoxFit& fit) {
+  const std::vector<bool> away = cox_runaways(data, rows, maximum, fit.model_vcov, fit.events);
+  for (std::size_t j = 0; j < away.size(); ++j) {
+    if (!away[j]) {
+      continue;
+    }
+    const auto at = static_cast<Eigen::Index>(j);
+    fit.conditions.push_back(
+        {ConditionKind::near_separation,
+         ConditionSeverity::warning,
+         data.columns[j],
+         fmt::format("a log hazard ratio of {:.3g} with a standard error of {:.3g}",
+                     fit.beta(at),
+                     std::sqrt(fit.model_vcov(at, at)) / rows.scale(at))});
+    for (Eigen::MatrixXd* const variances : {&fit.model_vcov, &fit.vcov}) {
+      variances->row(at).setConstant(std::nan(""));
+      variances->col(at).setConstant(std::nan(""));
+    }
+  }
+}
+
 /// \pre the variances of `fit` are still those of the scaled columns: in others they may leave the
 /// range of numbers.
 void add_coefficients(const CoxData& data,
@@ -138,9 +166,10 @@ void add_cox_inference(const CoxData& data,
   }
   add_tests(maximum, fit);
   fit.model_vcov = inverse;
+  withhold_runaways(data, rows, maximum, fit);
   add_coefficients(data, rows, maximum, fit);
   const Eigen::VectorXd unit = rows.scale.cwiseInverse();
-  fit.model_vcov = unit.asDiagonal() * inverse * unit.asDiagonal();
+  fit.model_vcov = unit.asDiagonal() * fit.model_vcov * unit.asDiagonal();
   fit.vcov = unit.asDiagonal() * fit.vcov * unit.asDiagonal();
   const auto df = static_cast<double>(fit.df);
   fit.aic = -2.0 * *fit.loglik + 2.0 * df;

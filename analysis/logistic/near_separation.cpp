@@ -1,41 +1,11 @@
 #include "analysis/logistic/near_separation.hpp"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
 
-#include "analysis/basics/quantile.hpp"
+#include "analysis/basics/runaway.hpp"
 
 namespace tcert {
-namespace {
-
-/// Log odds at which a probability is numerically 1: R's 1 - 10 epsilon.
-constexpr double kCertain = 34.0;
-/// Of a log odds ratio per spread.
-constexpr double kLargestError = 10.0;
-
-}  // namespace
-
-double typical_spread(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  std::sort(values.begin(), values.end());
-  constexpr double kNormalRange = 1.349;
-  const double range = quantile(values, 0.75).value() - quantile(values, 0.25).value();
-  if (range > 0.0) {
-    return range / kNormalRange;
-  }
-  const double median = values[values.size() / 2];
-  std::vector<double> distances;
-  for (const double value : values) {
-    if (value != median) {
-      distances.push_back(std::abs(value - median));
-    }
-  }
-  std::sort(distances.begin(), distances.end());
-  return distances.empty() ? 0.0 : distances[distances.size() / 2];
-}
 
 std::vector<bool> ran_away(const LogisticInput& input,
                            const LogisticProblem& problem,
@@ -69,16 +39,16 @@ std::vector<bool> ran_away(const LogisticInput& input,
     const Eigen::VectorXd functional = kept.back.row(row).transpose();
     const double at_even_odds = functional.dot(even.solve(functional));
     const bool curved = trials * at_even_odds >= kept.variances[row];
-    const double error = std::sqrt(kept.variances[row]) * spread;
     result[k] =
-        std::abs(kept.estimates[row]) * spread > kCertain || (!curved && error > kLargestError);
+        has_run_away(kept.estimates[row] * spread, std::sqrt(kept.variances[row]) * spread, curved);
     any = any || result[k];
   }
   for (const std::size_t k : without_spread) {
     const auto row = static_cast<Eigen::Index>(k);
     const double unit = kept.units[row];
-    result[k] = any && (std::abs(kept.estimates[row]) * unit > kCertain ||
-                        std::sqrt(kept.variances[row]) * unit > kLargestError);
+    result[k] =
+        any &&
+        has_run_away(kept.estimates[row] * unit, std::sqrt(kept.variances[row]) * unit, false);
   }
   return result;
 }

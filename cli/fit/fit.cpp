@@ -6,6 +6,7 @@
 
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
+#include "cli/fit/joined_conditions.hpp"
 #include "cli/fit/kind_options.hpp"
 #include "cli/fit/outcome_words.hpp"
 #include "cli/output.hpp"
@@ -39,7 +40,14 @@ For competing causes the status is 1 for every cause, and --cause names the colu
 apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends.
 
 Text shows the main tables; json has every number at full precision, the conditions met and how the
-fit ended, with broom's names; csv has the main table, or that of --table.
+fit ended, named as broom names them; csv has the main table, or that of --table.
+
+Intervals: conf.low and conf.high are always Wald's, estimate -+ z SE; profile.low and profile.high
+are the profile likelihood's (broom's conf.low of a glm, R's confint), profile.open says which end
+there is none of; with --cluster t.low, t.high and t.p.value take Student's t with clusters - 1
+degrees of freedom. Each has its twin on the ratio's scale: odds.ratio.low, odds.ratio.profile.low,
+hazard.ratio.t.high. glm makes profiles up to a second or two of work; beyond, --profile asks for
+them.
 
 Usage: tcert fit KIND --data FILE --formula FORMULA [options]
 
@@ -56,8 +64,8 @@ Example:
 
 --table takes:
 @TABLES@
-Ends with 0 if there is an estimate, with 65 if the data do not allow one; what was met is said on
-stderr and in the result.
+Ends with 0 if there is an estimate, of one coefficient at least, with 65 if the data do not allow
+any; what was met is said on stderr and in the result.
 
 Cost: a pass over the table and a few over its rows; a million rows take seconds.
 )";
@@ -251,6 +259,7 @@ FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile&
       report.conditions.push_back(condition);
     }
   }
+  report.conditions = joined(frame, report.conditions);
   add_settings(options, frame, report);
   name_outcome(formula, frame, report);
   report.synthetic = file.synthetic;

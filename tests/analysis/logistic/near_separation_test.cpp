@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/basics/runaway.hpp"
 #include "analysis/logistic/logistic_profile.hpp"
 #include "datasets/random.hpp"
 
