@@ -28,8 +28,13 @@ double typical_spread(std::vector<double> values) {
   return distances.empty() ? 0.0 : distances[distances.size() / 2];
 }
 
-bool has_run_away(double log_ratio, double error, bool curved) noexcept {
-  return std::abs(log_ratio) > kCertainLogRatio || (!curved && error > kLargestLogError);
+bool has_run_away(const SpreadRatio& ratio, double trials) noexcept {
+  constexpr double kManyErrors = 5.0;
+  const double size = std::abs(ratio.log_ratio);
+  const double squared = ratio.error_without_effect * ratio.error_without_effect;
+  const bool flat = ratio.error * ratio.error > trials * squared;
+  return (size > kCertainLogRatio && size > kManyErrors * ratio.error_without_effect) ||
+         (flat && ratio.error > kLargestLogError);
 }
 
 }  // namespace tcert

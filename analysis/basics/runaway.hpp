@@ -17,10 +17,18 @@ inline constexpr double kCertainLogRatio = 34.0;
 /// Largest standard error: an interval of 17 powers of ten.
 inline constexpr double kLargestLogError = 10.0;
 
-/// Whether a log ratio has run away, both numbers per typical spread of its column: it is above
-/// kCertainLogRatio, or its error is above kLargestLogError without a `curved` likelihood: one
-/// whose curvature along it is at least that of an average single trial (or event) without effect.
-/// So a collinear or badly scaled column, whose curvature is small anywhere, is not meant.
-[[nodiscard]] bool has_run_away(double log_ratio, double error, bool curved) noexcept;
+/// Of a log ratio, all per typical spread of its column.
+struct SpreadRatio {
+  double log_ratio = 0.0;
+  double error = 0.0;                 ///< Standard error.
+  double error_without_effect = 0.0;  ///< What it would be at even odds, or equal hazards.
+};
+
+/// Whether a log ratio has run away. Either it is above kCertainLogRatio, so that one spread takes
+/// an even chance to certainty, and above 5 of the errors that the column would have without any
+/// effect; or its error is above kLargestLogError and its curvature less than that of one of the
+/// `trials` (or events) without effect. So a collinear or badly scaled column, whose error is large
+/// without any effect, is not meant.
+[[nodiscard]] bool has_run_away(const SpreadRatio& ratio, double trials) noexcept;
 
 }  // namespace tcert

@@ -164,6 +164,9 @@ void add_recalibration(const CalibrationRows& rows,
       condition.advice =
           "the probabilities tell the outcomes apart, so that no finite slope recalibrates them";
     }
+    if (condition.kind == ConditionKind::constant_column) {
+      condition.advice = "equal probabilities have no slope";
+    }
     // The probabilities stand although no finite slope recalibrates them.
     if (condition.severity == ConditionSeverity::error) {
       condition.severity = ConditionSeverity::warning;

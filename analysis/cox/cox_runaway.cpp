@@ -30,9 +30,10 @@ std::vector<bool> cox_runaways(const CoxData& data,
     const double spread =
         typical_spread(std::vector<double>(column.begin(), column.end())) / rows.scale(j);
     const auto at = static_cast<Eigen::Index>(k);
-    const bool curved = static_cast<double>(events) * without_effect(at, at) >= variance;
-    away[static_cast<std::size_t>(j)] =
-        has_run_away(maximum.beta(j) * spread, std::sqrt(variance) * spread, curved);
+    away[static_cast<std::size_t>(j)] = has_run_away({maximum.beta(j) * spread,
+                                                      std::sqrt(variance) * spread,
+                                                      std::sqrt(without_effect(at, at)) * spread},
+                                                     static_cast<double>(events));
   }
   return away;
 }

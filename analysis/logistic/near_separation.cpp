@@ -37,10 +37,10 @@ std::vector<bool> ran_away(const LogisticInput& input,
       continue;
     }
     const Eigen::VectorXd functional = kept.back.row(row).transpose();
-    const double at_even_odds = functional.dot(even.solve(functional));
-    const bool curved = trials * at_even_odds >= kept.variances[row];
-    result[k] =
-        has_run_away(kept.estimates[row] * spread, std::sqrt(kept.variances[row]) * spread, curved);
+    result[k] = has_run_away({kept.estimates[row] * spread,
+                              std::sqrt(kept.variances[row]) * spread,
+                              std::sqrt(functional.dot(even.solve(functional))) * spread},
+                             trials);
     any = any || result[k];
   }
   for (const std::size_t k : without_spread) {
@@ -48,7 +48,7 @@ std::vector<bool> ran_away(const LogisticInput& input,
     const double unit = kept.units[row];
     result[k] =
         any &&
-        has_run_away(kept.estimates[row] * unit, std::sqrt(kept.variances[row]) * unit, false);
+        has_run_away({kept.estimates[row] * unit, std::sqrt(kept.variances[row]) * unit}, trials);
   }
   return result;
 }

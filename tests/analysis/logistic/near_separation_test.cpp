@@ -44,6 +44,14 @@ TEST(NearSeparation, TypicalSpreadIsMovedByNoOutlier) {
   EXPECT_EQ(typical_spread({}), 0.0);
 }
 
+TEST(NearSeparation, IsToldFromCollinearityByTheErrorWithoutEffect) {
+  EXPECT_TRUE(has_run_away({10.0, 60.0, 0.3}, 40.0)) << "flatter than one trial";
+  EXPECT_FALSE(has_run_away({10.0, 60.0, 55.0}, 40.0)) << "as flat without effect";
+  EXPECT_FALSE(has_run_away({5.0, 9.0, 0.3}, 40.0)) << "a wide interval, no more";
+  EXPECT_TRUE(has_run_away({107.0, 9.0, 0.01}, 1e4)) << "an odds ratio of 3e46 per spread";
+  EXPECT_FALSE(has_run_away({-200.0, 100.0, 90.0}, 400.0));
+}
+
 TEST(NearSeparation, LeavesNoEstimateButTheLimitTowardsNought) {
   const LogisticInput input = nearly_separated(40, 0.025, 1e-5);
   const LogisticFit fit = fit_logistic(input);
