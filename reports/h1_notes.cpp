@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <string_view>
 
+#include "analysis/basics/few_clusters.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr std::size_t kFewClusters = 30;
 
 std::string cluster_note(const H1Table& h1) {
   const std::string& cluster = h1.options.cluster;
@@ -27,7 +26,9 @@ std::string cluster_note(const H1Table& h1) {
   const bool few = std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
     return panel.clusters < kFewClusters;
   });
-  return note + (few ? "; with fewer than 30 of them intervals tend to be too narrow." : ".");
+  return note + (few ? fmt::format("; with fewer than {} of them intervals tend to be too narrow.",
+                                   kFewClusters)
+                     : std::string("."));
 }
 
 /// `p` says what the p of a model is.

@@ -1,5 +1,6 @@
 #include "reports/h2_notes.hpp"
 
+#include "analysis/basics/few_clusters.hpp"
 #include "reports/fit/cells.hpp"
 #include "reports/h1_notes.hpp"
 #include "reports/table.hpp"
@@ -11,8 +12,9 @@ std::string cluster_note(const H1Options& options) {
   return options.cluster.empty()
              ? "Trials are taken as independent: no cluster was named."
              : "Clusters: column '" + options.cluster +
-                   "'. Resamples draw whole clusters for all groups jointly; with fewer than 30 of "
-                   "them intervals tend to be too narrow, and tests reject too often.";
+                   "'. Resamples draw whole clusters for all groups jointly; with fewer than " +
+                   std::to_string(kFewClusters) +
+                   " of them intervals tend to be too narrow, and tests reject too often.";
 }
 
 void add_conditions(const H2Table& h2, std::vector<std::string>& notes) {

@@ -12,8 +12,8 @@ struct ChiSquareTest {
   double p_value = 1.0;
 };
 
-/// With the upper tail as p; p is 1 without degrees of freedom. A statistic that rounding has put
-/// below 0 counts as 0.
+/// With the upper tail as p; NaN without degrees of freedom: nothing was tested. A statistic that
+/// rounding has put below 0 counts as 0.
 [[nodiscard]] ChiSquareTest chi_square_test(double statistic, std::size_t df);
 
 }  // namespace tcert

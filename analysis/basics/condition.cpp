@@ -30,11 +30,19 @@ constexpr auto kEntries = std::to_array<Entry>({
     {ConditionKind::bad_probability,
      "bad_probability",
      "a probability that is not between 0 and 1",
-     "both ends are excluded; give probabilities, not scores"},
+     "give probabilities, not scores"},
+    {ConditionKind::certain_probability,
+     "certain_probability",
+     "probabilities of exactly 0 or 1 have no logit",
+     "there is no slope and no intercept; the Brier score and the bins stand"},
     {ConditionKind::not_binary,
      "not_binary",
      "neither 0 nor 1",
      "write 'column == value' for the value that counts as 1"},
+    {ConditionKind::bad_counts,
+     "bad_counts",
+     "no counts of successes and failures",
+     "counts are whole numbers, at least 0; in cbind(k, n - k) k is at most n"},
     {ConditionKind::time_not_positive,
      "time_not_positive",
      "a time that is not above 0",
@@ -95,7 +103,7 @@ constexpr auto kEntries = std::to_array<Entry>({
      "write + (1 | group), or fit glm"},
     {ConditionKind::few_clusters,
      "few_clusters",
-     "fewer than 30 clusters",
+     "few clusters",
      "cluster-robust intervals tend to be too narrow"},
     {ConditionKind::one_cluster,
      "one_cluster",
@@ -112,11 +120,15 @@ constexpr auto kEntries = std::to_array<Entry>({
     {ConditionKind::complete_separation,
      "complete_separation",
      "complete separation",
-     "no finite estimate; merge levels, leave the term out or fit with --firth"},
+     "no finite estimate; merge levels or leave the term out"},
     {ConditionKind::quasi_separation,
      "quasi_separation",
      "quasi-complete separation",
-     "no finite estimate; merge levels, leave the term out or fit with --firth"},
+     "no finite estimate; merge levels or leave the term out"},
+    {ConditionKind::near_separation,
+     "near_separation",
+     "near-separation: the estimate has run away",
+     "it says nothing; merge levels, leave the term out or look at the few rows that overlap"},
     {ConditionKind::penalised_separation,
      "penalised_separation",
      "separation: the penalty alone keeps the estimate finite",
@@ -133,6 +145,10 @@ constexpr auto kEntries = std::to_array<Entry>({
      "not_converged",
      "the fit did not converge",
      "rescale the columns or simplify the model; the numbers are not estimates"},
+    {ConditionKind::no_profile,
+     "no_profile",
+     "profile intervals are left out, for they take long",
+     "ask for them with --profile"},
     {ConditionKind::singular_fit,
      "singular_fit",
      "the fit is singular: the estimate lies on the boundary",
@@ -145,7 +161,7 @@ constexpr auto kEntries = std::to_array<Entry>({
     {ConditionKind::separated,
      "separated",
      "perfectly separated",
-     "a variance of 0 is no certainty; use the bootstrap or more rows"},
+     "a variance of 0 is no certainty, and resamples show none either; more rows are needed"},
     {ConditionKind::same_ranking, "same_ranking", "both predictors rank alike", ""},
     {ConditionKind::no_weighted_test,
      "no_weighted_test",
@@ -183,7 +199,7 @@ constexpr auto kEntries = std::to_array<Entry>({
     {ConditionKind::infinite_bias,
      "infinite_bias",
      "all replicates lie on one side of the estimate",
-     "there is no BCa interval; use more replicates"},
+     "there is no BCa interval; use more replicates, or read the percentile one with care"},
     {ConditionKind::no_acceleration,
      "no_acceleration",
      "the jackknife gives no acceleration",
@@ -192,7 +208,11 @@ constexpr auto kEntries = std::to_array<Entry>({
     {ConditionKind::fold_without_fit,
      "fold_without_fit",
      "no fit without this fold's rows",
-     "they are left out; use fewer terms or folds"},
+     "they are left out; use fewer terms, or more folds, which leave more rows to each fit"},
+    {ConditionKind::no_prediction,
+     "no_prediction",
+     "no row has a prediction",
+     "no fold has a fit, for the reasons that are named; use fewer terms, or more folds"},
     {ConditionKind::few_bins, "few_bins", "ties leave fewer bins", ""},
     {ConditionKind::singular_covariance,
      "singular_covariance",
@@ -211,6 +231,10 @@ const Entry& entry_of(ConditionKind kind) noexcept {
 std::string_view name_of(ConditionKind kind) noexcept { return entry_of(kind).name; }
 std::string_view words(ConditionKind kind) noexcept { return entry_of(kind).words; }
 std::string_view advice(ConditionKind kind) noexcept { return entry_of(kind).advice; }
+
+std::string_view advice(const Condition& condition) noexcept {
+  return condition.advice.empty() ? advice(condition.kind) : std::string_view(condition.advice);
+}
 
 std::string_view to_string(ConditionSeverity severity) noexcept {
   switch (severity) {
@@ -234,9 +258,9 @@ std::string to_string(const Condition& condition) {
   if (!condition.detail.empty()) {
     line += ": " + condition.detail;
   }
-  if (!advice(condition.kind).empty()) {
+  if (!advice(condition).empty()) {
     line += "; ";
-    line += advice(condition.kind);
+    line += advice(condition);
   }
   return line;
 }

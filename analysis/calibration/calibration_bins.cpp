@@ -127,6 +127,9 @@ std::optional<ChiSquareTest> hosmer_lemeshow(std::span<const CalibrationBin> bin
   }
   double statistic = 0.0;
   for (const CalibrationBin& bin : bins) {
+    if (!(bin.predicted > 0.0 && bin.predicted < 1.0)) {
+      return std::nullopt;
+    }
     const double difference = bin.observed - bin.predicted;
     statistic += static_cast<double>(bin.trials) * difference * difference /
                  (bin.predicted * (1.0 - bin.predicted));

@@ -8,13 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/concordance/concordance_columns.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr std::size_t kFewClusters = 30;
 
 void turn_over(ConcordancePairs& pairs) {
   const auto swap_sides = [](ConcordanceCounts& counts) {
@@ -143,8 +142,10 @@ void name_row_conditions(std::size_t rows, bool clustered, ConcordanceResult& re
   }
   if (clustered && result.clusters == 1) {
     result.conditions.push_back(condition(ConditionKind::one_cluster, ConditionSeverity::warning));
-  } else if (clustered && result.clusters < kFewClusters) {
-    result.conditions.push_back(condition(ConditionKind::few_clusters, ConditionSeverity::note));
+  } else if (clustered) {
+    if (auto few = few_clusters(result.clusters)) {
+      result.conditions.push_back(std::move(*few));
+    }
   }
 }
 

@@ -148,8 +148,8 @@ struct CoxFit {
 /// given at it: likelihoods and their tests, the other coefficients and their variances.
 ///
 /// Conditions: no_rows, too_few_rows, no_events, bad_weight, infinite_value, not_converged (errors,
-/// without numbers); constant_column, collinear_column, monotone_likelihood, one_cluster,
-/// no_robust_variance (a number is missing); few_clusters (a note).
+/// without numbers); constant_column, collinear_column, monotone_likelihood, near_separation,
+/// one_cluster, no_robust_variance (a number is missing); few_clusters (a note or a warning).
 ///
 /// O(n (log n + p^2)) a step with Efron or Breslow ties, also with robust variance; with exact ties
 /// O(m d p^2) for each time with d > 1 events and m rows at risk (Gail, Lubin and Rubinstein 1981).

@@ -1,5 +1,7 @@
 #include "analysis/cox/cox_inference.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,14 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/basics/wald_test.hpp"
 #include "analysis/cox/cox_robust.hpp"
+#include "analysis/cox/cox_runaway.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr std::size_t kFewClusters = 30;
 
 std::size_t distinct_clusters(const Factor& cluster) {
   std::vector<char> seen(cluster.levels.size(), 0);
@@ -87,11 +89,8 @@ void add_robust_variance(const CoxData& data,
       fit.limit_vcov.setConstant(std::nan(""));
       return;
     }
-    if (fit.clusters < kFewClusters) {
-      fit.conditions.push_back({ConditionKind::few_clusters,
-                                ConditionSeverity::note,
-                                {},
-                                std::to_string(fit.clusters) + " clusters"});
+    if (auto few = few_clusters(fit.clusters, fit.df)) {
+      fit.conditions.push_back(std::move(*few));
     }
   }
   const std::vector<Eigen::Index> ranked = ranked_columns(maximum.columns);
@@ -105,6 +104,31 @@ void add_robust_variance(const CoxData& data,
     // With as many columns as clusters the form is the number of clusters, whatever the data.
     if (fit.clusters == 0 || fit.clusters > ranked.size()) {
       fit.robust_score = wald_test(null.total(ranked), null.products(ranked, ranked));
+    }
+  }
+}
+
+/// Estimates that have run away are known no longer: NaN among the variances.
+void withhold_runaways(const CoxData& data,
+                       const CoxRows& rows,
+                       const CoxMaximum& maximum,
+                       CoxFit& fit) {
+  const std::vector<bool> away = cox_runaways(data, rows, maximum, fit.model_vcov, fit.events);
+  for (std::size_t j = 0; j < away.size(); ++j) {
+    if (!away[j]) {
+      continue;
+    }
+    const auto at = static_cast<Eigen::Index>(j);
+    fit.conditions.push_back(
+        {ConditionKind::near_separation,
+         ConditionSeverity::warning,
+         data.columns[j],
+         fmt::format("a log hazard ratio of {:.3g} with a standard error of {:.3g}",
+                     fit.beta(at),
+                     std::sqrt(fit.model_vcov(at, at)) / rows.scale(at))});
+    for (Eigen::MatrixXd* const variances : {&fit.model_vcov, &fit.vcov}) {
+      variances->row(at).setConstant(std::nan(""));
+      variances->col(at).setConstant(std::nan(""));
     }
   }
 }
@@ -158,9 +182,10 @@ void add_cox_inference(const CoxData& data,
   }
   add_tests(maximum, fit);
   fit.model_vcov = inverse;
+  withhold_runaways(data, rows, maximum, fit);
   add_coefficients(data, rows, maximum, fit);
   const Eigen::VectorXd unit = rows.scale.cwiseInverse();
-  fit.model_vcov = unit.asDiagonal() * inverse * unit.asDiagonal();
+  fit.model_vcov = unit.asDiagonal() * fit.model_vcov * unit.asDiagonal();
   fit.vcov = unit.asDiagonal() * fit.vcov * unit.asDiagonal();
   fit.limit_vcov = unit.asDiagonal() * fit.limit_vcov * unit.asDiagonal();
   fit.limit_model_vcov = unit.asDiagonal() * limit * unit.asDiagonal();

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "analysis/basics/binomial_interval.hpp"
+#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/quantile.hpp"
 #include "analysis/h3/pareto.hpp"
 #include "analysis/replay/replay.hpp"
@@ -23,7 +24,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kH3Stream = 0x48330000;
-constexpr std::size_t kFewClusters = 30;
 const char* const kAllLightings = "all";
 
 using CaseKey = std::pair<std::string, double>;

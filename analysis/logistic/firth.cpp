@@ -131,10 +131,12 @@ void add_separation(const LogisticInput& input, const LogisticProblem& problem, 
   for (std::size_t k = 0; k < signs.size(); ++k) {
     if (signs[k].positive || signs[k].negative) {
       const std::size_t column = problem.space.kept[k];
-      fit.conditions.push_back({ConditionKind::penalised_separation,
-                                ConditionSeverity::note,
-                                input.columns[column],
-                                separation_words(input, problem.used, column)});
+      fit.conditions.push_back(
+          {ConditionKind::penalised_separation,
+           ConditionSeverity::note,
+           input.columns[column],
+           separation_words(input, problem.used, column),
+           fit.options.profiles ? "" : "the Wald interval misleads; ask for the profile's"});
     }
   }
 }
@@ -158,6 +160,9 @@ void add_coefficients(const LogisticProblem& problem, const FirthMaximum& maximu
     one.test = maximum.test({k});
     if (fit.options.profiles) {
       one.profile = maximum.profile(k, fit.options.level);
+    }
+    if (fit.options.advance) {
+      fit.options.advance();
     }
     for (Eigen::Index other = 0; other < rank; ++other) {
       fit.covariance(

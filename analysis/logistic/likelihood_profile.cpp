@@ -56,7 +56,7 @@ class Profile {
 /// Where the root of the drop is `target` on the side of `sign`. The root is nearly linear in the
 /// coefficient, so Newton's method needs a few steps; they are kept within the bracket found so
 /// far.
-std::optional<double> profile_end(Profile profile, double error, double target, double sign) {
+std::optional<double> end_along(Profile profile, double error, double target, double sign) {
   double inside = profile.value();
   double outside = sign * std::numeric_limits<double>::infinity();
   double next = inside + sign * target * error;
@@ -87,15 +87,21 @@ Eigen::MatrixXd orthogonal_complement(const Eigen::MatrixXd& functionals) {
   return whole.rightCols(size - functionals.cols());
 }
 
+std::optional<double> profile_end(const LikelihoodPoint& maximum,
+                                  const Eigen::VectorXd& functional,
+                                  const ConstrainedMaximum& maximise,
+                                  double level,
+                                  double sign) {
+  const double error = std::sqrt(functional.dot(maximum.information.llt().solve(functional)));
+  return end_along(Profile(maximum, functional, maximise), error, normal_factor(level), sign);
+}
+
 std::optional<Interval> profile_interval(const LikelihoodPoint& maximum,
                                          const Eigen::VectorXd& functional,
                                          const ConstrainedMaximum& maximise,
                                          double level) {
-  const double error = std::sqrt(functional.dot(maximum.information.llt().solve(functional)));
-  const double target = normal_factor(level);
-  const Profile profile(maximum, functional, maximise);
-  const auto low = profile_end(profile, error, target, -1.0);
-  const auto high = profile_end(profile, error, target, 1.0);
+  const auto low = profile_end(maximum, functional, maximise, level, -1.0);
+  const auto high = profile_end(maximum, functional, maximise, level, 1.0);
   return low && high ? std::optional(Interval{*low, *high, level}) : std::nullopt;
 }
 

@@ -27,9 +27,16 @@ using ConstrainedMaximum = std::function<std::optional<LikelihoodPoint>(
 /// \pre these are linearly independent.
 [[nodiscard]] Eigen::MatrixXd orthogonal_complement(const Eigen::MatrixXd& functionals);
 
-/// The two values of functional' coefficients at which twice the drop from `maximum` is the
-/// chi-squared quantile of `level` (one degree of freedom), to 1e-10 of its root. Empty if an end
-/// is not found. About 8 maximisations an end.
+/// The value of functional' coefficients below (`sign` -1) or above the maximum at which twice the
+/// drop from `maximum` is the chi-squared quantile of `level` (one degree of freedom), to 1e-10 of
+/// its root. Empty if it is not found. About 8 maximisations.
+[[nodiscard]] std::optional<double> profile_end(const LikelihoodPoint& maximum,
+                                                const Eigen::VectorXd& functional,
+                                                const ConstrainedMaximum& maximise,
+                                                double level,
+                                                double sign);
+
+/// Both ends. Empty if one is not found.
 [[nodiscard]] std::optional<Interval> profile_interval(const LikelihoodPoint& maximum,
                                                        const Eigen::VectorXd& functional,
                                                        const ConstrainedMaximum& maximise,

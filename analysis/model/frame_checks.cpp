@@ -160,7 +160,7 @@ void check_counts(ModelFrame& frame) {
   const auto is_count = [](double x) { return std::isfinite(x) && x >= 0.0 && x == std::floor(x); };
   check_rows(
       frame,
-      ConditionKind::not_binary,
+      ConditionKind::bad_counts,
       frame.response,
       [&](std::size_t i) {
         return !is_count(counts.successes[i]) || !is_count(counts.trials[i] - counts.successes[i]);

@@ -6,6 +6,7 @@
 
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
+#include "cli/fit/joined_conditions.hpp"
 #include "cli/fit/kind_options.hpp"
 #include "cli/fit/outcome_words.hpp"
 #include "cli/output.hpp"
@@ -45,7 +46,14 @@ For competing causes the status is 1 for every cause, and --cause names the colu
 apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends.
 
 Text shows the main tables; json has every number at full precision, the conditions met and how the
-fit ended, with broom's names; csv has the main table, or that of --table.
+fit ended, named as broom names them; csv has the main table, or that of --table.
+
+Intervals: conf.low and conf.high are always Wald's, estimate -+ z SE; profile.low and profile.high
+are the profile likelihood's (broom's conf.low of a glm, R's confint), profile.open says which end
+there is none of; with --cluster t.low, t.high and t.p.value take Student's t with clusters - 1
+degrees of freedom. Each has its twin on the ratio's scale: odds.ratio.low, odds.ratio.profile.low,
+hazard.ratio.t.high. glm makes profiles up to a second or two of work; beyond, --profile asks for
+them.
 
 Usage: tcert fit KIND --data FILE --formula FORMULA [options]
 
@@ -62,8 +70,8 @@ Example:
 
 --table takes:
 @TABLES@
-Ends with 0 if there is an estimate, with 65 if the data do not allow one; what was met is said on
-stderr and in the result.
+Ends with 0 if there is an estimate, of one coefficient at least, with 65 if the data do not allow
+any; what was met is said on stderr and in the result.
 
 Cost: a pass over the table and a few over its rows; a million rows take seconds.
 )";
@@ -126,7 +134,7 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
       "cox: predicted survival of these rows of the table, counted from 1, comma between; "
       "in json, or by --table curves");
   add_time_rounding_option(line.own, o.no_time_rounding);
-  add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
+  add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile limits");
   add("firth",
       po::bool_switch(&o.firth),
       "glm: Firth's penalty: finite estimates under separation, less bias in small samples");
@@ -139,7 +147,9 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
   add("quadrature",
       po::value(&o.quadrature)->value_name("N"),
       "glmm: points per group, 1 (Laplace) to 100; 15 for a single random intercept, else 1");
-  add("profile", po::bool_switch(&o.profile), "glmm: profile intervals too");
+  add("profile",
+      po::bool_switch(&o.profile),
+      "glmm: profile intervals too; glm: however long they take");
   add("drop1", po::bool_switch(&o.drop1), "glmm: likelihood-ratio test of each fixed term");
   add("interval",
       text(o.interval, "WORD")->default_value(o.interval),
@@ -257,6 +267,7 @@ FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile&
       report.conditions.push_back(condition);
     }
   }
+  report.conditions = joined(frame, report.conditions);
   add_settings(options, frame, report);
   name_outcome(formula, frame, report);
   report.synthetic = file.synthetic;
@@ -328,6 +339,7 @@ int run(Arguments arguments) {
     return exit_done;
   }
   options.seed = static_cast<std::uint64_t>(common.seed);
+  options.quiet = common.quiet;
   const Kind& kind = kind_of(options.kind);
   check(options);
   const ThreadLimit threads(common.threads);
@@ -348,7 +360,14 @@ int run(Arguments arguments) {
     require_table(report, options.table);
     const std::string text = render(report, common.table_format(), options.table);
     write_or_print(text, "fit", file, common);
-    return has_error(report.conditions) ? exit_bad_data : exit_done;
+    if (has_error(report.conditions)) {
+      return exit_bad_data;
+    }
+    if (!has_estimate(report)) {
+      say("tcert fit: nothing that was asked for has an estimate");
+      return exit_bad_data;
+    }
+    return exit_done;
   } catch (const FormulaError& error) {
     throw UsageError(error.what());
   }

@@ -56,6 +56,7 @@ struct FitOptions {
   // bootstrap of roc and concordance
   std::int64_t replicates = 0;
   std::uint64_t seed = 1;
+  bool quiet = false;
 };
 
 /// A fit's inputs: the frame is without an error.

@@ -58,7 +58,7 @@ FitReport fit_concordance(const FitRequest& request) {
         "--pair-weight: S/G and n/G2 need Surv(time, event); with (start, stop] rows "
         "take n, S or I");
   }
-  FitReport report = concordance_report(concordance(outcome, predictors, options));
+  FitReport report = concordance_report(concordance(outcome, predictors, options), options.level);
   if (request.options.replicates > 0 && !has_error(report.conditions)) {
     require_plain_bootstrap(request, options.pair_weight == PairWeight::equal);
     add_bootstrap(request,

@@ -19,7 +19,7 @@ struct KindTakes {
 
 constexpr std::array kTakes{
     KindTakes{"glm",
-              "cluster weights ref robust no-profile firth",
+              "cluster weights ref robust profile no-profile firth",
               true,
               false,
               "summary, coefficients, drop1 (not with robust variances), vcov"},

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "reports/fit/cells.hpp"
+#include "reports/fit/interval_columns.hpp"
 
 namespace tcert {
 namespace {
@@ -21,18 +22,34 @@ Table coefficient_table(const CoxFit& fit) {
                    number_column("statistic", "z"),
                    p_column(),
                    number_column("conf.low", "low"),
-                   number_column("conf.high", "high"),
-                   number_column("hazard.ratio", "hazard ratio")};
+                   number_column("conf.high", "high")};
+  const bool clustered = fit.clusters > 0;
+  std::vector<std::string> others;
+  if (clustered) {
+    append_columns(t_columns(), table.columns);
+    others = {"t"};
+    table.footnotes.push_back(t_footnote(fit.clusters));
+  }
+  append_columns(ratio_columns(hazard_ratio_name(), others), table.columns);
   for (const CoxCoefficient& one : fit.coefficients) {
-    table.add_row({one.column,
-                   number_cell(one.estimate),
-                   number_cell(one.model_se),
-                   number_cell(one.robust_se),
-                   number_cell(one.z),
-                   p_cell(one.p_value),
-                   low_cell(one.interval),
-                   high_cell(one.interval),
-                   number_cell(one.hazard_ratio)});
+    std::vector<TableCell> cells{one.column,
+                                 number_cell(one.estimate),
+                                 number_cell(one.model_se),
+                                 number_cell(one.robust_se),
+                                 number_cell(one.z),
+                                 p_cell(one.p_value),
+                                 low_cell(one.interval),
+                                 high_cell(one.interval)};
+    const ClusterT by_t = by_cluster_t(one.estimate, one.robust_se, one.z, fit.clusters, fit.level);
+    if (clustered) {
+      append_t(by_t, cells);
+    }
+    cells.push_back(number_cell(one.hazard_ratio));
+    append_ratios(one.interval, cells);
+    if (clustered) {
+      append_ratios(by_t.interval, cells);
+    }
+    table.add_row(std::move(cells));
   }
   return table;
 }
@@ -122,6 +139,7 @@ FitReport cox_report(const CoxFit& fit, const std::optional<ConcordanceResult>& 
         matrix_table("model_vcov", "The same by the model", names, fit.model_vcov));
   }
   report.conditions = fit.conditions;
+  point_to_t(report.conditions);
   return report;
 }
 
