@@ -48,6 +48,7 @@ BootstrapResult bootstrap(const Statistic& statistic,
     throw std::invalid_argument("bootstrap: no replicates");
   }
   BootstrapResult result;
+  result.units = plan.units();
   result.left_out = leave_one_out(statistic, plan);
   result.observed = observed_values(statistic);
   result.replicates.assign(statistic.values, std::vector<double>(options.replicates));
@@ -69,7 +70,7 @@ BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
   const BootstrapDistribution distribution =
       bootstrap_distribution(result.replicates[value], result.observed[value]);
   BootstrapInterval interval =
-      bootstrap_interval(distribution, method, result.acceleration[value], level);
+      bootstrap_interval(distribution, method, result.acceleration[value], level, result.units);
   BootstrapEstimate estimate;
   estimate.observed = distribution.observed;
   estimate.bias = distribution.mean - distribution.observed;

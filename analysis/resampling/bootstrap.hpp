@@ -23,6 +23,7 @@ struct BootstrapOptions {
 /// Values of a statistic on the data, on every resample and without every unit. Index 0 is the
 /// statistic's first value.
 struct BootstrapResult {
+  std::size_t units = 0;  ///< Rows or clusters of a replicate.
   std::vector<double> observed;
   std::vector<std::vector<double>> replicates;      ///< [value][replicate]; NaN where it failed.
   std::vector<std::vector<double>> left_out;        ///< [value][unit].
