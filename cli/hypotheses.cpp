@@ -163,10 +163,14 @@ int run(Arguments arguments) {
     return exit_done;
   }
   if (options.hypothesis == "h3") {
-    return run_h3(
-        h3_options,
-        {options.bundle, options.cluster, options.table, options.level, options.replicates},
-        common);
+    return run_h3(h3_options,
+                  {options.bundle,
+                   options.cluster,
+                   options.table,
+                   options.level,
+                   options.replicates,
+                   options.interval},
+                  common);
   }
   const Hypothesis hypothesis = hypothesis_of(options, common);
   if (options.bundle.empty() == options.features.empty()) {

@@ -8,12 +8,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/concordance/concordance_columns.hpp"
 
 namespace tcert {
 namespace {
+
+constexpr std::size_t kFewClusters = 30;
 
 void turn_over(ConcordancePairs& pairs) {
   const auto swap_sides = [](ConcordanceCounts& counts) {

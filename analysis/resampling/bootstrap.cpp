@@ -80,4 +80,28 @@ BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
   return estimate;
 }
 
+const std::optional<Interval>& BootstrapIntervals::of(BootstrapMethod method) const {
+  switch (method) {
+    case BootstrapMethod::expanded:
+      return expanded;
+    case BootstrapMethod::percentile:
+      return percentile;
+    case BootstrapMethod::bca:
+      return bca;
+    case BootstrapMethod::normal:
+    case BootstrapMethod::basic:
+      break;
+  }
+  throw std::invalid_argument("bootstrap: an interval that is not kept");
+}
+
+BootstrapIntervals bootstrap_intervals(const BootstrapResult& result,
+                                       std::size_t value,
+                                       double level) {
+  const auto by = [&](BootstrapMethod method) {
+    return bootstrap_estimate(result, value, level, method).interval;
+  };
+  return {by(BootstrapMethod::expanded), by(BootstrapMethod::percentile), by(BootstrapMethod::bca)};
+}
+
 }  // namespace tcert

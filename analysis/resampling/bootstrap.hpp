@@ -54,4 +54,19 @@ struct BootstrapEstimate {
                                                    double level = 0.95,
                                                    BootstrapMethod method = BootstrapMethod::bca);
 
+/// The intervals that a hypothesis keeps of a value: one to be read, all to be compared.
+struct BootstrapIntervals {
+  std::optional<Interval> expanded;
+  std::optional<Interval> percentile;
+  std::optional<Interval> bca;
+
+  /// \throws std::invalid_argument for another method.
+  [[nodiscard]] const std::optional<Interval>& of(BootstrapMethod method) const;
+};
+
+/// All of value number `value`. \throws std::invalid_argument as `bootstrap_estimate`.
+[[nodiscard]] BootstrapIntervals bootstrap_intervals(const BootstrapResult& result,
+                                                     std::size_t value,
+                                                     double level = 0.95);
+
 }  // namespace tcert

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "analysis/basics/normal.hpp"
-#include "analysis/basics/student.hpp"
+#include "analysis/basics/student_t.hpp"
 
 namespace tcert {
 namespace {
@@ -204,8 +204,7 @@ BootstrapInterval bootstrap_interval(const BootstrapDistribution& distribution,
 
 double expanded_tail(double level, std::size_t units) {
   const auto count = static_cast<double>(units);
-  return normal_cdf(-std::sqrt(count / (count - 1.0)) *
-                    student_upper_quantile((1.0 - level) / 2.0, count - 1.0));
+  return normal_cdf(-std::sqrt(count / (count - 1.0)) * t_factor(level, count - 1.0));
 }
 
 std::string_view to_string(BootstrapMethod method) noexcept {

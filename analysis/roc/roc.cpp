@@ -6,11 +6,12 @@
 #include <string>
 
 #include "analysis/basics/complete_rows.hpp"
-#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 
 namespace tcert {
 namespace {
+
+constexpr std::size_t kFewClusters = 30;
 
 /// Conditions of the classes alone; one that is an error means that there is no AUC.
 Conditions class_conditions(const CompleteRows& rows) {

@@ -1,7 +1,7 @@
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/basics/student.hpp"
 #include "analysis/roc/roc.hpp"
 
 namespace tcert {
@@ -10,6 +10,19 @@ namespace {
 double unit_count(const AucEstimate& estimate) {
   return static_cast<double>(estimate.clusters > 0 ? estimate.clusters
                                                    : estimate.successes + estimate.failures);
+}
+
+double t_p_value(double t, double degrees_of_freedom, Alternative alternative) {
+  const boost::math::students_t student(degrees_of_freedom);
+  switch (alternative) {
+    case Alternative::less:
+      return boost::math::cdf(student, t);
+    case Alternative::greater:
+      return boost::math::cdf(boost::math::complement(student, t));
+    case Alternative::two_sided:
+      break;
+  }
+  return 2.0 * boost::math::cdf(boost::math::complement(student, std::abs(t)));
 }
 
 }  // namespace
@@ -46,9 +59,10 @@ UnpairedAucTest unpaired_auc_test(const AucEstimate& first,
       (a + b) * (a + b) / (a * a / (unit_count(first) - 1.0) + b * b / (unit_count(second) - 1.0));
   test.t = difference / standard_error;
   test.degrees_of_freedom = degrees_of_freedom;
-  test.p_value = student_p_value(*test.t, degrees_of_freedom, alternative);
+  test.p_value = t_p_value(*test.t, degrees_of_freedom, alternative);
   const double half =
-      standard_error * student_upper_quantile((1.0 - level) / 2.0, degrees_of_freedom);
+      standard_error * boost::math::quantile(boost::math::complement(
+                           boost::math::students_t(degrees_of_freedom), (1.0 - level) / 2.0));
   test.interval = Interval{difference - half, difference + half, level};
   return test;
 }
