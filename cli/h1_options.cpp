@@ -149,8 +149,10 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   }
   const bool asked =
       std::find(common.given.begin(), common.given.end(), "within") != common.given.end();
-  h1.within =
-      asked ? words_of(options.within) : std::vector<std::string>{options.strata, "lighting"};
+  h1.within = asked ? words_of(options.within) : std::vector<std::string>{options.strata};
+  if (!asked && options.strata != "lighting") {
+    h1.within.emplace_back("lighting");
+  }
   std::erase(h1.within, "");
   if (asked) {
     h1.required.insert(h1.required.end(), h1.within.begin(), h1.within.end());
