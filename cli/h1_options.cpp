@@ -1,5 +1,6 @@
 #include "cli/h1_options.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "cli/data_file.hpp"
@@ -80,6 +81,11 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
   add("strata",
       text(o.strata, "COLUMN")->default_value(o.strata),
       "of the stratified hazard ratio; '' for none");
+  add("within",
+      text(o.within, "COLUMNS"),
+      "AUC and C of pairs of trials that agree in these, comma between; --strata and lighting "
+      "unless "
+      "given, where the table has them; '' for none");
   add("landmark",
       text(o.landmark, "S"),
       "start of the landmark panel; the time window of the features unless given");
@@ -94,6 +100,11 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
   add("folds",
       po::value(&o.folds)->value_name("K")->default_value(o.folds),
       "of the cross-validation, of whole clusters");
+  add("interval",
+      text(o.interval, "METHOD")->default_value(o.interval),
+      "of the bootstrap: expanded (percentiles that make up for few clusters), percentile or bca; "
+      "the "
+      "files hold all three");
   add("level",
       po::value(&o.level)->value_name("P")->default_value(o.level, "0.95"),
       "of the intervals");
@@ -105,6 +116,19 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
       po::value(&o.permutations)->value_name("R")->default_value(o.permutations),
       "h2: of the groups' names, for the expected max - min");
   add("table", text(o.table, "NAME"), "print only this table; a wrong name lists them");
+}
+
+BootstrapMethod interval_method(const std::string& name) {
+  if (name == "expanded") {
+    return BootstrapMethod::expanded;
+  }
+  if (name == "percentile") {
+    return BootstrapMethod::percentile;
+  }
+  if (name == "bca") {
+    return BootstrapMethod::bca;
+  }
+  throw UsageError("--interval: found '" + name + "', expected expanded, percentile or bca");
 }
 
 H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common) {
@@ -119,6 +143,7 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   h1.time = options.time;
   h1.cluster = options.cluster;
   h1.strata = options.strata;
+  h1.interval = interval_method(options.interval);
   // A default may be absent; what was asked for may not.
   const H1Options defaults;
   for (const auto& [name, usual] : {std::pair(h1.time, defaults.time),
@@ -127,6 +152,16 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
     if (!name.empty() && name != usual) {
       h1.required.push_back(name);
     }
+  }
+  const bool asked =
+      std::find(common.given.begin(), common.given.end(), "within") != common.given.end();
+  h1.within = asked ? words_of(options.within) : std::vector<std::string>{options.strata};
+  if (!asked && options.strata != "lighting") {
+    h1.within.emplace_back("lighting");
+  }
+  std::erase(h1.within, "");
+  if (asked) {
+    h1.required.insert(h1.required.end(), h1.within.begin(), h1.within.end());
   }
   h1.landmark_s = effective_parameters({}, common).early_window.time_s;
   if (!options.landmark.empty()) {

@@ -63,6 +63,8 @@ enum class ConditionKind : std::uint8_t {
   endpoint_out_of_range,  ///< An endpoint's rank is below 1 or above the number of replicates.
   infinite_bias,          ///< All replicates lie on one side of the estimate: no BCa.
   no_acceleration,        ///< The jackknife has no spread or lacks a value: no BCa.
+  no_jackknife,           ///< A fit without one cluster has no estimate: no test by clusters.
+  withheld,               ///< Too few clusters or outcomes for p-values and intervals.
   one_class_fold,
   fold_without_fit,  ///< A fold whose training rows have no finite estimate.
   no_prediction,     ///< No fold has one.

@@ -90,6 +90,20 @@ const std::string& column_of(const DataTable& table,
   return landmark ? predictor.landmark_column : predictor.column;
 }
 
+/// The cross of those columns of `within` that are there; nothing if none is.
+std::optional<Factor> strata_of(const DataTable& table,
+                                const std::vector<std::string>& within,
+                                std::vector<std::string>& used) {
+  std::vector<Factor> factors;
+  for (const std::string& name : within) {
+    if (is_there(table, name)) {
+      factors.push_back(evaluate_factor(column_named(name), table));
+      used.push_back(name);
+    }
+  }
+  return factors.empty() ? std::nullopt : std::optional(crossed(factors, ", "));
+}
+
 Columns columns_of_table(const DataTable& table, const H1Options& options, H1PanelKind kind) {
   Columns columns;
   columns.success = outcome(table, options.success);
@@ -138,6 +152,8 @@ std::vector<std::size_t> trials_of_panel(const DataTable& table,
     rows.push_back(row);
   }
   panel.trials = rows.size();
+  const auto is_known = [](double end) { return !std::isnan(end); };
+  panel.ends_known = std::any_of(columns.end.begin(), columns.end.end(), is_known);
   return rows;
 }
 
@@ -384,6 +400,12 @@ void require_columns(const DataTable& table, const H1Options& options) {
 
 bool has_landmark(const DataTable& table, const H1Options& options) {
   if (options.always_landmark) {
+    if (!is_there(table, options.time) && !is_there(table, "end_s")) {
+      throw FormulaError("--landmark: " + table.file + " has no times, neither in column '" +
+                         options.time +
+                         "' nor in 'end_s', so that nobody knows which trials had ended by then; "
+                         "name the column with --time, or leave --landmark out");
+    }
     return true;
   }
   return std::all_of(
@@ -415,6 +437,10 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
     data.predictors.push_back(on(columns.predictors[k], rows));
     data.higher.push_back(options.predictors[k].higher);
     data.names.push_back(column_of(table, options.predictors[k], panel.kind));
+    if (panel.kind == H1PanelKind::landmark &&
+        data.names.back() != options.predictors[k].landmark_column) {
+      panel.not_of_window.push_back(data.names.back());
+    }
   }
   data.cluster = columns.cluster ? on_rows(*columns.cluster, rows) : each_its_own(rows.size());
   if (columns.strata) {
@@ -423,6 +449,9 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
   }
   if (columns.group) {
     data.group = on_rows(*columns.group, rows);
+  }
+  if (const auto within = strata_of(table, options.within, data.within_columns)) {
+    data.within = on_rows(*within, rows);
   }
   panel.clusters = data.cluster.levels.size();
   if (panel.has_time) {

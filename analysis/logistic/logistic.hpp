@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct LogisticInput {
   Eigen::VectorXd offset;         ///< Empty: 0 each.
   std::optional<Factor> cluster;  ///< For the robust variance.
   Conditions conditions;          ///< What is known of the rows already; an error ends the fit.
+  /// Per column, if any: its values in the units that words about it are to have, where the design
+  /// holds a scaled column. Empty, or of another length than the design: those of the design.
+  std::vector<std::span<const double>> own_units;
 };
 
 /// The frame's outcome as successes out of trials; numbers must be 0 or 1 (condition `not_binary`,

@@ -48,6 +48,7 @@ BootstrapResult bootstrap(const Statistic& statistic,
     throw std::invalid_argument("bootstrap: no replicates");
   }
   BootstrapResult result;
+  result.units = plan.units();
   result.left_out = leave_one_out(statistic, plan);
   result.observed = observed_values(statistic);
   result.replicates.assign(statistic.values, std::vector<double>(options.replicates));
@@ -69,7 +70,7 @@ BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
   const BootstrapDistribution distribution =
       bootstrap_distribution(result.replicates[value], result.observed[value]);
   BootstrapInterval interval =
-      bootstrap_interval(distribution, method, result.acceleration[value], level);
+      bootstrap_interval(distribution, method, result.acceleration[value], level, result.units);
   BootstrapEstimate estimate;
   estimate.observed = distribution.observed;
   estimate.bias = distribution.mean - distribution.observed;
@@ -77,6 +78,30 @@ BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
   estimate.interval = interval.interval;
   estimate.conditions = std::move(interval.conditions);
   return estimate;
+}
+
+const std::optional<Interval>& BootstrapIntervals::of(BootstrapMethod method) const {
+  switch (method) {
+    case BootstrapMethod::expanded:
+      return expanded;
+    case BootstrapMethod::percentile:
+      return percentile;
+    case BootstrapMethod::bca:
+      return bca;
+    case BootstrapMethod::normal:
+    case BootstrapMethod::basic:
+      break;
+  }
+  throw std::invalid_argument("bootstrap: an interval that is not kept");
+}
+
+BootstrapIntervals bootstrap_intervals(const BootstrapResult& result,
+                                       std::size_t value,
+                                       double level) {
+  const auto by = [&](BootstrapMethod method) {
+    return bootstrap_estimate(result, value, level, method).interval;
+  };
+  return {by(BootstrapMethod::expanded), by(BootstrapMethod::percentile), by(BootstrapMethod::bca)};
 }
 
 }  // namespace tcert

@@ -23,6 +23,7 @@ struct BootstrapOptions {
 /// Values of a statistic on the data, on every resample and without every unit. Index 0 is the
 /// statistic's first value.
 struct BootstrapResult {
+  std::size_t units = 0;  ///< Rows or clusters of a replicate.
   std::vector<double> observed;
   std::vector<std::vector<double>> replicates;      ///< [value][replicate]; NaN where it failed.
   std::vector<std::vector<double>> left_out;        ///< [value][unit].
@@ -52,5 +53,20 @@ struct BootstrapEstimate {
                                                    std::size_t value,
                                                    double level = 0.95,
                                                    BootstrapMethod method = BootstrapMethod::bca);
+
+/// The intervals that a hypothesis keeps of a value: one to be read, all to be compared.
+struct BootstrapIntervals {
+  std::optional<Interval> expanded;
+  std::optional<Interval> percentile;
+  std::optional<Interval> bca;
+
+  /// \throws std::invalid_argument for another method.
+  [[nodiscard]] const std::optional<Interval>& of(BootstrapMethod method) const;
+};
+
+/// All of value number `value`. \throws std::invalid_argument as `bootstrap_estimate`.
+[[nodiscard]] BootstrapIntervals bootstrap_intervals(const BootstrapResult& result,
+                                                     std::size_t value,
+                                                     double level = 0.95);
 
 }  // namespace tcert

@@ -6,7 +6,6 @@
 
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
-#include "cli/fit/joined_conditions.hpp"
 #include "cli/fit/kind_options.hpp"
 #include "cli/fit/outcome_words.hpp"
 #include "cli/output.hpp"
@@ -254,6 +253,17 @@ std::vector<std::string> wanted_columns(const Formula& formula,
   return columns;
 }
 
+/// The term whose column this is, if it has several.
+std::string factor_of(const ModelFrame& frame, const std::string& column) {
+  const auto found = std::find(frame.columns.begin(), frame.columns.end(), column);
+  if (found == frame.columns.end()) {
+    return "";
+  }
+  const std::size_t term = frame.term_of[static_cast<std::size_t>(found - frame.columns.begin())];
+  const bool several = term > 0 && std::count(frame.term_of.begin(), frame.term_of.end(), term) > 1;
+  return several ? frame.terms[term - 1] : "";
+}
+
 FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile& file) {
   const Formula formula = parse_formula(options.formula);
   const FrameOptions frame_option = frame_options(options, kind);
@@ -267,7 +277,8 @@ FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile&
       report.conditions.push_back(condition);
     }
   }
-  report.conditions = joined(frame, report.conditions);
+  report.conditions = one_per_factor(
+      report.conditions, [&](const std::string& column) { return factor_of(frame, column); });
   add_settings(options, frame, report);
   name_outcome(formula, frame, report);
   report.synthetic = file.synthetic;

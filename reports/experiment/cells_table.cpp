@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "reports/fit/cells.hpp"
+#include "reports/h1_intervals.hpp"
 
 namespace tcert {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 /// Of an H1Score or an H3Estimate.
 template <class Score>
 TableCell estimate(const Score& score) {
-  return estimate_cell(score.value, score.bca);
+  return estimate_cell(score.value, score.interval);
 }
 
 /// The rival over which the certificate gains least; null without a rival that has a gain.
@@ -112,7 +113,7 @@ std::vector<TableCell> cell_issuance(const CellIssuance& count) {
 }
 
 Table cells_table(const BatchNotes& notes) {
-  const std::string level = significant(100.0 * notes.level, kShownDigits) + " % BCa";
+  const std::string level = interval_text(notes.interval, notes.level);
   Table table;
   table.name = "cells";
   table.title = "H1 under each cell's parameters";
@@ -202,7 +203,7 @@ std::vector<TableCell> cell_speed(const H3Table& h3) {
 }
 
 Table cell_speed_table(const BatchNotes& notes) {
-  const std::string level = significant(100.0 * notes.level, kShownDigits) + " % BCa";
+  const std::string level = interval_text(notes.interval, notes.level);
   Table table;
   table.name = "speed";
   table.title = "Speed gated by the margin under each cell's parameters (H3)";

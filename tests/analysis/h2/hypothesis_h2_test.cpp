@@ -52,13 +52,16 @@ TEST(HypothesisH2, ScoresEveryGroupAndTestsTheirEquality) {
     trials += level.trials;
     EXPECT_EQ(level.clusters, 20U);
     EXPECT_GT(level.auc.value.value(), 0.6);
-    EXPECT_LT(level.auc.bca.value().low, *level.auc.value);
+    EXPECT_LT(level.auc.interval.value().low, *level.auc.value);
     EXPECT_GT(level.c.value.value(), 0.5);
     EXPECT_GT(level.odds.ratio.value(), 1.0);
     EXPECT_GT(level.censored.ratio.value(), 1.0);
     EXPECT_TRUE(level.at_limit.interval.has_value());
     EXPECT_TRUE(level.stratified.interval.has_value());
+    EXPECT_GT(level.auc_within.value.value(), 0.55) << "the algorithm does nothing here";
+    EXPECT_LT(level.c_within.interval.value().low, *level.c_within.value);
   }
+  EXPECT_EQ(panel.trials.within.levels, 6U);
   EXPECT_EQ(trials, 600U);
   const H2Equality& auc = panel.auc.value();
   EXPECT_EQ(auc.tests.pairs.size(), 3U);
@@ -118,6 +121,28 @@ TEST(HypothesisH2, NamesGroupsWithoutAnEstimate) {
   EXPECT_FALSE(fog.auc.value.has_value());
   EXPECT_FALSE(panel.auc.has_value());
   EXPECT_TRUE(panel.levels[0].auc.value.has_value());
+}
+
+TEST(HypothesisH2, WithholdsWhatRestsOnASmallGroup) {
+  std::string csv = trials_csv(12, 30, 1.0);
+  for (int i = 0; i < 24; ++i) {
+    const std::string tc = std::to_string(std::sin(1.7 * i));
+    csv += "d" + std::to_string(i % 12) + ",Fog,A," + (i % 6 == 0 ? "0," : "1,") +
+           std::to_string(30 + i) + "," + tc + "," + tc + "," + std::to_string(30 + i) + "\n";
+  }
+  const H2Panel panel = hypothesis_h2(table_of(csv), options_for()).panels[0];
+  ASSERT_EQ(panel.levels.size(), 4U);
+  const H2Level& fog = panel.levels[1];
+  EXPECT_EQ(fog.withheld, "4 failures, fewer than 10");
+  EXPECT_TRUE(fog.auc.value.has_value());
+  EXPECT_FALSE(fog.auc.interval || fog.odds.p_value || fog.c_within.interval);
+  EXPECT_TRUE(panel.levels[0].auc.interval.has_value());
+  ASSERT_TRUE(panel.auc.has_value());
+  EXPECT_FALSE(panel.auc->tests.equivalent || panel.auc->tests.heterogeneity ||
+               panel.auc->range.p_value);
+  EXPECT_TRUE(panel.auc->tests.range.has_value());
+  EXPECT_FALSE(panel.interactions[0].test.has_value());
+  EXPECT_TRUE(has(panel.conditions, ConditionKind::withheld));
 }
 
 TEST(HypothesisH2, NamesASingleGroupAndRefusesMisuse) {

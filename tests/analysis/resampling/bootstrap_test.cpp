@@ -197,6 +197,28 @@ TEST(BootstrapInterval, ReadsOrderStatisticsByHand) {
   EXPECT_NEAR(between.interval->low, 2.0 + part, 1e-12);
 }
 
+TEST(BootstrapInterval, ExpandedPercentilesAreHesterbergs) {
+  // R: pnorm(-sqrt(G / (G - 1)) * qt(0.975, G - 1)).
+  EXPECT_NEAR(expanded_tail(0.95, 10), 8.550639024406370e-03, 1e-14);
+  EXPECT_NEAR(expanded_tail(0.95, 22), 1.664564557193027e-02, 1e-14);
+  EXPECT_NEAR(expanded_tail(0.95, 660), 2.470367319624876e-02, 1e-14);
+  EXPECT_NEAR(expanded_tail(0.90, 22), 0.03909919036433189, 1e-14);
+  // R: boot:::norm.inter(sin(1:999) + (1:999) / 500, c(tail, 1 - tail)), 22 units.
+  std::vector<double> t;
+  for (int k = 1; k <= 999; ++k) {
+    t.push_back(std::sin(k) + k / 500.0);
+  }
+  const BootstrapDistribution d = bootstrap_distribution(t, 1.0);
+  const auto expanded = bootstrap_interval(d, BootstrapMethod::expanded, {}, 0.95, 22).interval;
+  EXPECT_NEAR(expanded->low, -0.7610204666454972, 1e-12);
+  EXPECT_NEAR(expanded->high, 2.7608718869630646, 1e-12);
+  const auto percentile = bootstrap_interval(d, BootstrapMethod::percentile).interval;
+  EXPECT_LT(expanded->low, percentile->low);
+  EXPECT_GT(expanded->high, percentile->high);
+  EXPECT_THROW(static_cast<void>(bootstrap_interval(d, BootstrapMethod::expanded, {}, 0.95, 1)),
+               std::invalid_argument);
+}
+
 TEST(BootstrapInterval, OfUnbiasedAndUnskewedReplicatesIsThePercentileOne) {
   std::vector<double> t;
   for (int k = 1; k <= 100; ++k) {
