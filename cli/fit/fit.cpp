@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "analysis/basics/condition_groups.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/kind_options.hpp"
