@@ -135,7 +135,7 @@ class CsvChecker {
                       1});
       }
     }
-    if (is_stream()) {
+    if (clock_ < check_.columns.size() && is_stream()) {
       finish_clock();
       for (Diagnostic& problem : clock_problems_.take()) {
         problems.add(std::move(problem));

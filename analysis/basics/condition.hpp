@@ -72,11 +72,12 @@ enum class ConditionKind : std::uint8_t {
   few_bins,             ///< Ties leave fewer bins of probabilities than were asked for.
   singular_covariance,  ///< Too few clusters for a joint test of so many groups.
   // Times and trial limits.
-  beyond_limit,        ///< Times above the limit: censored there.
-  limit_from_data,     ///< No limit was given, and the longest time is far above the others.
-  near_times,          ///< R's timefix would make distinct times equal that are kept apart here.
-  merged_times,        ///< Distinct times made equal: they differ by rounding.
-  unlike_times,        ///< A time far from the others: a stamp among durations.
+  beyond_limit,          ///< Times above the limit: censored there.
+  limit_from_data,       ///< No limit was given, and the longest time is far above the others.
+  near_times,            ///< R's timefix would make distinct times equal that are kept apart here.
+  merged_times,          ///< Distinct times made equal: they differ by rounding.
+  unlike_times,          ///< A time far from the others: a stamp among durations.
+  singular_information,  ///< Cox: what a test adds cannot be told from what is there.
   no_robust_variance,  ///< Robust: clusters too few for a joint test, or a column without variance.
 };
 

@@ -30,13 +30,19 @@ ExtendedScore extended_score(const CoxRows& rows,
   RiskScores risks;
   risk_scores(rows, beta, risks);
   ExtendedScore sum{Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(2 * size, 2 * size)};
+  // About its mean: far from 0 x g(t) is x but for a factor.
+  double centre = 0.0;
+  for (std::size_t t = 0; t < rows.sets.times(); ++t) {
+    centre +=
+        g[rows.sets.order[rows.sets.events_begin[t]]] / static_cast<double>(rows.sets.times());
+  }
   std::vector<double> score(p);
   std::vector<double> triangle(p * (p + 1) / 2);
   for_each_risk_set(rows, risks, true, [&](const RiskSet& set) {
     std::fill(score.begin(), score.end(), 0.0);
     std::fill(triangle.begin(), triangle.end(), 0.0);
     add_risk_set(rows, set, ties, score, triangle);
-    const double at = g[rows.sets.order[rows.sets.events_begin[set.time]]];
+    const double at = g[rows.sets.order[rows.sets.events_begin[set.time]]] - centre;
     const double* value = triangle.data();
     for (Eigen::Index a = 0; a < size; ++a) {
       sum.score(a) += at * score[static_cast<std::size_t>(a)];
@@ -79,6 +85,12 @@ std::optional<ChiSquareTest> score_test(const ExtendedScore& extended,
 void note_rejection(const std::string& name,
                     const std::optional<ChiSquareTest>& test,
                     ProportionalityTests& result) {
+  if (!test) {
+    result.conditions.push_back({ConditionKind::singular_information,
+                                 ConditionSeverity::warning,
+                                 name,
+                                 "no test of proportional hazards"});
+  }
   if (test && test->p_value < kAlpha) {
     result.conditions.push_back(
         {ConditionKind::not_proportional, ConditionSeverity::note, name, ""});

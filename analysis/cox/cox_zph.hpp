@@ -36,7 +36,8 @@ struct ProportionalityTests {
   std::vector<ProportionalityTest> parts;  ///< All but those constant or collinear.
   std::optional<ChiSquareTest> global;     ///< Of all of them.
   Conditions conditions;  ///< not_proportional for each part, and without a column for the global
-                          ///< test, with p below 0.05; the fit's if it has no estimate.
+                          ///< test, with p below 0.05; singular_information for those without a
+                          ///< test; the fit's if it has no estimate.
 };
 
 /// `by_term`: one test a term, else one a column. \pre `fit` is the fit to `data`, without an
