@@ -96,8 +96,9 @@ std::string reference_commands(const Panel& panel) {
     out += reference.vertical
                ? "set arrow from first " + at + ", graph 0 to first " + at + ", graph 1"
                : "set arrow from graph 0, first " + at + " to graph 1, first " + at;
-    out += reference.strong ? " nohead back lw 1.2 lc rgb '#222222' dt (6,4)\n"
-                            : " nohead back lw 1 lc rgb '#888888'\n";
+    out += reference.strong
+               ? " nohead back lw 1.2 lc rgb '#222222' dt " + std::string(kGuideDash) + "\n"
+               : " nohead back lw 1 lc rgb '#888888'\n";
   }
   return out;
 }

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kDashes = {
     "solid", "(16,7)", "(6,6)", "(18,6,5,6)", "(28,8)", "(10,5,4,5)"};
-constexpr std::string_view kGuideDash = "(6,4)";
 constexpr std::array<int, 6> kFilled = {7, 5, 9, 13, 11, 15};
 constexpr std::array<int, 6> kHollow = {6, 4, 8, 12, 10, 14};
 
@@ -81,7 +80,8 @@ std::string style_of(const Layer& layer, const Look& look) {
     case Mark::band:
       return "with filledcurves lc " + look.colour + " fs transparent solid 0.18 noborder";
     case Mark::text:
-      return "with labels" + (layer.raise > 0.0 ? std::string(" left offset 0.6,") + number(layer.raise) : "") +
+      return "with labels" +
+             (layer.raise > 0.0 ? std::string(" left offset 0.6,") + number(layer.raise) : "") +
              " textcolor " + look.colour;
     case Mark::polygon:
       break;

@@ -182,7 +182,7 @@ TEST_F(FigurePixels, SeeThatALineIsTornByRowsBetweenItsOwn) {
 TEST_F(FigurePixels, SeeThatADashedLineIsSolid) {
   ASSERT_EQ(problems_of(figure("roc"), "svg"), std::vector<std::string>{});
   copy_to("solid");
-  draw_again("solid", "sed -i 's/dt (6,4)/dt solid/' roc.gp && gnuplot -c roc.gp svg");
+  draw_again("solid", "sed -i 's/dt (7,8)/dt solid/' roc.gp && gnuplot -c roc.gp svg");
   const std::vector<std::string> problems = problems_of(figure("roc"), "svg", "solid");
   ASSERT_FALSE(problems.empty());
   EXPECT_NE(problems.front().find("part 'chance'  is not interrupted"), std::string::npos)

@@ -381,7 +381,7 @@ TEST(Figure, DrawsGuidesDashed) {
   Figure figure = small_figure();
   Layer ideal = guide("curve", "x_m", "y_m");
   figure.panels[0].layers.push_back(ideal);
-  EXPECT_NE(gnuplot_script(figure).find("dt (6,4)"), std::string::npos);
+  EXPECT_NE(gnuplot_script(figure).find("dt (7,8)"), std::string::npos);
   EXPECT_EQ(vega_lite(figure)["layer"][1]["mark"]["strokeDash"], (std::vector<int>{5, 4}));
 }
 
