@@ -94,7 +94,10 @@ Table summary_of(const CoxFit& fit, const std::optional<ConcordanceResult>& conc
 
 void append_tests(const ProportionalityTests& tests, bool with_global, Table& table) {
   const auto append = [&](const std::string& name, const ChiSquareTest& test) {
-    table.add_row({name, Number{test.statistic}, integer_cell(test.df), PValue{test.p_value}});
+    table.add_row({name,
+                   test.df > 0 ? number_cell(test.statistic) : TableCell{},
+                   integer_cell(test.df),
+                   p_cell(test.p_value)});
   };
   for (const ProportionalityTest& part : tests.parts) {
     append(part.name, part.test);
