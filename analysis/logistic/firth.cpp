@@ -17,7 +17,7 @@
 namespace tcert {
 namespace {
 
-LikelihoodPoint point_of(const FirthNewtonResult& newton) {
+ProfilePoint point_of(const FirthNewtonResult& newton) {
   // Away from the maximum the Hessian need not be definite; the information always is.
   return {newton.coefficients, newton.at.value, newton.at.gradient, newton.at.information};
 }
@@ -68,12 +68,12 @@ class FirthMaximum {
   /// Far from the estimate the penalised likelihood can have several maxima on start +
   /// span(subspace), so it is climbed from three points: there, and where the other directions are
   /// 0 or those of the estimate.
-  [[nodiscard]] std::optional<LikelihoodPoint> maximise(const Eigen::VectorXd& start,
-                                                        const Eigen::MatrixXd& subspace) const {
+  [[nodiscard]] std::optional<ProfilePoint> maximise(const Eigen::VectorXd& start,
+                                                     const Eigen::MatrixXd& subspace) const {
     const Eigen::VectorXd fixed = start - subspace * (subspace.transpose() * start);
     const Eigen::VectorXd as_estimated =
         fixed + subspace * (subspace.transpose() * newton_.coefficients);
-    std::optional<LikelihoodPoint> best;
+    std::optional<ProfilePoint> best;
     for (const Eigen::VectorXd& from : {start, fixed, as_estimated}) {
       const FirthNewtonResult result =
           maximise_firth(problem_.space.basis, problem_.rows, from, subspace, options_);

@@ -14,7 +14,7 @@ namespace {
 /// The likelihood along one coefficient: functional' gamma, maximised over the rest.
 class Profile {
  public:
-  Profile(const LikelihoodPoint& maximum,
+  Profile(const ProfilePoint& maximum,
           const Eigen::VectorXd& functional,
           const ConstrainedMaximum& maximise)
       : maximise_(maximise),
@@ -29,7 +29,7 @@ class Profile {
     const Eigen::VectorXd line = at_.information.llt().solve(functional_);
     const Eigen::VectorXd start =
         at_.coefficients + line * ((to - value()) / functional_.dot(line));
-    std::optional<LikelihoodPoint> next = maximise_(start, others_);
+    std::optional<ProfilePoint> next = maximise_(start, others_);
     if (!next) {
       return false;
     }
@@ -50,7 +50,7 @@ class Profile {
   Eigen::VectorXd functional_;
   Eigen::MatrixXd others_;
   double highest_;
-  LikelihoodPoint at_;
+  ProfilePoint at_;
 };
 
 /// Where the root of the drop is `target` on the side of `sign`. The root is nearly linear in the
@@ -87,7 +87,7 @@ Eigen::MatrixXd orthogonal_complement(const Eigen::MatrixXd& functionals) {
   return whole.rightCols(size - functionals.cols());
 }
 
-std::optional<double> profile_end(const LikelihoodPoint& maximum,
+std::optional<double> profile_end(const ProfilePoint& maximum,
                                   const Eigen::VectorXd& functional,
                                   const ConstrainedMaximum& maximise,
                                   double level,
@@ -96,7 +96,7 @@ std::optional<double> profile_end(const LikelihoodPoint& maximum,
   return end_along(Profile(maximum, functional, maximise), error, normal_factor(level), sign);
 }
 
-std::optional<Interval> profile_interval(const LikelihoodPoint& maximum,
+std::optional<Interval> profile_interval(const ProfilePoint& maximum,
                                          const Eigen::VectorXd& functional,
                                          const ConstrainedMaximum& maximise,
                                          double level) {

@@ -7,7 +7,7 @@
 namespace tcert {
 namespace {
 
-LikelihoodPoint point_of(const NewtonResult& newton) {
+ProfilePoint point_of(const NewtonResult& newton) {
   return {newton.coefficients, newton.at.log_likelihood, newton.at.gradient, newton.at.information};
 }
 
@@ -43,7 +43,7 @@ class SolvedProfile {
 
  private:
   double level_;
-  LikelihoodPoint maximum_;
+  ProfilePoint maximum_;
   Eigen::MatrixXd back_;
   ConstrainedMaximum maximise_;
 };

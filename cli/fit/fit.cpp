@@ -48,12 +48,12 @@ apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row 
 Text shows the main tables; json has every number at full precision, the conditions met and how the
 fit ended, named as broom names them; csv has the main table, or that of --table.
 
-Intervals: conf.low and conf.high are always Wald's, estimate -+ z SE; profile.low and profile.high
-are the profile likelihood's (broom's conf.low of a glm, R's confint), profile.open says which end
-there is none of; with --cluster t.low, t.high and t.p.value take Student's t with clusters - 1
-degrees of freedom. Each has its twin on the ratio's scale: odds.ratio.low, odds.ratio.profile.low,
-hazard.ratio.t.high. glm makes profiles up to a second or two of work; beyond, --profile asks for
-them.
+Intervals of coefficients: conf.low and conf.high are always Wald's, estimate -+ z SE; profile.low and
+profile.high are the profile likelihood's (broom's conf.low of a glm, R's confint), and profile.open
+says of which end there is none. With --cluster t.low, t.high and t.p.value take Student's t with
+clusters - 1 degrees of freedom. Each has its twin on the ratio's scale: odds.ratio.low,
+odds.ratio.profile.low, hazard.ratio.t.high. glm makes profiles up to a second or two of work;
+beyond, --profile asks for them.
 
 Usage: tcert fit KIND --data FILE --formula FORMULA [options]
 

@@ -22,7 +22,8 @@ std::string title_of(const GlmmFit& fit) {
 void add_fixed_rows(const GlmmFit& fit, const GlmmProfile& profile, Table& table) {
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
     const LogisticCoefficient& one = fit.coefficients[k];
-    const std::optional<Interval> by_profile = at(profile.coefficients, k);
+    const std::optional<Interval> by_profile =
+        one.kind == CoefficientKind::finite ? at(profile.coefficients, k) : std::nullopt;
     std::vector<TableCell> cells{std::string("fixed"),
                                  TableCell{},
                                  one.column,

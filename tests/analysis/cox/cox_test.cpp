@@ -724,6 +724,31 @@ TEST(Cox, NamesEveryColumnThatRunsAway) {
   }
 }
 
+TEST(Cox, ARatioThatHasRunAwayIsNoEstimate) {
+  // Thirty rows in order but for two, out of it by a hair: R prints a hazard ratio of 1.3e188.
+  std::vector<double> stop;
+  Eigen::MatrixXd design(30, 1);
+  for (Eigen::Index i = 0; i < 30; ++i) {
+    stop.push_back(30.0 - static_cast<double>(i));
+    design(i, 0) = static_cast<double>(i + 1) / 30.0;
+  }
+  design(14, 0) = design(15, 0) + 1e-6;
+  for (const double unit : {1.0, 1e-6, 1e6}) {
+    const CoxFit fit = fit_cox(cox(stop, std::vector<std::uint8_t>(30, 1), unit * design));
+    EXPECT_TRUE(named(fit, ConditionKind::near_separation, "x1"));
+    EXPECT_FALSE(fit.coefficients[0].estimate.has_value());
+    EXPECT_FALSE(fit.coefficients[0].hazard_ratio.has_value());
+    EXPECT_TRUE(std::isnan(fit.vcov(0, 0)));
+    EXPECT_TRUE(fit.likelihood_ratio.has_value()) << "the likelihood has its maximum";
+    EXPECT_GT(fit.beta(0), 0.0) << "predictors still order the rows";
+  }
+  // Out of order by a tenth of the range it is an ordinary, if steep, slope.
+  design(14, 0) = design(15, 0) + 0.1;
+  EXPECT_TRUE(fit_cox(cox(stop, std::vector<std::uint8_t>(30, 1), design))
+                  .coefficients[0]
+                  .estimate.has_value());
+}
+
 TEST(Cox, ClustersTooFewForAVarianceAreNamed) {
   CoxData data = make({}, 8);
   data.cluster = factor(std::vector<std::uint32_t>(60, 0), 1);
