@@ -25,6 +25,11 @@ std::vector<SharedCondition> shared_conditions(const std::vector<OwnedCondition>
   return shared;
 }
 
+std::string subject_of(const std::string& detail) {
+  const auto colon = detail.find(": ");
+  return colon == std::string::npos ? "" : detail.substr(0, colon);
+}
+
 std::string some_of(const std::vector<std::string>& names) {
   constexpr std::size_t kNamed = 3;
   // One more is named sooner than counted.

@@ -29,6 +29,9 @@ struct SharedCondition {
 [[nodiscard]] std::vector<SharedCondition> shared_conditions(
     const std::vector<OwnedCondition>& conditions);
 
+/// "AUC" of the detail "AUC: 12 of 2000": what it is about; empty if it does not say.
+[[nodiscard]] std::string subject_of(const std::string& detail);
+
 /// "a, b, c and 57 more".
 [[nodiscard]] std::string some_of(const std::vector<std::string>& names);
 
