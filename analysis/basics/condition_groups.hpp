@@ -25,7 +25,7 @@ struct SharedCondition {
   bool same_detail = true;  ///< All of them have the first one's detail.
 };
 
-/// Those of one kind, severity, column and `of` are one, in order of the first of each.
+/// Those of one kind, severity, column, advice and `of` are one, in order of the first of each.
 [[nodiscard]] std::vector<SharedCondition> shared_conditions(
     const std::vector<OwnedCondition>& conditions);
 
