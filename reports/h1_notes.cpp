@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
+#include "analysis/basics/condition_groups.hpp"
 #include "analysis/basics/few_clusters.hpp"
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_table.hpp"
@@ -43,27 +43,25 @@ std::string model_note(std::string_view p) {
       p);
 }
 
-/// A condition that several rows of a panel share is one line.
+/// What several rows of a panel have, or one row of several folds, is one line.
 void add_row_conditions(const H1Table& h1, const H1Panel& panel, std::vector<std::string>& notes) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> lines;  // A condition, its rows.
+  std::vector<OwnedCondition> owned;
   for (const H1Row& row : panel.rows) {
     for (Condition condition : row.conditions) {
       if (condition.column == row.name) {
         condition.column.clear();  // The line names the row.
       }
-      const std::string text = to_string(condition);
-      const auto known = std::find_if(
-          lines.begin(), lines.end(), [&](const auto& line) { return line.first == text; });
-      if (known == lines.end()) {
-        lines.push_back({text, {row.name}});
-      } else if (known->second.back() != row.name) {
-        known->second.push_back(row.name);
-      }
+      owned.push_back({row.name, subject_of(condition.detail), condition});
     }
   }
-  for (const auto& [text, rows] : lines) {
-    notes.push_back(panel_name(h1, panel) + " panel, " + fmt::format("{}", fmt::join(rows, ", ")) +
-                    ": " + text + ".");
+  for (SharedCondition& shared : shared_conditions(owned)) {
+    if (!shared.same_detail) {
+      shared.condition.detail +=
+          shared.owners.size() > 1 ? " in " + shared.owners.front() : " and the like";
+    }
+    notes.push_back(panel_name(h1, panel) + " panel, " +
+                    fmt::format("{}", fmt::join(shared.owners, ", ")) + ": " +
+                    to_string(shared.condition) + ".");
   }
 }
 

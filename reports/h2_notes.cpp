@@ -21,12 +21,6 @@ std::string cluster_note(const H1Options& options) {
                    " of them intervals tend to be too narrow, and tests reject too often.";
 }
 
-/// "AUC" of "AUC: 12 of 2000": what the condition is about.
-std::string subject_of(const std::string& detail) {
-  const auto colon = detail.find(": ");
-  return colon == std::string::npos ? "" : detail.substr(0, colon);
-}
-
 /// Those of the groups; what several groups have is one line.
 void add_level_conditions(const H2Panel& panel,
                           const std::string& name,

@@ -63,7 +63,7 @@ Table pair_table(const H2Table& h2) {
                          quantity,
                          equality->groups.names[pair.first],
                          equality->groups.names[pair.second],
-                         number_cell(pair.difference),
+                         estimate_cell(pair.difference, std::nullopt),
                          TableCell{},
                          TableCell{},
                          TableCell{},

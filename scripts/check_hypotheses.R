@@ -363,9 +363,6 @@ cluster_jackknife_p <- function(cluster, coefficient) {
   2 * pt(-abs(all) / sqrt((n - 1) / n * sum((without - all)^2)), n - 1)
 }
 
-# d log p is about z times that of z, which refits miss by their tolerance.
-FITTED_P <- 1e-5
-
 check_nested <- function(d, h1, time, forms) {
   k <- length(d$columns)
   if (k < 2) return(invisible())
@@ -377,7 +374,7 @@ check_nested <- function(d, h1, time, forms) {
   check("nested p, logistic", d$name, h1$p[k + 1:2],
         c(NA, cluster_jackknife_p(d$cluster, function(rows) {
           tail(fit_glm(large, d$y, rows)$coefficients, 1)
-        })), FITTED_P)
+        })), FITTED)
   if (is.null(time)) return(invisible())
   fits <- lapply(list(small, large), fit_cox, outcome = d$censored)
   check("likelihood ratio p, Cox", d$name, forms$c_lr_p[k + 1:2],
@@ -385,7 +382,7 @@ check_nested <- function(d, h1, time, forms) {
   check("nested p, Cox", d$name, time$p[k + 1:2],
         c(NA, cluster_jackknife_p(d$cluster, function(rows) {
           tail(coef(fit_cox(large, d$censored, rows)), 1)
-        })), FITTED_P)
+        })), FITTED)
 }
 
 # AUC or C within strata: values in `found`, closed forms in `forms`. `turn` is -1 where a better value

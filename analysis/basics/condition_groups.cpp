@@ -11,7 +11,8 @@ std::vector<SharedCondition> shared_conditions(const std::vector<OwnedCondition>
         std::find_if(shared.begin(), shared.end(), [&](const SharedCondition& other) {
           return other.condition.kind == one.condition.kind &&
                  other.condition.severity == one.condition.severity &&
-                 other.condition.column == one.condition.column && other.of == one.of;
+                 other.condition.column == one.condition.column &&
+                 other.condition.advice == one.condition.advice && other.of == one.of;
         });
     if (alike == shared.end()) {
       shared.push_back({{one.owner}, one.of, one.condition, true});
@@ -23,6 +24,11 @@ std::vector<SharedCondition> shared_conditions(const std::vector<OwnedCondition>
     }
   }
   return shared;
+}
+
+std::string subject_of(const std::string& detail) {
+  const auto colon = detail.find(": ");
+  return colon == std::string::npos ? "" : detail.substr(0, colon);
 }
 
 std::string some_of(const std::vector<std::string>& names) {

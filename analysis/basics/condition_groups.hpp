@@ -25,9 +25,12 @@ struct SharedCondition {
   bool same_detail = true;  ///< All of them have the first one's detail.
 };
 
-/// Those of one kind, severity, column and `of` are one, in order of the first of each.
+/// Those of one kind, severity, column, advice and `of` are one, in order of the first of each.
 [[nodiscard]] std::vector<SharedCondition> shared_conditions(
     const std::vector<OwnedCondition>& conditions);
+
+/// "AUC" of the detail "AUC: 12 of 2000": what it is about; empty if it does not say.
+[[nodiscard]] std::string subject_of(const std::string& detail);
 
 /// "a, b, c and 57 more".
 [[nodiscard]] std::string some_of(const std::vector<std::string>& names);

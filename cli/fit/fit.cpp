@@ -1,4 +1,5 @@
 #include "cli/fit/fit.hpp"
+#include "analysis/basics/condition_groups.hpp"
 
 #include <algorithm>
 #include <array>
