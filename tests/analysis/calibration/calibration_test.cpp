@@ -171,7 +171,7 @@ TEST(Calibration, ProbabilitiesOfNoughtAndOneKeepTheirBrierScore) {
   EXPECT_FALSE(certain.slope.estimate.has_value());
   EXPECT_FALSE(certain.in_the_large.estimate.has_value());
   EXPECT_FALSE(certain.hosmer_lemeshow.has_value()) << "a bin expects exactly none";
-  EXPECT_EQ(certain.bins.size(), 5U);
+  EXPECT_EQ(certain.bins.size(), 6U) << "six predictions, all different";
   EXPECT_NEAR(certain.expected_to_observed.value(), 3.2 / 3.0, 1e-15);
   // One that is wrong for sure still has a score.
   EXPECT_NEAR(calibration(std::vector<double>{0, 1}, std::vector<double>{1, 0.5}).brier->score,

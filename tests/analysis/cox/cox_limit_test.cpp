@@ -145,7 +145,8 @@ TEST(CoxLimit, DoesNotDependOnTheReference) {
   ASSERT_EQ(other.summary.termination, CoxTermination::monotone);
   EXPECT_FALSE(other.coefficients[0].estimate.has_value());
   EXPECT_FALSE(other.coefficients[1].estimate.has_value());
-  for (const double hazard : cox_baseline(turned, other)[0].hazard) {
+  const std::vector<BaselineHazard> baseline = cox_baseline(turned, other);
+  for (const double hazard : baseline[0].hazard) {
     EXPECT_EQ(hazard, 0.0);
   }
   const std::vector<CoxCurve> curves = cox_curves(data, fit, data.design);

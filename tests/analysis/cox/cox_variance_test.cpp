@@ -55,7 +55,8 @@ TEST(CoxVariance, WaldNeedsMoreClustersThanColumns) {
       EXPECT_EQ(is_named(fit, ""), clusters <= 4);
       if (fit.wald) {
         EXPECT_GE(fit.wald->statistic, 0.0);
-        EXPECT_GT(fit.wald->p_value, 0.0);
+        EXPECT_GE(fit.wald->p_value, 0.0);  // below the smallest double with 5 clusters
+        EXPECT_LE(fit.wald->p_value, 1.0);
       }
       for (const auto& test : {fit.score, fit.robust_score, fit.likelihood_ratio}) {
         EXPECT_TRUE(!test || test->statistic >= 0.0);

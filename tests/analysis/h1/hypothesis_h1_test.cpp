@@ -108,7 +108,8 @@ TEST(HypothesisH1, ScoresEveryRowByClusters) {
   EXPECT_EQ(panel.rows[2].kind, H1RowKind::together);
   EXPECT_FALSE(panel.rows[2].censored.ratio.has_value());
   EXPECT_EQ(panel.rows[3].kind, H1RowKind::added);
-  EXPECT_LT(panel.rows[3].auc_p.value(), 0.001);
+  // By t with 11 degrees of freedom.
+  EXPECT_LT(panel.rows[3].auc_p.value(), 0.01);
   EXPECT_GT(panel.rows[3].auc_gain.value.value(), 0.0);
   EXPECT_EQ(panel.folds.size(), 12U);
 }
