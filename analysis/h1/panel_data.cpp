@@ -140,7 +140,9 @@ std::vector<std::size_t> trials_of_panel(const DataTable& table,
       continue;
     }
     if (panel.kind == H1PanelKind::landmark) {
-      if (columns.end[row] <= options.landmark_s || columns.log_end[row] <= options.landmark_s) {
+      if (columns.end[row] <= options.landmark_s ||
+          same_time(columns.end[row], options.landmark_s) ||
+          columns.log_end[row] <= options.landmark_s) {
         ++panel.ended_by_landmark;
         continue;
       }
