@@ -98,6 +98,16 @@ void withhold(H1HazardRatio& ratio) {
   ratio.p_value.reset();
 }
 
+void withhold(Conditions& conditions) {
+  std::erase_if(conditions, [](const Condition& condition) {
+    return condition.kind == ConditionKind::endpoint_out_of_range ||
+           condition.kind == ConditionKind::failed_replicates ||
+           condition.kind == ConditionKind::constant_replicates ||
+           condition.kind == ConditionKind::infinite_bias ||
+           condition.kind == ConditionKind::no_acceleration;
+  });
+}
+
 void withhold_if_few(const H1Options& options, H1Panel& panel) {
   panel.withheld = too_few(
       panel.has_clusters ? options.cluster : "", panel.clusters, panel.successes, panel.failures);
@@ -107,14 +117,7 @@ void withhold_if_few(const H1Options& options, H1Panel& panel) {
   panel.conditions.push_back(withheld(panel.withheld));
   for (H1Row& row : panel.rows) {
     withhold(row);
-    // There is no interval for the resamples to say anything of.
-    std::erase_if(row.conditions, [](const Condition& condition) {
-      return condition.kind == ConditionKind::endpoint_out_of_range ||
-             condition.kind == ConditionKind::failed_replicates ||
-             condition.kind == ConditionKind::constant_replicates ||
-             condition.kind == ConditionKind::infinite_bias ||
-             condition.kind == ConditionKind::no_acceleration;
-    });
+    withhold(row.conditions);
   }
   for (H1CaseRow& row : panel.case_level) {
     withhold(row);

@@ -27,6 +27,9 @@ inline constexpr std::size_t kTooFewOutcomes = 10;
 void withhold(H1Score& score);
 void withhold(H1HazardRatio& ratio);
 
+/// Leaves out what resamples said of an interval that is not there.
+void withhold(Conditions& conditions);
+
 /// Leaves the estimates of a panel if it has too few clusters or outcomes, and says so.
 void withhold_if_few(const H1Options& options, H1Panel& panel);
 
