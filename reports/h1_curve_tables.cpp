@@ -61,7 +61,7 @@ Table h1_calibration_table(const H1Table& h1) {
                        integer_cell(bin.events),
                        integer_cell(bin.clusters),
                        Number{bin.predicted},
-                       Estimate{bin.observed, bin.wilson.low, bin.wilson.high}});
+                       estimate_cell(bin.observed, bin.wilson)});
       }
     }
   }

@@ -126,6 +126,9 @@ void withhold_if_few(const H1Options& options, H1Panel& panel) {
     withhold(one.calibration.slope);
     withhold(one.calibration.intercept);
     withhold(one.calibration.in_the_large);
+    for (CalibrationBin& bin : one.calibration.bins) {
+      bin.wilson.reset();  // It takes trials as independent.
+    }
   }
 }
 
