@@ -86,6 +86,16 @@ Condition withheld(const std::string& reason) {
   return {ConditionKind::withheld, ConditionSeverity::warning, "", reason};
 }
 
+void erase_resampling_conditions(Conditions& conditions) {
+  std::erase_if(conditions, [](const Condition& condition) {
+    return condition.kind == ConditionKind::endpoint_out_of_range ||
+           condition.kind == ConditionKind::failed_replicates ||
+           condition.kind == ConditionKind::constant_replicates ||
+           condition.kind == ConditionKind::infinite_bias ||
+           condition.kind == ConditionKind::no_acceleration;
+  });
+}
+
 void withhold(H1Score& score) {
   score.interval.reset();
   score.intervals = {};
@@ -107,14 +117,7 @@ void withhold_if_few(const H1Options& options, H1Panel& panel) {
   panel.conditions.push_back(withheld(panel.withheld));
   for (H1Row& row : panel.rows) {
     withhold(row);
-    // There is no interval for the resamples to say anything of.
-    std::erase_if(row.conditions, [](const Condition& condition) {
-      return condition.kind == ConditionKind::endpoint_out_of_range ||
-             condition.kind == ConditionKind::failed_replicates ||
-             condition.kind == ConditionKind::constant_replicates ||
-             condition.kind == ConditionKind::infinite_bias ||
-             condition.kind == ConditionKind::no_acceleration;
-    });
+    erase_resampling_conditions(row.conditions);
   }
   for (H1CaseRow& row : panel.case_level) {
     withhold(row);

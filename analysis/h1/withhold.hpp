@@ -23,6 +23,9 @@ inline constexpr std::size_t kTooFewOutcomes = 10;
 /// The condition that says so. \pre `reason` is not empty.
 [[nodiscard]] Condition withheld(const std::string& reason);
 
+/// Erases what resamples say of an interval that is withheld.
+void erase_resampling_conditions(Conditions& conditions);
+
 /// Leaves the estimate.
 void withhold(H1Score& score);
 void withhold(H1HazardRatio& ratio);

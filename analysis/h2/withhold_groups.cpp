@@ -15,6 +15,7 @@ void withhold(H2Level& level) {
        {&level.odds, &level.censored, &level.at_limit, &level.stratified}) {
     withhold(*ratio);
   }
+  erase_resampling_conditions(level.conditions);
 }
 
 /// The tests that rest on every group; estimates of pairs and the range stay.

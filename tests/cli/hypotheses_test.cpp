@@ -134,6 +134,16 @@ TEST_F(HypothesesCommand, ALandmarkSaysWhatIsNotOfItsWindow) {
       << found.out;
 }
 
+TEST_F(HypothesesCommand, APanelWithoutTrialsHasNoStrata) {
+  for (const char* const hypothesis : {"h1", "h2"}) {
+    const ProcessResult found = run({hypothesis, "--landmark", "80"});  // all have ended by then
+    EXPECT_NE(found.out.find("pairs of trials of the same algorithm x lighting alone"),
+              std::string::npos)
+        << to_string(found);
+    EXPECT_EQ(found.out.find("of the same  alone"), std::string::npos) << found.out;
+  }
+}
+
 TEST_F(HypothesesCommand, FewClustersHaveNoIntervalAndNoP) {
   std::string csv = trials_csv();
   for (const char* const day : {"d3,", "d4,", "d5,"}) {

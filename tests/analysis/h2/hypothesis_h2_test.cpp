@@ -160,6 +160,8 @@ TEST(HypothesisH2, WithholdsWhatRestsOnASmallGroup) {
   EXPECT_EQ(fog.withheld, "4 failures, fewer than 10");
   EXPECT_TRUE(fog.auc.value.has_value());
   EXPECT_FALSE(fog.auc.interval || fog.odds.p_value || fog.c_within.interval);
+  EXPECT_FALSE(has(fog.conditions, ConditionKind::failed_replicates))
+      << "resamples without days 0 and 6 have no failure, but there is no interval to speak of";
   EXPECT_TRUE(panel.levels[0].auc.interval.has_value());
   ASSERT_TRUE(panel.auc.has_value());
   EXPECT_FALSE(panel.auc->tests.equivalent || panel.auc->tests.heterogeneity ||
