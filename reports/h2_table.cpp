@@ -132,7 +132,7 @@ std::string within_columns(const H2Table& h2) {
 Table within_table(const H2Table& h2) {
   Table table;
   table.name = "h2_within";
-  table.title = "H2, " + "within " + within_columns(h2) + ": " +
+  table.title = "H2, within " + within_columns(h2) + ": " +
                 h2.options.trials.predictors.front().column + " by " + h2.options.trials.group;
   table.columns = {text_column("panel", "panel"),
                    text_column("group", h2.options.trials.group),

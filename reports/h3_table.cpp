@@ -180,6 +180,11 @@ Table interval_table(const H3Table& h3) {
           number_cell(found.value)};
       append_intervals(found.intervals, cells);
       table.add_row(std::move(cells));
+      std::string of = group.lighting;
+      if (one != nullptr) {
+        of += ", " + one->law + ", beta " + significant(one->beta_per_m, kShownDigits);
+      }
+      add_no_bca(of.append(", ").append(quantity), found.intervals, table);
     };
     add(nullptr, "ungated", group.ungated);
     add(nullptr, "baseline", group.baseline);

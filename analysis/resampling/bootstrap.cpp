@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/resampling/jackknife.hpp"
 
@@ -108,7 +109,17 @@ BootstrapIntervals bootstrap_intervals(const BootstrapResult& result,
   const auto by = [&](BootstrapMethod method) {
     return bootstrap_estimate(result, value, level, method, units).interval;
   };
-  return {by(BootstrapMethod::expanded), by(BootstrapMethod::percentile), by(BootstrapMethod::bca)};
+  BootstrapEstimate bca = bootstrap_estimate(result, value, level, BootstrapMethod::bca);
+  BootstrapIntervals intervals{
+      by(BootstrapMethod::expanded), by(BootstrapMethod::percentile), bca.interval, std::nullopt};
+  for (Condition& condition : bca.conditions) {
+    const bool is_reason = condition.kind == ConditionKind::infinite_bias ||
+                           condition.kind == ConditionKind::no_acceleration;
+    if (is_reason && !bca.interval && intervals.percentile) {
+      intervals.no_bca = std::move(condition);
+    }
+  }
+  return intervals;
 }
 
 }  // namespace tcert

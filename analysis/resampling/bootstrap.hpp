@@ -62,6 +62,7 @@ struct BootstrapIntervals {
   std::optional<Interval> expanded;
   std::optional<Interval> percentile;
   std::optional<Interval> bca;
+  std::optional<Condition> no_bca;  ///< Why, where the others have an interval and BCa has none.
 
   /// \throws std::invalid_argument for another method.
   [[nodiscard]] const std::optional<Interval>& of(BootstrapMethod method) const;
