@@ -66,7 +66,8 @@ Table h1_calibration_table(const H1Table& h1) {
     }
   }
   table.footnotes = {
-      "Folds of whole clusters. observed: Wilson's interval, which takes trials as independent."};
+      "Folds of whole clusters. observed: Wilson's interval, which takes trials as independent; "
+      "withheld with the others."};
   return table;
 }
 
