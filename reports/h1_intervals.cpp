@@ -46,6 +46,12 @@ void append_intervals(const BootstrapIntervals& intervals, std::vector<TableCell
   }
 }
 
+void add_no_bca(const std::string& of, const BootstrapIntervals& intervals, Table& table) {
+  if (intervals.no_bca) {
+    table.footnotes.push_back(of + ", no BCa interval: " + to_string(*intervals.no_bca) + ".");
+  }
+}
+
 Table h1_interval_columns(std::string name, std::string row_name, std::string row_heading) {
   Table table;
   table.name = std::move(name);
@@ -70,6 +76,9 @@ void add_intervals(const std::string& panel,
   std::vector<TableCell> cells{panel, row, quantity, number_cell(score.value)};
   append_intervals(score.intervals, cells);
   table.add_row(std::move(cells));
+  std::string of = panel;
+  of.append(", ").append(row).append(", ").append(quantity);
+  add_no_bca(of, score.intervals, table);
 }
 
 Table h1_interval_table(const H1Table& h1) {

@@ -27,7 +27,11 @@ namespace tcert {
 [[nodiscard]] std::vector<Column> interval_columns();
 void append_intervals(const BootstrapIntervals& intervals, std::vector<TableCell>& cells);
 
-/// A row, if the score has a value.
+/// A footnote that says why BCa alone has no interval, if it has none; `of` names the row: "paper,
+/// tc_early, AUC".
+void add_no_bca(const std::string& of, const BootstrapIntervals& intervals, Table& table);
+
+/// A row with its footnote, if the score has a value.
 void add_intervals(const std::string& panel,
                    const std::string& row,
                    const std::string& quantity,

@@ -161,7 +161,7 @@ FitReport h1_report(const H1Table& h1) {
       .text("time", "time", h1.options.time)
       .text("cluster", "cluster", h1.options.cluster)
       .text("strata", "strata", h1.options.strata)
-      .text("within", "within", h1_within_columns(h1.panels.front()))
+      .text("within", "within", h1_within_columns(h1))
       .text("interval", "interval", std::string(to_string(h1.options.interval)))
       .number("landmark_s",
               "landmark [s]",

@@ -15,19 +15,15 @@ TableCell estimate(const H1Score& score) { return estimate_cell(score.value, sco
 
 TableCell ratio(const H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
-bool is_single(const H1Row& row) {
-  return row.kind == H1RowKind::predictor || row.kind == H1RowKind::rival;
-}
-
 TableCell better_if(const H1Row& row) {
-  if (!is_single(row)) {
+  if (!row.is_single()) {
     return {};
   }
   return std::string(row.higher == HigherMeans::success ? "larger" : "smaller");
 }
 
 TableCell missing(const H1Row& row) {
-  return is_single(row) ? integer_cell(row.missing) : TableCell{};
+  return row.is_single() ? integer_cell(row.missing) : TableCell{};
 }
 
 std::string level_text(const H1Table& h1) { return h1_interval_text(h1.options); }

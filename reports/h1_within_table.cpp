@@ -15,10 +15,6 @@ std::string share(std::size_t part, std::size_t whole) {
              : fixed(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1) + " %";
 }
 
-bool is_single(const H1Row& row) {
-  return row.kind == H1RowKind::predictor || row.kind == H1RowKind::rival;
-}
-
 /// Pooled and within strata, of one outcome.
 struct Pair {
   const H1Score& pooled;
@@ -37,8 +33,7 @@ Table within_table(const H1Table& h1,
   const std::string level = h1_interval_text(h1.options);
   Table table;
   table.name = name;
-  table.title =
-      "H1, " + outcome + ", " + h1_within_title(h1.panels.front()) + ": " + h1_subject(h1);
+  table.title = "H1, " + outcome + ", " + "within " + h1_within_columns(h1) + ": " + h1_subject(h1);
   table.n = static_cast<std::int64_t>(h1.trials);
   table.columns = {
       text_column("panel", "panel"),
@@ -49,7 +44,7 @@ Table within_table(const H1Table& h1,
       estimate_column(column + "_gain_within", "gain of " + symbol + " within [" + level + "]")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
-      if (!is_single(row)) {
+      if (!row.is_single()) {
         continue;
       }
       const Pair pair = pair_of(row);
@@ -74,7 +69,14 @@ std::string h1_within_columns(const H1Panel& panel) {
   return text;
 }
 
-std::string h1_within_title(const H1Panel& panel) { return "within " + h1_within_columns(panel); }
+std::string h1_within_columns(const H1Table& h1) {
+  for (const H1Panel& panel : h1.panels) {
+    if (!panel.within.columns.empty()) {
+      return h1_within_columns(panel);
+    }
+  }
+  return "";
+}
 
 std::string h1_within_note(const H1Panel& panel, const std::string& name) {
   const H1Strata& within = panel.within;
@@ -99,7 +101,9 @@ Table h1_within_table(const H1Table& h1) {
       "Pooled numbers compare every pair of trials, also of groups that differ in speed or in "
       "light before a trial begins; a gain that vanishes within strata is one between groups.");
   for (const H1Panel& panel : h1.panels) {
-    table.footnotes.push_back(h1_within_note(panel, panel_name(h1, panel)));
+    if (!panel.within.columns.empty()) {
+      table.footnotes.push_back(h1_within_note(panel, panel_name(h1, panel)));
+    }
   }
   table.footnotes.emplace_back(
       "Intervals and gains: as in the table of success, on the same resamples; no test, so that "
@@ -137,7 +141,7 @@ Table h1_within_closed_form_table(const H1Table& h1) {
                    p_column("c_gain_p", "p of gain")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
-      if (!is_single(row)) {
+      if (!row.is_single()) {
         continue;
       }
       const H1WithinScores& within = row.within;

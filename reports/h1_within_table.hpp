@@ -12,10 +12,11 @@ namespace tcert {
 /// "algorithm x lighting"; empty if there are no strata.
 [[nodiscard]] std::string h1_within_columns(const H1Panel& panel);
 
-/// "within algorithm x lighting".
-[[nodiscard]] std::string h1_within_title(const H1Panel& panel);
+/// Those of the first panel that has strata: one that cannot be scored has none.
+[[nodiscard]] std::string h1_within_columns(const H1Table& h1);
 
-/// Which pairs, how many strata, which share of the pairs that the pooled numbers compare.
+/// Which pairs, how many strata, which share of the pairs that the pooled numbers compare. \pre the
+/// panel has strata.
 [[nodiscard]] std::string h1_within_note(const H1Panel& panel, const std::string& name);
 
 /// AUC and its gains, pooled and within strata, of every predictor; the same of C.

@@ -118,11 +118,21 @@ Table interaction_table(const H2Table& h2) {
   return table;
 }
 
+/// Those of the first panel that has strata: one that cannot be scored has none.
+std::string within_columns(const H2Table& h2) {
+  for (const H2Panel& panel : h2.panels) {
+    if (!panel.trials.within.columns.empty()) {
+      return h1_within_columns(panel.trials);
+    }
+  }
+  return "";
+}
+
 /// Beside the whole group, pairs of trials of one stratum.
 Table within_table(const H2Table& h2) {
   Table table;
   table.name = "h2_within";
-  table.title = "H2, " + h1_within_title(h2.panels.front().trials) + ": " +
+  table.title = "H2, within " + within_columns(h2) + ": " +
                 h2.options.trials.predictors.front().column + " by " + h2.options.trials.group;
   table.columns = {text_column("panel", "panel"),
                    text_column("group", h2.options.trials.group),
@@ -141,7 +151,9 @@ Table within_table(const H2Table& h2) {
     }
   }
   for (const H2Panel& panel : h2.panels) {
-    table.footnotes.push_back(h1_within_note(panel.trials, h2_panel_name(h2, panel)));
+    if (!panel.trials.within.columns.empty()) {
+      table.footnotes.push_back(h1_within_note(panel.trials, h2_panel_name(h2, panel)));
+    }
   }
   return table;
 }
@@ -351,7 +363,7 @@ FitReport h2_report(const H2Table& h2) {
       .text("time", "time", options.time)
       .text("cluster", "cluster", options.cluster)
       .text("strata", "strata", options.strata)
-      .text("within", "within", h1_within_columns(h2.panels.front().trials))
+      .text("within", "within", within_columns(h2))
       .text("interval", "interval", std::string(to_string(options.interval)))
       .number("landmark_s", "landmark [s]", options.landmark_s)
       .number("margin", "margin", h2.options.margin)
@@ -361,7 +373,7 @@ FitReport h2_report(const H2Table& h2) {
       .integer("seed", "seed", options.seed);
   report.summary = std::move(summary).table();
   report.tables = {h2_level_table(h2)};
-  if (!h2.panels.front().trials.within.columns.empty()) {
+  if (!within_columns(h2).empty()) {
     report.tables.push_back(within_table(h2));
   }
   report.tables.insert(report.tables.end(),

@@ -72,7 +72,11 @@ Table h3_table(const H3Table& h3) {
                    fixed_column("beta_per_m", "beta", "1/m", 0),
                    estimate_column("gated_m_per_min", "gated", "m/min", 2),
                    estimate_column("gain_m_per_min", "gain", "m/min", 2),
-                   estimate_column("gain_share", "relative gain", "", 3),
+                   estimate_column("gain_share",
+                                   "relative gain [" +
+                                       interval_text(h3.options.interval, h3.options.level) + "]",
+                                   "",
+                                   3),
                    estimate_column("gap_recovered", "share of gap", "", 2),
                    fixed_column("gated_speed_cmd_mps", "commanded", "m/s", 3),
                    integer_column("lost", "lost"),
@@ -180,6 +184,11 @@ Table interval_table(const H3Table& h3) {
           number_cell(found.value)};
       append_intervals(found.intervals, cells);
       table.add_row(std::move(cells));
+      std::string of = group.lighting;
+      if (one != nullptr) {
+        of += ", " + one->law + ", beta " + significant(one->beta_per_m, kShownDigits);
+      }
+      add_no_bca(of.append(", ").append(quantity), found.intervals, table);
     };
     add(nullptr, "ungated", group.ungated);
     add(nullptr, "baseline", group.baseline);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/basics/compact_codes.hpp"
 #include "analysis/calibration/calibration_bins.hpp"
 #include "analysis/logistic/logistic.hpp"
 #include "datasets/csv_write.hpp"
@@ -97,11 +98,6 @@ CalibrationRows complete_rows(std::span<const double> outcome,
     result.conditions.push_back({ConditionKind::no_prediction, ConditionSeverity::error, "", ""});
   }
   return rows;
-}
-
-std::size_t count_clusters(std::vector<std::uint32_t> codes) {
-  std::sort(codes.begin(), codes.end());
-  return static_cast<std::size_t>(std::unique(codes.begin(), codes.end()) - codes.begin());
 }
 
 /// The outcome on the logit of its probability; with `slope` held at 1 that is an offset.
@@ -200,7 +196,7 @@ ModelCalibration calibration(std::span<const double> outcome,
     result.events += rows.outcome[i] == 1.0 ? 1 : 0;
     result.expected += rows.probability[i];
   }
-  result.clusters = count_clusters(rows.cluster);
+  result.clusters = count_codes(rows.cluster);
   result.observed = static_cast<double>(result.events);
   if (result.events > 0) {
     result.expected_to_observed = result.expected / result.observed;

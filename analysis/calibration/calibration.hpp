@@ -39,10 +39,10 @@ struct CalibrationBin {
   double high = 0.0;  ///< Included.
   std::size_t trials = 0;
   std::size_t events = 0;
-  std::size_t clusters = 0;  ///< That have trials in it; 0 if there are none.
-  double predicted = 0.0;    ///< Mean probability.
-  double observed = 0.0;     ///< events / trials.
-  Interval wilson;           ///< Of `observed`, as if its trials were independent.
+  std::size_t clusters = 0;        ///< That have trials in it; 0 if there are none.
+  double predicted = 0.0;          ///< Mean probability.
+  double observed = 0.0;           ///< events / trials.
+  std::optional<Interval> wilson;  ///< Of `observed`, as if its trials were independent.
 };
 
 /// mean (p - y)^2 = reliability - resolution + uncertainty + within_variance - within_covariance,

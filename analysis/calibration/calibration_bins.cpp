@@ -85,7 +85,7 @@ std::vector<CalibrationBin> calibration_bins(const CalibrationRows& rows,
     const auto trials = static_cast<double>(bin.trials);
     bin.predicted /= trials;
     bin.observed = static_cast<double>(bin.events) / trials;
-    bin.wilson = wilson(bin.events, bin.trials, options.level).value();
+    bin.wilson = wilson(bin.events, bin.trials, options.level);
   }
   return bins;
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/basics/compact_codes.hpp"
 #include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/concordance/concordance_columns.hpp"
@@ -115,14 +116,6 @@ ConcordanceDifference difference_of(const ConcordanceEstimate& first,
   return result;
 }
 
-std::size_t count_clusters(std::span<const std::uint32_t> cluster, std::size_t levels) {
-  std::vector<bool> seen(levels, false);
-  for (const std::uint32_t code : cluster) {
-    seen[code] = true;
-  }
-  return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
-}
-
 void name_row_conditions(std::size_t rows, bool clustered, ConcordanceResult& result) {
   if (result.missing > 0) {
     result.conditions.push_back({ConditionKind::missing_rows,
@@ -222,7 +215,7 @@ ConcordanceResult concordance(const SurvivalOutcome& outcome,
   const std::size_t clusters = options.cluster == nullptr ? 0 : options.cluster->levels.size();
   const auto& events = columns.outcome().event;
   result.events = static_cast<std::size_t>(std::count(events.begin(), events.end(), 1));
-  result.clusters = count_clusters(columns.cluster(), clusters);
+  result.clusters = count_codes(columns.cluster());
   name_row_conditions(columns.outcome().rows(), options.cluster != nullptr, result);
 
   const TimeOrder order = time_order(columns.outcome(), columns.strata(), strata);

@@ -109,10 +109,12 @@ struct CoxFit {
   double level = 0.95;
 
   std::vector<CoxCoefficient> coefficients;
-  Eigen::VectorXd beta;        ///< p, 0 where the coefficient is NA; a column that runs to infinity
-                               ///< holds the last iterate, so predictors order the rows rightly.
-  Eigen::MatrixXd vcov;        ///< p x p, the robust one if robust; NaN where a coefficient is NA.
-  Eigen::MatrixXd model_vcov;  ///< p x p.
+  Eigen::VectorXd beta;  ///< p, 0 where the coefficient is NA; a column that runs to infinity
+                         ///< holds the last iterate, so predictors order the rows rightly.
+  std::vector<bool> estimated;  ///< p: false where the column is constant or collinear, or its
+                                ///< coefficient runs to infinity. Empty without a fit.
+  Eigen::MatrixXd vcov;         ///< p x p, the robust one if robust; NaN where a coefficient is NA.
+  Eigen::MatrixXd model_vcov;   ///< p x p.
 
   /// The same two without NaN: 0 in rows and columns of coefficients that have no part in the
   /// likelihood, or none in its limit. What residuals, curves and tests of hazards go by.

@@ -208,6 +208,9 @@ CoxFit fit_cox(const CoxData& data, const CoxOptions& options) {
     return fit;
   }
   fit.df = ranked_columns(maximum.columns).size();
+  for (const ColumnState state : maximum.columns) {
+    fit.estimated.push_back(state == ColumnState::estimated);
+  }
   fit.at_limit = maximum.at_limit;
   if (maximum.recession.size() > 0) {
     fit.recession = maximum.recession.cwiseQuotient(rows.scale);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/basics/compact_codes.hpp"
 #include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/basics/wald_test.hpp"
@@ -17,16 +18,6 @@
 
 namespace tcert {
 namespace {
-
-std::size_t distinct_clusters(const Factor& cluster) {
-  std::vector<char> seen(cluster.levels.size(), 0);
-  std::size_t count = 0;
-  for (const std::uint32_t code : cluster.codes) {
-    count += seen[code] == 0 ? 1U : 0U;
-    seen[code] = 1;
-  }
-  return count;
-}
 
 void name_missing_variance(const std::string& column, std::string detail, CoxFit& fit) {
   fit.conditions.push_back(
@@ -82,7 +73,7 @@ void add_robust_variance(const CoxData& data,
                          CoxFit& fit) {
   const Factor* const cluster = data.cluster ? &*data.cluster : nullptr;
   if (cluster != nullptr) {
-    fit.clusters = distinct_clusters(*cluster);
+    fit.clusters = count_codes(cluster->codes);
     if (fit.clusters < 2) {
       fit.conditions.push_back({ConditionKind::one_cluster, ConditionSeverity::warning, {}, {}});
       fit.vcov.setConstant(std::nan(""));

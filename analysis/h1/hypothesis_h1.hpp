@@ -160,6 +160,11 @@ struct H1Row {
   H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
   H1MixedModel mixed;
   Conditions conditions;
+
+  /// A predictor by itself, not a model.
+  [[nodiscard]] bool is_single() const noexcept {
+    return kind == H1RowKind::predictor || kind == H1RowKind::rival;
+  }
 };
 
 /// A single predictor by single trials, as if they were independent: a sensitivity, not the result.

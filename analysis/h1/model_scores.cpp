@@ -63,6 +63,12 @@ CoxFit light_fit(const CoxData& data) {
 
 bool usable(const CoxFit& fit) { return fit.summary.termination == CoxTermination::converged; }
 
+/// False if these rows do not tell the last column from a constant or from those before it: its
+/// 0 is then no estimate.
+bool last_is_estimated(const CoxFit& fit) {
+  return !fit.estimated.empty() && fit.estimated.back();
+}
+
 std::vector<std::uint32_t> as_multiplicity(std::span<const std::uint8_t> train) {
   return {train.begin(), train.end()};
 }
@@ -130,7 +136,7 @@ double H1Model::added_logistic_coefficient(std::span<const std::uint32_t> multip
 
 double H1Model::added_cox_coefficient(std::span<const std::uint32_t> multiplicity) const {
   const CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
-  return usable(fit) ? fit.beta(Eigen::last) : kNaN;
+  return usable(fit) && last_is_estimated(fit) ? fit.beta(Eigen::last) : kNaN;
 }
 
 std::optional<std::vector<double>> H1Model::logistic_scores(

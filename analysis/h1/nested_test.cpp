@@ -52,8 +52,18 @@ std::optional<double> likelihood_ratio_p(const std::optional<double>& smaller,
              : std::optional(chi_square_test(2.0 * (*larger - *smaller), df).p_value);
 }
 
+/// A coefficient that has run away is finite in name only: a hair decides on it.
 bool is_finite(const LogisticFit& fit) {
-  return fit.separation == Separation::none && fit.log_likelihood.has_value();
+  return fit.separation == Separation::none && fit.log_likelihood.has_value() &&
+         std::none_of(
+             fit.coefficients.begin(), fit.coefficients.end(), [](const LogisticCoefficient& one) {
+               return one.kind == CoefficientKind::ran_away;
+             });
+}
+
+bool is_finite(const CoxFit& fit) {
+  return fit.summary.termination == CoxTermination::converged &&
+         !has(fit.conditions, ConditionKind::near_separation);
 }
 
 void test_success(const H1Data& data, const H1Models& models, H1Row& added) {
@@ -71,9 +81,7 @@ void test_success(const H1Data& data, const H1Models& models, H1Row& added) {
 void test_time(const H1Data& data, const H1Models& models, H1Row& added) {
   const CoxFit small = fit_cox(models.models[0].cox());
   const CoxFit large = fit_cox(models.models[1].cox());
-  const bool finite = small.summary.termination == CoxTermination::converged &&
-                      large.summary.termination == CoxTermination::converged;
-  if (finite && large.df > small.df) {
+  if (is_finite(small) && is_finite(large) && large.df > small.df) {
     added.c_lr_p = likelihood_ratio_p(small.loglik, large.loglik, large.df - small.df);
     added.c_p =
         test_of(data, models.models[1], &H1Model::added_cox_coefficient, "Cox model", added);

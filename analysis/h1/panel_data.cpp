@@ -9,6 +9,7 @@
 #include "analysis/model/variable.hpp"
 #include "analysis/survival/failures_at_limit.hpp"
 #include "analysis/survival/time_conditions.hpp"
+#include "analysis/survival/time_rounding.hpp"
 #include "datasets/csv_write.hpp"
 #include "datasets/nearest_name.hpp"
 
@@ -27,6 +28,17 @@ std::vector<double> numbers(const DataTable& table, const std::string& column) {
     throw FormulaError("column " + not_numbers(table, column));
   }
   return std::move(variable.numbers);
+}
+
+/// Whether two times are one: but for rounding, as `round_times` has it, unless every time is left
+/// as it is.
+bool is_same(double at, double time, const H1Options& options) {
+  return time == at || (options.round_times && same_time(at, time));
+}
+
+/// Whether `time` is not after `at`.
+bool is_by(double at, double time, const H1Options& options) {
+  return time <= at || is_same(at, time, options);
 }
 
 /// A column without a single value is not there: feature tables have a column for all they could
@@ -140,9 +152,8 @@ std::vector<std::size_t> trials_of_panel(const DataTable& table,
       continue;
     }
     if (panel.kind == H1PanelKind::landmark) {
-      if (columns.end[row] <= options.landmark_s ||
-          same_time(columns.end[row], options.landmark_s) ||
-          columns.log_end[row] <= options.landmark_s) {
+      if (is_by(options.landmark_s, columns.end[row], options) ||
+          is_by(options.landmark_s, columns.log_end[row], options)) {
         ++panel.ended_by_landmark;
         continue;
       }
@@ -159,7 +170,10 @@ std::vector<std::size_t> trials_of_panel(const DataTable& table,
   return rows;
 }
 
-void count_window_ends(const DataTable& table, const Columns& columns, H1Panel& panel) {
+void count_window_ends(const DataTable& table,
+                       const H1Options& options,
+                       const Columns& columns,
+                       H1Panel& panel) {
   if (panel.kind != H1PanelKind::paper || table.find("window_end_s") == nullptr) {
     return;
   }
@@ -170,8 +184,9 @@ void count_window_ends(const DataTable& table, const Columns& columns, H1Panel& 
     if (std::isnan(columns.success[row])) {
       continue;
     }
-    const bool in_window = std::isnan(window_end[row]) ? !std::isnan(columns.log_end[row])
-                                                       : columns.end[row] <= window_end[row];
+    const bool in_window = std::isnan(window_end[row])
+                               ? !std::isnan(columns.log_end[row])
+                               : is_by(window_end[row], columns.end[row], options);
     ended += in_window ? 1 : 0;
     failures += in_window && columns.success[row] == 0.0 ? 1 : 0;
   }
@@ -246,11 +261,12 @@ std::vector<double> on(const std::vector<double>& column, const std::vector<std:
 /// "found 0 in row 8 (and 1 more)": of the times that are not above `earliest`; empty if all are.
 std::string bad_times(const std::vector<double>& time,
                       const std::vector<std::size_t>& rows,
-                      double earliest) {
+                      double earliest,
+                      const H1Options& options) {
   std::string found;
   std::size_t bad = 0;
   for (std::size_t i = 0; i < time.size(); ++i) {
-    if (!(time[i] > earliest) && bad++ == 0) {
+    if (is_by(earliest, time[i], options) && bad++ == 0) {
       found = "found ";
       append_number(found, time[i]);
       found += " in row " + std::to_string(rows[i] + 1);
@@ -269,12 +285,12 @@ void end_at_limit(const H1Options& options,
   if (!options.limit_s) {
     return;
   }
-  if (!(*options.limit_s > earliest)) {
+  if (is_by(earliest, *options.limit_s, options)) {
     throw FormulaError("the trial limit lies before the times begin");
   }
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < outcome.rows(); ++i) {
-    if (same_time(outcome.stop[i], *options.limit_s)) {
+    if (is_same(outcome.stop[i], *options.limit_s, options)) {
       outcome.stop[i] = *options.limit_s;
     } else if (outcome.stop[i] > *options.limit_s) {
       outcome.stop[i] = *options.limit_s;
@@ -304,7 +320,7 @@ void add_times(const std::vector<double>& time,
     outcome.start.assign(time.size(), options.landmark_s);
   }
   const double earliest = landmark ? options.landmark_s : 0.0;
-  if (const std::string bad = bad_times(time, rows, earliest); !bad.empty()) {
+  if (const std::string bad = bad_times(time, rows, earliest, options); !bad.empty()) {
     panel.conditions.push_back({ConditionKind::time_not_positive,
                                 ConditionSeverity::warning,
                                 options.time,
@@ -423,7 +439,7 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
   panel.has_clusters = columns.cluster.has_value();
   panel.has_strata = columns.strata.has_value();
   const std::vector<std::size_t> trials = trials_of_panel(table, options, columns, panel);
-  count_window_ends(table, columns, panel);
+  count_window_ends(table, options, columns, panel);
   for (const bool success : {true, false}) {
     panel.distribution.push_back(distribution(trials, columns, success));
   }

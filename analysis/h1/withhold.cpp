@@ -86,6 +86,16 @@ Condition withheld(const std::string& reason) {
   return {ConditionKind::withheld, ConditionSeverity::warning, "", reason};
 }
 
+void erase_resampling_conditions(Conditions& conditions) {
+  std::erase_if(conditions, [](const Condition& condition) {
+    return condition.kind == ConditionKind::endpoint_out_of_range ||
+           condition.kind == ConditionKind::failed_replicates ||
+           condition.kind == ConditionKind::constant_replicates ||
+           condition.kind == ConditionKind::infinite_bias ||
+           condition.kind == ConditionKind::no_acceleration;
+  });
+}
+
 void withhold(H1Score& score) {
   score.interval.reset();
   score.intervals = {};
@@ -98,16 +108,6 @@ void withhold(H1HazardRatio& ratio) {
   ratio.p_value.reset();
 }
 
-void withhold(Conditions& conditions) {
-  std::erase_if(conditions, [](const Condition& condition) {
-    return condition.kind == ConditionKind::endpoint_out_of_range ||
-           condition.kind == ConditionKind::failed_replicates ||
-           condition.kind == ConditionKind::constant_replicates ||
-           condition.kind == ConditionKind::infinite_bias ||
-           condition.kind == ConditionKind::no_acceleration;
-  });
-}
-
 void withhold_if_few(const H1Options& options, H1Panel& panel) {
   panel.withheld = too_few(
       panel.has_clusters ? options.cluster : "", panel.clusters, panel.successes, panel.failures);
@@ -117,7 +117,7 @@ void withhold_if_few(const H1Options& options, H1Panel& panel) {
   panel.conditions.push_back(withheld(panel.withheld));
   for (H1Row& row : panel.rows) {
     withhold(row);
-    withhold(row.conditions);
+    erase_resampling_conditions(row.conditions);
   }
   for (H1CaseRow& row : panel.case_level) {
     withhold(row);
@@ -129,6 +129,9 @@ void withhold_if_few(const H1Options& options, H1Panel& panel) {
     withhold(one.calibration.slope);
     withhold(one.calibration.intercept);
     withhold(one.calibration.in_the_large);
+    for (CalibrationBin& bin : one.calibration.bins) {
+      bin.wilson.reset();  // It takes trials as independent.
+    }
   }
 }
 

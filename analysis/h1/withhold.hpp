@@ -23,12 +23,12 @@ inline constexpr std::size_t kTooFewOutcomes = 10;
 /// The condition that says so. \pre `reason` is not empty.
 [[nodiscard]] Condition withheld(const std::string& reason);
 
+/// Erases what resamples say of an interval that is withheld.
+void erase_resampling_conditions(Conditions& conditions);
+
 /// Leaves the estimate.
 void withhold(H1Score& score);
 void withhold(H1HazardRatio& ratio);
-
-/// Leaves out what resamples said of an interval that is not there.
-void withhold(Conditions& conditions);
 
 /// Leaves the estimates of a panel if it has too few clusters or outcomes, and says so.
 void withhold_if_few(const H1Options& options, H1Panel& panel);

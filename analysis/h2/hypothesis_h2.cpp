@@ -77,7 +77,8 @@ void bootstrap_levels(const H1Data& data,
     H2Level& level = panel.levels[g];
     std::size_t value = g * each.values;
     const auto take_next = [&](const std::string& quantity, H1Score& to) {
-      take_score(result, value++, options.trials, quantity, to, level.conditions);
+      // The clusters that a group is made of, which may be few of those that are drawn.
+      take_score(result, value++, options.trials, quantity, to, level.conditions, level.clusters);
     };
     take_next("AUC", level.auc);
     if (data.censored) {

@@ -15,7 +15,7 @@ void withhold(H2Level& level) {
        {&level.odds, &level.censored, &level.at_limit, &level.stratified}) {
     withhold(*ratio);
   }
-  withhold(level.conditions);
+  erase_resampling_conditions(level.conditions);
 }
 
 /// The tests that rest on every group; estimates of pairs and the range stay.

@@ -228,6 +228,8 @@ class Group {
     auto data = std::make_shared<Advance>();
     data->gated_time.resize(cases_.size());
     std::map<std::string, std::uint32_t> codes;
+    std::set<std::string> of_gated;
+    std::set<std::string> of_baseline;
     std::map<std::string, std::size_t> lightings;
     std::vector<std::uint32_t> cluster;
     for (const Trial& trial : trials_) {
@@ -245,20 +247,22 @@ class Group {
       }
       const auto code = static_cast<std::uint32_t>(codes.size());
       cluster.push_back(codes.emplace(rows_.cluster[row], code).first->second);
+      (trial.baseline ? of_baseline : of_gated).insert(rows_.cluster[row]);
     }
     data->lightings = lightings.size();
     group_.clusters = codes.size();
+    gated_clusters_ = of_gated.size();
+    baseline_clusters_ = of_baseline.size();
     if (cluster.empty()) {
       group_.conditions.push_back(
           {ConditionKind::no_rows, ConditionSeverity::warning, "success", "no trial succeeds"});
       return;
     }
     look_for_few();
-    if (group_.withheld.empty() && group_.clusters < kFewClusters) {
-      group_.conditions.push_back({ConditionKind::few_clusters,
-                                   ConditionSeverity::note,
-                                   options_.cluster,
-                                   std::to_string(group_.clusters)});
+    if (group_.withheld.empty()) {
+      if (auto few = few_clusters(group_.clusters)) {
+        group_.conditions.push_back(std::move(*few));
+      }
     }
     Statistic statistic;
     statistic.rows = cluster.size();
@@ -283,26 +287,55 @@ class Group {
   void look_for_few() {
     const std::size_t enough = kTooFewOutcomes;
     group_.withheld = too_few(options_.cluster, group_.clusters, enough, enough);
-    few_gated_ = !group_.withheld.empty() || group_.successes < kTooFewOutcomes;
-    few_baseline_ = few_gated_ || group_.baseline_successes < kTooFewOutcomes;
-    std::string reason = group_.withheld;
-    if (reason.empty() && few_baseline_ && group_.baseline_successes > 0) {
-      const bool gated = few_gated_;
-      reason = std::to_string(gated ? group_.successes : group_.baseline_successes) +
-               " successes of '" + (gated ? options_.gated : options_.baseline) + "', fewer than " +
-               std::to_string(kTooFewOutcomes);
+    if (!group_.withheld.empty()) {
+      few_gated_ = few_baseline_ = true;
+      group_.conditions.push_back(withheld(group_.withheld));
+      return;
     }
-    if (!reason.empty()) {
-      group_.conditions.push_back(withheld(reason));
+    few_gated_ = is_few(options_.gated, group_.trials, group_.successes);
+    few_baseline_ = is_few(options_.baseline, group_.baseline_trials, group_.baseline_successes);
+  }
+
+  /// Says so, of an algorithm that has trials.
+  bool is_few(const std::string& algorithm, std::size_t trials, std::size_t successes) {
+    const bool few = successes < kTooFewOutcomes;
+    if (few && trials > 0) {
+      group_.conditions.push_back(withheld(std::to_string(successes) + " successes of '" +
+                                           algorithm + "', fewer than " +
+                                           std::to_string(kTooFewOutcomes)));
     }
+    return few;
+  }
+
+  /// Which algorithms' trials a value is made of.
+  struct Makers {
+    bool gated = true;
+    bool baseline = true;
+  };
+
+  [[nodiscard]] static Makers makers_of(std::size_t value) {
+    if (value == value_baseline) {
+      return {false, true};
+    }
+    const bool both =
+        value == value_standardised || value == value_gap || value == value_gap_as_run ||
+        (value >= group_values && (value - group_values) % case_values == value_recovered);
+    return {true, both};
   }
 
   [[nodiscard]] bool is_withheld(std::size_t value) const {
-    const bool of_baseline =
-        value == value_baseline || value == value_standardised || value == value_gap ||
-        value == value_gap_as_run ||
-        (value >= group_values && (value - group_values) % case_values == value_recovered);
-    return of_baseline ? few_baseline_ : few_gated_;
+    const Makers makers = makers_of(value);
+    return (makers.gated && few_gated_) || (makers.baseline && few_baseline_);
+  }
+
+  /// The clusters that a value is made of; of two algorithms, those of the one that has fewer, as
+  /// its rate is the less certain one.
+  [[nodiscard]] std::size_t units_of(std::size_t value) const {
+    const Makers makers = makers_of(value);
+    if (makers.gated && makers.baseline) {
+      return std::min(gated_clusters_, baseline_clusters_);
+    }
+    return makers.gated ? gated_clusters_ : baseline_clusters_;
   }
 
   [[nodiscard]] H3Estimate estimate(std::size_t value) {
@@ -311,13 +344,13 @@ class Group {
       return out;
     }
     const BootstrapEstimate found =
-        bootstrap_estimate(bootstrap_, value, options_.level, options_.interval);
+        bootstrap_estimate(bootstrap_, value, options_.level, options_.interval, units_of(value));
     out.value = found.observed;
     if (is_withheld(value)) {
       return out;
     }
     out.interval = found.interval;
-    out.intervals = bootstrap_intervals(bootstrap_, value, options_.level);
+    out.intervals = bootstrap_intervals(bootstrap_, value, options_.level, units_of(value));
     for (const Condition& condition : found.conditions) {
       if (!has(group_.conditions, condition.kind)) {
         group_.conditions.push_back(condition);
@@ -378,6 +411,8 @@ class Group {
   const std::vector<Trial>& trials_;
   std::vector<CaseKey> cases_;
   const H3Options& options_;
+  std::size_t gated_clusters_ = 0;     ///< Among the successes of the gated algorithm.
+  std::size_t baseline_clusters_ = 0;  ///< Among those of the other.
   bool few_gated_ = false;
   bool few_baseline_ = false;
   H3Group group_;

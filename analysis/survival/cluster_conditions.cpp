@@ -1,19 +1,20 @@
 #include "analysis/survival/cluster_conditions.hpp"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "analysis/basics/compact_codes.hpp"
 #include "analysis/basics/few_clusters.hpp"
 
 namespace tcert {
 
 std::size_t count_clusters(const Factor& cluster, std::span<const std::uint32_t> rows) {
-  std::vector<bool> seen(cluster.levels.size(), false);
+  std::vector<std::uint32_t> codes;
+  codes.reserve(rows.size());
   for (const std::uint32_t row : rows) {
-    seen[cluster.codes[row]] = true;
+    codes.push_back(cluster.codes[row]);
   }
-  return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+  return count_codes(codes);
 }
 
 void add_cluster_conditions(std::size_t clusters,

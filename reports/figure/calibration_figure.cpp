@@ -28,13 +28,14 @@ std::optional<Figure> calibration_figure(const Table& from) {
   double least = 1.0;
   for (std::size_t row = 0; row < from.rows.size(); ++row) {
     const double predicted = number_at(from, row, "predicted");
+    const double observed = number_at(from, row, "observed");
     const double low = number_at(from, row, "observed_low");
-    least = std::min({least, predicted, low});
+    least = std::min({least, predicted, observed, std::isfinite(low) ? low : observed});
     add_figure_row(figure.data,
                    "bin",
                    {text_at(from, row, "panel"), predictor_label(text_at(from, row, "model"))},
                    {predicted,
-                    number_at(from, row, "observed"),
+                    observed,
                     low,
                     number_at(from, row, "observed_high"),
                     number_at(from, row, "n")});

@@ -26,11 +26,10 @@ std::optional<Figure> cells_figure(const Table& cells,
   const bool has_full = std::any_of(rows.begin(), rows.end(), [&](std::size_t row) {
     return text_at(cells, row, "cell") == "full";
   });
-  figure.caption =
-      "AUC of TC_early under each cell's parameters with 95 % BCa intervals, sorted. "
-      "Vertical: 0.5 (chance)" +
-      std::string(has_full ? " and, dashed, the full method" : "") +
-      std::string(last == "landmark" ? "; landmark panel." : ".");
+  figure.caption = "AUC of TC_early under each cell's parameters with " +
+                   intervals_of(cells, "auc") + ", sorted. Vertical: 0.5 (chance)" +
+                   std::string(has_full ? " and, dashed, the full method" : "") +
+                   std::string(last == "landmark" ? "; landmark panel." : ".");
   figure.key = {"", {"full method", "other parameters"}};
   figure.data = figure_table(name, {"cell", "kind"}, {"auc", "auc_low", "auc_high"});
   Panel one;

@@ -83,6 +83,17 @@ double number_at(const DataTable& table, std::size_t row, std::string_view colum
   return found == nullptr || found->is_text ? kNaN : found->numbers[row];
 }
 
+std::string intervals_of(const Table& table, std::string_view column) {
+  for (const Column& one : table.columns) {
+    const std::size_t open = one.heading.find('[');
+    const std::size_t close = one.heading.find(']', open == std::string::npos ? 0 : open);
+    if (one.name == column && open != std::string::npos && close != std::string::npos) {
+      return one.heading.substr(open + 1, close - open - 1) + " intervals";
+    }
+  }
+  return "intervals";
+}
+
 std::vector<std::string> distinct(const Table& table, std::string_view column) {
   std::vector<std::string> values;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {

@@ -26,6 +26,10 @@ namespace tcert {
 [[nodiscard]] double number_at(const Table& table, std::size_t row, std::string_view column);
 [[nodiscard]] double number_at(const DataTable& table, std::size_t row, std::string_view column);
 
+/// "95 % expanded intervals": level and method as the brackets of a column's heading have them;
+/// "intervals" if it has none.
+[[nodiscard]] std::string intervals_of(const Table& table, std::string_view column);
+
 /// Different texts of a column, in the order in which they first occur.
 [[nodiscard]] std::vector<std::string> distinct(const Table& table, std::string_view column);
 

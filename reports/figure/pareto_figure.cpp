@@ -29,12 +29,12 @@ void add_case(const Table& h3, std::size_t row, const std::string& law, Figure& 
 
 std::optional<Figure> pareto_figure(const Table& h3) {
   Figure figure = named("pareto", "Gain of speed against successes retained", h3.synthetic);
-  figure.caption =
-      "Every law and \u03b2: relative gain of the rate of advance (BCa intervals) against the "
-      "share "
-      "of successes retained (Wilson); \u03b2 in 1/m. Filled: on the Pareto front of its lighting. "
-      "A replay can "
-      "only lose successes.";
+  figure.caption = "Every law and \u03b2: relative gain of the rate of advance (" +
+                   intervals_of(h3, "gain_share") +
+                   ") against the share of successes retained (Wilson); \u03b2 in 1/m. Filled: on "
+                   "the Pareto front of its lighting. "
+                   "A replay can "
+                   "only lose successes.";
   figure.key = {"speed law", distinct(h3, "speed_law")};
   figure.data = figure_table("pareto",
                              {"panel", "law", "beta"},

@@ -74,8 +74,8 @@ Table bin_table(const ModelCalibration& calibration) {
                    calibration.clusters > 0 ? integer_cell(bin.clusters) : TableCell{},
                    number_cell(bin.predicted),
                    number_cell(bin.observed),
-                   number_cell(bin.wilson.low),
-                   number_cell(bin.wilson.high)});
+                   low_cell(bin.wilson),
+                   high_cell(bin.wilson)});
   }
   return table;
 }

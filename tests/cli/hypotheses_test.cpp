@@ -134,6 +134,16 @@ TEST_F(HypothesesCommand, ALandmarkSaysWhatIsNotOfItsWindow) {
       << found.out;
 }
 
+TEST_F(HypothesesCommand, APanelWithoutTrialsHasNoStrata) {
+  for (const char* const hypothesis : {"h1", "h2"}) {
+    const ProcessResult found = run({hypothesis, "--landmark", "80"});  // all have ended by then
+    EXPECT_NE(found.out.find("pairs of trials of the same algorithm x lighting alone"),
+              std::string::npos)
+        << to_string(found);
+    EXPECT_EQ(found.out.find("of the same  alone"), std::string::npos) << found.out;
+  }
+}
+
 TEST_F(HypothesesCommand, FewClustersHaveNoIntervalAndNoP) {
   std::string csv = trials_csv();
   for (const char* const day : {"d3,", "d4,", "d5,"}) {
@@ -150,7 +160,7 @@ TEST_F(HypothesesCommand, FewClustersHaveNoIntervalAndNoP) {
       << found.err;
   const json h1 = json::parse(found.out);
   for (const auto& [name, rows] : h1.items()) {
-    if (!rows.is_array() || name == "conditions" || name == "h1_calibration") {
+    if (!rows.is_array() || name == "conditions") {
       continue;
     }
     for (const json& row : rows) {
@@ -165,6 +175,8 @@ TEST_F(HypothesesCommand, FewClustersHaveNoIntervalAndNoP) {
   }
   EXPECT_TRUE(h1["h1"][0]["auc"].is_number());
   EXPECT_TRUE(h1["h1_time"][0]["hr_censored"].is_number());
+  ASSERT_FALSE(h1["h1_calibration"].empty());
+  EXPECT_TRUE(h1["h1_calibration"][0]["observed"].is_number());
 }
 
 TEST_F(HypothesesCommand, SaysWhatIsWrongWithTheCall) {

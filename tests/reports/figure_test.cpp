@@ -242,6 +242,36 @@ TEST(PredictorLabel, KnowsBothPanels) {
   EXPECT_EQ(predictor_label("m1"), "m1");
 }
 
+TEST(SetFigures, TheCaptionHasTheIntervalOfTheTable) {
+  Table cells;
+  cells.columns = {{"cell", "cell", "", ColumnKind::text},
+                   {"panel", "panel", "", ColumnKind::text},
+                   {"auc", "AUC [90 % expanded]", "", ColumnKind::estimate}};
+  cells.add_row({std::string("full"), std::string("paper"), Estimate{0.8, 0.7, 0.9}});
+  const std::string sorted = cells_figure(cells, "ablation", "Parts left out").value().caption;
+  EXPECT_NE(sorted.find("with 90 % expanded intervals, sorted."), std::string::npos) << sorted;
+  EXPECT_EQ(sorted.find("BCa"), std::string::npos);
+
+  Table h3;
+  h3.columns = {{"lighting", "lighting", "", ColumnKind::text},
+                {"speed_law", "law", "", ColumnKind::text},
+                {"beta_per_m", "beta", "1/m", ColumnKind::number},
+                {"gain_share", "relative gain [95 % percentile]", "", ColumnKind::estimate},
+                {"retained", "retained", "", ColumnKind::estimate},
+                {"on_front", "front", "", ColumnKind::text}};
+  h3.add_row({std::string("all"),
+              std::string("squash"),
+              Number{20.0},
+              Estimate{0.2, 0.1, 0.3},
+              Estimate{0.9, 0.8, 0.95},
+              std::string("yes")});
+  const std::string gain = pareto_figure(h3).value().caption;
+  EXPECT_NE(gain.find("rate of advance (95 % percentile intervals)"), std::string::npos) << gain;
+  EXPECT_EQ(gain.find("BCa"), std::string::npos);
+  h3.columns[3].heading = "relative gain";
+  EXPECT_NE(pareto_figure(h3).value().caption.find("(intervals)"), std::string::npos);
+}
+
 TEST(SetFigures, AreEmptyWithoutData) {
   const Table none;
   EXPECT_FALSE(roc_figure(none));

@@ -289,6 +289,53 @@ TEST(HypothesisH1, ALandmarkPanelNeedsNoLandmarkColumns) {
   EXPECT_TRUE(h1.panels[1].rows[0].c.value.has_value());
 }
 
+TEST(HypothesisH1, ATimeOfTheLandmarkButForRoundingHasEndedByIt) {
+  H1Options options = options_for();
+  options.always_landmark = true;
+  options.models = false;
+  const DataTable table = table_of(changed_csv([](int row, auto& cells) {
+    if (row == 0) {
+      cells["time_s"] = "15.0000002";
+    }
+  }));
+  const H1Panel rounded = hypothesis_h1(table, options).panels[1];
+  EXPECT_EQ(rounded.ended_by_landmark, 1U);
+  EXPECT_EQ(rounded.trials, 119U);
+  EXPECT_TRUE(rounded.has_time);
+  EXPECT_TRUE(rounded.rows[0].censored.ratio);
+  // Times as they are: the trial ends after the landmark.
+  options.round_times = false;
+  const H1Panel as_they_are = hypothesis_h1(table, options).panels[1];
+  EXPECT_EQ(as_they_are.ended_by_landmark, 0U);
+  EXPECT_EQ(as_they_are.trials, 120U);
+  EXPECT_TRUE(as_they_are.rows[0].censored.ratio);
+}
+
+TEST(HypothesisH1, ALimitAtTheLandmarkButForRoundingIsRefused) {
+  H1Options options = options_for();
+  options.always_landmark = true;
+  options.models = false;
+  options.limit_s = 15.0000002;
+  EXPECT_THROW(static_cast<void>(hypothesis_h1(table_of(changed_csv([](int, auto&) {})), options)),
+               FormulaError);
+}
+
+TEST(HypothesisH1, ATimeBeyondTheLimitByAHairIsCutOnlyWhereTimesAreLeftAsTheyAre) {
+  H1Options options = options_for();
+  options.models = false;
+  options.limit_s = 100.0;
+  const DataTable table = table_of(changed_csv([](int row, auto& cells) {
+    if (row == 0) {
+      cells["success"] = "1";
+      cells["time_s"] = "100.0000002";
+    }
+  }));
+  EXPECT_FALSE(
+      has(hypothesis_h1(table, options).panels[0].conditions, ConditionKind::beyond_limit));
+  options.round_times = false;
+  EXPECT_TRUE(has(hypothesis_h1(table, options).panels[0].conditions, ConditionKind::beyond_limit));
+}
+
 TEST(HypothesisH1, ALandmarkWithoutTimesIsRefused) {
   H1Options options = options_for();
   options.always_landmark = true;

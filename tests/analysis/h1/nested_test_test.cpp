@@ -110,5 +110,46 @@ TEST(NestedTest, ARowWithoutAFitHasNoP) {
   EXPECT_FALSE(other.auc_lr_p) << "was 1.000";
 }
 
+/// 240 trials on 12 days; `added(i)` is the predictor under test of trial i.
+template <class Added, class Success>
+std::string trials(const Added& added, const Success& success) {
+  std::string csv = "day,success,time_s,added,rival\n";
+  RandomStream random(5, 6, 0);
+  for (int i = 0; i < 240; ++i) {
+    csv += "d" + std::to_string(i % 12) + (success(i) ? ",1," : ",0,") +
+           std::to_string(20 + random.below(60)) + "," + std::to_string(added(i)) + "," +
+           std::to_string(i == 15 ? 0.0 : std::sin(7.0 * i)) + "\n";
+  }
+  return csv;
+}
+
+H1Row last_row(const std::string& csv) {
+  return hypothesis_h1(test_support::table_of(csv), two_predictors()).panels[0].rows.back();
+}
+
+TEST(NestedTest, ADayThatAloneMovesThePredictorLeavesNoTest) {
+  const H1Row row = last_row(trials([](int i) { return i % 12 == 0 ? std::cos(3.0 * i) : 0.0; },
+                                    [](int i) { return std::sin(5.3 * i) > -0.4; }));
+  EXPECT_TRUE(row.c_lr_p) << "the model of all days has a fit";
+  EXPECT_FALSE(row.c_p) << "without that day the coefficient is no 0, there is none";
+  EXPECT_FALSE(row.auc_p);
+  bool named = false;
+  for (const Condition& condition : row.conditions) {
+    named = named || (condition.kind == ConditionKind::no_jackknife &&
+                      condition.detail == "Cox model: 1 of 12 clusters");
+  }
+  EXPECT_TRUE(named);
+}
+
+TEST(NestedTest, APredictorThatHasRunAwayHasNoP) {
+  // Complete separation but for one failure, among the successes by a hair.
+  const auto margin = [](int i) { return i == 15 ? 0.26001 : 0.1 + 0.01 * (i % 40); };
+  const H1Row row = last_row(trials(margin, [&](int i) { return i != 15 && margin(i) > 0.255; }));
+  EXPECT_TRUE(has(row.conditions, ConditionKind::near_separation));
+  EXPECT_FALSE(row.auc_lr_p);
+  EXPECT_FALSE(row.auc_p);
+  EXPECT_TRUE(row.c_lr_p) << "the Cox model has a fit";
+}
+
 }  // namespace
 }  // namespace tcert

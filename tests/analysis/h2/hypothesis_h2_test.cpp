@@ -77,6 +77,30 @@ TEST(HypothesisH2, ScoresEveryGroupAndTestsTheirEquality) {
   EXPECT_GT(panel.mixed_interaction->test->p_value, 0.001);
 }
 
+TEST(HypothesisH2, AnIntervalIsExpandedForTheClustersOfItsGroup) {
+  // Outdoor on 12 of 22 days alone.
+  std::string csv = trials_csv(22, 30, 1.0);
+  for (int day = 12; day < 22; ++day) {
+    const std::string from = "\nd" + std::to_string(day) + ",Outdoor";
+    for (std::size_t at = csv.find(from); at != std::string::npos; at = csv.find(from)) {
+      csv.replace(at, from.size(), "\nd" + std::to_string(day) + ",Indoor");
+    }
+  }
+  const DataTable table = table_of(csv);
+  H2Options options = options_for();
+  options.trials.replicates = 999;
+  const H2Level found = hypothesis_h2(table, options).panels[0].levels[2];
+  ASSERT_EQ(found.name, "Outdoor");
+  EXPECT_EQ(found.clusters, 12U);
+  // Expanded percentiles of G units are percentiles of a higher level, of the same resamples.
+  options.trials.level = 1.0 - 2.0 * expanded_tail(options.trials.level, 12);
+  const H2Level wider = hypothesis_h2(table, options).panels[0].levels[2];
+  EXPECT_NEAR(found.auc.intervals.expanded->low, wider.auc.intervals.percentile->low, 1e-9);
+  EXPECT_NEAR(found.auc.interval->high, wider.auc.intervals.percentile->high, 1e-9);
+  EXPECT_NEAR(
+      found.c_within.intervals.expanded->low, wider.c_within.intervals.percentile->low, 1e-9);
+}
+
 TEST(HypothesisH2, SeesADifferenceThatIsThere) {
   const H2Table h2 = hypothesis_h2(table_of(trials_csv(20, 60, -1.0)), options_for());
   const H2Panel& panel = h2.panels[0];
@@ -136,6 +160,8 @@ TEST(HypothesisH2, WithholdsWhatRestsOnASmallGroup) {
   EXPECT_EQ(fog.withheld, "4 failures, fewer than 10");
   EXPECT_TRUE(fog.auc.value.has_value());
   EXPECT_FALSE(fog.auc.interval || fog.odds.p_value || fog.c_within.interval);
+  EXPECT_FALSE(has(fog.conditions, ConditionKind::failed_replicates))
+      << "resamples without days 0 and 6 have no failure, but there is no interval to speak of";
   EXPECT_TRUE(panel.levels[0].auc.interval.has_value());
   ASSERT_TRUE(panel.auc.has_value());
   EXPECT_FALSE(panel.auc->tests.equivalent || panel.auc->tests.heterogeneity ||

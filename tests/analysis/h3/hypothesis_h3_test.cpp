@@ -172,6 +172,103 @@ TEST(HypothesisH3, WithholdsInferenceFromFewDays) {
   EXPECT_TRUE(scarce.cases[0].gain.interval && scarce.cases[0].lost_upper);
 }
 
+/// The trials named `id` of these pairs of days fail at every beta.
+void fail(std::string& csv, const std::string& id, int pairs) {
+  for (int i = 0; i < pairs; ++i) {
+    const std::string name = id + "_" + std::to_string(i) + ",";
+    for (std::size_t at = csv.find(name); at != std::string::npos; at = csv.find(name, at + 1)) {
+      std::size_t cell = at;
+      for (int comma = 0; comma < 4; ++comma) {
+        cell = csv.find(',', cell) + 1;
+      }
+      csv[cell] = '0';
+    }
+  }
+}
+
+std::string details(const H3Group& group, ConditionKind kind) {
+  std::string all;
+  for (const Condition& condition : group.conditions) {
+    all += condition.kind == kind ? condition.detail + ";" : "";
+  }
+  return all;
+}
+
+TEST(HypothesisH3, NamesEveryAlgorithmThatIsFew) {
+  std::string csv =
+      study(6, [](const std::string& id) { return id == "t1" || id == "c1" ? "Dark" : "Indoor"; });
+  for (const char* const id : {"t2", "t3", "t4"}) {
+    fail(csv, id, 6);
+  }
+  const H3Group gated = h3_of(csv).groups[0];
+  EXPECT_EQ(gated.successes, 6U);
+  EXPECT_EQ(gated.clusters, 12U);
+  EXPECT_EQ(details(gated, ConditionKind::withheld), "6 successes of 'M3', fewer than 10;");
+  EXPECT_TRUE(gated.baseline.interval) << "its rate is its own";
+  EXPECT_FALSE(gated.ungated.interval || gated.gap.interval || gated.cases[0].gain.interval);
+  fail(csv, "c1", 3);
+  const H3Group both = h3_of(csv).groups[0];
+  EXPECT_EQ(details(both, ConditionKind::withheld),
+            "6 successes of 'M3', fewer than 10;9 successes of 'CB-V', fewer than 10;");
+  EXPECT_FALSE(both.baseline.interval);
+  // A baseline that never succeeds has no rate, and it is said.
+  std::string none = small_study(6);
+  fail(none, "c1", 6);
+  fail(none, "c2", 6);
+  const H3Group without = h3_of(none).groups[0];
+  EXPECT_EQ(details(without, ConditionKind::withheld), "0 successes of 'CB-V', fewer than 10;");
+  EXPECT_TRUE(without.ungated.interval);
+}
+
+TEST(HypothesisH3, FewClustersAreSaidAsEverywhere) {
+  EXPECT_EQ(details(h3_of(small_study(6)).groups[0], ConditionKind::few_clusters),
+            "12 clusters, fewer than 30;");
+}
+
+TEST(HypothesisH3, OneDayHasNoInterval) {
+  std::string csv = kHeader;
+  for (int i = 0; i < 12; ++i) {
+    csv += "t" + std::to_string(i) + ",M3,Dark,a,1,squash,5,6," + std::to_string(50 + i) +
+           ",40,0.12,0.15,19.6,0,1\n";
+  }
+  const H3Group one = h3_of(csv).groups[0];
+  EXPECT_EQ(one.clusters, 1U);
+  EXPECT_TRUE(one.ungated.value);
+  EXPECT_FALSE(one.ungated.interval);
+}
+
+TEST(HypothesisH3, AnIntervalIsExpandedForTheDaysOfItsOwnAlgorithm) {
+  // The baseline runs on the 12 days of the others and on 30 more.
+  std::string csv = small_study(6);
+  for (int i = 0; i < 30; ++i) {
+    for (const char* const beta : {"5", "20"}) {
+      csv += "m" + std::to_string(i) + ",CB-V,Dark,m_" + std::to_string(i) + ",1,squash," + beta +
+             ",6," + std::to_string(25 + i % 7) + ",30,0.12,0.15,19.6,0,1\n";
+    }
+  }
+  const DataTable table = test_support::table_of(csv);
+  H3Options options;
+  options.replicates = 999;
+  const H3Group found = hypothesis_h3(table, options).groups[0];
+  EXPECT_EQ(found.clusters, 42U);
+  // Expanded percentiles of G units are percentiles of a higher level, of the same resamples.
+  const auto of_units = [&](std::size_t units) {
+    H3Options other = options;
+    other.level = 1.0 - 2.0 * expanded_tail(options.level, units);
+    return hypothesis_h3(table, other).groups[0];
+  };
+  const H3Group gated = of_units(12);
+  EXPECT_NEAR(found.ungated.intervals.expanded->low, gated.ungated.intervals.percentile->low, 1e-9);
+  EXPECT_NEAR(found.cases[0].gain.intervals.expanded->high,
+              gated.cases[0].gain.intervals.percentile->high,
+              1e-9);
+  EXPECT_NEAR(found.gap.intervals.expanded->low, gated.gap.intervals.percentile->low, 1e-9)
+      << "the fewer of both";
+  EXPECT_NEAR(found.baseline.intervals.expanded->low,
+              of_units(42).baseline.intervals.percentile->low,
+              1e-9);
+}
+
 TEST(HypothesisH3, WithoutABaselineThereIsNoGap) {
   std::string csv = small_study();
   for (std::size_t at = csv.find("CB-V"); at != std::string::npos; at = csv.find("CB-V")) {

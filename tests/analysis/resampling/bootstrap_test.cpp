@@ -266,5 +266,44 @@ TEST(BootstrapInterval, NamesWhatIsWrongWithTheReplicates) {
                std::invalid_argument);
 }
 
+TEST(Bootstrap, UnitsOfAValueMayBeFewerThanThoseDrawn) {
+  std::vector<double> values;
+  RandomStream random(3, 1, 0);
+  for (int i = 0; i < 22; ++i) {
+    values.push_back(random.normal());
+  }
+  BootstrapOptions options;
+  options.replicates = 999;
+  const BootstrapResult result = bootstrap(mean_of(values), ResamplingPlan::of_rows(22), options);
+  // Expanded percentiles of G units are percentiles of a higher level.
+  EXPECT_NEAR(expanded_tail(0.95, 10), 0.00855, 1e-4);
+  EXPECT_NEAR(expanded_tail(0.95, 22), 0.0166, 1e-4);
+  const BootstrapIntervals of_ten = bootstrap_intervals(result, 0, 0.95, 10);
+  const BootstrapIntervals wider =
+      bootstrap_intervals(result, 0, 1.0 - 2.0 * expanded_tail(0.95, 10));
+  EXPECT_NEAR(of_ten.expanded->low, wider.percentile->low, 1e-9);
+  EXPECT_NEAR(of_ten.expanded->high, wider.percentile->high, 1e-9);
+  EXPECT_FALSE(bootstrap_intervals(result, 0, 0.95, 1).expanded);
+  EXPECT_TRUE(bootstrap_intervals(result, 0, 0.95, 1).percentile);
+}
+
+TEST(Bootstrap, SaysWhyBcaAloneHasNoInterval) {
+  BootstrapResult result;
+  result.units = 12;
+  result.observed = {0.0, 5.0};
+  result.replicates = {{}, {}};
+  for (int r = 1; r <= 199; ++r) {
+    result.replicates[0].push_back(r);  // all above what was observed
+    result.replicates[1].push_back(r % 11);
+  }
+  result.acceleration = {0.01, 0.01};
+  const BootstrapIntervals none = bootstrap_intervals(result, 0);
+  EXPECT_TRUE(none.expanded && none.percentile);
+  EXPECT_FALSE(none.bca);
+  EXPECT_EQ(none.no_bca.value().kind, ConditionKind::infinite_bias);
+  EXPECT_FALSE(bootstrap_intervals(result, 1).no_bca);
+  EXPECT_TRUE(bootstrap_intervals(result, 1).bca);
+}
+
 }  // namespace
 }  // namespace tcert
