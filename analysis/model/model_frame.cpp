@@ -288,7 +288,7 @@ class FrameBuilder {
     if (column != nullptr && column->mixed.missing_words > 0) {
       throw FormulaError("'" + used.name + "' of " + table_.file + " holds '" +
                          missing_word_of(factor) + "', which is no outcome; " +
-                         std::string(kHowMissingIsWritten) + advice);
+                         std::string(kHowMissingIsWritten));
     }
     if (factor.levels.size() == 1 || factor.levels.size() > 2) {
       throw FormulaError("'" + used.name + "' has " + std::to_string(factor.levels.size()) +
