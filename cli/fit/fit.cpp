@@ -1,5 +1,4 @@
 #include "cli/fit/fit.hpp"
-#include "analysis/basics/condition_groups.hpp"
 
 #include <algorithm>
 #include <array>
