@@ -49,10 +49,7 @@ void code_outcome_column(const OutcomeColumn& outcome, DataTable& table) {
 
 void refuse_missing_words(std::span<const std::string> columns, const DataTable& table) {
   for (const std::string& name : columns) {
-    const DataColumn* const column = table.find(name);
-    if (column != nullptr && column->is_text && column->mixed.has_missing_words()) {
-      throw FormulaError(stray_cell(table, *column));
-    }
+    tcert::refuse_missing_words(table, table.find(name));
   }
 }
 

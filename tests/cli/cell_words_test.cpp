@@ -172,6 +172,21 @@ TEST_F(CellWords, NamesThatDifferInCaseAreTwoColumnsOfATable) {
   EXPECT_EQ(run.exit_code, 0) << to_string(run);
 }
 
+TEST_F(CellWords, AWordForAMissingCellIsNoCause) {
+  const auto table = [](const std::string& word) {
+    return "t,e,why\n1,1,1\n2,1,2\n3,1," + word + "\n4,1,1\n5,0,1\n6,1,2\n";
+  };
+  work_.write("t.csv", table("N/A"));
+  const ProcessResult word = fit("km", "Surv(t, e) ~ 1", {"--cause", "why"});
+  EXPECT_EQ(word.exit_code, 2) << to_string(word);
+  EXPECT_NE(word.err.find("'N/A' in row 3 of column why of t.csv (line 4"), std::string::npos)
+      << to_string(word);
+  work_.write("t.csv", table("NA"));
+  const ProcessResult missing = fit("km", "Surv(t, e) ~ 1", {"--cause", "why"});
+  EXPECT_EQ(missing.exit_code, 0) << to_string(missing);
+  EXPECT_NE(missing.err.find("events without a cause"), std::string::npos) << missing.err;
+}
+
 TEST_F(CellWords, ProductsWithStrataAreForCox) {
   work_.write("t.csv", trials("1", "0"));
   const ProcessResult cox = fit("cox", "Surv(t, y) ~ x * strata(day)", {"--format", "json"});
@@ -179,6 +194,12 @@ TEST_F(CellWords, ProductsWithStrataAreForCox) {
   EXPECT_EQ(json::parse(cox.out)["coefficients"][1]["term"], "x:strata(day)d1");
   EXPECT_EQ(fit("km", "Surv(t, y) ~ x * strata(day)").exit_code, 2);
   EXPECT_EQ(fit("glm", "y ~ x * strata(day)").exit_code, 2);
+  for (const char* formula : {"Surv(t, y) ~ x * strata(day)", "Surv(t, y) ~ x:strata(day)"}) {
+    const ProcessResult concordance = fit("concordance", formula);
+    EXPECT_EQ(concordance.exit_code, 2) << to_string(concordance);
+    EXPECT_NE(concordance.err.find("a product with strata() is for cox"), std::string::npos)
+        << to_string(concordance);
+  }
 }
 
 }  // namespace
