@@ -83,15 +83,17 @@ struct Kind {
   Fit fit;
   RightSide right_side;
   bool allow_infinite;  ///< Only ranks count.
+  bool has_coefficients;
 };
 
-constexpr std::array<Kind, 7> kKinds{{{"glm", fit_glm, RightSide::design, false},
-                                      {"glmm", fit_mixed_model, RightSide::design, false},
-                                      {"calibration", fit_calibration, RightSide::design, false},
-                                      {"cox", fit_cox_model, RightSide::design, false},
-                                      {"km", fit_km, RightSide::groups, false},
-                                      {"roc", fit_roc, RightSide::design, true},
-                                      {"concordance", fit_concordance, RightSide::design, true}}};
+constexpr std::array<Kind, 7> kKinds{
+    {{"glm", fit_glm, RightSide::design, false, true},
+     {"glmm", fit_mixed_model, RightSide::design, false, true},
+     {"calibration", fit_calibration, RightSide::design, false, false},
+     {"cox", fit_cox_model, RightSide::design, false, true},
+     {"km", fit_km, RightSide::groups, false, false},
+     {"roc", fit_roc, RightSide::design, true, false},
+     {"concordance", fit_concordance, RightSide::design, true, false}}};
 
 CommandLine command_line(FitOptions& o, std::string_view help) {
   CommandLine line{
@@ -376,7 +378,8 @@ int run(Arguments arguments) {
       return exit_bad_data;
     }
     if (!has_estimate(report)) {
-      say("tcert fit: nothing that was asked for has an estimate");
+      say(kind.has_coefficients ? "tcert fit: no coefficient has an estimate"
+                                : "tcert fit: nothing has an estimate");
       return exit_bad_data;
     }
     return exit_done;
