@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -145,6 +146,15 @@ TEST_F(CellWords, AnOutcomeIsTheSameInAllItsWords) {
   ASSERT_EQ(named.exit_code, 0) << to_string(named);
   EXPECT_EQ(json::parse(named.out)["h1"], numbers["h1"]);
   EXPECT_NE(named.err.find("'reached' counts as 1, 'cycle_cap' as 0"), std::string::npos);
+  // It is in the report too, where --quiet says nothing.
+  const json quiet = json::parse(h1({"--success", "y=reached", "--quiet"}).out);
+  EXPECT_EQ(quiet["event_level"], "reached");
+  EXPECT_EQ(quiet["reference_level"], "cycle_cap");
+  const auto& conditions = quiet["conditions"];
+  EXPECT_TRUE(std::any_of(conditions.begin(), conditions.end(), [](const json& one) {
+    return one["name"] == "text_outcome" && one["column"] == "y" && one["severity"] == "note";
+  })) << conditions;
+  EXPECT_FALSE(numbers.contains("event_level"));
   EXPECT_EQ(h1({"--success", "y=raeched"}).exit_code, 2);
   EXPECT_EQ(h1({"--success", "=reached"}).exit_code, 2);
 }
