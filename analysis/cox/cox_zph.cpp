@@ -110,7 +110,8 @@ struct Part {
 /// At a finite maximum: one that has run away has no estimate that is told, but a score as any.
 bool is_finite(const CoxFit& fit, std::size_t column) {
   const auto j = static_cast<Eigen::Index>(column);
-  return !fit.coefficients[column].is_infinite && fit.limit_model_vcov(j, j) > 0.0;
+  const CoxCoefficient& coefficient = fit.coefficients[column];
+  return coefficient.estimate || (!coefficient.is_infinite && fit.limit_model_vcov(j, j) > 0.0);
 }
 
 std::vector<Part> parts_of(const CoxData& data, const CoxFit& fit, bool by_term) {
