@@ -38,8 +38,8 @@ where it stratifies the log-rank test, or without other terms gives a curve a st
 
 A missing cell is empty, NA or nan. TRUE, True, true, T and their opposites are truth values. An outcome
 of texts is 1 where it says success, s, ok, pass, yes or true, 0 where it says the opposite; any other two
-texts are coded in byte order: write outcome == "text" for the one that counts as 1. In cox, + 0 and - 1
-change nothing, as in coxph, and x * strata(g) gives an effect of x a stratum. Times that differ by
+texts are coded in byte order: write outcome == "text" for the one that counts as 1. A word for a missing
+cell (N/A, null, -) among them is refused, also in such a comparison. In cox, + 0 and - 1 change nothing, as in coxph, and x * strata(g) gives an effect of x a stratum. Times that differ by
 rounding are one time; --no-time-rounding keeps them apart. Stamps stay as far apart as they are; one
 among durations is named.
 For competing causes the status is 1 for every cause, and --cause names the column that tells them
