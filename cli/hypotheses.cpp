@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <array>
 #include <functional>
+#include <string_view>
 
 #include "analysis/h1/hypothesis_h1.hpp"
 #include "analysis/h2/hypothesis_h2.hpp"
@@ -165,6 +168,29 @@ void require_table_options(const CommonOptions& common) {
   }
 }
 
+/// \throws UsageError for an option of h1 and h2 that would do nothing to h3.
+void require_h3_options(const CommonOptions& common) {
+  constexpr std::array<std::string_view, 14> kOfTrials = {"features",
+                                                          "predictor",
+                                                          "baselines",
+                                                          "success",
+                                                          "time",
+                                                          "strata",
+                                                          "within",
+                                                          "landmark",
+                                                          "limit",
+                                                          "no-time-rounding",
+                                                          "folds",
+                                                          "group",
+                                                          "margin",
+                                                          "permutations"};
+  for (const std::string& name : common.given) {
+    if (std::find(kOfTrials.begin(), kOfTrials.end(), name) != kOfTrials.end()) {
+      throw UsageError("--" + name + " is for h1 and h2, not for h3");
+    }
+  }
+}
+
 int run(Arguments arguments) {
   HypothesesOptions options;
   H3CommandOptions h3_options;
@@ -173,6 +199,7 @@ int run(Arguments arguments) {
     return exit_done;
   }
   if (options.hypothesis == "h3") {
+    require_h3_options(common);
     return run_h3(h3_options,
                   {options.bundle,
                    options.cluster,
@@ -196,8 +223,10 @@ int run(Arguments arguments) {
   FitReport result;
   try {
     refuse_missing_words(hypothesis.columns, study.file.table);
-    code_outcome_column(outcome_column(options.success), study.file.table);
+    const OutcomeTexts texts =
+        code_outcome_column(outcome_column(options.success), study.file.table);
     result = hypothesis.test(study.file.table);
+    name_outcome_texts(texts, result);
   } catch (const FormulaError& error) {
     throw UsageError(error.what());
   }

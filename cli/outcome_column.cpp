@@ -23,7 +23,7 @@ OutcomeColumn outcome_column(const std::string& option) {
   return outcome;
 }
 
-void code_outcome_column(const OutcomeColumn& outcome, DataTable& table) {
+OutcomeTexts code_outcome_column(const OutcomeColumn& outcome, DataTable& table) {
   OutcomeCoding coding;
   try {
     coding = code_outcome(table, outcome.column, outcome.words);
@@ -35,24 +35,32 @@ void code_outcome_column(const OutcomeColumn& outcome, DataTable& table) {
                                   "=WORD[,WORD]' names the words that count as success"
                             : ""));
   }
-  if (!coding.success.empty() || !coding.failure.empty()) {
-    say("tcert hypotheses: note: column '" + outcome.column + "': " +
-        (coding.success.empty() ? "nothing" : "'" + coding.success + "'") + " counts as 1, " +
-        (coding.failure.empty() ? "nothing" : "'" + coding.failure + "'") + " as 0");
-  }
   const auto column =
       std::find_if(table.columns.begin(), table.columns.end(), [&](const DataColumn& one) {
         return one.name == outcome.column;
       });
   *column = {outcome.column, false, std::move(coding.values), {}, false, {}};
+  return {outcome.column, std::move(coding.success), std::move(coding.failure)};
+}
+
+void name_outcome_texts(const OutcomeTexts& texts, FitReport& report) {
+  if (texts.success.empty() && texts.failure.empty()) {
+    return;
+  }
+  const auto quoted = [](const std::string& words) {
+    return words.empty() ? std::string("nothing") : "'" + words + "'";
+  };
+  std::string detail = quoted(texts.success) + " counts as 1, " + quoted(texts.failure) + " as 0";
+  say("tcert hypotheses: note: column '" + texts.column + "': " + detail);
+  report.settings.emplace_back("event_level", texts.success);
+  report.settings.emplace_back("reference_level", texts.failure);
+  report.conditions.push_back(
+      {ConditionKind::text_outcome, ConditionSeverity::note, texts.column, std::move(detail)});
 }
 
 void refuse_missing_words(std::span<const std::string> columns, const DataTable& table) {
   for (const std::string& name : columns) {
-    const DataColumn* const column = table.find(name);
-    if (column != nullptr && column->is_text && column->mixed.has_missing_words()) {
-      throw FormulaError(stray_cell(table, *column));
-    }
+    tcert::refuse_missing_words(table, table.find(name));
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "datasets/decimal.hpp"
 #include "datasets/nearest_name.hpp"
+#include "datasets/trimmed.hpp"
 
 namespace tcert {
 namespace {
@@ -23,13 +24,6 @@ constexpr std::array<std::string_view, 27> kMissingWords = {
     "na",   "n/a", "n.a.", "n.a", "#n/a",    "#na",       "<na>",    "null",   "<null>",
     "none", "nil", "nat",  "\\n", "missing", "undefined", "-",       "--",     "---",
     ".",    "..",  "...",  "?",   "1.#ind",  "-1.#ind",   "1.#qnan", "\u2013", "\u2014"};
-
-std::string_view trimmed(std::string_view text) noexcept {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  const auto last = text.find_last_not_of(" \t\r\n");
-  return first == std::string_view::npos ? std::string_view{}
-                                         : text.substr(first, last - first + 1);
-}
 
 char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
 

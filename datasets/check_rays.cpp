@@ -50,13 +50,6 @@ double clearance(const Ray& ray, double value) {
   return ray.kind == RayKind::bend ? calibrated_clearance(ray.calibration, value) : value;
 }
 
-/// A calibration may end short of the reach.
-double longest_clearance(const Ray& ray) {
-  return ray.kind == RayKind::bend
-             ? std::min(ray.reach_m, std::ranges::max(ray.calibration.clearance_m))
-             : ray.reach_m;
-}
-
 /// Where the contact began that lasts to the end; the end if there is none.
 Column::const_iterator last_contact(const Column& column, const CertificateParameters& parameters) {
   auto began = column.end();

@@ -215,6 +215,8 @@ MixedCells mixed_cells(const Factor& text, char decimal_point) {
            (mixed.numbers > 0 || meaning[code] != CellMeaning::truth);
   };
   const auto first = std::find_if(text.codes.begin(), text.codes.end(), is_stray);
+  mixed.distinct_numbers = std::min(mixed.distinct_numbers, MixedCells::kMostDistinct);
+  mixed.distinct_texts = std::min(mixed.distinct_texts, MixedCells::kMostDistinct);
   mixed.first_row = static_cast<std::size_t>(first - text.codes.begin());
   return mixed;
 }

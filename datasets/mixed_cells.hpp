@@ -8,12 +8,16 @@ namespace tcert {
 
 /// How many cells of a column are what, by read_cell(); missing ones are not counted.
 struct MixedCells {
+  /// Distinct cells are counted up to here, by every reader, so that all of them judge alike: more
+  /// need not be told apart.
+  static constexpr std::size_t kMostDistinct = 1000;
+
   std::size_t numbers = 0;
-  std::size_t distinct_numbers = 0;  ///< Distinct as written.
+  std::size_t distinct_numbers = 0;  ///< As written; up to kMostDistinct.
   std::size_t truths = 0;
   std::size_t missing_words = 0;  ///< null, N/A, -, ...
   std::size_t texts = 0;
-  std::size_t distinct_texts = 0;
+  std::size_t distinct_texts = 0;  ///< Likewise.
   std::size_t first_row = 0;  ///< 0-based, of the first cell that is no number and not missing; of
                               ///< the first that is no truth value if there are no numbers.
 

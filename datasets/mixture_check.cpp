@@ -11,8 +11,7 @@ void MixtureCheck::remember(Found& first, const std::string& cell, std::size_t l
 }
 
 void MixtureCheck::count_distinct(std::set<std::string>& seen, const std::string& cell) {
-  constexpr std::size_t kMostDistinct = 1000;  // more need not be told apart: ten are many
-  if (seen.size() < kMostDistinct) {
+  if (seen.size() < MixedCells::kMostDistinct) {
     seen.insert(cell);
   }
 }

@@ -6,6 +6,7 @@
 
 #include "datasets/cell_reading.hpp"
 #include "datasets/nearest_name.hpp"
+#include "datasets/trimmed.hpp"
 
 namespace tcert {
 namespace {
@@ -25,13 +26,6 @@ constexpr std::array<std::string_view, 12> kSuccess = {"true",
                                                        "passed"};
 constexpr std::array<std::string_view, 9> kFailure = {
     "false", "f", "no", "n", "failure", "failed", "fail", "nok", "not ok"};
-
-std::string_view trimmed(std::string_view text) noexcept {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  const auto last = text.find_last_not_of(" \t\r\n");
-  return first == std::string_view::npos ? std::string_view{}
-                                         : text.substr(first, last - first + 1);
-}
 
 }  // namespace
 

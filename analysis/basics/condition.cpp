@@ -82,7 +82,7 @@ constexpr auto kEntries = std::to_array<Entry>({
     {ConditionKind::text_outcome,
      "text_outcome",
      "texts are coded as 0 and 1",
-     "write 'column == \"text\"' for the one that counts as 1"},
+     "write 'column == \"text\"' for the one that counts as 1, or --success 'column=text'"},
     {ConditionKind::bad_weight,
      "bad_weight",
      "a weight that cannot be used",

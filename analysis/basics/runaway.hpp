@@ -6,9 +6,10 @@
 
 namespace tcert {
 
-/// A spread that neither an outlier nor a rare level moves: the interquartile range over 1.349 (the
-/// standard deviation of a normal sample); where that is 0, the median distance from the median of
-/// the values that differ from it, which is 1 for a dummy. 0 for a constant. O(n log n).
+/// A spread that neither an outlier nor a rare level moves. Of two values, as of a dummy, their
+/// distance. Of more, the interquartile range over 1.349 (the standard deviation of a normal
+/// sample); where that is 0, the median distance from the median of the values that differ from it.
+/// 0 for a constant. Never above the range of the values. O(n).
 [[nodiscard]] double typical_spread(std::vector<double> values);
 
 /// Log odds at which a probability is numerically 0 or 1: 10 machine epsilons, as R's `glm` warns.
@@ -30,5 +31,9 @@ struct SpreadRatio {
 /// `trials` (or events) without effect. So a collinear or badly scaled column, whose error is large
 /// without any effect, is not meant.
 [[nodiscard]] bool has_run_away(const SpreadRatio& ratio, double trials) noexcept;
+
+/// Whether one could have run away whose ratio and error are per range of its column, which no
+/// spread exceeds: what needs no spread to be ruled out.
+[[nodiscard]] bool may_have_run_away(const SpreadRatio& ratio_of_range) noexcept;
 
 }  // namespace tcert

@@ -17,10 +17,23 @@ std::vector<bool> cox_runaways(const CoxData& data,
   if (ranked.empty()) {
     return away;
   }
+  // Next to no column needs its spread.
+  std::vector<std::size_t> candidates;
+  for (std::size_t k = 0; k < ranked.size(); ++k) {
+    const Eigen::Index j = ranked[k];
+    const auto column = data.design.col(j);
+    const double range = (column.maxCoeff() - column.minCoeff()) / rows.scale(j);
+    if (may_have_run_away({maximum.beta(j) * range, std::sqrt(inverse(j, j)) * range})) {
+      candidates.push_back(k);
+    }
+  }
+  if (candidates.empty()) {
+    return away;
+  }
   const Eigen::MatrixXd null = maximum.null.information(ranked, ranked);
   const Eigen::MatrixXd without_effect =
       null.ldlt().solve(Eigen::MatrixXd::Identity(null.rows(), null.cols()));
-  for (std::size_t k = 0; k < ranked.size(); ++k) {
+  for (const std::size_t k : candidates) {
     const Eigen::Index j = ranked[k];
     const double variance = inverse(j, j);
     if (std::isnan(variance)) {

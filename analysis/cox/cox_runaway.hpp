@@ -12,8 +12,7 @@ namespace tcert {
 
 /// Per column whether its estimate has run away (`has_run_away`): the curvature along it is held
 /// against that without effect, over the number of events. `inverse` is that of the information at
-/// the estimate, of the scaled columns; columns that it does not know (NaN) have not. O(n p log n +
-/// p^3).
+/// the estimate, of the scaled columns; columns that it does not know (NaN) have not. O(n p + p^3).
 [[nodiscard]] std::vector<bool> cox_runaways(const CoxData& data,
                                              const CoxRows& rows,
                                              const CoxMaximum& maximum,

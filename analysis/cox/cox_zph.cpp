@@ -82,10 +82,12 @@ std::optional<ChiSquareTest> score_test(const ExtendedScore& extended,
                                  : std::nullopt;
 }
 
+/// Without a column to test there is nothing that could be singular.
 void note_rejection(const std::string& name,
+                    bool is_tested,
                     const std::optional<ChiSquareTest>& test,
                     ProportionalityTests& result) {
-  if (!test) {
+  if (is_tested && !test) {
     result.conditions.push_back({ConditionKind::singular_information,
                                  ConditionSeverity::warning,
                                  name,
@@ -105,12 +107,19 @@ struct Part {
   std::size_t df = 0;
 };
 
+/// At a finite maximum: one that has run away has no estimate that is told, but a score as any.
+bool is_finite(const CoxFit& fit, std::size_t column) {
+  const auto j = static_cast<Eigen::Index>(column);
+  const CoxCoefficient& coefficient = fit.coefficients[column];
+  return coefficient.estimate || (!coefficient.is_infinite && fit.limit_model_vcov(j, j) > 0.0);
+}
+
 std::vector<Part> parts_of(const CoxData& data, const CoxFit& fit, bool by_term) {
   std::vector<Part> parts;
   std::size_t last_term = data.terms.size();
   for (std::size_t j = 0; j < data.columns.size(); ++j) {
-    const bool is_finite = fit.coefficients[j].estimate.has_value();
-    if (!is_finite && !fit.coefficients[j].is_infinite) {
+    const bool tested = is_finite(fit, j);
+    if (!tested && !fit.coefficients[j].is_infinite) {
       continue;
     }
     if (!by_term || parts.empty() || data.term_of[j] != last_term) {
@@ -118,7 +127,7 @@ std::vector<Part> parts_of(const CoxData& data, const CoxFit& fit, bool by_term)
     }
     last_term = data.term_of[j];
     ++parts.back().df;
-    if (is_finite) {
+    if (tested) {
       parts.back().tested.push_back(static_cast<Eigen::Index>(j));
     }
   }
@@ -162,7 +171,7 @@ ProportionalityTests cox_zph(const CoxData& data,
     if (fit.limit_model_vcov(j, j) > 0.0) {
       known.push_back(j);
     }
-    if (fit.coefficients[static_cast<std::size_t>(j)].estimate) {
+    if (is_finite(fit, static_cast<std::size_t>(j))) {
       finite.push_back(j);
     }
   }
@@ -176,10 +185,10 @@ ProportionalityTests cox_zph(const CoxData& data,
                                                 transformed_times(data.outcome, transform));
   for (const Part& part : parts) {
     result.parts.push_back({part.name, score_test(extended, known, part.tested, part.df)});
-    note_rejection(part.name, result.parts.back().test, result);
+    note_rejection(part.name, !part.tested.empty(), result.parts.back().test, result);
   }
   result.global = score_test(extended, known, finite, fit.df);
-  note_rejection("", result.global, result);
+  note_rejection("", !finite.empty(), result.global, result);
   return result;
 }
 

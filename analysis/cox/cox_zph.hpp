@@ -36,14 +36,15 @@ struct ProportionalityTests {
   std::vector<ProportionalityTest> parts;  ///< All but those constant or collinear.
   std::optional<ChiSquareTest> global;     ///< Of all of them.
   Conditions conditions;  ///< not_proportional for each part, and without a column for the global
-                          ///< test, with p below 0.05; singular_information for those without a
-                          ///< test; the fit's if it has no estimate.
+                          ///< test, with p below 0.05; singular_information for those whose
+                          ///< information is singular; the fit's if it has no estimate.
 };
 
 /// `by_term`: one test a term, else one a column. \pre `fit` is the fit to `data`, without an
 /// error, with Efron or Breslow ties. Constant and collinear columns are left out. One that runs to
-/// infinity adds nothing to a statistic, and one to its degrees of freedom, as in R. O(n (log n +
-/// p^2)). \throws std::invalid_argument with exact ties.
+/// infinity adds nothing to a statistic, and one to its degrees of freedom; one that has run away
+/// is tested as any other; both as in R. O(n (log n + p^2)). \throws std::invalid_argument with
+/// exact ties.
 [[nodiscard]] ProportionalityTests cox_zph(const CoxData& data,
                                            const CoxFit& fit,
                                            TimeTransform transform = TimeTransform::km,

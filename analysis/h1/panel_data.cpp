@@ -335,9 +335,9 @@ void add_times(const std::vector<double>& time,
       panel.conditions);
   const bool is_far = has(panel.conditions, ConditionKind::unlike_times);
   end_at_limit(options, earliest, outcome, panel, data);
-  if (options.round_times) {
-    add_rounding_conditions(round_times(outcome), options.time, panel.conditions);
-  }
+  add_rounding_conditions(options.round_times ? round_times(outcome) : count_times(outcome),
+                          options.time,
+                          panel.conditions);
   const double longest =
       time.empty() ? 0.0 : *std::max_element(outcome.stop.begin(), outcome.stop.end());
   panel.limit_s = options.limit_s.value_or(longest);

@@ -1,9 +1,11 @@
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "analysis/logistic/logistic.hpp"
 #include "analysis/model/frame_checks.hpp"
 #include "datasets/csv_write.hpp"
+#include "datasets/trimmed.hpp"
 
 namespace tcert {
 namespace {
@@ -18,14 +20,9 @@ std::string counts_in_words(const std::string& response) {
   const auto plain = [](const std::string& name) {
     return !name.empty() && name.find_first_of("/()+-*^:, ") == std::string::npos;
   };
-  const auto trimmed = [](const std::string& text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    return first == std::string::npos ? std::string()
-                                      : text.substr(first, text.find_last_not_of(' ') - first + 1);
-  };
   if (slash != std::string::npos) {
-    const std::string k = trimmed(response.substr(0, slash));
-    const std::string n = trimmed(response.substr(slash + 1));
+    const std::string k(trimmed(std::string_view(response).substr(0, slash)));
+    const std::string n(trimmed(std::string_view(response).substr(slash + 1)));
     if (plain(k) && plain(n)) {
       return "cbind(" + k + ", " + n + " - " + k + ")";
     }

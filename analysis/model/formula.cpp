@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datasets/trimmed.hpp"
+
 namespace tcert {
 namespace {
 
@@ -284,13 +286,6 @@ void take_strata(const std::vector<Expression>& seen, Formula& formula) {
                std::back_inserter(formula.strata_effects),
                is_stratum);
   std::erase_if(formula.terms, is_stratum);
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\n");
-  const auto last = text.find_last_not_of(" \t\n");
-  return first == std::string_view::npos ? std::string_view{}
-                                         : text.substr(first, last - first + 1);
 }
 
 }  // namespace

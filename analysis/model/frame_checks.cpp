@@ -139,6 +139,7 @@ void round_and_check_times(SurvivalOutcome& survival,
   add_unlike_times(
       survival.stop, column, [&](std::size_t i) { return place_of(frame, i); }, frame.conditions);
   if (!round) {
+    add_rounding_conditions(count_times(survival), column, frame.conditions);
     return;
   }
   add_rounding_conditions(round_times(survival), column, frame.conditions);

@@ -73,7 +73,7 @@ class FrameBuilder {
   }
 
   void use_factor(std::vector<Used>& list, const Expression& expression) {
-    refuse_missing_words(expression);
+    refuse_missing_words(table_, text_column(expression));
     list.push_back(
         {to_string(expression), {Variable::Kind::factor, {}, evaluate_factor(expression, table_)}});
   }
@@ -88,21 +88,13 @@ class FrameBuilder {
   /// Stray texts would otherwise make a factor of a column of numbers.
   void refuse_stray_text(const Expression& expression) const {
     if (options_.right_side == RightSide::groups) {
-      refuse_missing_words(expression);
+      refuse_missing_words(table_, text_column(expression));
       return;
     }
     const DataColumn* const column = text_column(expression);
     if (column != nullptr && column->mixed.is_spoiled()) {
       throw FormulaError(stray_cell(table_, *column) + "; write factor(" + column->name +
                          ") if it is a name");
-    }
-  }
-
-  /// A word for a missing cell would otherwise be a group, an outcome or a cluster of its own.
-  void refuse_missing_words(const Expression& expression) const {
-    const DataColumn* const column = text_column(expression);
-    if (column != nullptr && column->mixed.has_missing_words()) {
-      throw FormulaError(stray_cell(table_, *column));
     }
   }
 
@@ -288,7 +280,7 @@ class FrameBuilder {
     if (column != nullptr && column->mixed.missing_words > 0) {
       throw FormulaError("'" + used.name + "' of " + table_.file + " holds '" +
                          missing_word_of(factor) + "', which is no outcome; " +
-                         std::string(kHowMissingIsWritten) + advice);
+                         std::string(kHowMissingIsWritten));
     }
     if (factor.levels.size() == 1 || factor.levels.size() > 2) {
       throw FormulaError("'" + used.name + "' has " + std::to_string(factor.levels.size()) +

@@ -1,5 +1,6 @@
 #include "analysis/model/stray_text.hpp"
 
+#include "analysis/model/expression.hpp"
 #include "datasets/cell_reading.hpp"
 #include "datasets/diagnostic.hpp"
 
@@ -28,6 +29,12 @@ std::string not_numbers(const DataTable& table, const std::string& column) {
   const bool is_mixed = data != nullptr && data->is_text &&
                         (data->mixed.numbers > 0 || data->mixed.has_missing_words());
   return is_mixed ? text + ": " + stray_cell(table, *data) : text;
+}
+
+void refuse_missing_words(const DataTable& table, const DataColumn* column) {
+  if (column != nullptr && column->is_text && column->mixed.has_missing_words()) {
+    throw FormulaError(stray_cell(table, *column));
+  }
 }
 
 }  // namespace tcert

@@ -17,4 +17,9 @@ namespace tcert {
 /// "'x' of t.csv holds text, not numbers", and its stray cell if it holds numbers too.
 [[nodiscard]] std::string not_numbers(const DataTable& table, const std::string& column);
 
+/// A word for a missing cell (N/A, null) among numbers or truth values would otherwise be a group,
+/// a cluster or a cause of its own. \throws FormulaError with the stray cell if the column holds
+/// one; a column that is not there has none.
+void refuse_missing_words(const DataTable& table, const DataColumn* column);
+
 }  // namespace tcert

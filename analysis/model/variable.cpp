@@ -347,6 +347,35 @@ class Evaluation {
     return {Variable::Kind::number, std::move(x), {}};
   }
 
+  /// A word for a missing cell differs from every text, and would count as one of them. Compared
+  /// with itself it is meant. \throws FormulaError with its place.
+  void refuse_missing_words(const Expression& call,
+                            const Factor& factor,
+                            const std::string& text) const {
+    std::vector<bool> is_missing_word;
+    for (const std::string& level : factor.levels) {
+      is_missing_word.push_back(level != text &&
+                                read_cell(level).meaning == CellMeaning::missing_word);
+    }
+    const auto found =
+        std::find_if(factor.codes.begin(), factor.codes.end(), [&](std::uint32_t code) {
+          return code != Factor::kMissing && is_missing_word[code];
+        });
+    if (found == factor.codes.end()) {
+      return;
+    }
+    const auto row = static_cast<std::size_t>(found - factor.codes.begin());
+    std::string place = "row " + std::to_string(row + 1) + " of " + table_.file;
+    if (row < table_.lines.size()) {
+      place += " (line " + std::to_string(table_.lines[row]) + ")";
+    }
+    const std::string& word = factor.levels[*found];
+    throw FormulaError("'" + to_string(call) + "': found '" + word + "' in " + place + ", which " +
+                       "would count as another text than '" + text + "'; " +
+                       std::string(kHowMissingIsWritten) + "; if '" + word +
+                       "' is a name, compare with it or call it something else");
+  }
+
   /// A factor compared with a text.
   Variable compared(const Expression& call, const Expression& subject, std::string text) {
     if (call.name != "==" && call.name != "!=") {
@@ -361,6 +390,7 @@ class Evaluation {
       }
     }
     const Variable names = factor(subject);
+    refuse_missing_words(call, names.factor, text);
     Variable result{Variable::Kind::truth, std::vector<double>(table_.rows, kNaN), {}};
     for (std::size_t row = 0; row < table_.rows; ++row) {
       if (!names.is_missing(row)) {

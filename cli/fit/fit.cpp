@@ -1,5 +1,4 @@
 #include "cli/fit/fit.hpp"
-#include "analysis/basics/condition_groups.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,8 +38,8 @@ where it stratifies the log-rank test, or without other terms gives a curve a st
 
 A missing cell is empty, NA or nan. TRUE, True, true, T and their opposites are truth values. An outcome
 of texts is 1 where it says success, s, ok, pass, yes or true, 0 where it says the opposite; any other two
-texts are coded in byte order: write outcome == "text" for the one that counts as 1. In cox, + 0 and - 1
-change nothing, as in coxph, and x * strata(g) gives an effect of x a stratum. Times that differ by
+texts are coded in byte order: write outcome == "text" for the one that counts as 1. A word for a missing
+cell (N/A, null, -) among them is refused, also in such a comparison. In cox, + 0 and - 1 change nothing, as in coxph, and x * strata(g) gives an effect of x a stratum. Times that differ by
 rounding are one time; --no-time-rounding keeps them apart. Stamps stay as far apart as they are; one
 among durations is named.
 For competing causes the status is 1 for every cause, and --cause names the column that tells them
@@ -84,15 +83,17 @@ struct Kind {
   Fit fit;
   RightSide right_side;
   bool allow_infinite;  ///< Only ranks count.
+  bool has_coefficients;
 };
 
-constexpr std::array<Kind, 7> kKinds{{{"glm", fit_glm, RightSide::design, false},
-                                      {"glmm", fit_mixed_model, RightSide::design, false},
-                                      {"calibration", fit_calibration, RightSide::design, false},
-                                      {"cox", fit_cox_model, RightSide::design, false},
-                                      {"km", fit_km, RightSide::groups, false},
-                                      {"roc", fit_roc, RightSide::design, true},
-                                      {"concordance", fit_concordance, RightSide::design, true}}};
+constexpr std::array<Kind, 7> kKinds{
+    {{"glm", fit_glm, RightSide::design, false, true},
+     {"glmm", fit_mixed_model, RightSide::design, false, true},
+     {"calibration", fit_calibration, RightSide::design, false, false},
+     {"cox", fit_cox_model, RightSide::design, false, true},
+     {"km", fit_km, RightSide::groups, false, false},
+     {"roc", fit_roc, RightSide::design, true, false},
+     {"concordance", fit_concordance, RightSide::design, true, false}}};
 
 CommandLine command_line(FitOptions& o, std::string_view help) {
   CommandLine line{
@@ -377,7 +378,8 @@ int run(Arguments arguments) {
       return exit_bad_data;
     }
     if (!has_estimate(report)) {
-      say("tcert fit: nothing that was asked for has an estimate");
+      say(kind.has_coefficients ? "tcert fit: no coefficient has an estimate"
+                                : "tcert fit: nothing has an estimate");
       return exit_bad_data;
     }
     return exit_done;

@@ -87,6 +87,14 @@ std::string kinds_where(const Taken& taken) {
   throw UsageError(what + " is for " + kinds);
 }
 
+bool has_product_with_strata(const Formula& formula) {
+  return std::any_of(formula.terms.begin(), formula.terms.end(), [](const Term& term) {
+    return std::any_of(term.variables.begin(),
+                       term.variables.end(),
+                       [](const Expression& variable) { return variable.is_call("strata"); });
+  });
+}
+
 }  // namespace
 
 bool takes_option(std::string_view kind, std::string_view option) {
@@ -119,6 +127,10 @@ void require_taken(const std::string& kind,
   }
   if (!row->strata && !formula.strata.empty()) {
     refuse("strata()", kinds_where([](const KindTakes& one) { return one.strata; }));
+  }
+  if (kind != "cox" && has_product_with_strata(formula)) {
+    throw UsageError("'fit " + kind +
+                     "': a product with strata() is for cox; here write + strata()");
   }
 }
 

@@ -14,15 +14,6 @@ double side_window(const Robot& robot, const CertificateParameters& parameters) 
   return parameters.side_window_m > 0.0 ? parameters.side_window_m : robot.body_width_m;
 }
 
-/// The longest clearance that a ray can state. A calibration may end short of the reach: beyond it
-/// nothing is ever read, so nothing may wait for it.
-double longest_clearance(const Ray& ray) {
-  return ray.kind == RayKind::bend ? std::min(ray.reach_m,
-                                              std::max(ray.calibration.clearance_m.front(),
-                                                       ray.calibration.clearance_m.back()))
-                                   : ray.reach_m;
-}
-
 }  // namespace
 
 Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -145,6 +146,15 @@ TEST_F(CellWords, AnOutcomeIsTheSameInAllItsWords) {
   ASSERT_EQ(named.exit_code, 0) << to_string(named);
   EXPECT_EQ(json::parse(named.out)["h1"], numbers["h1"]);
   EXPECT_NE(named.err.find("'reached' counts as 1, 'cycle_cap' as 0"), std::string::npos);
+  // It is in the report too, where --quiet says nothing.
+  const json quiet = json::parse(h1({"--success", "y=reached", "--quiet"}).out);
+  EXPECT_EQ(quiet["event_level"], "reached");
+  EXPECT_EQ(quiet["reference_level"], "cycle_cap");
+  const auto& conditions = quiet["conditions"];
+  EXPECT_TRUE(std::any_of(conditions.begin(), conditions.end(), [](const json& one) {
+    return one["name"] == "text_outcome" && one["column"] == "y" && one["severity"] == "note";
+  })) << conditions;
+  EXPECT_FALSE(numbers.contains("event_level"));
   EXPECT_EQ(h1({"--success", "y=raeched"}).exit_code, 2);
   EXPECT_EQ(h1({"--success", "=reached"}).exit_code, 2);
 }
@@ -172,6 +182,21 @@ TEST_F(CellWords, NamesThatDifferInCaseAreTwoColumnsOfATable) {
   EXPECT_EQ(run.exit_code, 0) << to_string(run);
 }
 
+TEST_F(CellWords, AWordForAMissingCellIsNoCause) {
+  const auto table = [](const std::string& word) {
+    return "t,e,why\n1,1,1\n2,1,2\n3,1," + word + "\n4,1,1\n5,0,1\n6,1,2\n";
+  };
+  work_.write("t.csv", table("N/A"));
+  const ProcessResult word = fit("km", "Surv(t, e) ~ 1", {"--cause", "why"});
+  EXPECT_EQ(word.exit_code, 2) << to_string(word);
+  EXPECT_NE(word.err.find("'N/A' in row 3 of column why of t.csv (line 4"), std::string::npos)
+      << to_string(word);
+  work_.write("t.csv", table("NA"));
+  const ProcessResult missing = fit("km", "Surv(t, e) ~ 1", {"--cause", "why"});
+  EXPECT_EQ(missing.exit_code, 0) << to_string(missing);
+  EXPECT_NE(missing.err.find("events without a cause"), std::string::npos) << missing.err;
+}
+
 TEST_F(CellWords, ProductsWithStrataAreForCox) {
   work_.write("t.csv", trials("1", "0"));
   const ProcessResult cox = fit("cox", "Surv(t, y) ~ x * strata(day)", {"--format", "json"});
@@ -179,6 +204,12 @@ TEST_F(CellWords, ProductsWithStrataAreForCox) {
   EXPECT_EQ(json::parse(cox.out)["coefficients"][1]["term"], "x:strata(day)d1");
   EXPECT_EQ(fit("km", "Surv(t, y) ~ x * strata(day)").exit_code, 2);
   EXPECT_EQ(fit("glm", "y ~ x * strata(day)").exit_code, 2);
+  for (const char* formula : {"Surv(t, y) ~ x * strata(day)", "Surv(t, y) ~ x:strata(day)"}) {
+    const ProcessResult concordance = fit("concordance", formula);
+    EXPECT_EQ(concordance.exit_code, 2) << to_string(concordance);
+    EXPECT_NE(concordance.err.find("a product with strata() is for cox"), std::string::npos)
+        << to_string(concordance);
+  }
 }
 
 }  // namespace

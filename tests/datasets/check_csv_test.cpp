@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "datasets/data_table.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {
@@ -90,6 +94,29 @@ TEST(CheckCsvFile, TellsNumbersTruthValuesMissingCellsAndNames) {
   EXPECT_EQ(error->column, "speed");
   EXPECT_EQ(error->line, 2U);
   EXPECT_EQ(error->count, 3U);
+}
+
+/// However many distinct cells there are, what a check lets pass a fit takes for names too.
+TEST(CheckCsvFile, JudgesAMixtureAsATableDoes) {
+  const test_support::TemporaryFolder folder;
+  for (const auto& [numbers, texts] : std::vector<std::pair<int, int>>{
+           {3000, 1500}, {3000, 700}, {1500, 3000}, {900, 800}, {800, 900}, {8000, 1500}}) {
+    std::string csv = "x,y\n";
+    for (int i = 0; i < numbers; ++i) {
+      csv += std::to_string(i) + ".5,1\n";
+    }
+    for (int i = 0; i < texts; ++i) {
+      csv += "a" + std::to_string(i) + ",1\n";
+    }
+    const auto path = folder.write("mixed.csv", csv);
+    const CsvCheckResult check = check_csv_file(path);
+    const DataTableResult read = read_data_table(path);
+    ASSERT_TRUE(read.table);
+    const bool refused = std::ranges::any_of(check.diagnostics, [](const Diagnostic& one) {
+      return one.severity == Severity::error && one.column == "x";
+    });
+    EXPECT_EQ(refused, read.table->find("x")->mixed.is_spoiled()) << numbers << ' ' << texts;
+  }
 }
 
 TEST(CheckCsvFile, SaysWhatItCannotRead) {

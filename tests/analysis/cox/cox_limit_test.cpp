@@ -171,9 +171,7 @@ TEST(CoxLimit, AHazardThatRunsToInfinityIsInfinite) {
   const CoxData data = data_of(csv, "Surv(t, e) ~ g + x");
   const CoxFit fit = fit_cox(data);
   ASSERT_EQ(fit.summary.termination, CoxTermination::monotone);
-  if (!fit.at_limit) {
-    GTEST_SKIP() << "the fit stops before its limit";
-  }
+  ASSERT_TRUE(fit.at_limit);
   const auto hazard = cox_baseline(data, fit)[0].hazard;
   EXPECT_EQ(hazard[2], 0.0);
   EXPECT_GT(hazard[3], 0.0);
@@ -185,6 +183,46 @@ TEST(CoxLimit, AHazardThatRunsToInfinityIsInfinite) {
   const auto curves = cox_curves(data, fit, data.design.topRows(1));
   EXPECT_GT(curves[0].survival[2], 0.0);
   EXPECT_EQ(curves[0].survival[3], 0.0);
+}
+
+/// Where a part has no finite coefficient there is nothing to test, and nothing is singular.
+TEST(CoxLimit, APartThatIsInfiniteIsNotWarnedOfAsSingular) {
+  const CoxData data = data_of(kTrials, "Surv(t, e) ~ I(g == \"c\") + x");
+  const CoxFit fit = fit_cox(data);
+  ASSERT_TRUE(fit.coefficients[0].is_infinite);
+  const ProportionalityTests zph = cox_zph(data, fit);
+  ASSERT_EQ(zph.parts.size(), 2U);
+  EXPECT_FALSE(zph.parts[0].test.has_value());
+  EXPECT_TRUE(zph.parts[1].test.has_value());
+  EXPECT_EQ(zph.global.value().df, 2U);
+  EXPECT_FALSE(has(zph.conditions, ConditionKind::singular_information));
+}
+
+/// Rows go in the order of x but for two, by a hair: its maximum is finite, and is tested as R
+/// does, with its degree of freedom.
+TEST(CoxLimit, AColumnThatHasRunAwayIsTested) {
+  std::string csv = "t,e,x,z\n";
+  for (int i = 0; i < 20; ++i) {
+    const double x = i == 11 ? 0.50001 : 0.05 * (20 - i);
+    csv += std::to_string(i + 1) + ",1," + std::to_string(i == 10 ? 0.5 : x) + ',' +
+           std::to_string((i == 11 ? 10 : i) * 7 % 5) + '\n';
+  }
+  const CoxData data = data_of(csv, "Surv(t, e) ~ x + z");
+  const CoxFit fit = fit_cox(data);
+  ASSERT_TRUE(has(fit.conditions, ConditionKind::near_separation));
+  ASSERT_FALSE(fit.coefficients[0].estimate.has_value());
+  const ProportionalityTests zph = cox_zph(data, fit);
+  ASSERT_EQ(zph.parts.size(), 2U);
+  EXPECT_EQ(zph.parts[0].name, "x");
+  ASSERT_TRUE(zph.parts[0].test.has_value());
+  EXPECT_EQ(zph.parts[0].test->df, 1U);
+  EXPECT_EQ(zph.parts[1].name, "z");
+  ASSERT_TRUE(zph.global.has_value());
+  EXPECT_EQ(zph.global->df, 2U);
+  // R: cox.zph(coxph(Surv(t, e) ~ x + z, iter.max = 200, eps = 1e-11, toler.chol = 1e-13)).
+  EXPECT_NEAR(zph.parts[0].test->statistic, 4.51094660612e-06, 1e-9);
+  EXPECT_NEAR(zph.parts[1].test.value().statistic, 4.72202000105e-07, 1e-9);
+  EXPECT_NEAR(zph.global->statistic, 4.52448005215e-06, 1e-9);
 }
 
 }  // namespace

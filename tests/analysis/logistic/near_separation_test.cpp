@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -40,8 +41,27 @@ TEST(NearSeparation, TypicalSpreadIsMovedByNoOutlier) {
   EXPECT_NEAR(typical_spread({0, 1, 2, 3, 4}), 2.0 / 1.349, 1e-12);
   EXPECT_NEAR(typical_spread({0, 1, 2, 3, 1e9}), 2.0 / 1.349, 1e-12);
   EXPECT_EQ(typical_spread({0, 0, 0, 0, 0, 0, 0, 0, 0, 1}), 1.0);
+  EXPECT_EQ(typical_spread({0, 0, 1, 1}), 1.0) << "a dummy, whatever its share";
+  EXPECT_EQ(typical_spread({1, 0, 1, 1, 0, 1, 0, 1}), 1.0);
+  EXPECT_EQ(typical_spread({5, 5, 5, 5, 5, 5, 5, 5, 5, 2, 9, 8}), 3.0);
   EXPECT_EQ(typical_spread({7, 7, 7}), 0.0);
   EXPECT_EQ(typical_spread({}), 0.0);
+}
+
+/// What is ruled out by the range alone is ruled out by any spread.
+TEST(NearSeparation, IsRuledOutByTheRange) {
+  EXPECT_FALSE(may_have_run_away({-34.0, 10.0}));
+  EXPECT_TRUE(may_have_run_away({-34.1, 0.1}));
+  EXPECT_TRUE(may_have_run_away({0.0, 10.1}));
+  for (const std::vector<double>& values :
+       std::vector<std::vector<double>>{{0, 1},
+                                        {0, 0, 0, 1},
+                                        {3, -4, 8, 1e9, 2},
+                                        {5, 5, 5, 5, 5, 2, 9},
+                                        {0, 0, 10, 10, 10, 9}}) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    EXPECT_LE(typical_spread(values), *high - *low);
+  }
 }
 
 TEST(NearSeparation, IsToldFromCollinearityByTheErrorWithoutEffect) {

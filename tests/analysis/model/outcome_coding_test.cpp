@@ -129,6 +129,29 @@ TEST(OutcomeCoding, NamesWhatIsNoOutcome) {
             std::string::npos);
 }
 
+/// Each N/A would count as a failure without a word, or as a success of !=.
+TEST(OutcomeCoding, AWordForAMissingCellIsNoOtherText) {
+  const std::string csv = "y,t,x\ns,1,1\nf,2,2\nN/A,3,3\ns,4,4\nf,5,0\n";
+  for (const char* formula : {"y == \"s\" ~ x",
+                              "y != \"s\" ~ x",
+                              "I(1 - (y == \"s\")) ~ x",
+                              "Surv(t, y == \"s\") ~ x",
+                              "x ~ I(y == \"s\")",
+                              "factor(y) == \"s\" ~ x"}) {
+    const std::string problem = frame_problem(csv, formula);
+    EXPECT_NE(problem.find("found 'N/A' in row 3 of test.csv (line 4)"), std::string::npos)
+        << formula << ": " << problem;
+    EXPECT_NE(problem.find("a missing cell is empty, NA or nan"), std::string::npos) << problem;
+  }
+  // The refusal of the column itself does not advise what is refused too.
+  const std::string refused = frame_problem(csv, "y ~ x");
+  EXPECT_NE(refused.find("holds 'N/A', which is no outcome"), std::string::npos) << refused;
+  EXPECT_EQ(refused.find("write y =="), std::string::npos) << refused;
+  // Whoever names the word means it; and a cell that is missing stays so.
+  EXPECT_EQ(outcome_of(csv, "y == \"N/A\" ~ x"), (Values{0, 0, 1, 0, 0}));
+  EXPECT_EQ(outcome_of("y,x\ns,1\nf,2\nNA,3\n", "y == \"s\" ~ x"), (Values{1, 0}));
+}
+
 // ---- TRUE and FALSE ----
 
 TEST(TruthValues, AreComparedWithRsConstants) {
