@@ -102,6 +102,37 @@ TEST_F(FitTimes, RoundingIsSaidAndCanBeTurnedOff) {
             std::string::npos);
 }
 
+TEST_F(FitTimes, AHypothesisSaysNearTimesThatItKeepsApart) {
+  std::string csv = "ev,t,x\n1,10.000000001,3\n";
+  for (int i = 0; i < 40; ++i) {
+    csv += std::to_string(i % 3 == 0 ? 0 : 1) + ',' + std::to_string(10 + i) + ',' +
+           std::to_string(i * 7 % 11) + '\n';
+  }
+  work_.write("t.csv", csv);
+  const auto said = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"hypotheses",
+                                       "h1",
+                                       "--features",
+                                       "t.csv",
+                                       "--success",
+                                       "ev",
+                                       "--time",
+                                       "t",
+                                       "--strata",
+                                       "",
+                                       "--predictor",
+                                       "x",
+                                       "--replicates",
+                                       "20"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult run = work_.run(arguments);
+    EXPECT_EQ(run.exit_code, 0) << to_string(run);
+    return run.err;
+  };
+  EXPECT_EQ(said({}).find("R's timefix"), std::string::npos);
+  EXPECT_NE(said({"--no-time-rounding"}).find("R's timefix"), std::string::npos);
+}
+
 TEST_F(FitTimes, ATimeOfTheCurveFindsItsStep) {
   work_.write("t.csv",
               "a,b,ev\n0.1,0.4,1\n15.8,16.1,1\n100.1,112.44449,1\n3.3,5.56789123,0\n1,13.3,1\n");
