@@ -67,7 +67,7 @@ Table h1_calibration_table(const H1Table& h1) {
   }
   table.footnotes = {
       "Folds of whole clusters. observed: Wilson's interval, which takes trials as independent; "
-      "withheld with the others."};
+      "withheld where the others are."};
   return table;
 }
 
