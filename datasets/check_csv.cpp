@@ -31,7 +31,6 @@ constexpr std::array<std::string_view, 7> kStreamParts = {
 constexpr std::array<std::string_view, 4> kTimeParts = {"time", "stamp", "duration", "elapsed"};
 
 /// Times whose range is a smaller share of them are stamps: a day of seconds since 1970.
-constexpr double kRangeOfStamps = 1e-4;
 
 /// In a file of unknown columns: the share of steps that may go back before its times are no clock.
 constexpr double kMostStepsBack = 0.1;
@@ -171,15 +170,14 @@ class CsvChecker {
                     std::move(found),
                     "times of one kind",
                     1});
-    } else if (column.numbers > 1 && !column.is_constant() && *column.least > 0.0 &&
-               *column.largest - *column.least < kRangeOfStamps * *column.least) {
+    } else if (are_stamps(times.values)) {
       problems.add(
           {Severity::note,
            file_,
            0,
            column.name,
            "stamps, from " + number_text(*column.least) + " to " + number_text(*column.largest),
-           "durations: subtract the first time",
+           "durations: subtract from each the start of its own trial",
            1});
     }
   }

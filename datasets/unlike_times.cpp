@@ -45,6 +45,11 @@ std::optional<UnlikeTimes> unlike_times(std::span<const double> times) {
   return unlike.count == 0 ? std::nullopt : std::optional(unlike);
 }
 
+bool are_stamps(std::span<const double> times) noexcept {
+  return times.size() > 1 &&
+         std::all_of(times.begin(), times.end(), [](double time) { return time >= kLeastStamp; });
+}
+
 std::string distance_in_words(const UnlikeTimes& unlike) {
   std::array<char, 32> factor{};
   std::snprintf(factor.data(), factor.size(), "%.3g", unlike.time / unlike.median);

@@ -22,6 +22,10 @@ struct UnlikeTimes {
 /// median is not above 0. O(n).
 [[nodiscard]] std::optional<UnlikeTimes> unlike_times(std::span<const double> times);
 
+/// Whether all of two and more times are stamps (1e8 and more: three years of seconds), of which no
+/// one tells how long a trial took.
+[[nodiscard]] bool are_stamps(std::span<const double> times) noexcept;
+
 /// "1.36e+08 times the median of 13".
 [[nodiscard]] std::string distance_in_words(const UnlikeTimes& unlike);
 

@@ -12,11 +12,6 @@ namespace {
 
 TableCell estimate(const H3Estimate& one) { return estimate_cell(one.value, one.interval); }
 
-TableCell share(const std::optional<double>& value, const std::optional<Interval>& interval) {
-  return value && interval ? TableCell{Estimate{*value, interval->low, interval->high}}
-                           : number_cell(value);
-}
-
 std::string percent(double fraction) { return significant(100.0 * fraction, kShownDigits) + " %"; }
 
 std::vector<std::string> notes(const H3Table& h3) {
@@ -101,7 +96,7 @@ Table h3_table(const H3Table& h3) {
                      number_cell(one.lost_share),
                      number_cell(one.lost_upper),
                      yes_or_no_cell(one.non_inferior),
-                     share(one.retained, one.retained_interval),
+                     estimate_cell(one.retained, one.retained_interval),
                      integer_cell(one.stalls),
                      integer_cell(one.stalled_trials),
                      yes_or_no_cell(one.on_front)});

@@ -77,6 +77,7 @@ enum class ConditionKind : std::uint8_t {
   near_times,            ///< R's timefix would make distinct times equal that are kept apart here.
   merged_times,          ///< Distinct times made equal: they differ by rounding.
   unlike_times,          ///< A time far from the others: a stamp among durations.
+  stamped_times,         ///< All times are stamps: not one is a duration.
   singular_information,  ///< Cox: what a test adds cannot be told from what is there.
   no_robust_variance,  ///< Robust: clusters too few for a joint test, or a column without variance.
 };

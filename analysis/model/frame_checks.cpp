@@ -4,6 +4,7 @@
 
 #include "analysis/survival/time_conditions.hpp"
 #include "datasets/csv_write.hpp"
+#include "datasets/unlike_times.hpp"
 
 namespace tcert {
 
@@ -136,8 +137,11 @@ void round_and_check_times(SurvivalOutcome& survival,
                            const std::string& column,
                            bool round,
                            ModelFrame& frame) {
-  add_unlike_times(
-      survival.stop, column, [&](std::size_t i) { return place_of(frame, i); }, frame.conditions);
+  // With (start, stop] stamps may be the clock that all trials share.
+  if (!survival.left_truncated() || !are_stamps(survival.stop)) {
+    add_unlike_times(
+        survival.stop, column, [&](std::size_t i) { return place_of(frame, i); }, frame.conditions);
+  }
   if (!round) {
     add_rounding_conditions(count_times(survival), column, frame.conditions);
     return;

@@ -1,5 +1,6 @@
 #include "analysis/survival/time_conditions.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -46,6 +47,16 @@ void add_unlike_times(std::span<const double> times,
                       const std::string& column,
                       const std::function<std::string(std::size_t)>& place,
                       Conditions& conditions) {
+  if (are_stamps(times)) {
+    const auto [least, largest] = std::minmax_element(times.begin(), times.end());
+    std::string range = "from ";
+    append_number(range, *least);
+    range += " to ";
+    append_number(range, *largest);
+    conditions.push_back(
+        {ConditionKind::stamped_times, ConditionSeverity::warning, column, std::move(range)});
+    return;
+  }
   const auto unlike = unlike_times(times);
   if (!unlike) {
     return;

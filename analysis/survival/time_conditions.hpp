@@ -17,7 +17,8 @@ void add_rounding_conditions(const TimeRounding& rounding,
                              const std::string& column,
                              Conditions& conditions);
 
-/// A warning, unlike_times, of times that are far from the others (`unlike_times`). `place(i)` says
+/// A warning, stamped_times, if all times are stamps (`are_stamps`), else
+/// a warning, unlike_times, of times that are far from the others (`unlike_times`). `place(i)` says
 /// where the i-th of them stands.
 void add_unlike_times(std::span<const double> times,
                       const std::string& column,

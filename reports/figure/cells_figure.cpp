@@ -42,6 +42,7 @@ std::optional<Figure> cells_figure(const Table& cells,
     if (full) {
       one.references.push_back({true, number_at(cells, row, "auc"), true});
     }
+    extent.add(number_at(cells, row, "auc"));
     extent.add(number_at(cells, row, "auc_low"));
     extent.add(number_at(cells, row, "auc_high"));
     add_figure_row(figure.data,

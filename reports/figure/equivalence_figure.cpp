@@ -51,6 +51,7 @@ std::optional<Figure> equivalence_figure(const Table& pairs, const Table& equali
       const double low = number_at(pairs, row, "difference_low");
       const double high = number_at(pairs, row, "difference_high");
       names.push_back(pair);
+      extent.add(number_at(pairs, row, "difference"));
       extent.add(low);
       extent.add(high);
       add_figure_row(

@@ -49,8 +49,10 @@ std::optional<Figure> pareto_figure(const Table& h3) {
   Extent kept;
   for (std::size_t row = 0; row < h3.rows.size(); ++row) {
     add_case(h3, row, text_at(h3, row, "speed_law"), figure);
+    gains.add(number_at(h3, row, "gain_share"));
     gains.add(number_at(h3, row, "gain_share_low"));
     gains.add(number_at(h3, row, "gain_share_high"));
+    kept.add(number_at(h3, row, "retained"));
     kept.add(number_at(h3, row, "retained_low"));
     kept.add(number_at(h3, row, "retained_high"));
   }

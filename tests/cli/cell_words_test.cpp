@@ -200,7 +200,8 @@ TEST_F(CellWords, AWordForAMissingCellIsNoCause) {
 TEST_F(CellWords, ProductsWithStrataAreForCox) {
   work_.write("t.csv", trials("1", "0"));
   const ProcessResult cox = fit("cox", "Surv(t, y) ~ x * strata(day)", {"--format", "json"});
-  ASSERT_EQ(cox.exit_code, 0) << to_string(cox);
+  // So few trials a day have no estimate, but the formula is one of cox.
+  ASSERT_EQ(cox.exit_code, 65) << to_string(cox);
   EXPECT_EQ(json::parse(cox.out)["coefficients"][1]["term"], "x:strata(day)d1");
   EXPECT_EQ(fit("km", "Surv(t, y) ~ x * strata(day)").exit_code, 2);
   EXPECT_EQ(fit("glm", "y ~ x * strata(day)").exit_code, 2);

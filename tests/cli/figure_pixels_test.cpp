@@ -42,7 +42,7 @@ class FigurePixels : public ::testing::Test {
     work = std::make_unique<Workdir>(TCERT_BINARY);
     const std::string features = "r/certificates/features.csv";
     const std::vector<std::vector<std::string>> steps = {
-        {"simulate", "--trials", "120", "--output", "r/corpus"},
+        {"simulate", "--trials", "330", "--output", "r/corpus"},
         {"certify", "r/corpus", "--truth", "--output", "r/certificates"},
         {"hypotheses", "h1", "--features", features, "--replicates", "60", "--output", "r/h1/"},
         {"hypotheses", "h2", "--features", features, "--output", "r/h2/"},

@@ -54,8 +54,10 @@ TEST_F(FitTimes, StampsGiveWhatTheirDifferencesGive) {
   }
   const ProcessResult curve = fit("km", "Surv(stamp, ev) ~ 1", {"--table", "curve"});
   EXPECT_NE(curve.out.find("1700000054"), std::string::npos) << curve.out;
+  EXPECT_NE(curve.err.find("times are stamps, not durations"), std::string::npos) << curve.err;
   const ProcessResult intervals = fit("cox", "Surv(begin, stamp, ev) ~ x", {"--format", "csv"});
   EXPECT_NE(intervals.err.find("subtract the first time"), std::string::npos);
+  EXPECT_EQ(intervals.err.find("times are stamps"), std::string::npos) << "a clock of all trials";
   work_.write("t.csv", trials(1'000));
   EXPECT_EQ(intervals.out, fit("cox", "Surv(begin, stamp, ev) ~ x", {"--format", "csv"}).out);
 }

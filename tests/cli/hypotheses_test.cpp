@@ -36,7 +36,8 @@ class HypothesesCommand : public ::testing::Test {
   ProcessResult run(std::vector<std::string> more) {
     std::vector<std::string> arguments{"hypotheses"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    arguments.insert(arguments.end(), {"--features", "t.csv", "--replicates", "200"});
+    arguments.insert(arguments.end(),
+                     {"--features", "t.csv", "--predictor", "tc_early", "--replicates", "200"});
     return work_.run(arguments);
   }
 
@@ -109,7 +110,7 @@ TEST_F(HypothesesCommand, StrataWithinAreThoseThatAreAskedFor) {
   };
   EXPECT_EQ(within({"--within", "lighting"}), "\"lighting\"");
   EXPECT_EQ(within({"--strata", "lighting"}), "\"lighting\"") << "once";
-  EXPECT_EQ(within({"--within", ""}), "null");
+  EXPECT_EQ(within({"--within", ""}), "\"\"");
   const ProcessResult wrong = run({"h1", "--within", "lightning"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("did you mean 'lighting'?"), std::string::npos) << wrong.err;

@@ -182,7 +182,7 @@ class BootGolden : public ::testing::Test {
                        const json& expected) {
     const BootstrapInterval ours = bootstrap_interval(distribution, method, a, level);
     ASSERT_TRUE(ours.interval.has_value());
-    const char* const name[] = {"normal", "basic", "percentile", "BCa"};
+    const char* const name[] = {"normal", "basic", "percentile", "expanded", "BCa"};
     const std::string quantity = name[static_cast<std::size_t>(method)];
     expect(quantity, ours.interval->low, expected[0], kFromReplicates);
     expect(quantity, ours.interval->high, expected[1], kFromReplicates);

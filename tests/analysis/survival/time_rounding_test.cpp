@@ -151,6 +151,9 @@ TEST(UnlikeTimes, FindsStampsAmongDurationsAndDurationsAmongStamps) {
   EXPECT_FALSE(unlike_times(std::vector<double>{}));
   EXPECT_FALSE(unlike_times(std::vector<double>{0.01, 5, 9, 200}));
   EXPECT_FALSE(unlike_times(std::vector<double>{1.7e9, 1.7e9 + 5}));
+  EXPECT_TRUE(are_stamps(std::vector<double>{1.7e9, 1.7e9 + 36'000}));
+  EXPECT_FALSE(are_stamps(std::vector<double>{1.7e9, 36.0}));
+  EXPECT_FALSE(are_stamps(std::vector<double>{1.7e9}));
   const auto above = unlike_times(std::vector<double>{5, 1.7e9, 9, 7, 1.8e9}).value();
   EXPECT_EQ(above.first, 1U);
   EXPECT_EQ(above.time, 1.8e9);
