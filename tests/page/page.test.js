@@ -88,6 +88,7 @@ describe('the page of a study', () => {
       const marks = await page.$$eval(`#figure-${figure.id} .plot svg path, #figure-${figure.id} .plot svg line`, (all) => all.length);
       assert.ok(marks > 3, `${figure.name} has ${marks} marks`);
       await page.click(`#figure-${figure.id} summary`);
+      await page.waitForSelector(`#figure-${figure.id} details tbody tr`); // Rows are made when it opens.
       const shown = await page.$$eval(`#figure-${figure.id} details tbody tr`, (all) =>
         all.map((row) => [...row.cells].map((cell) => cell.textContent)));
       assert.deepEqual(shown, rows.slice(1, 201).map((row) => row.map((cell) => (cell === '' ? 'NA' : cell))), figure.name);
