@@ -46,8 +46,8 @@ struct CarmenImportResult {
 /// radius, and parameters for scans that were kept only every half metre or so:
 ///
 /// - `edge_length_m` 1.0, `max_step_m` 1.5: with 0.67 m between scans (median of all steps of the
-///   Intel Research Lab log; 90 % below 1.02, all below 1.16) an edge holds two or three scans, and no pair of
-///   consecutive scans is a break.
+///   Intel Research Lab log; 90 % below 1.02, all below 1.16) an edge holds two or three scans, and
+///   no pair of consecutive scans is a break.
 /// - `merge_radius_m` 0.75: laps drive the same corridor up to this far apart.
 /// - `reversal_m` 0.3: a robot that turns between two scans seems to back up by less than that.
 /// - `side_window_m` 0.7: the last scan counts besides this one, so that what lies between two

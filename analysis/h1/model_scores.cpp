@@ -65,9 +65,7 @@ bool usable(const CoxFit& fit) { return fit.summary.termination == CoxTerminatio
 
 /// False if these rows do not tell the last column from a constant or from those before it: its
 /// 0 is then no estimate.
-bool last_is_estimated(const CoxFit& fit) {
-  return !fit.estimated.empty() && fit.estimated.back();
-}
+bool last_is_estimated(const CoxFit& fit) { return !fit.estimated.empty() && fit.estimated.back(); }
 
 std::vector<std::uint32_t> as_multiplicity(std::span<const std::uint8_t> train) {
   return {train.begin(), train.end()};

@@ -47,10 +47,10 @@ void require_regions(const World& world);
 /// obstacles in that order in a union-find structure that knows the parity of crossings of the
 /// segment from S's centre to G's, and stop at the first odd cycle, or when S or G is covered.
 ///
-/// O((n + k) log n), k the pairs closer than about four times the answer, if n discs are spread out:
-/// pairs are looked for in a band of x, so O(n^2) of them are compared if all lie above one another.
-/// A pair whose gap's middle lies in S or G costs a quartic in addition.
-/// \throws std::invalid_argument unless is_disc_field(world).
+/// O((n + k) log n), k the pairs closer than about four times the answer, if n discs are spread
+/// out: pairs are looked for in a band of x, so O(n^2) of them are compared if all lie above one
+/// another. A pair whose gap's middle lies in S or G costs a quartic in addition. \throws
+/// std::invalid_argument unless is_disc_field(world).
 [[nodiscard]] ClearanceValue exact_disc_clearance(const World& world);
 
 struct GridClearance {

@@ -38,9 +38,9 @@ struct WalledLane {
 /// The narrowest gate, or the lane's own width.
 [[nodiscard]] double passage_of(const WalledLane& lane) noexcept;
 
-/// Walls along both sides: the chords of the centre line, moved to either side by half of the lane's
-/// width, so that the widest disc that gets through has exactly that width.
-/// \pre arcs are wide enough for the wall on their inside.
+/// Walls along both sides: the chords of the centre line, moved to either side by half of the
+/// lane's width, so that the widest disc that gets through has exactly that width. \pre arcs are
+/// wide enough for the wall on their inside.
 void add_walls(World& world, const WalledLane& lane);
 /// A wall across each end.
 void add_caps(World& world, const WalledLane& lane);
