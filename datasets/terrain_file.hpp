@@ -55,7 +55,7 @@ struct TerrainFileOptions {
   std::string file;  ///< For messages.
   TerrainHeader header = TerrainHeader::detect;
   TerrainFormat format = TerrainFormat::detect;
-  NodataRule nodata;
+  NodataRule nodata{};
 };
 
 struct TerrainFileResult {
