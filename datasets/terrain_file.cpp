@@ -72,8 +72,14 @@ class Reader {
     if (decision.index_column && table.columns > 1) {
       drop_first_column(table);
     }
-    const bool named = decision.header && table.first.size() == 3 &&
-                       reading::names_coordinates(table.first[0], table.first[1]);
+    const bool named = decision.header && has_coordinate_names(table);
+    if (options_.format == TerrainFormat::detect && table.columns > 3 &&
+        (named || begins_with_a_lattice(table))) {
+      fail(std::to_string(table.columns) + " columns",
+           "a rectangle of values, but the first two columns are the coordinates of points: keep "
+           "x, y and one value, or, if this is a terrain, give --terrain-format grid");
+      return;
+    }
     if (options_.format == TerrainFormat::points ||
         (options_.format == TerrainFormat::detect && table.columns == 3)) {
       if (read_points(table, options_.format == TerrainFormat::points || named)) {
@@ -123,6 +129,29 @@ class Reader {
     }
     values.insert(values.end(), table.values.begin(), table.values.end());
     return reading::read_points(values, false).kind == reading::PointList::lattice;
+  }
+
+  /// The names of the first two columns that are left are those of coordinates.
+  [[nodiscard]] static bool has_coordinate_names(const reading::CellTable& table) {
+    const std::size_t names = table.first.size();
+    return names >= table.columns && table.columns >= 3 &&
+           reading::names_coordinates(table.first[names - table.columns],
+                                      table.first[names - table.columns + 1]);
+  }
+
+  /// Points with more than one value each.
+  [[nodiscard]] static bool begins_with_a_lattice(const reading::CellTable& table) {
+    constexpr std::size_t kMostValues = 16;
+    if (table.columns > kMostValues) {
+      return false;
+    }
+    std::vector<double> points;
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+      if (i % table.columns < 3) {
+        points.push_back(table.values[i]);
+      }
+    }
+    return reading::read_points(points, false).kind == reading::PointList::lattice;
   }
 
   /// The first line is data after all.

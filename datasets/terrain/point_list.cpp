@@ -170,7 +170,7 @@ PointListResult read_points(std::span<const double> values, bool wanted) {
   const auto y = axis_of(column_of(values, 1));
   if (x && y && x->distinct > 1 && y->distinct > 1 &&
       static_cast<double>(x->count) * y->count <=
-          std::max(4.0, 1.0 / kLeastFilled) * static_cast<double>(points)) {
+          static_cast<double>(points) / kLeastFilled) {
     Nodes nodes = fill(values, *x, *y);
     const auto longer = static_cast<double>(std::max(x->distinct, y->distinct));
     const bool full = static_cast<double>(nodes.filled) >= kPointsPerLine * longer;

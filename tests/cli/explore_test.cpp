@@ -123,19 +123,19 @@ TEST_F(ExploreCommand, WritesSeriesPicturesAndManifest) {
   EXPECT_EQ("terrain.csv", words.at(1));
   words.insert(words.end(), {"--output", "from_manifest"});
   const ProcessResult made = work.run(words);
-  ASSERT_EQ(0, made.exit_code) << to_string(made);
+  ASSERT_EQ(7, made.exit_code) << to_string(made);
   EXPECT_EQ(series, work.read("from_manifest/series.csv"));
   EXPECT_EQ(work.read("run/manifest.json"), work.read("from_manifest/manifest.json"));
   // One picture is the last.
   words.insert(words.end(), {"--frames", "1"});
   words.at(words.size() - 3) = "one_frame";
   const ProcessResult one = work.run(words);
-  ASSERT_EQ(0, one.exit_code) << to_string(one);
+  ASSERT_EQ(7, one.exit_code) << to_string(one);
   EXPECT_EQ(work.read("run/frames/frame_009.svg"), work.read("one_frame/frames/frame_001.svg"));
   EXPECT_FALSE(std::filesystem::exists(work.path() / "one_frame/frames/frame_002.svg"));
   // The same again gives the same bytes.
   const ProcessResult again = work.run(arguments);
-  ASSERT_EQ(0, again.exit_code) << to_string(again);
+  ASSERT_EQ(7, again.exit_code) << to_string(again);
   EXPECT_EQ(series, work.read("run/series.csv"));
 }
 
@@ -275,9 +275,23 @@ TEST_F(ExploreCommand, NamesEveryEndByWordAndExitCode) {
   ends({"--lipschitz", "20", "--goal", "9,9", "--obstacles", "cut.csv"},
        65,
        "the goal (9, 9) cannot be reached whatever the ground is");
-  ends({"--rules", "published", "--goal", "11,11", "--max-steps", "60"},
-       6,
-       "is certified and joined, but less than 4 cells (--simplification) within the outline");
+  work.write("wide.csv", plateau(80, 80, "100"));
+  const ProcessResult edge = work.run({"explore",
+                                       "wide.csv",
+                                       "--start",
+                                       "30,30",
+                                       "--goal",
+                                       "79,79",
+                                       "--threshold",
+                                       "95",
+                                       "--rules",
+                                       "published",
+                                       "--max-steps",
+                                       "300"});
+  EXPECT_EQ(6, edge.exit_code) << to_string(edge);
+  expect_part(
+      edge.out,
+      "is certified and joined, but less than 4 cells (--simplification) within the outline");
   const ProcessResult help = work.run({"explore", "--help"});
   for (const char* const part :
        {"4 not reachable", "5 only the", "6 the goal", "7 the limit", "8 stranded"}) {
