@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include "datasets/cell_reading.hpp"
 #include "datasets/decimal.hpp"
 #include "datasets/terrain_file.hpp"
 
@@ -144,14 +146,15 @@ class Reader {
         return;
       }
       double value = kGap;
-      if (is_gap_word(cell)) {
-        ++table_.words;
-      } else if (!to_number(cell, value)) {
-        report(number,
-               std::to_string(columns),
-               shortened(cell),
-               "a finite number in every cell, or a gap: nothing, nan or NA");
-        value = kGap;
+      if (!to_number(cell, value)) {
+        if (is_gap_word(cell)) {
+          ++table_.words;
+        } else {
+          report(number,
+                 std::to_string(columns),
+                 shortened(cell),
+                 "a finite number in every cell, or a gap: nothing, nan or NA");
+        }
       }
       table_.values.push_back(value);
     }
@@ -212,38 +215,37 @@ class Reader {
 }  // namespace
 
 bool to_number(std::string_view cell, double& value) {
-  // scan_number looks ahead of the cell: it must lie in a padded buffer or end in a terminator.
-  return !cell.empty() && scan_number(cell.data(), '.', value) == cell.data() + cell.size();
+  double number = 0.0;
+  if (cell.empty() || scan_number(cell.data(), '.', number) != cell.data() + cell.size()) {
+    const CellReading reading = read_cell(cell);
+    if (reading.meaning != CellMeaning::number || !std::isfinite(reading.value)) {
+      return false;
+    }
+    number = reading.value;
+  }
+  value = number;
+  return true;
 }
 
 bool is_gap_word(std::string_view cell) {
-  constexpr std::size_t kLongest = 8;
-  if (cell.size() > kLongest) {
-    return false;
+  const CellReading reading = read_cell(cell);
+  switch (reading.meaning) {
+    case CellMeaning::missing:
+    case CellMeaning::missing_word:
+      return true;
+    case CellMeaning::number:
+      return !std::isfinite(reading.value);
+    case CellMeaning::truth:
+      return false;
+    case CellMeaning::text:
+      break;
   }
-  std::array<char, kLongest> lower{};
-  std::transform(cell.begin(), cell.end(), lower.begin(), [](char c) {
+  std::string lower(cell);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
     return static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
   });
-  const std::string_view word(lower.data(), cell.size());
-  constexpr std::array<std::string_view, 17> kWords{"",
-                                                    "nan",
-                                                    "-nan",
-                                                    "na",
-                                                    "n/a",
-                                                    "#n/a",
-                                                    "<na>",
-                                                    "null",
-                                                    "none",
-                                                    "nodata",
-                                                    "no_data",
-                                                    "inf",
-                                                    "-inf",
-                                                    "+inf",
-                                                    "infinity",
-                                                    "-",
-                                                    "--"};
-  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+  constexpr std::array<std::string_view, 3> kWords{"nodata", "no_data", "--"};
+  return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
 }
 
 std::string_view take_line(std::string_view& text) {
