@@ -11,6 +11,12 @@ enum ExitCode : int {
   exit_differences = 1,  ///< A check found something.
   exit_usage = 2,
   exit_rejected = 3,  ///< Done, but some trials (or lines) were rejected.
+  // `explore` ended, but not at its goal:
+  exit_not_reachable = 4,  ///< The threshold forbids it, or with it obstacles and gaps.
+  exit_only_rules = 5,     ///< The Lipschitz constant, or the rule set, alone forbids it.
+  exit_at_edge = 6,        ///< The goal is certified, but less deep than the published rules want.
+  exit_step_limit = 7,
+  exit_stranded = 8,  ///< Nothing is safe, or not where the robot stands.
   exit_bad_data = 65,
   exit_no_input = 66,
   exit_internal = 70,

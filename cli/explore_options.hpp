@@ -1,10 +1,9 @@
 #pragma once
 /// \file
-/// What `explore` is asked: flags, the config file, and the setup that follows from them.
+/// What `explore` is asked: flags and the config file.
 
 #include <cstdint>
 #include <string>
-#include <terrain/explore.hpp>
 
 #include "cli/options.hpp"
 #include "cli/terrain_config.hpp"
@@ -18,7 +17,9 @@ struct ExploreOptions {
   std::string start;
   std::string goal;
   std::string mode;
-  std::string header = "detect";
+  std::string header = "auto";
+  std::string format = "auto";
+  std::string nodata = "auto";
   std::string motion = "route";
   std::string lipschitz;
   std::string obstacles;
@@ -40,23 +41,16 @@ struct ExploreOptions {
   bool look_ahead = false;
   bool adaptive = false;
   bool trust_model = false;
+  bool beta_is_told = false;  ///< By flag or file.
 };
 
 [[nodiscard]] CommandLine explore_command_line(ExploreOptions& options);
 
-/// Fills what the flags left open from the config file. \throws NoInput, UsageError.
+/// Fills what the flags left open from the config file, and says what of it has no effect.
+/// \throws NoInput, UsageError.
 void apply_config(ExploreOptions& options, const CommonOptions& common);
 
-/// \throws UsageError for words, cells and values that cannot be.
-void check(const ExploreOptions& options);
-
-/// "X,Y". \throws UsageError naming the option.
-[[nodiscard]] terrain::Cell cell_of(const std::string& option, const std::string& text);
-
-/// The setup for a terrain; says on stderr what of the file could not be used, and why.
-/// \throws UsageError; BadData if the start is not on safe ground.
-[[nodiscard]] terrain::ExploreSetup explore_setup(const ExploreOptions& options,
-                                                  const CommonOptions& common,
-                                                  const terrain::Terrain& terrain);
+/// With --trust-model: the band that it needs unless one was told, and a warning if it is narrower.
+void settle_beta(ExploreOptions& options, const CommonOptions& common);
 
 }  // namespace tcert::cli

@@ -32,9 +32,17 @@ void print(std::string_view text) {
   throw WriteError("cannot write to stdout: " + std::generic_category().message(errno));
 }
 
-void say(std::string_view line) {
-  std::fwrite(line.data(), 1, line.size(), stderr);
-  std::fputc('\n', stderr);
+void say(std::string_view lines) {
+  // Messages quote what files hold: none of it may steer the terminal.
+  while (true) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    const std::string text = printable(lines.substr(0, end)) + '\n';
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    if (end == lines.size()) {
+      return;
+    }
+    lines.remove_prefix(end + 1);
+  }
 }
 
 void say(std::span<const Diagnostic> diagnostics) {

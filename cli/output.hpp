@@ -23,8 +23,8 @@ class SilentPrint {
   SilentPrint& operator=(const SilentPrint&) = delete;
 };
 
-/// One line on stderr.
-void say(std::string_view line);
+/// A line on stderr, or several with line feeds between, each as printable() makes it.
+void say(std::string_view lines);
 
 /// One line each on stderr.
 void say(std::span<const Diagnostic> diagnostics);

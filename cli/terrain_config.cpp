@@ -1,10 +1,13 @@
 #include "cli/terrain_config.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/program_options.hpp>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <terrain/limits.hpp>
 #include <vector>
 
 #include "cli/errors.hpp"
@@ -16,22 +19,31 @@ namespace {
 struct NumberKey {
   const char* name;
   std::optional<double> TerrainConfig::*field;
+  std::string_view limit;  ///< Of the option that it stands for.
+  bool whole = false;
 };
+constexpr std::string_view kCell = "";  // a cell's coordinate
 constexpr NumberKey kNumbers[] = {
-    {"environment.THRESHOLD", &TerrainConfig::threshold},
-    {"environment.SIMPLIFICATION_CONSTANT", &TerrainConfig::simplification},
-    {"robot.ROBOT_RADIUS", &TerrainConfig::robot_radius},
-    {"optimization.NUM_EXPANDERS", &TerrainConfig::expanders},
-    {"optimization.KERNEL_VARIANCE", &TerrainConfig::kernel_variance},
-    {"optimization.KERNEL_LENGTHSCALE", &TerrainConfig::kernel_lengthscale},
-    {"optimization.BETA", &TerrainConfig::beta},
-    {"optimization.LIPSCHITZ", &TerrainConfig::lipschitz},
-    {"display.BUFFER_SIZE", &TerrainConfig::buffer_size}};
+    {"environment.THRESHOLD", &TerrainConfig::threshold, "threshold"},
+    {"environment.SIMPLIFICATION_CONSTANT", &TerrainConfig::simplification, "simplification"},
+    {"robot.ROBOT_RADIUS", &TerrainConfig::robot_radius, "robot-radius"},
+    {"robot.STARTING_X", &TerrainConfig::start_x, kCell, true},
+    {"robot.STARTING_Y", &TerrainConfig::start_y, kCell, true},
+    {"robot.GOAL_X", &TerrainConfig::goal_x, kCell, true},
+    {"robot.GOAL_Y", &TerrainConfig::goal_y, kCell, true},
+    {"optimization.NUM_EXPANDERS", &TerrainConfig::expanders, "expanders", true},
+    {"optimization.KERNEL_VARIANCE", &TerrainConfig::kernel_variance, "kernel-variance"},
+    {"optimization.KERNEL_LENGTHSCALE", &TerrainConfig::kernel_lengthscale, "kernel-length-scale"},
+    {"optimization.BETA", &TerrainConfig::beta, "beta"},
+    {"optimization.LIPSCHITZ", &TerrainConfig::lipschitz, "lipschitz"},
+    {"display.FRAMECOUNT", &TerrainConfig::frames, "frames", true},
+    {"display.BUFFER_SIZE", &TerrainConfig::buffer_size, "expanders"}};
 
 struct WordKey {
   const char* name;
   std::optional<std::string> TerrainConfig::*field;
 };
+constexpr std::string_view kOldMode = "environment.MODE";
 constexpr WordKey kWords[] = {{"environment.FILENAME", &TerrainConfig::filename},
                               {"environment.MODE", &TerrainConfig::mode},
                               {"robot.MODE", &TerrainConfig::mode}};
@@ -45,12 +57,24 @@ constexpr WordKey kWords[] = {{"environment.FILENAME", &TerrainConfig::filename}
 }
 
 [[nodiscard]] double number_of(const std::string& path,
-                               const std::string& key,
+                               const NumberKey& key,
                                const std::string& text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw UsageError(path + ": " + key + ": found '" + text + "', expected a number");
+    throw UsageError(path + ": " + key.name + ": found '" + text + "', expected a number");
+  }
+  const terrain::Limit limit = key.limit == kCell
+                                   ? terrain::Limit{"", 0.0, terrain::kMostSide - 1.0}
+                                   : terrain::limit_of(key.limit);
+  if (!terrain::is_within(limit, value) || (key.whole && value != std::floor(value))) {
+    throw UsageError(fmt::format("{}: {}: found '{}', expected a {}number from {:g} to {:g}",
+                                 path,
+                                 key.name,
+                                 text,
+                                 key.whole ? "whole " : "",
+                                 limit.low,
+                                 limit.high));
   }
   return value;
 }
@@ -62,19 +86,39 @@ void take(TerrainConfig& config,
   std::vector<std::string> known;
   for (const NumberKey& number : kNumbers) {
     if (key == number.name) {
-      config.*number.field = number_of(path, key, value);
+      config.*number.field = number_of(path, number, value);
       return;
     }
     known.emplace_back(number.name);
   }
   for (const WordKey& word : kWords) {
     if (key == word.name) {
+      if (key == kOldMode && value == "semnav") {
+        config.notes.push_back(key + " = semnav has no effect here: there is no such mode");
+        return;
+      }
+      if (word.field == &TerrainConfig::mode && value != "navigate" && value != "explore") {
+        throw UsageError(path + ": " + key + ": found '" + value +
+                         "', expected navigate or explore" +
+                         did_you_mean(value, {"navigate", "explore"}));
+      }
       config.*word.field = value;
       return;
     }
     known.emplace_back(word.name);
   }
   throw UsageError(path + ": unknown key '" + key + "'" + did_you_mean(key, known));
+}
+
+/// "X,Y" of two keys that come together.
+[[nodiscard]] std::optional<std::string> cell_of(const std::string& path,
+                                                 const std::string& names,
+                                                 const std::optional<double>& x,
+                                                 const std::optional<double>& y) {
+  if (x.has_value() != y.has_value()) {
+    throw UsageError(path + ": expected both of " + names + ", or neither");
+  }
+  return x ? std::optional(fmt::format("{:.0f},{:.0f}", *x, *y)) : std::nullopt;
 }
 
 }  // namespace
@@ -98,6 +142,9 @@ TerrainConfig read_terrain_config(const std::string& path) {
   } catch (const po::error& error) {
     throw UsageError(path + ": " + error.what());
   }
+  config.start =
+      cell_of(path, "robot.STARTING_X and robot.STARTING_Y", config.start_x, config.start_y);
+  config.goal = cell_of(path, "robot.GOAL_X and robot.GOAL_Y", config.goal_x, config.goal_y);
   return config;
 }
 

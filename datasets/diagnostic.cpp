@@ -15,27 +15,67 @@ std::string_view severity_name(Severity severity) noexcept {
   return kNames[static_cast<std::size_t>(severity)];
 }
 
+constexpr std::size_t kLongestCharacter = 4;
+
 bool continues_character(char c) noexcept {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+/// Bytes of the UTF-8 character at the front of `text`; 0 if there is none.
+std::size_t length_of_character(std::string_view text) noexcept {
+  const auto first = static_cast<unsigned char>(text.front());
+  const std::size_t length = first < 0x80U    ? 1
+                             : first < 0xC2U  ? 0
+                             : first < 0xE0U  ? 2
+                             : first < 0xF0U  ? 3
+                             : first <= 0xF4U ? kLongestCharacter
+                                              : 0;
+  if (length > text.size()) {
+    return 0;
+  }
+  for (std::size_t k = 1; k < length; ++k) {
+    if (!continues_character(text[k])) {
+      return 0;
+    }
+  }
+  if (length > 2) {
+    // Neither a longer way to write a character than needed, nor half of a pair, nor beyond 10FFFF.
+    const auto second = static_cast<unsigned char>(text[1]);
+    const bool wrong = (first == 0xE0U && second < 0xA0U) || (first == 0xEDU && second > 0x9FU) ||
+                       (first == 0xF0U && second < 0x90U) || (first == 0xF4U && second > 0x8FU);
+    return wrong ? 0 : length;
+  }
+  return length;
+}
+
+/// Characters that move the cursor, turn the line round or end it.
+bool is_control(std::string_view character) noexcept {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(character[k]); };
+  if (character.size() == 1) {
+    return byte(0) < 0x20U || byte(0) == 0x7FU;
+  }
+  if (character.size() == 2) {
+    return byte(0) == 0xC2U && byte(1) < 0xA0U;
+  }
+  return character.size() == 3 && byte(0) == 0xE2U &&
+         ((byte(1) == 0x80U && byte(2) >= 0xA8U && byte(2) <= 0xAEU) ||
+          (byte(1) == 0x81U && byte(2) >= 0xA6U && byte(2) <= 0xA9U));
 }
 
 std::string_view cut_between_characters(std::string_view text, std::size_t length) noexcept {
   if (text.size() <= length) {
     return text;
   }
-  while (length > 0 && continues_character(text[length])) {
-    --length;
+  std::size_t cut = length;
+  while (cut > 0 && length - cut < kLongestCharacter && continues_character(text[cut])) {
+    --cut;
   }
-  return text.substr(0, length);
+  return text.substr(0, length - cut < kLongestCharacter ? cut : length);
 }
 
 void append_escaped(std::string& out, char c) {
   constexpr std::string_view kHex = "0123456789abcdef";
   const auto code = static_cast<unsigned char>(c);
-  if (code >= 0x20U && code != 0x7FU) {
-    out += c;
-    return;
-  }
   switch (c) {
     case '\n':
       out += "\\n";
@@ -55,16 +95,26 @@ void append_escaped(std::string& out, char c) {
 
 }  // namespace
 
-std::string shortened(std::string_view text) {
-  const std::string_view kept = cut_between_characters(text, kLongestValue);
+std::string printable(std::string_view text) {
   std::string out;
-  for (const char c : kept) {
-    append_escaped(out, c);
-  }
-  if (kept.size() < text.size()) {
-    out += "...";
+  while (!text.empty()) {
+    const std::size_t length = length_of_character(text);
+    const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+    if (length != 0 && !is_control(character)) {
+      out += character;
+    } else {
+      for (const char c : character) {
+        append_escaped(out, c);
+      }
+    }
+    text.remove_prefix(character.size());
   }
   return out;
+}
+
+std::string shortened(std::string_view text) {
+  const std::string_view kept = cut_between_characters(text, kLongestValue);
+  return printable(kept) + (kept.size() < text.size() ? "..." : "");
 }
 
 std::string to_string(const Diagnostic& diagnostic) {

@@ -1,218 +1,253 @@
 #include "datasets/terrain_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
-#include "datasets/cell_reading.hpp"
 #include "datasets/csv_write.hpp"
-#include "datasets/decimal.hpp"
+#include "datasets/file_kind.hpp"
+#include "datasets/terrain/cell_table.hpp"
+#include "datasets/terrain/esri_grid.hpp"
+#include "datasets/terrain/header_rule.hpp"
+#include "datasets/terrain/nodata.hpp"
+#include "datasets/terrain/point_list.hpp"
 
 namespace tcert {
 namespace {
 
-constexpr std::size_t kMostCells = std::size_t{1} << 26U;
+namespace reading = terrain_reading;
 
-[[nodiscard]] bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
-
-/// Cells of a line; runs of blanks count as one separator where the separator is a blank.
-class Line {
- public:
-  Line(const char* begin, const char* end, char separator)
-      : at_(begin), end_(end), separator_(separator) {}
-
-  /// The next cell without outer blanks; false at the end of the line.
-  bool next(std::string_view& cell) {
-    if (done_) {
-      return false;
-    }
-    if (separator_ == ' ') {
-      skip_blanks();
-      if (at_ == end_) {
-        return false;
-      }
-    }
-    const char* from = at_;
-    while (at_ != end_ && !separates(*at_)) {
-      ++at_;
-    }
-    const char* to = at_;
-    done_ = at_ == end_;
-    if (!done_) {
-      ++at_;
-    }
-    while (from != to && is_blank(*from)) {
-      ++from;
-    }
-    while (from != to && is_blank(to[-1])) {
-      --to;
-    }
-    cell = {from, static_cast<std::size_t>(to - from)};
-    return true;
-  }
-
- private:
-  [[nodiscard]] bool separates(char c) const noexcept {
-    return separator_ == ' ' ? is_blank(c) : c == separator_;
-  }
-  void skip_blanks() noexcept {
-    while (at_ != end_ && is_blank(*at_)) {
-      ++at_;
-    }
-  }
-
-  const char* at_;
-  const char* end_;
-  char separator_;
-  bool done_ = false;
-};
-
-[[nodiscard]] bool to_number(std::string_view cell, double& value) {
-  if (!cell.empty() && scan_number(cell.data(), '.', value) == cell.data() + cell.size()) {
-    return true;
-  }
-  const CellReading reading = read_cell(cell);
-  value = reading.value;
-  return reading.meaning == CellMeaning::number && std::isfinite(value);
-}
-
-[[nodiscard]] char separator_of(std::string_view line) {
-  for (const char candidate : {',', ';', '\t'}) {
-    if (line.find(candidate) != std::string_view::npos) {
-      return candidate;
-    }
-  }
-  return ' ';
-}
-
-/// Reads line by line and keeps what is wrong.
+/// Reads one file, and keeps what is wrong with it and how it was understood.
 class Reader {
  public:
   explicit Reader(const TerrainFileOptions& options) : options_(options) {}
 
-  void line(std::string_view text) {
-    ++number_;
-    if (!text.empty() && text.back() == '\r') {
-      text.remove_suffix(1);
+  TerrainFileResult read(std::string_view bytes) {
+    if (const auto kind = kind_of_binary(bytes, options_.file)) {
+      fail("", text_expected(*kind));
+      return finish();
     }
-    if (text.find_first_not_of(" \t") == std::string_view::npos) {
-      return;
+    if (bytes.substr(0, 3) == "\xEF\xBB\xBF") {
+      bytes.remove_prefix(3);
     }
-    if (!seen_) {
-      separator_ = separator_of(text);
+    const bool esri = options_.format == TerrainFormat::esri ||
+                      (options_.format == TerrainFormat::detect && reading::is_esri_grid(bytes));
+    if (esri) {
+      read_esri(bytes);
+    } else {
+      read_table(bytes);
     }
-    const bool first = !seen_;
-    seen_ = true;
-    if (first && is_header(text)) {
-      terrain_.header = text;
-      return;
+    if (!has_error(result_.diagnostics)) {
+      check_sides();
     }
-    row(text);
-  }
-
-  TerrainFileResult finish() {
-    if (terrain_.rows < 2 || terrain_.columns < 2) {
-      report(0,
-             "",
-             std::to_string(terrain_.rows) + " x " + std::to_string(terrain_.columns),
-             "at least two rows and two columns of numbers");
+    if (!has_error(result_.diagnostics)) {
+      mark_gaps();
     }
-    TerrainFileResult result;
-    if (!problems_.has_error()) {
-      result.terrain = std::move(terrain_);
-    }
-    result.diagnostics = problems_.take();
-    return result;
+    return finish();
   }
 
  private:
-  [[nodiscard]] bool is_header(std::string_view text) const {
-    if (options_.header != TerrainHeader::detect) {
-      return options_.header == TerrainHeader::yes;
+  void read_esri(std::string_view bytes) {
+    reading::EsriGrid grid = reading::read_esri_grid(bytes, options_.file);
+    terrain_ = std::move(grid.terrain);
+    nodata_ = grid.nodata;
+    note(std::move(grid.note));
+    result_.diagnostics = std::move(grid.problems);
+  }
+
+  void read_table(std::string_view bytes) {
+    reading::CellTable table = reading::read_cells(bytes, options_.file);
+    reading::HeaderDecision decision = reading::decide_header(table, options_.header);
+    if (decision.header && options_.header == TerrainHeader::detect && starts_with_a_point(table)) {
+      decision = {};
     }
-    Line cells(text.data(), text.data() + text.size(), separator_);
-    std::string_view cell;
-    double value = 0.0;
-    while (cells.next(cell)) {
-      if (to_number(cell, value) || is_no_name(cell)) {
-        return false;
+    result_.diagnostics = std::move(table.problems);
+    terrain_.header = decision.header ? std::string(table.first_text) : table.comment;
+    if (!decision.header && table.first_line != 0) {
+      put_first_line(table);
+    }
+    if (has_error(result_.diagnostics)) {
+      return;
+    }
+    if (decision.index_column && table.columns > 1) {
+      drop_first_column(table);
+    }
+    const bool named = decision.header && has_coordinate_names(table);
+    if (options_.format == TerrainFormat::detect && table.columns > 3 &&
+        (named || begins_with_a_lattice(table))) {
+      fail(std::to_string(table.columns) + " columns",
+           "a rectangle of values, but the first two columns are the coordinates of points: keep "
+           "x, y and one value, or, if this is a terrain, give --terrain-format grid");
+      return;
+    }
+    if (options_.format == TerrainFormat::points ||
+        (options_.format == TerrainFormat::detect && table.columns == 3)) {
+      if (read_points(table, options_.format == TerrainFormat::points || named)) {
+        return;
       }
     }
+    note(decision.note);
+    terrain_.rows = static_cast<int>(table.rows);
+    terrain_.columns = static_cast<int>(table.columns);
+    terrain_.values = std::move(table.values);
+  }
+
+  /// True if these are points, good or not.
+  bool read_points(const reading::CellTable& table, bool wanted) {
+    if (table.columns != 3) {
+      fail(std::to_string(table.columns) + " columns", "three: x, y and value of a point a line");
+      return true;
+    }
+    reading::PointListResult points = reading::read_points(table.values, wanted);
+    switch (points.kind) {
+      case reading::PointList::none:
+        return false;
+      case reading::PointList::broken:
+        fail("", points.problem);
+        return true;
+      case reading::PointList::lattice:
+        break;
+    }
+    std::string header = std::move(terrain_.header);
+    terrain_ = std::move(points.terrain);
+    terrain_.header = std::move(header);
+    note(std::move(points.note));
     return true;
   }
 
-  /// Words for an infinity or a missing cell are data, not names.
-  [[nodiscard]] static bool is_no_name(std::string_view cell) {
-    const CellMeaning meaning = read_cell(cell).meaning;
-    return meaning == CellMeaning::number || meaning == CellMeaning::missing ||
-           meaning == CellMeaning::missing_word;
-  }
-
-  void row(std::string_view text) {
-    Line cells(text.data(), text.data() + text.size(), separator_);
-    std::string_view cell;
-    int columns = 0;
-    while (cells.next(cell)) {
-      ++columns;
-      if (terrain_.values.size() >= kMostCells) {
-        if (!full_) {
-          report(number_, "", "", "at most 67108864 cells");
-        }
-        full_ = true;
-        return;
+  /// 0, 1, 2 may be a point: it is if it and the other lines are a lattice.
+  [[nodiscard]] static bool starts_with_a_point(const reading::CellTable& table) {
+    std::vector<double> values;
+    for (const std::string_view cell : table.first) {
+      values.push_back(0.0);
+      if (!reading::to_number(cell, values.back())) {
+        return false;
       }
-      double value = 0.0;
-      if (!to_number(cell, value)) {
-        report(number_,
-               std::to_string(columns),
-               shortened(cell),
-               "a finite number in every cell; fill gaps before exploring");
+    }
+    if (table.columns != 3 || values.size() != 3) {
+      return false;
+    }
+    values.insert(values.end(), table.values.begin(), table.values.end());
+    return reading::read_points(values, false).kind == reading::PointList::lattice;
+  }
+
+  /// The names of the first two columns that are left are those of coordinates.
+  [[nodiscard]] static bool has_coordinate_names(const reading::CellTable& table) {
+    const std::size_t names = table.first.size();
+    return names >= table.columns && table.columns >= 3 &&
+           reading::names_coordinates(table.first[names - table.columns],
+                                      table.first[names - table.columns + 1]);
+  }
+
+  /// Points with more than one value each.
+  [[nodiscard]] static bool begins_with_a_lattice(const reading::CellTable& table) {
+    constexpr std::size_t kMostValues = 16;
+    if (table.columns > kMostValues) {
+      return false;
+    }
+    std::vector<double> points;
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+      if (i % table.columns < 3) {
+        points.push_back(table.values[i]);
       }
-      terrain_.values.push_back(value);
     }
-    if (terrain_.rows == 0) {
-      terrain_.columns = columns;
-    } else if (columns != terrain_.columns) {
-      report(number_,
-             "",
-             std::to_string(columns) + " cells",
-             "as many cells as in the first row, " + std::to_string(terrain_.columns));
-    }
-    ++terrain_.rows;
+    return reading::read_points(points, false).kind == reading::PointList::lattice;
   }
 
-  void report(std::size_t line, std::string column, std::string value, std::string expectation) {
-    Diagnostic problem;
-    problem.file = options_.file;
-    problem.line = line;
-    problem.column = std::move(column);
-    problem.value = std::move(value);
-    problem.expectation = std::move(expectation);
-    problems_.add(std::move(problem));
+  /// The first line is data after all.
+  void put_first_line(reading::CellTable& table) {
+    if (table.first.size() != table.columns) {
+      fail(table.first_line,
+           "",
+           std::to_string(table.first.size()) + " cells",
+           "as many cells as in the next row, " + std::to_string(table.columns));
+      return;
+    }
+    std::vector<double> first;
+    for (std::size_t k = 0; k < table.first.size(); ++k) {
+      double value = std::nan("");
+      if (!reading::is_gap_word(table.first[k]) && !reading::to_number(table.first[k], value)) {
+        fail(table.first_line,
+             std::to_string(k + 1),
+             shortened(table.first[k]),
+             "a finite number in every cell, or a gap: nothing, nan or NA");
+      }
+      first.push_back(value);
+    }
+    table.values.insert(table.values.begin(), first.begin(), first.end());
+    ++table.rows;
   }
 
-  TerrainFileOptions options_;
+  static void drop_first_column(reading::CellTable& table) {
+    std::vector<double> kept;
+    kept.reserve(table.values.size());
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+      if (i % table.columns != 0) {
+        kept.push_back(table.values[i]);
+      }
+    }
+    table.values = std::move(kept);
+    --table.columns;
+  }
+
+  void check_sides() {
+    const int least = std::min(terrain_.rows, terrain_.columns);
+    const int most = std::max(terrain_.rows, terrain_.columns);
+    if (least >= 2 && most <= kMostTerrainSide) {
+      return;
+    }
+    fail(std::to_string(terrain_.rows) + " x " + std::to_string(terrain_.columns),
+         least < 2 ? "at least two rows and two columns of numbers"
+                   : "at most " + std::to_string(kMostTerrainSide) + " rows and columns");
+  }
+
+  void mark_gaps() {
+    reading::GapsResult gaps = reading::mark_gaps(terrain_.values, options_.nodata, nodata_);
+    for (std::string& one : gaps.notes) {
+      note(std::move(one));
+    }
+    if (!gaps.problem.empty()) {
+      fail("", gaps.problem);
+    }
+  }
+
+  TerrainFileResult finish() {
+    if (!has_error(result_.diagnostics)) {
+      result_.terrain = std::move(terrain_);
+    }
+    return std::move(result_);
+  }
+
+  void note(std::string sentence) {
+    if (!sentence.empty()) {
+      result_.notes.push_back(std::move(sentence));
+    }
+  }
+
+  void fail(std::string value, std::string expectation) {
+    fail(0, "", std::move(value), std::move(expectation));
+  }
+
+  void fail(std::size_t line, std::string column, std::string value, std::string expectation) {
+    result_.diagnostics.push_back({Severity::error,
+                                   options_.file,
+                                   line,
+                                   std::move(column),
+                                   std::move(value),
+                                   std::move(expectation),
+                                   1});
+  }
+
+  const TerrainFileOptions& options_;
   TerrainGrid terrain_;
-  DiagnosticGroups problems_;
-  std::size_t number_ = 0;
-  char separator_ = ',';
-  bool seen_ = false;
-  bool full_ = false;
+  std::optional<double> nodata_;
+  TerrainFileResult result_;
 };
 
 }  // namespace
 
 TerrainFileResult read_terrain(const Bytes& bytes, const TerrainFileOptions& options) {
-  Reader reader(options);
-  std::string_view rest = bytes.view();
-  if (rest.substr(0, 3) == "\xEF\xBB\xBF") {
-    rest.remove_prefix(3);
-  }
-  while (!rest.empty()) {
-    const std::size_t end = rest.find('\n');
-    reader.line(rest.substr(0, end));
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  }
-  return reader.finish();
+  return Reader(options).read(bytes.view());
 }
 
 TerrainFileResult read_terrain(const std::filesystem::path& path, TerrainFileOptions options) {
@@ -234,7 +269,11 @@ TerrainFileResult read_terrain(const std::filesystem::path& path, TerrainFileOpt
 std::string terrain_text(const TerrainGrid& terrain) {
   std::string text = terrain.header.empty() ? "" : terrain.header + '\n';
   for (std::size_t i = 0; i < terrain.values.size(); ++i) {
-    append_number(text, terrain.values[i]);
+    if (std::isnan(terrain.values[i])) {
+      text += "nan";
+    } else {
+      append_number(text, terrain.values[i]);
+    }
     text += (i + 1) % static_cast<std::size_t>(terrain.columns) == 0 ? '\n' : ',';
   }
   return text;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Terrain files: a rectangle of numbers, one line a row.
+/// Terrain files: a rectangle of numbers, one line a row; a list of points; an ESRI ASCII grid.
 
 #include <cstddef>
 #include <filesystem>
@@ -13,7 +13,12 @@
 
 namespace tcert {
 
-/// Row-major values; row x of the file is x = 0, 1, ...
+// Bounds of a terrain, for memory and work.
+inline constexpr std::size_t kMostTerrainCells = std::size_t{1} << 26U;
+inline constexpr int kMostTerrainSide = 8192;
+inline constexpr double kLargestTerrainValue = 1e30;
+
+/// Row-major values; row x of the file is x = 0, 1, ... NaN is a gap: nothing is known there.
 struct TerrainGrid {
   int rows = 0;
   int columns = 0;
@@ -22,31 +27,57 @@ struct TerrainGrid {
 };
 
 enum class TerrainHeader {
-  detect,  ///< The first line is a header if it has a cell and none of them is a number.
-  yes,     ///< The first line is dropped, whatever it is.
+  /// The first line is a header if it has a word and no number, or if it numbers the columns: 0, 1,
+  /// 2, ... or 1, 2, 3, ..., or evenly spaced coordinates far from the values below, and the next
+  /// line is not evenly spaced.
+  detect,
+  yes,  ///< The first line is dropped, whatever it is.
   no,
+};
+
+enum class TerrainFormat {
+  detect,
+  grid,    ///< A rectangle of numbers, one line a row.
+  points,  ///< x, y and value, one point a line, in any order.
+  esri,    ///< ESRI ASCII grid (Arc/Info): ncols, nrows, xllcorner, ..., then the values.
+};
+
+/// Which values mean that nothing is known; NaN and words for it always do.
+struct NodataRule {
+  /// Values beyond +-1e30, and -9999, -32768 and others of their kind where they lie outside of all
+  /// other values by half their range or more. Not if `declared`: then that value and those beyond
+  /// +-1e30 alone.
+  bool recognise = true;
+  std::optional<double> declared;
 };
 
 struct TerrainFileOptions {
   std::string file;  ///< For messages.
   TerrainHeader header = TerrainHeader::detect;
+  TerrainFormat format = TerrainFormat::detect;
+  NodataRule nodata{};
 };
 
 struct TerrainFileResult {
   std::optional<TerrainGrid> terrain;
   std::vector<Diagnostic> diagnostics;
+  std::vector<std::string> notes;  ///< How the file was understood, a sentence each.
 };
 
-/// Comma, semicolon, tab or blanks between the numbers, whichever the first row uses. Rejects lines
-/// of different lengths, cells that are not finite numbers, fewer than two rows or columns, and
-/// more than 2^26 cells, naming line and cell. O(size).
+/// Comma, semicolon, tab or blanks between the numbers, whichever the first row uses; # begins a
+/// comment line. Three columns whose first two run over an evenly spaced lattice are points: x
+/// counts the lattice along the first, y along the second, both upwards, and nodes without a point
+/// are gaps. Rejects binary files by what they are, lines of different lengths, cells that are
+/// neither numbers nor gaps, three columns that may be points but form no lattice, fewer than two
+/// rows or columns, and more than 2^26 cells or 8192 a side, naming line and cell. O(size), for
+/// points O(points log points).
 [[nodiscard]] TerrainFileResult read_terrain(const Bytes& bytes, const TerrainFileOptions& options);
 
 /// The same from a file, expanded if it ends in .gz or .zst.
 [[nodiscard]] TerrainFileResult read_terrain(const std::filesystem::path& path,
                                              TerrainFileOptions options = {});
 
-/// The text of a terrain file: shortest decimals that read back to the same bits.
+/// The text of a terrain file: shortest decimals that read back to the same bits; nan for a gap.
 [[nodiscard]] std::string terrain_text(const TerrainGrid& terrain);
 
 }  // namespace tcert

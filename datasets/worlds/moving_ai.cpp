@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <charconv>
+#include <optional>
 #include <string_view>
 
 #include "datasets/worlds/raster_world.hpp"
@@ -73,11 +75,17 @@ class Reader {
       if (line.empty() || key == "type") {
         continue;
       }
+      if (key == "free" || key == "obstacle") {
+        if (!read_signs(key == "free" ? free_ : obstacle_, line.substr(key.size()))) {
+          return false;
+        }
+        continue;
+      }
       std::size_t* const value = key == "height" || key == "MapHeight" ? &raster.rows
                                  : key == "width" || key == "MapWidth" ? &raster.columns
                                                                        : nullptr;
       if (value == nullptr || split == std::string_view::npos) {
-        return fail("type, height, width, map, or MapHeight=, MapWidth=, MapData");
+        return fail("type, height, width, free, obstacle, map, or MapHeight=, MapWidth=, MapData");
       }
       const std::string_view digits = line.substr(split + 1);
       const auto [stop, error] =
@@ -87,6 +95,41 @@ class Reader {
       }
     }
     return fail("a line 'map' or 'MapData' before the cells");
+  }
+
+  /// "free ." and "obstacle @": further signs, one after the other or with blanks between.
+  [[nodiscard]] bool read_signs(std::string& signs, std::string_view rest) {
+    const std::size_t before = signs.size();
+    for (const char c : rest) {
+      if (c != ' ' && c != '\t' && c != '=') {
+        signs += c;
+      }
+    }
+    const auto is_both = [&](char c) { return signs_of_other(signs).find(c) != std::string::npos; };
+    if (signs.size() == before) {
+      return fail("a sign after 'free' or 'obstacle'");
+    }
+    if (std::any_of(signs.begin() + static_cast<std::ptrdiff_t>(before), signs.end(), is_both)) {
+      return fail("a sign that is either free or an obstacle");
+    }
+    return true;
+  }
+
+  [[nodiscard]] const std::string& signs_of_other(const std::string& signs) const {
+    return &signs == &free_ ? obstacle_ : free_;
+  }
+
+  /// What the header says of a sign goes before what it usually means.
+  [[nodiscard]] std::optional<bool> is_free(char cell) const {
+    for (const auto& [signs, free] : {std::pair{std::string_view(free_), true},
+                                      {std::string_view(obstacle_), false},
+                                      {std::string_view(".GS"), true},
+                                      {std::string_view("@OTW"), false}}) {
+      if (signs.find(cell) != std::string_view::npos) {
+        return free;
+      }
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] bool read_cells(Raster& raster) {
@@ -100,11 +143,11 @@ class Reader {
                     std::to_string(lines_.line.size()));
       }
       for (const char cell : lines_.line) {
-        const bool free = cell == '.' || cell == 'G' || cell == 'S';
-        if (!free && std::string_view("@OTW").find(cell) == std::string_view::npos) {
-          return fail("cells of . G S (free) and @ O T W");
+        const std::optional<bool> free = is_free(cell);
+        if (!free) {
+          return fail("cells of . G S (free) and @ O T W, or of the header's free and obstacle");
         }
-        raster.occupied.push_back(free ? 0 : 1);
+        raster.occupied.push_back(*free ? 0 : 1);
       }
     }
     return true;
@@ -122,6 +165,8 @@ class Reader {
 
   Lines lines_;
   std::string file_;
+  std::string free_;
+  std::string obstacle_;
   std::vector<Diagnostic> problems_;
 };
 

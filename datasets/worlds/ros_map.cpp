@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "datasets/file_kind.hpp"
 #include "datasets/worlds/raster_world.hpp"
 #include "datasets/worlds/world_files.hpp"
 
@@ -34,28 +35,34 @@ std::optional<double> number_of(std::string_view text) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// "[x, y, yaw]" with yaw 0.
-bool read_origin(std::string_view text, Point& origin) {
+/// What was expected, or null: "[x, y, yaw]" with yaw 0.
+const char* read_origin(std::string_view text, Point& origin) {
+  constexpr const char* kExpected = "[x, y, 0] in metres, on one line or a line each";
   if (text.size() < 2 || text.front() != '[' || text.back() != ']') {
-    return false;
+    return kExpected;
   }
   text = text.substr(1, text.size() - 2);
   std::array<double, 3> values{};
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::size_t comma = k + 1 < values.size() ? text.find(',') : text.size();
     if (comma == std::string_view::npos) {
-      return false;
+      return kExpected;
     }
     const auto value = number_of(trimmed(text.substr(0, comma)));
     if (!value) {
-      return false;
+      return kExpected;
     }
     values[k] = *value;
     text.remove_prefix(std::min(comma + 1, text.size()));
   }
   origin = {values[0], values[1]};
-  return values[2] == 0.0;
+  return values[2] == 0.0 ? nullptr
+                          : "[x, y, 0]: maps are not turned; set the third number to 0 and give S "
+                            "and G in the map's own axes";
 }
+
+constexpr const char* kUnknownKey =
+    "image, resolution, origin, negate, occupied_thresh, free_thresh or mode; this has no effect";
 
 /// What was expected of the value, or null if it is fine.
 const char* read_key(std::string_view key, std::string_view value, RosMap& map) {
@@ -69,7 +76,7 @@ const char* read_key(std::string_view key, std::string_view value, RosMap& map) 
     return map.resolution_m > 0.0 ? nullptr : "metres a cell, above 0";
   }
   if (key == "origin") {
-    return read_origin(value, map.origin) ? nullptr : "[x, y, 0]: maps are not turned";
+    return read_origin(value, map.origin);
   }
   if (key == "negate") {
     map.negate = value == "1" || value == "true";
@@ -82,7 +89,16 @@ const char* read_key(std::string_view key, std::string_view value, RosMap& map) 
   if (key == "mode") {
     return value == "trinary" ? nullptr : "trinary, the only mode with free and occupied";
   }
-  return "image, resolution, origin, negate, occupied_thresh, free_thresh or mode";
+  return kUnknownKey;
+}
+
+/// "- 1.5" as the next number of a list that began with a key alone: "origin:".
+bool continue_list(std::string_view line, std::string& list) {
+  if (line.front() != '-' || (line.size() > 1 && line[1] != ' ' && line[1] != '\t')) {
+    return false;
+  }
+  list += (list.empty() ? "" : ", ") + std::string(trimmed(line.substr(1)));
+  return true;
 }
 
 /// Header fields and plain pixels of a PGM: whole numbers between blanks and # comments.
@@ -127,10 +143,14 @@ struct Pgm {
 };
 
 /// Empty iff the image was read; else what was expected.
-std::string read_pgm(std::string_view text, Pgm& image) {
+std::string read_pgm(std::string_view text, const std::string& file, Pgm& image) {
   const bool plain = text.substr(0, 2) == "P2";
   if (!plain && text.substr(0, 2) != "P5") {
-    return "a PGM image: P2 or P5";
+    const auto kind = kind_of_binary(text, file);
+    return "a PGM image: P2 or P5" +
+           (kind ? ", but this is " + kind->name + ": convert it to PGM (convert " + file +
+                       " map.pgm) and name that in the YAML"
+                 : std::string());
   }
   PgmText fields(text.substr(2));
   for (std::size_t* const field : {&image.columns, &image.rows, &image.most}) {
@@ -186,6 +206,30 @@ std::optional<RosMap> read_ros_yaml(const Bytes& bytes,
   RosMap map;
   std::string_view text = bytes.view();
   bool good = true;
+  const auto take = [&](std::string_view key, std::string_view value, std::size_t number) {
+    if (const char* const expected = read_key(key, value, map)) {
+      const bool unknown = expected == kUnknownKey;
+      diagnostics.push_back({unknown ? Severity::warning : Severity::error,
+                             file,
+                             number,
+                             shortened(key),
+                             shortened(value),
+                             expected,
+                             1});
+      good = good && unknown;
+    }
+  };
+  // A list a line each, from the line of its key on; ended by whatever is no member.
+  std::string list_key;
+  std::string list;
+  std::size_t list_line = 0;
+  const auto end_list = [&] {
+    if (!list_key.empty()) {
+      take(list_key, list.empty() ? "" : '[' + list + ']', list_line);
+    }
+    list_key.clear();
+    list.clear();
+  };
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
@@ -194,15 +238,21 @@ std::optional<RosMap> read_ros_yaml(const Bytes& bytes,
     if (line.empty() || line == "---") {
       continue;
     }
+    if (!list_key.empty() && continue_list(line, list)) {
+      continue;
+    }
     const std::size_t colon = std::min(line.find(':'), line.size());
     const std::string_view key = trimmed(line.substr(0, colon));
     const std::string_view value = trimmed(line.substr(std::min(colon + 1, line.size())));
-    if (const char* const expected = read_key(key, value, map)) {
-      diagnostics.push_back(
-          {Severity::error, file, number, shortened(key), shortened(value), expected, 1});
-      good = false;
+    end_list();
+    if (value.empty()) {
+      list_key = key;
+      list_line = number;
+    } else {
+      take(key, value, number);
     }
   }
+  end_list();
   if (good && (map.image.empty() || !(map.resolution_m > 0.0))) {
     diagnostics.push_back({Severity::error, file, 0, "", "", "image and resolution", 1});
     good = false;
@@ -216,7 +266,7 @@ WorldsResult world_from_pgm(const Bytes& bytes,
                             const WorldFrame& frame) {
   WorldsResult result;
   Pgm image;
-  const std::string expected = read_pgm(bytes.view(), image);
+  const std::string expected = read_pgm(bytes.view(), file, image);
   if (!expected.empty()) {
     result.diagnostics.push_back({Severity::error, file, 0, "", "", expected, 1});
     return result;

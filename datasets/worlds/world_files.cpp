@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "datasets/file_kind.hpp"
 #include "datasets/worlds/world_problems.hpp"
 
 namespace tcert {
@@ -34,6 +35,10 @@ WorldsResult read_any(const fs::path& path, const fs::path& name, const WorldFra
   const BytesResult bytes = read_file(path);
   if (!bytes.bytes) {
     reject(result, path, "a readable file: " + bytes.problem);
+    return result;
+  }
+  if (const auto binary = kind_of_binary(bytes.bytes->view(), path.string())) {
+    reject(result, path, text_expected(*binary));
     return result;
   }
   const std::string kind = name.extension().string();

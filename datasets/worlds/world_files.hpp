@@ -37,8 +37,9 @@ struct WorldsResult {
                                                 const WorldFrame& frame);
 
 /// MovingAI (Sturtevant, 2012): 'type octile', height, width, map; or MapWidth=, MapHeight=,
-/// MapData. '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' are not. The first row lies at high y,
-/// the low corner at the origin.
+/// MapData. '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' are not, unless header lines 'free .'
+/// or 'obstacle @' say otherwise of a sign. The first row lies at high y, the low corner at the
+/// origin.
 [[nodiscard]] WorldsResult world_from_moving_ai(const Bytes& bytes,
                                                 const std::string& file,
                                                 const WorldFrame& frame);
@@ -53,7 +54,8 @@ struct RosMap {
   double free_threshold = 0.196;
 };
 
-/// image, resolution, origin [x, y, 0], negate, occupied_thresh, free_thresh; mode trinary.
+/// image, resolution, origin [x, y, 0] (or a line each), negate, occupied_thresh, free_thresh; mode
+/// trinary. Another key is a warning and has no effect.
 [[nodiscard]] std::optional<RosMap> read_ros_yaml(const Bytes& bytes,
                                                   const std::string& file,
                                                   std::vector<Diagnostic>& diagnostics);

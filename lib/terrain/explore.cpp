@@ -6,6 +6,7 @@
 #include <terrain/components.hpp>
 #include <terrain/controller.hpp>
 #include <terrain/explore.hpp>
+#include <terrain/limits.hpp>
 #include <terrain/lipschitz.hpp>
 #include <terrain/projection.hpp>
 #include <terrain/routes.hpp>
@@ -144,14 +145,15 @@ class Run {
     s.lipschitz = planner_.rules().lipschitz;
     s.travelled = travelled_;
     s.unsafe_visits = unsafe_visits_;
+    const CellSet ground = planner_.ground();
     for (std::size_t i = 0; i < terrain_.values.size(); ++i) {
-      const bool unsafe = planner_.safe()[i] != 0 && terrain_.values[i] < setup_.rules.threshold;
+      const bool unsafe = ground[i] != 0 && terrain_.values[i] < setup_.rules.threshold;
       s.unsafe_certified += unsafe ? 1U : 0U;
     }
     result_.most_unsafe_certified = std::max(result_.most_unsafe_certified, s.unsafe_certified);
     if (setup_.goal) {
       s.certificate = widest_route(terrain_.grid,
-                                   planner_.ground(),
+                                   ground,
                                    planner_.proven(),
                                    setup_.rules.threshold,
                                    setup_.start,
@@ -179,13 +181,42 @@ class Run {
       result_.steps.back().unsafe_visits = unsafe_visits_;
       return End::reached;
     }
-    if (!planner_.last_plan().next) {
-      return End::not_reachable;
+    const bool over = step >= setup_.max_steps;
+    if (planner_.last_plan().next && !over) {
+      return std::nullopt;
     }
-    if (step >= setup_.max_steps) {
+    if (setup_.goal && ground[terrain_.grid.index(*setup_.goal)] != 0 && joined(ground, here)) {
+      return End::goal_at_edge;
+    }
+    if (planner_.last_plan().next) {
       return End::step_limit;
     }
-    return std::nullopt;
+    if (ground[terrain_.grid.index(here)] == 0) {
+      return End::stranded;
+    }
+    return setup_.goal ? what_forbids() : End::explored;
+  }
+
+  /// What stands between start and goal, by the terrain itself.
+  [[nodiscard]] End what_forbids() const {
+    CellSet good(terrain_.grid.size());
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      good[i] = terrain_.values[i] >= setup_.rules.threshold ? 1 : 0;
+    }
+    if (!goal_joined_over(good)) {
+      return End::not_reachable;
+    }
+    for (std::size_t i = 0; i < setup_.blocked.size(); ++i) {
+      good[i] = setup_.blocked[i] != 0 ? 0 : good[i];
+    }
+    if (!goal_joined_over(good)) {
+      return End::past_obstacles;
+    }
+    return setup_.rules.kind == RuleSet::certified ? End::only_lipschitz : End::only_rules;
+  }
+
+  [[nodiscard]] bool goal_joined_over(const CellSet& set) const {
+    return component_of(terrain_.grid, set, setup_.start)[terrain_.grid.index(*setup_.goal)] != 0;
   }
 
   [[nodiscard]] bool joined(const CellSet& ground, Cell here) const {
@@ -208,12 +239,18 @@ class Run {
     if (setup_.rules.kind != RuleSet::published) {
       return wanted;
     }
-    const CellSet& safe = planner_.safe();
-    if (setup_.goal && safe[terrain_.grid.index(*setup_.goal)] != 0 &&
-        joined(safe, nearest_cell(robot_))) {
+    const Cell here = nearest_cell(robot_);
+    CellSet ground = planner_.ground();
+    if (setup_.goal && ground[terrain_.grid.index(*setup_.goal)] != 0 && joined(ground, here)) {
       wanted = *setup_.goal;
     }
-    return projected_inwards(terrain_.grid, safe, wanted, setup_.simplification).value_or(wanted);
+    if (!setup_.blocked.empty()) {
+      ground = component_of(terrain_.grid, ground, here);
+    }
+    const Cell inwards =
+        projected_inwards(terrain_.grid, ground, wanted, setup_.simplification).value_or(wanted);
+    // Holes are filled, as published, but nobody goes onto what is blocked.
+    return setup_.blocked.empty() || ground[terrain_.grid.index(inwards)] != 0 ? inwards : wanted;
   }
 
   void go(Cell to) {
@@ -235,7 +272,10 @@ class Run {
       }
       result_.path.push_back(position(route[k]));
     }
-    travelled_ += route_length(route);
+    const double length = route_length(route);
+    travelled_ += length;
+    ++result_.ways;
+    result_.route_cells += length;
     robot_ = position(to);
   }
 
@@ -250,17 +290,16 @@ class Run {
     Cell before = nearest_cell(robot_);
     for (std::size_t k = 1; k < way.path.size(); ++k) {
       const Cell c = nearest_cell(way.path[k]);
-      travelled_ += (way.path[k] - way.path[k - 1]).norm();
+      const double length = (way.path[k] - way.path[k - 1]).norm();
+      travelled_ += length;
+      result_.controller_cells += length;
       if (!(c == before)) {
         visit(c);
         before = c;
       }
       result_.path.push_back(way.path[k]);
     }
-    const double rest = (way.path.back() - position(to)).norm();
-    if (rest > 2.0 * (setup_.robot_radius + setup_.simplification)) {
-      ++result_.controller_fallbacks;
-    }
+    result_.controller_fallbacks += way.arrived ? 0U : 1U;
     robot_ = position(before);
   }
 
@@ -294,12 +333,34 @@ class Run {
   int patches_ = 0;
 };
 
-void require_inside(const Grid& grid, Cell c, const std::string& who) {
+void require_inside(const Grid& grid, const CellSet& blocked, Cell c, const std::string& who) {
   if (!grid.contains(c)) {
     throw std::invalid_argument("the " + who + " " + text_of(c) + " lies outside the terrain of " +
                                 std::to_string(grid.rows) + " x " + std::to_string(grid.columns) +
                                 " cells");
   }
+  if (!blocked.empty() && blocked[grid.index(c)] != 0) {
+    throw std::invalid_argument("the " + who + " " + text_of(c) +
+                                " lies in a physical obstacle or a gap of the terrain");
+  }
+}
+
+void require_valid(const Terrain& terrain, const ExploreSetup& setup) {
+  const Grid& grid = terrain.grid;
+  if (terrain.values.size() != grid.size() ||
+      (!setup.blocked.empty() && setup.blocked.size() != grid.size())) {
+    throw std::invalid_argument("terrain and obstacles need one value a cell");
+  }
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const bool felt = setup.blocked.empty() || setup.blocked[i] == 0;
+    if (felt && !(std::abs(terrain.values[i]) <= kLargestValue)) {
+      throw std::invalid_argument("the value at " + text_of(grid.cell(i)) +
+                                  " is not a number within +-1e30; block the cell if it is a gap");
+    }
+  }
+  require_within("max-steps", setup.max_steps);
+  require_within("robot-radius", setup.robot_radius);
+  require_within("simplification", setup.simplification);
 }
 
 }  // namespace
@@ -320,8 +381,18 @@ std::string_view to_string(End end) noexcept {
   switch (end) {
     case End::reached:
       return "reached";
+    case End::explored:
+      return "explored: no cell can make the ground grow";
     case End::not_reachable:
       return "not reachable at this threshold";
+    case End::past_obstacles:
+      return "not reachable at this threshold past the obstacles and gaps";
+    case End::only_lipschitz:
+      return "not certified: only the Lipschitz constant forbids it";
+    case End::only_rules:
+      return "not certified: only the rule set forbids it";
+    case End::goal_at_edge:
+      return "the goal is certified and joined, but not deep enough within the outline";
     case End::step_limit:
       return "step limit";
     case End::empty_safe_set:
@@ -333,15 +404,13 @@ std::string_view to_string(End end) noexcept {
 }
 
 ExploreResult explore(const Terrain& terrain, const ExploreSetup& setup, const Observer& observe) {
-  require_inside(terrain.grid, setup.start, "start");
+  require_valid(terrain, setup);
+  require_inside(terrain.grid, setup.blocked, setup.start, "start");
   if (setup.goal) {
-    require_inside(terrain.grid, *setup.goal, "goal");
+    require_inside(terrain.grid, setup.blocked, *setup.goal, "goal");
   }
   for (const Cell c : setup.first_cells) {
-    require_inside(terrain.grid, c, "first measurement");
-  }
-  if (terrain.values.size() != terrain.grid.size()) {
-    throw std::invalid_argument("the terrain needs one value a cell");
+    require_inside(terrain.grid, setup.blocked, c, "first measurement");
   }
   if (setup.rules.kind == RuleSet::certified &&
       terrain.at(setup.start) - setup.rules.noise_bound < setup.rules.threshold) {

@@ -10,7 +10,8 @@
 
 namespace tcert::terrain {
 
-/// The ground truth that a simulated robot feels, one value a cell.
+/// The ground truth that a simulated robot feels, one value a cell. Those of blocked cells are not
+/// looked at and may be NaN.
 struct Terrain {
   Grid grid;
   std::vector<double> values;
@@ -43,7 +44,7 @@ struct ExploreSetup {
   std::vector<Cell> first_cells;   ///< Measured before the first step, the start not among them.
   std::vector<Measurement> known;  ///< Of an earlier run.
   std::vector<Cell> seeds;         ///< S_0.
-  CellSet blocked;                 ///< Physical obstacles; empty: none.
+  CellSet blocked;                 ///< Physical obstacles and gaps of the terrain; empty: none.
   int max_steps = 2000;            ///< Measurements after the first batch.
   Motion motion = Motion::route;
   double robot_radius = 2.0;
@@ -56,10 +57,17 @@ struct ExploreSetup {
 };
 
 enum class End {
-  reached,  ///< The goal is safe and joined to the robot.
-  /// No cell within reach can make the safe set grow: not at this threshold. Under `certified` the
-  /// measurements and the Lipschitz constant alone say so, not the model.
-  not_reachable,
+  reached,   ///< The goal is safe and joined to the robot.
+  explored,  ///< There is no goal, and no cell within reach can make the safe set grow.
+  // No cell within reach can make the safe set grow; under `certified` the measurements and the
+  // Lipschitz constant alone say so, not the model. The terrain itself says what stands in the way:
+  not_reachable,   ///< No way from start to goal keeps the threshold.
+  past_obstacles,  ///< Ways that keep it lead over blocked cells alone.
+  only_lipschitz,  ///< `certified`: there is a way, but none that this constant certifies.
+  only_rules,      ///< `thesis`, `published`: there is a way, but these rules do not find it.
+  /// `published`: the goal is safe and joined to the robot, but not so deep within the outline as
+  /// these rules want it.
+  goal_at_edge,
   step_limit,
   empty_safe_set,  ///< Nothing is safe: the published program dies here.
   stranded,        ///< The ground under the robot is no longer certified.
@@ -91,9 +99,13 @@ struct ExploreResult {
   std::vector<Position> path;
   std::vector<Position> free_space;  ///< Local free space of the controller when it last set out.
   std::size_t most_unsafe_certified = 0;
-  std::size_t controller_fallbacks =
-      0;                        ///< Times the reactive controller left the rest to a route.
-  Position frontier{0.0, 0.0};  ///< The cell within reach that is nearest to the goal.
+  std::size_t ways = 0;  ///< From one cell to the next that was chosen, or to the goal.
+  /// `reactive`: ways whose end the controller did not come to within a cell; a route went the
+  /// rest.
+  std::size_t controller_fallbacks = 0;
+  double controller_cells = 0.0;  ///< Length of the way gone by the controller.
+  double route_cells = 0.0;       ///< Length of the way gone by routes.
+  Position frontier{0.0, 0.0};    ///< The cell within reach that is nearest to the goal.
 
   [[nodiscard]] const ExploreStep& last() const { return steps.back(); }
 };
@@ -101,8 +113,9 @@ struct ExploreResult {
 using Observer = std::function<void(const Planner&, const ExploreStep&, const ExploreResult&)>;
 
 /// Runs until the goal is connected or nothing more can be done. `observe` sees every step.
-/// \throws std::invalid_argument if the start or the goal lies outside the grid, the start is known
-/// to be unsafe, or the setup cannot be.
+/// \throws std::invalid_argument if the start or the goal lies outside the grid or on a blocked
+/// cell, the start is known to be unsafe, a value that may be felt is not within +-1e30, or the
+/// setup is not within its limits.
 [[nodiscard]] ExploreResult explore(const Terrain& terrain,
                                     const ExploreSetup& setup,
                                     const Observer& observe = {});

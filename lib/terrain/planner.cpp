@@ -135,16 +135,16 @@ const Plan& Planner::plan(std::optional<Cell> goal, std::optional<Cell> robot) {
   plan_ = {};
   switch (rules_.kind) {
     case RuleSet::thesis:
-      plan_thesis(goal);
+      plan_thesis(goal, robot);
       break;
     case RuleSet::published:
-      plan_published(goal);
+      plan_published(goal, robot);
       break;
     case RuleSet::certified:
       plan_certified(goal, robot);
       break;
   }
-  plan_.safe = count(safe_);
+  plan_.safe = count(ground());
   if (plan_.next) {
     const std::size_t i = grid_.index(*plan_.next);
     plan_.lower = intervals_.lower[i];
@@ -183,7 +183,17 @@ void Planner::choose(std::vector<std::size_t> candidates,
   }
 }
 
-void Planner::plan_thesis(std::optional<Cell> goal) {
+void Planner::leave_out_blocked(std::optional<Cell> robot) {
+  if (blocked_.empty()) {
+    return;
+  }
+  const CellSet reachable = robot ? component_of(grid_, ground(), *robot) : ground();
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    expanders_[i] = expanders_[i] & reachable[i];
+  }
+}
+
+void Planner::plan_thesis(std::optional<Cell> goal, std::optional<Cell> robot) {
   if (model_->measurements() > 0) {
     // An empty intersection keeps lower > upper: its width is negative and it is never chosen
     // first.
@@ -201,11 +211,12 @@ void Planner::plan_thesis(std::optional<Cell> goal) {
                      squared_depth(grid_, safe_));
   expanders_ = expanders(
       safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, squared_depth(grid_, safe_));
+  leave_out_blocked(robot);
   plan_.expanders = count(expanders_);
   choose(members(expanders_), intervals_, goal, Ties::nearest_first);
 }
 
-void Planner::plan_published(std::optional<Cell> goal) {
+void Planner::plan_published(std::optional<Cell> goal, std::optional<Cell> robot) {
   set_to_band(intervals_, model_->mean(), model_->variance(), rules_.band());
   double highest_lower = -kUnbounded;
   for (std::size_t i = 0; i < grid_.size(); ++i) {
@@ -233,6 +244,7 @@ void Planner::plan_published(std::optional<Cell> goal) {
   for (std::size_t i = 0; i < grid_.size(); ++i) {
     expanders_[i] = expanders_[i] & candidates[i];
   }
+  leave_out_blocked(robot);
   plan_.expanders = count(expanders_);
   choose(members(expanders_), intervals_, goal, Ties::row_major_first);
 }

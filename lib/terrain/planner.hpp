@@ -16,7 +16,7 @@ namespace tcert::terrain {
 
 /// What a planning step found.
 struct Plan {
-  std::size_t safe = 0;        ///< |S_t|.
+  std::size_t safe = 0;        ///< |S_t|, blocked cells not counted.
   std::size_t expanders = 0;   ///< |G_t| before the n nearest are taken.
   std::size_t maximisers = 0;  ///< `published`: |M|.
   std::size_t candidates = 0;  ///< `published`: cells that may be tested as expanders.
@@ -49,8 +49,9 @@ class Planner {
   /// Cells that are physically blocked: safe or not, nothing is chosen or reached there.
   void set_blocked(CellSet blocked);
 
-  /// Updates the sets and chooses. Without a goal: the widest expander anywhere. Under `certified`
-  /// only cells that `robot` can reach over certified ground are chosen.
+  /// Updates the sets and chooses. Without a goal: the widest expander anywhere. Under `certified`,
+  /// and under all rules once there are blocked cells, only cells that `robot` can reach over
+  /// ground are chosen.
   const Plan& plan(std::optional<Cell> goal, std::optional<Cell> robot = std::nullopt);
 
   /// Begins with another prior and the same measurements: O(n) additions.
@@ -82,8 +83,10 @@ class Planner {
   [[nodiscard]] std::size_t model_contradictions() const noexcept { return empty_; }
 
  private:
-  void plan_thesis(std::optional<Cell> goal);
-  void plan_published(std::optional<Cell> goal);
+  void plan_thesis(std::optional<Cell> goal, std::optional<Cell> robot);
+  void plan_published(std::optional<Cell> goal, std::optional<Cell> robot);
+  /// Takes from the expanders what is blocked, or behind what is blocked.
+  void leave_out_blocked(std::optional<Cell> robot);
   void plan_certified(std::optional<Cell> goal, std::optional<Cell> robot);
   /// Members of G_t that are reachable and not measured yet, by the upper bounds given. The disc of
   /// a measurement is part of S_t: to measure there again makes it grow by the noise at most.

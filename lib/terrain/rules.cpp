@@ -1,18 +1,12 @@
 #include <array>
 #include <cmath>
-#include <stdexcept>
+#include <terrain/limits.hpp>
 #include <terrain/rules.hpp>
 
 namespace tcert::terrain {
 namespace {
 
 constexpr std::array<RuleSet, 3> kAll{RuleSet::thesis, RuleSet::published, RuleSet::certified};
-
-void require(bool holds, const char* message) {
-  if (!holds) {
-    throw std::invalid_argument(message);
-  }
-}
 
 }  // namespace
 
@@ -40,15 +34,12 @@ std::optional<RuleSet> rule_set_from(std::string_view word) noexcept {
 double Rules::band() const noexcept { return kind == RuleSet::published ? beta : std::sqrt(beta); }
 
 void require_valid(const Rules& rules) {
-  require(std::isfinite(rules.threshold), "the threshold must be finite");
-  require(std::isfinite(rules.lipschitz) && rules.lipschitz > 0.0,
-          "the Lipschitz constant must be > 0");
-  require(std::isfinite(rules.beta) && rules.beta >= 0.0, "beta must be >= 0");
-  require(rules.expanders > 0, "the number of expanders must be > 0");
-  require(std::isfinite(rules.noise_bound) && rules.noise_bound >= 0.0,
-          "the noise bound must be >= 0");
-  require(std::isfinite(rules.travel_weight) && rules.travel_weight >= 0.0,
-          "the travel weight must be >= 0");
+  require_within("threshold", rules.threshold);
+  require_within("lipschitz", rules.lipschitz);
+  require_within("beta", rules.beta);
+  require_within("expanders", rules.expanders);
+  require_within("noise-bound", rules.noise_bound);
+  require_within("travel-weight", rules.travel_weight);
 }
 
 }  // namespace tcert::terrain

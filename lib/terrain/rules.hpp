@@ -16,6 +16,9 @@ enum class RuleSet {
 [[nodiscard]] std::string_view to_string(RuleSet rules) noexcept;
 [[nodiscard]] std::optional<RuleSet> rule_set_from(std::string_view word) noexcept;
 
+/// Band of the model that may be trusted with certifying: 5 sd.
+inline constexpr double kTrustedBeta = 25.0;
+
 struct Rules {
   RuleSet kind = RuleSet::certified;
   double threshold = 1000.0;  ///< h: ground is safe at f >= h.
@@ -28,7 +31,8 @@ struct Rules {
 
   // `certified` only.
   double noise_bound = 0.0;  ///< Largest |y - f(x)| of a measurement, >= 0.
-  /// The model's lower bound certifies too. Saves samples; no longer proven.
+  /// The model's lower bound certifies too. Saves samples; no longer proven. Needs a wide band: of
+  /// 300 random terrains unsafe cells were held safe in 145 at beta = 3, in 2 at kTrustedBeta.
   bool trust_model = false;
   /// Choose the expander whose expected disc comes nearest to the goal, the way to it counted,
   /// instead of the widest of the n nearest.
@@ -39,7 +43,7 @@ struct Rules {
   [[nodiscard]] double band() const noexcept;
 };
 
-/// \throws std::invalid_argument naming the first value that cannot be.
+/// \throws std::invalid_argument naming the first value that is not within its Limit.
 void require_valid(const Rules& rules);
 
 }  // namespace tcert::terrain

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <terrain/limits.hpp>
 #include <terrain/separable_gp.hpp>
 
 namespace tcert::terrain {
@@ -54,12 +55,11 @@ void require(bool holds, const char* message) {
 
 SeparableGp::SeparableGp(const Grid& grid, const GpPrior& prior) : grid_(grid), prior_(prior) {
   require(grid.rows > 0 && grid.columns > 0, "the grid needs cells");
-  require(std::isfinite(prior.mean), "the prior mean must be finite");
-  require(std::isfinite(prior.variance) && prior.variance > 0.0, "the kernel variance must be > 0");
-  require(std::isfinite(prior.length_scale) && prior.length_scale > 0.0,
-          "the kernel length scale must be > 0");
-  require(std::isfinite(prior.noise_variance) && prior.noise_variance >= 0.0,
-          "the noise variance must be >= 0");
+  require(grid.rows <= kMostSide && grid.columns <= kMostSide, "the grid is too large");
+  require_within("kernel-mean", prior.mean);
+  require_within("kernel-variance", prior.variance);
+  require_within("kernel-length-scale", prior.length_scale);
+  require_within("noise-variance", prior.noise_variance);
   rows_basis_ = basis(grid.rows, prior.length_scale);
   columns_basis_ = basis(grid.columns, prior.length_scale);
   mean_.assign(grid.size(), prior.mean);

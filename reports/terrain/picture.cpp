@@ -129,7 +129,7 @@ std::string explore_picture(const terrain::Terrain& terrain,
   const Grid& grid = terrain.grid;
   CellSet unsafe(grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    unsafe[i] = terrain.values[i] < threshold ? 1 : 0;
+    unsafe[i] = terrain.values[i] >= threshold ? 0 : 1;
   }
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" "
@@ -144,13 +144,14 @@ std::string explore_picture(const terrain::Terrain& terrain,
       grid.rows,
       grid.columns);
   layer(svg, grid, unsafe, "#b0b0b0");
-  layer(svg, grid, obstacles_of(grid, frame.safe), "#000000");
   layer(svg, grid, frame.safe, "#a6d8f5");
   layer(svg, grid, frame.expanders, "#e02020");
   if (!frame.free_space.empty()) {
     svg += fmt::format("<polygon fill=\"#30b050\" fill-opacity=\"0.7\" points=\"{}\"/>\n",
                        polyline(frame.free_space, frame.free_space.size()));
   }
+  // Over the free space, which lies in the mapped plane: green shows on safe ground alone.
+  layer(svg, grid, obstacles_of(grid, frame.safe), "#000000");
   svg += fmt::format(
       "<polyline fill=\"none\" stroke=\"#404040\" stroke-width=\"0.8\" points=\"{}\"/>\n",
       polyline(path, frame.path_points));

@@ -14,7 +14,7 @@ namespace tcert {
 /// What one picture shows.
 struct ExploreFrame {
   int step = 0;
-  terrain::CellSet safe;
+  terrain::CellSet safe;       ///< Without blocked cells.
   terrain::CellSet expanders;  ///< Those that were considered.
   terrain::Position robot{0.0, 0.0};
   std::vector<terrain::Position> free_space;  ///< Local free space; empty: not drawn.
@@ -38,9 +38,9 @@ class FrameKeeper {
 };
 
 /// SVG with the thesis' legend: white and gray is ground truth at or above, and below, the
-/// threshold; black the box round the safe set without it, light blue the safe set, red the
-/// expanders considered, green the local free space, pink the next sample, dark blue the goal. x
-/// runs to the right. The way is a thin line.
+/// threshold or not known; light blue the safe set, red the expanders considered, green the local
+/// free space, and over it black the box round the safe set without the set; pink the next sample,
+/// dark blue the goal. x runs to the right. The way is a thin line.
 [[nodiscard]] std::string explore_picture(const terrain::Terrain& terrain,
                                           double threshold,
                                           const ExploreFrame& frame,

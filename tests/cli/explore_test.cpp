@@ -101,7 +101,7 @@ TEST_F(ExploreCommand, WritesSeriesPicturesAndManifest) {
                                            "--output",
                                            "run"};
   const ProcessResult run = work.run(arguments);
-  ASSERT_EQ(0, run.exit_code) << to_string(run);
+  ASSERT_EQ(7, run.exit_code) << to_string(run);
   expect_part(run.out, "SYNTHETIC data, seed 4");
   expect_part(run.out, "rules: certified");
   const std::string series = work.read("run/series.csv");
@@ -123,19 +123,19 @@ TEST_F(ExploreCommand, WritesSeriesPicturesAndManifest) {
   EXPECT_EQ("terrain.csv", words.at(1));
   words.insert(words.end(), {"--output", "from_manifest"});
   const ProcessResult made = work.run(words);
-  ASSERT_EQ(0, made.exit_code) << to_string(made);
+  ASSERT_EQ(7, made.exit_code) << to_string(made);
   EXPECT_EQ(series, work.read("from_manifest/series.csv"));
   EXPECT_EQ(work.read("run/manifest.json"), work.read("from_manifest/manifest.json"));
   // One picture is the last.
   words.insert(words.end(), {"--frames", "1"});
   words.at(words.size() - 3) = "one_frame";
   const ProcessResult one = work.run(words);
-  ASSERT_EQ(0, one.exit_code) << to_string(one);
+  ASSERT_EQ(7, one.exit_code) << to_string(one);
   EXPECT_EQ(work.read("run/frames/frame_009.svg"), work.read("one_frame/frames/frame_001.svg"));
   EXPECT_FALSE(std::filesystem::exists(work.path() / "one_frame/frames/frame_002.svg"));
   // The same again gives the same bytes.
   const ProcessResult again = work.run(arguments);
-  ASSERT_EQ(0, again.exit_code) << to_string(again);
+  ASSERT_EQ(7, again.exit_code) << to_string(again);
   EXPECT_EQ(series, work.read("run/series.csv"));
 }
 
@@ -199,7 +199,8 @@ TEST_F(ExploreCommand, SaysWhatIsWrong) {
   work.write("text.csv", "1,2,3\n4,five,6\n");
   refused({"text.csv", "--start", "0,0"}, 65, "found 'five', expected a finite number");
   work.write("nan.csv", "1,2\n3,nan\n");
-  refused({"nan.csv", "--start", "0,0"}, 65, "found 'nan'");
+  refused({"nan.csv", "--start", "1,1"}, 65, "the start (1, 1) lies in a gap of the terrain");
+  refused({"nan.csv", "--start", "0,0", "--goal", "1,1"}, 65, "the goal (1, 1) lies in a gap");
   work.write("row.csv", "1,2,3\n");
   refused({"row.csv", "--start", "0,0"}, 65, "at least two rows");
 }
@@ -229,10 +230,269 @@ TEST_F(ExploreCommand, EndsWhereTheGoalIsNotReachable) {
                                       "5",
                                       "--max-steps",
                                       "500"});
-  ASSERT_EQ(0, run.exit_code) << to_string(run);
+  ASSERT_EQ(4, run.exit_code) << to_string(run);
+  expect_part(run.out, "end: not reachable at this threshold\n");
   expect_part(run.out, "the goal (25, 10) is not reachable at this threshold: ");
   expect_part(run.out, "cells are certified, and the frontier stands at (");
-  expect_part(run.out, "certificate: NA");
+  expect_part(run.out, "certificate: NA (start and goal are not joined over certified ground)");
+}
+
+/// `rows` x `columns` cells of `value`, but those of row `of` are `other`.
+std::string plateau(
+    int rows, int columns, const std::string& value, int of = -1, const std::string& other = {}) {
+  std::string text;
+  for (int x = 0; x < rows; ++x) {
+    for (int y = 0; y < columns; ++y) {
+      text += (y == 0 ? "" : ",") + (x == of && y > 0 && y + 1 < columns ? other : value);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+TEST_F(ExploreCommand, NamesEveryEndByWordAndExitCode) {
+  work.write("flat.csv", plateau(12, 12, "100"));
+  work.write("wall.csv", plateau(12, 12, "0", 6, "1"));
+  std::string whole;
+  for (int x = 0; x < 12; ++x) {
+    whole += x == 6 ? "1,1,1,1,1,1,1,1,1,1,1,1\n" : "0,0,0,0,0,0,0,0,0,0,0,0\n";
+  }
+  work.write("cut.csv", whole);
+  const auto ends = [&](std::vector<std::string> more, int code, const std::string& part) {
+    std::vector<std::string> arguments{"explore", "flat.csv", "--start", "2,2", "--threshold", "5"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult run = work.run(arguments);
+    EXPECT_EQ(code, run.exit_code) << to_string(run);
+    expect_part(run.out + run.err, part);
+  };
+  ends({"--lipschitz", "20", "--goal", "9,9"}, 0, "end: reached");
+  ends({"--lipschitz", "1"}, 0, "end: explored: no cell can make the ground grow");
+  ends({"--lipschitz", "200", "--goal", "9,9"}, 5, "only the Lipschitz constant forbids it");
+  ends({"--lipschitz", "80", "--goal", "9,9", "--max-steps", "1"}, 7, "end: step limit");
+  ends({"--lipschitz", "20", "--goal", "6,2", "--obstacles", "wall.csv"},
+       65,
+       "the goal (6, 2) lies in a physical obstacle");
+  ends({"--lipschitz", "20", "--goal", "9,9", "--obstacles", "cut.csv"},
+       65,
+       "the goal (9, 9) cannot be reached whatever the ground is");
+  work.write("wide.csv", plateau(80, 80, "100"));
+  const ProcessResult edge = work.run({"explore",
+                                       "wide.csv",
+                                       "--start",
+                                       "30,30",
+                                       "--goal",
+                                       "79,79",
+                                       "--threshold",
+                                       "95",
+                                       "--rules",
+                                       "published",
+                                       "--max-steps",
+                                       "300"});
+  EXPECT_EQ(6, edge.exit_code) << to_string(edge);
+  expect_part(
+      edge.out,
+      "is certified and joined, but less than 4 cells (--simplification) within the outline");
+  const ProcessResult help = work.run({"explore", "--help"});
+  for (const char* const part :
+       {"4 not reachable", "5 only the", "6 the goal", "7 the limit", "8 stranded"}) {
+    expect_part(help.out, part);
+  }
+}
+
+TEST_F(ExploreCommand, FlagsThatTheRulesWouldNotLookAtAreErrors) {
+  const auto refused =
+      [&](const std::string& rules, std::vector<std::string> flags, const std::string& part) {
+        std::vector<std::string> arguments{
+            "explore", "terrain.csv", "--start", "45,35", "--threshold", "940", "--rules", rules};
+        arguments.insert(arguments.end(), flags.begin(), flags.end());
+        const ProcessResult run = work.run(arguments);
+        EXPECT_EQ(2, run.exit_code) << to_string(run);
+        expect_part(run.err, part);
+        expect_part(run.err, flags.front());
+      };
+  for (const std::string rules : {"thesis", "published"}) {
+    for (const std::vector<std::string>& flags : {std::vector<std::string>{"--look-ahead"},
+                                                  {"--trust-model"},
+                                                  {"--noise-bound", "1"},
+                                                  {"--confidence", "0.9"}}) {
+      refused(rules, flags, "--rules " + rules);
+    }
+  }
+  refused("published", {"--lipschitz", "18"}, "--rules published");
+  refused("published", {"--start-radius", "1"}, "--rules published");
+  refused("thesis", {"--simplification", "3"}, "--rules thesis");
+  refused("certified", {"--travel-weight", "0.5"}, "--look-ahead");
+  refused("certified", {"--goal", "50,40", "--mode", "explore"}, "--mode explore");
+  refused("thesis", {"--lipschitz", "auto"}, "only --rules certified estimates it");
+  refused("certified",
+          {"--lipschitz", "1e300"},
+          "expected a number above 0, from 1e-30 to 1e+30, or auto");
+  const ProcessResult note = work.run({"explore",
+                                       "terrain.csv",
+                                       "--start",
+                                       "45,35",
+                                       "--threshold",
+                                       "940",
+                                       "--lipschitz",
+                                       "18",
+                                       "--robot-radius",
+                                       "3",
+                                       "--max-steps",
+                                       "2"});
+  expect_part(note.err, "note: --robot-radius keeps the robot's body off the borders");
+}
+
+TEST_F(ExploreCommand, WarnsOfTheThesisConstantAndOfANarrowTrustedBand) {
+  const auto err = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{
+        "explore", "terrain.csv", "--start", "45,35", "--threshold", "940", "--max-steps", "2"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return work.run(arguments).err;
+  };
+  expect_part(err({"--rules", "thesis"}),
+              "the Lipschitz constant 0.003 is contradicted by the first measurements");
+  EXPECT_EQ("", err({"--rules", "thesis", "--lipschitz", "18"}));
+  expect_part(err({"--lipschitz", "18", "--trust-model", "--beta", "3"}),
+              "a band of 1.73 sd (--beta 3)");
+  EXPECT_EQ("", err({"--lipschitz", "18", "--trust-model"})) << "5 sd by default";
+}
+
+TEST_F(ExploreCommand, TakesStartGoalAndFramesFromTheConfiguration) {
+  const std::string head = R"([environment]
+FILENAME = "terrain.csv"
+THRESHOLD = 940
+MODE = "semnav"
+[robot]
+)";
+  const std::string places = "STARTING_X = 45\nSTARTING_Y = 35\nGOAL_X = 50\nGOAL_Y = 40\n";
+  work.write("config.toml",
+             head + "MODE = \"navigate\"\n" + places +
+                 "[optimization]\nLIPSCHITZ = 18\n[display]\nFRAMECOUNT = 2");
+  const ProcessResult run = work.run({"explore", "--config", "config.toml", "--output", "out"});
+  EXPECT_EQ(0, run.exit_code) << to_string(run);
+  expect_part(run.err, "environment.MODE = semnav has no effect here");
+  expect_part(run.out, "end: reached");
+  EXPECT_TRUE(std::filesystem::exists(work.path() / "out/frames/frame_001.svg"));
+  EXPECT_FALSE(std::filesystem::exists(work.path() / "out/frames/frame_003.svg"));
+  const std::string path = work.read("out/path.csv");
+  expect_part(path, "\n45,35,");
+  // Flags go first.
+  const ProcessResult flag =
+      work.run({"explore", "--config", "config.toml", "--start", "46,36", "--output", "other"});
+  EXPECT_EQ(0, flag.exit_code) << to_string(flag);
+  EXPECT_EQ(std::string::npos, work.read("other/path.csv").find("\n45,35,"));
+  const auto refused = [&](const std::string& text, const std::string& part) {
+    work.write("bad.toml", text);
+    const ProcessResult bad = work.run({"explore", "--config", "bad.toml"});
+    EXPECT_EQ(2, bad.exit_code) << to_string(bad);
+    expect_part(bad.err, part);
+  };
+  refused(head + "STARTING_X = 45\n", "expected both of robot.STARTING_X and robot.STARTING_Y");
+  refused(head + "STARTING_X = 4.5\nSTARTING_Y = 1\n", "expected a whole number from 0 to 8191");
+  refused(head + "MODE = \"semnav\"\n" + places, "robot.MODE: found 'semnav'");
+  refused(head + places + "[display]\nFRAMECOUNT = 1e300\n", "display.FRAMECOUNT: found '1e300'");
+  refused(head + places + "[optimization]\nNUM_EXPANDERS = 1e300\n", "optimization.NUM_EXPANDERS");
+}
+
+TEST_F(ExploreCommand, GoesRoundGapsOfAllKinds) {
+  for (const std::string gap : {"3.4028235e38", "-9999", "-32768", "nan", "", "1e300"}) {
+    work.write("gaps.csv", plateau(20, 15, "1200.5", 9, gap));
+    const ProcessResult run = work.run({"explore",
+                                        "gaps.csv",
+                                        "--start",
+                                        "4,7",
+                                        "--goal",
+                                        "15,7",
+                                        "--threshold",
+                                        "1000",
+                                        "--lipschitz",
+                                        "25",
+                                        "--output",
+                                        "run"});
+    ASSERT_EQ(0, run.exit_code) << to_string(run);
+    expect_part(run.err, "13 of 300 cells are gaps");
+    EXPECT_EQ(std::string::npos, run.out.find("NA")) << run.out;
+    expect_part(run.out, "Lipschitz constant: 25");
+    EXPECT_EQ(std::string::npos, work.read("run/path.csv").find("\n9,7,")) << gap;
+  }
+  work.write("gaps.csv", plateau(20, 15, "1200.5", 9, "-77"));
+  const ProcessResult told = work.run({"explore",
+                                       "gaps.csv",
+                                       "--start",
+                                       "4,7",
+                                       "--threshold",
+                                       "1000",
+                                       "--lipschitz",
+                                       "25",
+                                       "--nodata",
+                                       "-77"});
+  expect_part(told.err, "13 of 300 cells are gaps (13 of the nodata value -77)");
+}
+
+TEST_F(ExploreCommand, ReadsPointsAndEsriGridsAndRefusesImages) {
+  std::string points = "x,y,z\n";
+  std::string esri = "ncols 12\nnrows 20\nxllcorner 500000\nyllcorner 4000000\ncellsize 0.5\n";
+  for (int x = 0; x < 20; ++x) {
+    for (int y = 0; y < 12; ++y) {
+      points += std::to_string(500000 + x) + ',' + std::to_string(4000000 + y) + ",100\n";
+      esri += "100 ";
+    }
+    esri += '\n';
+  }
+  work.write("points.xyz", points);
+  work.write("dem.asc", esri);
+  work.write("in.tif", std::string("II*\0\x08\0\0\0\x9b\xff", 10));
+  const auto run = [&](const std::string& file) {
+    return work.run({"explore",
+                     file,
+                     "--start",
+                     "2,2",
+                     "--goal",
+                     "17,9",
+                     "--threshold",
+                     "5",
+                     "--lipschitz",
+                     "20"});
+  };
+  for (const std::string file : {"points.xyz", "dem.asc"}) {
+    const ProcessResult result = run(file);
+    EXPECT_EQ(0, result.exit_code) << to_string(result);
+    expect_part(result.err, "20 x 12 cells");
+  }
+  const ProcessResult image = run("in.tif");
+  EXPECT_EQ(65, image.exit_code);
+  expect_part(image.err, "gdal_translate -of AAIGrid in.tif out.asc");
+  EXPECT_EQ(std::string::npos, image.err.find('\x9b'));
+}
+
+TEST_F(ExploreCommand, DrawsPseudoObstaclesOverTheFreeSpace) {
+  const ProcessResult run = work.run({"explore",
+                                      "terrain.csv",
+                                      "--start",
+                                      "45,35",
+                                      "--lipschitz",
+                                      "18",
+                                      "--threshold",
+                                      "940",
+                                      "--motion",
+                                      "reactive",
+                                      "--kernel-length-scale",
+                                      "20",
+                                      "--max-steps",
+                                      "12",
+                                      "--output",
+                                      "run"});
+  expect_part(run.out, "ways on which the controller arrived: ");
+  std::size_t seen = 0;
+  for (const std::string& name : work.files("run/frames")) {
+    const std::string svg = work.read("run/frames/" + name);
+    const std::size_t green = svg.find("#30b050");
+    if (green != std::string::npos) {
+      ++seen;
+      EXPECT_LT(green, svg.find("fill=\"#000000\"")) << name;
+    }
+  }
+  EXPECT_GT(seen, 0U);
 }
 
 }  // namespace

@@ -159,6 +159,55 @@ TEST(WorldFiles, RosYamlIsReadStrictly) {
                     problems));
   ASSERT_EQ(problems.size(), 3U);
   EXPECT_HAS(to_string(problems[0]), "m.yaml:2: error: column 'resolution'");
+  EXPECT_HAS(to_string(problems[1]), "maps are not turned");
+  EXPECT_HAS(to_string(problems[2]), "m.yaml:4: warning: column 'negat'");
+}
+
+TEST(WorldFiles, RosYamlTakesListsALineEachAndKeysThatItDoesNotKnow) {
+  std::vector<Diagnostic> problems;
+  const auto map = read_ros_yaml(
+      Bytes::copy_of("image: m.pgm\nresolution: 0.05\norigin:\n- -10.5\n  - 2\n-   0.0\nnegate: 0\n"
+                     "cost_scale: 3\nlayers:\n  - a\n"),
+      "m.yaml",
+      problems);
+  ASSERT_TRUE(map) << to_string(problems.at(0));
+  EXPECT_EQ(map->origin, (Point{-10.5, 2.0}));
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_HAS(to_string(problems[0]), "m.yaml:8: warning: column 'cost_scale'");
+  EXPECT_HAS(to_string(problems[1]), "m.yaml:9: warning: column 'layers'");
+  problems.clear();
+  EXPECT_FALSE(
+      read_ros_yaml(Bytes::copy_of("image: m.pgm\nresolution: 1\norigin:\n- 1\n- 2\n- 0.7\n"),
+                    "m.yaml",
+                    problems));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_HAS(to_string(problems[0]), "m.yaml:3: error: column 'origin'");
+  EXPECT_HAS(to_string(problems[0]), "maps are not turned");
+}
+
+TEST(WorldFiles, ImagesThatAreNoPgmAreNamed) {
+  using namespace std::string_view_literals;
+  const std::string text = refusal(
+      world_from_pgm(Bytes::copy_of("\x89PNG\r\n\x1a\n\0\0"sv), "m.png", ros_map(), frame()));
+  EXPECT_HAS(text, "a PNG image: convert it to PGM (convert m.png map.pgm)");
+  TemporaryFolder folder;
+  EXPECT_HAS(refusal(read_worlds(folder.write("a.map", "\x89PNG\r\n\x1a\n\0\0"sv))), "a PNG image");
+}
+
+TEST(WorldFiles, MovingAiHeadersThatSayWhatIsFree) {
+  const auto read = [](const std::string& signs, const std::string& cells) {
+    return world_from_moving_ai(
+        Bytes::copy_of("height 2\nwidth 4\n" + signs + "map\n" + cells), "m.map", frame());
+  };
+  const WorldsResult usual = read("free .\nobstacle @\n", "@@.@\n....\n");
+  ASSERT_EQ(usual.worlds.size(), 1U) << refusal(usual);
+  EXPECT_EQ(usual.worlds[0].obstacles.size(), 2U);
+  // Signs of their own, and one whose meaning is turned round.
+  const WorldsResult own = read("free _ @\nobstacle # .\n", "##_#\n_@@_\n");
+  ASSERT_EQ(own.worlds.size(), 1U) << refusal(own);
+  EXPECT_EQ(own.worlds[0].obstacles.size(), 2U);
+  EXPECT_HAS(refusal(read("free #\nobstacle #\n", "....\n....\n")), "either free or an obstacle");
+  EXPECT_HAS(refusal(read("free\n", "....\n....\n")), "a sign after");
 }
 
 World world() {

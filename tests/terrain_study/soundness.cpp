@@ -19,7 +19,8 @@ struct Outcome {
   bool contradicted = false;
 };
 
-Outcome run(std::uint64_t number, double factor, bool trust_model, std::uint64_t seed) {
+Outcome run(
+    std::uint64_t number, double factor, bool trust_model, std::uint64_t seed, double beta) {
   constexpr double kLipschitz = 20.0;
   TerrainFieldOptions field;
   field.rows = 48;
@@ -48,6 +49,7 @@ Outcome run(std::uint64_t number, double factor, bool trust_model, std::uint64_t
   setup.rules.threshold = field.mean;
   setup.rules.lipschitz = factor * kLipschitz;
   setup.rules.trust_model = trust_model;
+  setup.rules.beta = beta;
   setup.rules.look_ahead = number % 2 == 0;
   setup.prior = prior_of(setup.rules.lipschitz, field.length_scale, terrain.at(setup.start));
   setup.max_steps = 150;
@@ -60,10 +62,11 @@ Outcome run(std::uint64_t number, double factor, bool trust_model, std::uint64_t
 
 }  // namespace
 
-Soundness soundness(std::size_t terrains, double factor, bool trust_model, std::uint64_t seed) {
+Soundness soundness(
+    std::size_t terrains, double factor, bool trust_model, std::uint64_t seed, double beta) {
   std::vector<Outcome> outcomes(terrains);
   tbb::parallel_for(std::size_t{0}, terrains, [&](std::size_t i) {
-    outcomes[i] = run(i, factor, trust_model, seed);
+    outcomes[i] = run(i, factor, trust_model, seed, beta);
   });
   Soundness sum;
   sum.terrains = terrains;
@@ -72,7 +75,9 @@ Soundness soundness(std::size_t terrains, double factor, bool trust_model, std::
     sum.with_unsafe_visits += o.result.last().unsafe_visits > 0 ? 1U : 0U;
     sum.contradicted += o.contradicted ? 1U : 0U;
     sum.reached += o.result.end == End::reached ? 1U : 0U;
-    sum.not_reachable += o.result.end == End::not_reachable ? 1U : 0U;
+    const End end = o.result.end;
+    sum.not_reachable +=
+        end == End::not_reachable || end == End::only_lipschitz || end == End::explored ? 1U : 0U;
     sum.mean_samples += static_cast<double>(o.result.steps.size()) / static_cast<double>(terrains);
   }
   sum.limit = terrains - sum.reached - sum.not_reachable;

@@ -2,6 +2,7 @@
 #include <tbb/parallel_for.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -51,7 +52,7 @@ std::string run(const Terrain& terrain, const Job& job) {
   char line[400];
   std::snprintf(line,
                 sizeof line,
-                "%s,%s,%llu,%s,%zu,%zu,%zu,%zu,%zu,%.1f,%.4f,%zu,%s\n",
+                "%s,%s,%llu,%s,%zu,%zu,%zu,%zu,%zu,%.1f,%.4f,%zu,%zu,%.1f,%.1f,%s\n",
                 job.scenario.name.c_str(),
                 job.variant.name.c_str(),
                 static_cast<unsigned long long>(job.seed),
@@ -63,7 +64,10 @@ std::string run(const Terrain& terrain, const Job& job) {
                 result.most_unsafe_certified,
                 result.last().travelled,
                 seconds / static_cast<double>(result.steps.size()),
+                result.ways,
                 result.controller_fallbacks,
+                result.controller_cells,
+                result.route_cells,
                 certificate);
   return line;
 }
@@ -89,6 +93,24 @@ int soundness_table(int terrains) {
                   s.mean_samples);
       std::fflush(stdout);
     }
+  }
+  return 0;
+}
+
+/// What a band of the model costs that is trusted with certifying.
+int trust_table(int terrains) {
+  std::printf("beta,sd,terrains,with_unsafe_cells,with_unsafe_visits,reached,mean_samples\n");
+  for (const double beta : {3.0, 9.0, 16.0, 25.0, 36.0}) {
+    const Soundness s = soundness(static_cast<std::size_t>(terrains), 1.0, true, 1, beta);
+    std::printf("%g,%.2f,%zu,%zu,%zu,%zu,%.1f\n",
+                beta,
+                std::sqrt(beta),
+                s.terrains,
+                s.with_unsafe_cells,
+                s.with_unsafe_visits,
+                s.reached,
+                s.mean_samples);
+    std::fflush(stdout);
   }
   return 0;
 }
@@ -133,11 +155,15 @@ int main_of(int argc, char** argv) {
   if (argc > 1 && std::string(argv[1]) == "soundness") {
     return soundness_table(argc > 2 ? std::atoi(argv[2]) : 1000);
   }
+  if (argc > 1 && std::string(argv[1]) == "trust") {
+    return trust_table(argc > 2 ? std::atoi(argv[2]) : 300);
+  }
   if (argc < 4) {
     std::fprintf(stderr,
                  "usage: terrain_study TERRAIN SCENARIO|all VARIANT|all [SEEDS]\n"
                  "       terrain_study TERRAIN baselines all [SEEDS]\n"
-                 "       terrain_study soundness [TERRAINS]\n");
+                 "       terrain_study soundness [TERRAINS]\n"
+                 "       terrain_study trust [TERRAINS]\n");
     return 2;
   }
   const std::string wanted_scenario = argv[2];
@@ -166,6 +192,7 @@ int main_of(int argc, char** argv) {
     Variant trusting = ahead;
     trusting.name = "trusting the model";
     trusting.rules.trust_model = true;
+    trusting.rules.beta = kTrustedBeta;
     Variant adaptive = ahead;
     adaptive.name = "certified, look-ahead, adaptive";
     adaptive.adaptive.on = true;
@@ -200,7 +227,7 @@ int main_of(int argc, char** argv) {
   std::vector<std::string> lines(jobs.size());
   std::printf(
       "scenario,variant,seed,end,iterations,first,safe,unsafe_visits,unsafe_certified,travelled,"
-      "step_s,fallbacks,certificate\n");
+      "step_s,ways,fallbacks,controller_cells,route_cells,certificate\n");
   tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
     lines[i] = run(terrain, jobs[i]);
     std::fputs(lines[i].c_str(), stderr);

@@ -1,0 +1,224 @@
+#include "datasets/terrain/point_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace tcert::terrain_reading {
+namespace {
+
+constexpr std::size_t kColumns = 3;
+constexpr double kOffNode = 0.1;          // of a step
+constexpr double kSameCoordinate = 1e-6;  // of the range
+constexpr double kLeastFilled = 0.25;
+constexpr double kPointsPerLine = 1.5;
+constexpr double kMostTwice = 0.1;  // of the points
+constexpr double kApart = 3.0;      // times the widest span
+
+constexpr std::string_view kWayOut =
+    "; put points on a lattice first (gdal_grid), or, if this is a terrain three cells wide, give "
+    "--terrain-format grid";
+
+struct Axis {
+  double low = 0.0;
+  double step = 0.0;
+  int count = 0;
+  std::size_t distinct = 0;
+
+  [[nodiscard]] int node(double v) const noexcept {
+    return static_cast<int>(std::lround((v - low) / step));
+  }
+};
+
+[[nodiscard]] std::vector<double> column_of(std::span<const double> values, std::size_t column) {
+  std::vector<double> out;
+  for (std::size_t i = column; i < values.size(); i += kColumns) {
+    out.push_back(values[i]);
+  }
+  return out;
+}
+
+[[nodiscard]] std::optional<Axis> axis_of(std::vector<double> v) {
+  std::sort(v.begin(), v.end());
+  const double range = v.back() - v.front();
+  if (!std::isfinite(range) || !(range > 0.0)) {
+    return std::nullopt;
+  }
+  Axis axis;
+  axis.low = v.front();
+  axis.distinct = 1;
+  double step = range;
+  for (std::size_t i = 1; i < v.size(); ++i) {
+    const double d = v[i] - v[i - 1];
+    if (d > kSameCoordinate * range) {
+      step = std::min(step, d);
+      ++axis.distinct;
+    }
+  }
+  const double lines = std::round(range / step);
+  if (lines > kMostTerrainSide - 1) {
+    return std::nullopt;
+  }
+  axis.count = static_cast<int>(lines) + 1;
+  axis.step = range / lines;
+  const bool even = std::all_of(v.begin(), v.end(), [&](double x) {
+    const double at = (x - axis.low) / axis.step;
+    return std::abs(at - std::round(at)) <= kOffNode;
+  });
+  return even ? std::optional(axis) : std::nullopt;
+}
+
+struct Nodes {
+  std::vector<double> values;  ///< NaN where there is no point.
+  std::size_t filled = 0;
+  std::size_t twice = 0;
+  std::size_t first_twice = 0;  ///< Index of the first point whose node was taken.
+};
+
+[[nodiscard]] Nodes fill(std::span<const double> values, const Axis& x, const Axis& y) {
+  Nodes nodes;
+  const auto width = static_cast<std::size_t>(y.count);
+  const std::size_t size = static_cast<std::size_t>(x.count) * width;
+  nodes.values.assign(size, std::numeric_limits<double>::quiet_NaN());
+  std::vector<bool> taken(size, false);
+  for (std::size_t i = 0; i < values.size(); i += kColumns) {
+    const std::size_t at = static_cast<std::size_t>(x.node(values[i])) * width +
+                           static_cast<std::size_t>(y.node(values[i + 1]));
+    if (taken[at]) {
+      nodes.first_twice = nodes.twice == 0 ? i / kColumns : nodes.first_twice;
+      ++nodes.twice;
+      continue;
+    }
+    taken[at] = true;
+    nodes.values[at] = values[i + 2];
+    ++nodes.filled;
+  }
+  return nodes;
+}
+
+/// The ranges of the first two columns, and of the third, lie far from one another.
+[[nodiscard]] bool columns_lie_apart(std::span<const double> values) {
+  std::array<std::pair<double, double>, kColumns> ranges{};
+  double widest = 0.0;
+  for (std::size_t k = 0; k < kColumns; ++k) {
+    const std::vector<double> column = column_of(values, k);
+    const auto [low, high] = std::minmax_element(column.begin(), column.end());
+    ranges[k] = {*low, *high};
+    widest = std::max(widest, *high - *low);
+  }
+  std::sort(ranges.begin(), ranges.end());
+  bool apart = widest > 0.0;
+  for (std::size_t k = 1; k < kColumns; ++k) {
+    apart = apart && ranges[k].first - ranges[k - 1].second > kApart * widest;
+  }
+  return apart;
+}
+
+[[nodiscard]] bool all_places_differ(std::span<const double> values) {
+  std::vector<std::pair<double, double>> places;
+  for (std::size_t i = 0; i < values.size(); i += kColumns) {
+    places.emplace_back(values[i], values[i + 1]);
+  }
+  std::sort(places.begin(), places.end());
+  return std::adjacent_find(places.begin(), places.end()) == places.end();
+}
+
+[[nodiscard]] std::string note_of(const Axis& x, const Axis& y, std::size_t points) {
+  std::string text = fmt::format(
+      "{} points x, y, value on a lattice of {} x {} cells: cell x is (x - {:.10g}) / {:.6g}, cell "
+      "y is (y - {:.10g}) / {:.6g}, both from 0 upwards",
+      points,
+      x.count,
+      y.count,
+      x.low,
+      x.step,
+      y.low,
+      y.step);
+  if (std::abs(x.step - y.step) > 1e-3 * x.step) {
+    return text + "; the cells are not square, and all lengths are in cells";
+  }
+  return text + fmt::format(
+                    "; lengths, --lipschitz and length scales stay per cell (a slope of s "
+                    "per unit is L = {:.4g} s); --terrain-format grid reads a terrain "
+                    "three cells wide",
+                    x.step);
+}
+
+}  // namespace
+
+PointListResult read_points(std::span<const double> values, bool wanted) {
+  PointListResult result;
+  const auto broken = [&](std::string problem) {
+    result.kind = PointList::broken;
+    result.problem = std::move(problem) + std::string(kWayOut);
+    return result;
+  };
+  const std::size_t points = values.size() / kColumns;
+  for (std::size_t i = 0; i < values.size(); i += kColumns) {
+    if (!std::isfinite(values[i]) || !std::isfinite(values[i + 1])) {
+      return wanted ? broken("two coordinates of every point") : result;
+    }
+  }
+  if (points < 4) {
+    return wanted ? broken("four points x, y, value or more") : result;
+  }
+  const auto x = axis_of(column_of(values, 0));
+  const auto y = axis_of(column_of(values, 1));
+  if (x && y && x->distinct > 1 && y->distinct > 1 &&
+      static_cast<double>(x->count) * y->count <=
+          static_cast<double>(points) / kLeastFilled) {
+    Nodes nodes = fill(values, *x, *y);
+    const auto longer = static_cast<double>(std::max(x->distinct, y->distinct));
+    const bool full = static_cast<double>(nodes.filled) >= kPointsPerLine * longer;
+    const bool few_twice =
+        static_cast<double>(nodes.twice) <= kMostTwice * static_cast<double>(points);
+    if (full && nodes.twice == 0) {
+      result.kind = PointList::lattice;
+      result.terrain = {x->count, y->count, std::move(nodes.values), {}};
+      result.note = note_of(*x, *y, points);
+      return result;
+    }
+    if ((full && few_twice) || wanted) {
+      return broken(nodes.twice == 0
+                        ? "points on a lattice, but too few of its nodes are there"
+                        : fmt::format("one value at every point x, y, but the point number {} "
+                                      "stands where another does",
+                                      nodes.first_twice + 1));
+    }
+    return result;
+  }
+  if (wanted) {
+    return broken("points x, y, value whose x and y are evenly spaced");
+  }
+  if (all_places_differ(values) && columns_lie_apart(values)) {
+    return broken(
+        "a terrain, but these three columns look like points x, y, value that form no "
+        "lattice");
+  }
+  return result;
+}
+
+bool names_coordinates(std::string_view first, std::string_view second) {
+  const auto is_one_of = [](std::string_view name, std::span<const std::string_view> words) {
+    std::string lower;
+    for (const char c : name) {
+      if (c != '"' && c != '\'') {
+        lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
+      }
+    }
+    const std::string bare = lower.substr(0, lower.find_first_of("_ [("));
+    return std::find(words.begin(), words.end(), bare) != words.end();
+  };
+  constexpr std::array<std::string_view, 8> kFirst{
+      "x", "lon", "long", "longitude", "easting", "east", "e", "utmx"};
+  constexpr std::array<std::string_view, 7> kSecond{
+      "y", "lat", "latitude", "northing", "north", "n", "utmy"};
+  return (is_one_of(first, kFirst) && is_one_of(second, kSecond)) ||
+         (is_one_of(first, kSecond) && is_one_of(second, kFirst));
+}
+
+}  // namespace tcert::terrain_reading
