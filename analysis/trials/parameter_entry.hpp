@@ -25,7 +25,7 @@ inline std::string number_text(double value) {
 }
 
 template <class Value>
-std::optional<Value> read_number(std::string_view text, const Bounds& bounds) {
+std::optional<Value> read_number(std::string_view text, const FieldBounds& bounds) {
   Value value{};
   const char* end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, value);

@@ -11,7 +11,7 @@ std::string to_text(double value) {
   return {text.data(), static_cast<std::size_t>(end - text.data())};
 }
 
-std::string to_string(const Bounds& bounds) {
+std::string to_string(const FieldBounds& bounds) {
   return bounds.low_allowed ? "from " + to_text(bounds.low) + " to " + to_text(bounds.high)
                             : "above " + to_text(bounds.low) + ", at most " + to_text(bounds.high);
 }

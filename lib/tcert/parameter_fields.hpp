@@ -12,7 +12,7 @@ namespace tcert {
 /// The values that a parameter may have: between `low` and `high`, `low` itself only if
 /// `low_allowed`. Every parameter has both, so that no value asks for more memory or work than a
 /// machine has.
-struct Bounds {
+struct FieldBounds {
   double low;
   double high;
   bool low_allowed;
@@ -21,15 +21,17 @@ struct Bounds {
     return (low_allowed ? value >= low : value > low) && value <= high;
   }
 };
-[[nodiscard]] constexpr Bounds from(double low, double high) noexcept { return {low, high, true}; }
-[[nodiscard]] constexpr Bounds above(double low, double high) noexcept {
+[[nodiscard]] constexpr FieldBounds from(double low, double high) noexcept {
+  return {low, high, true};
+}
+[[nodiscard]] constexpr FieldBounds above(double low, double high) noexcept {
   return {low, high, false};
 }
 
 struct NumberField {
   std::string_view key;
   std::string_view unit;  ///< Empty if it has none.
-  Bounds bounds;
+  FieldBounds bounds;
   std::string_view text;  ///< One sentence that says when to change it.
 };
 
@@ -43,7 +45,7 @@ struct WordField {
 [[nodiscard]] std::string to_text(double value);
 
 /// "from 0 to 1.5707963267948966", "above 0, at most 1000".
-[[nodiscard]] std::string to_string(const Bounds& bounds);
+[[nodiscard]] std::string to_string(const FieldBounds& bounds);
 
 /// \throws std::invalid_argument naming the parameter, its value and its bounds.
 void require_in_bounds(const NumberField& field, double value);

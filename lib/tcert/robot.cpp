@@ -56,7 +56,7 @@ void validate(const Ray& ray) {
 }
 
 void require_point(Point p, const std::string& name) {
-  constexpr Bounds kPlace = from(-kLargestPose, kLargestPose);
+  constexpr FieldBounds kPlace = from(-kLargestPose, kLargestPose);
   require_in_bounds({name + ".x_m", "m", kPlace, {}}, p.x_m);
   require_in_bounds({name + ".y_m", "m", kPlace, {}}, p.y_m);
 }
