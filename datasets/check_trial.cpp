@@ -5,6 +5,8 @@
 #include <tcert/region.hpp>
 #include <utility>
 
+#include "datasets/tick_limit.hpp"
+
 namespace tcert {
 
 namespace {
@@ -72,6 +74,7 @@ TrialCheckResult check_trial(const Bundle& bundle,
   TrialResult log = read_trial(bundle, trial, read);
   TrialCheckResult result;
   result.diagnostics = std::move(log.diagnostics);
+  reject_too_many_ticks(log.log, grid.tick_s, trial.trial_id, result.diagnostics);
   result.check.rejected = !log.log;
   if (!log.log) {
     return result;
