@@ -1,5 +1,7 @@
 #include "cli/output.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -7,6 +9,7 @@
 
 #include "cli/errors.hpp"
 #include "datasets/atomic_file.hpp"
+#include "datasets/printable.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -23,6 +26,11 @@ void print(std::string_view text) {
   if (silences > 0) {
     return;
   }
+  std::string escaped;
+  if (::isatty(STDOUT_FILENO) == 1) {
+    escaped = without_controls(text);
+    text = escaped;
+  }
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
     return;
   }
@@ -33,7 +41,8 @@ void print(std::string_view text) {
 }
 
 void say(std::string_view line) {
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  const std::string text = without_controls(line);
+  std::fwrite(text.data(), 1, text.size(), stderr);
   std::fputc('\n', stderr);
 }
 

@@ -11,7 +11,8 @@
 
 namespace tcert::cli {
 
-/// Writes to stdout and flushes. \throws BrokenPipe if nobody reads it any more, WriteError.
+/// Writes to stdout and flushes; to a terminal without_controls(). \throws BrokenPipe if nobody
+/// reads it any more, WriteError.
 void print(std::string_view text);
 
 /// While one lives print() writes nothing: a command is run for what it leaves in a folder.
@@ -23,7 +24,7 @@ class SilentPrint {
   SilentPrint& operator=(const SilentPrint&) = delete;
 };
 
-/// One line on stderr.
+/// One line on stderr, without_controls().
 void say(std::string_view line);
 
 /// One line each on stderr.
