@@ -20,9 +20,12 @@ namespace {
 constexpr std::string_view kText =
     R"(Look at logs before anything is computed from them: a bundle, or any single CSV file.
 
-Of a bundle: each trial's streams, rates, gaps, and whether it starts in S and ends in G. Of a CSV
-file: its dialect, header and columns, and the clock of a stream: a table of trials has none. Then every problem, with file, line, column, what was
-found and what was expected. Ends with 1 if there is a warning or an error, with 0 otherwise.
+Of a bundle: each trial's streams, rates, gaps, and whether it starts in S and ends in G, and what no
+working ray does: a contact that never ends though the ray reads free, a reading that never moves,
+two rays that are one. Of a CSV file: its dialect, header and columns, and the clock of a stream: a
+table of trials has none, but its times are looked at: a stamp among durations, stamps alone. Then
+every problem, with file, line, column, what was found and what was expected. Ends with 1 if there is
+a warning or an error, with 0 otherwise.
 
 Usage: tcert check BUNDLE|FILE [options]
 
@@ -93,7 +96,8 @@ int check_bundle(const std::string& path, const CommonOptions& common) {
       batch[i] = check_trial(opened.bundle,
                              opened.bundle.trials[opened.trials[begin + i]],
                              {common.repair},
-                             opened.parameters.resample);
+                             opened.parameters.resample,
+                             opened.parameters.certificate);
     });
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const std::string& trial_id = opened.bundle.trials[opened.trials[begin + i]].trial_id;

@@ -1,10 +1,13 @@
 #include "cli/h1_options.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
+#include "cli/outcome_column.hpp"
+#include "cli/time_rounding_option.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -65,7 +68,10 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
   add("baselines",
       text(o.baselines, "COLUMNS"),
       "its rivals, comma between; those of the paper unless predictors are given");
-  add("success", text(o.success, "COLUMN")->default_value(o.success), "outcome, 0 or 1");
+  add("success",
+      text(o.success, "COLUMN[=WORDS]")->default_value(o.success),
+      "outcome: 0 or 1, true or false, success or failure, ok or fail; status=goal,done names the "
+      "words that count as success, and all others are failures");
   add("time",
       text(o.time, "COLUMN")->default_value(o.time),
       "time to egress, or to the end of a failed trial; without it there is no C");
@@ -75,6 +81,11 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
   add("strata",
       text(o.strata, "COLUMN")->default_value(o.strata),
       "of the stratified hazard ratio; '' for none");
+  add("within",
+      text(o.within, "COLUMNS"),
+      "AUC and C of pairs of trials that agree in these, comma between; --strata and lighting "
+      "unless "
+      "given, where the table has them; '' for none");
   add("landmark",
       text(o.landmark, "S"),
       "start of the landmark panel; the time window of the features unless given");
@@ -82,12 +93,18 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
       text(o.limit, "S"),
       "trial limit: failures stay at risk to it, longer trials are censored there; the longest "
       "time unless given");
+  add_time_rounding_option(own, o.no_time_rounding);
   add("replicates",
       po::value(&o.replicates)->value_name("R")->default_value(o.replicates),
       "of the bootstrap; more for stable third digits");
   add("folds",
       po::value(&o.folds)->value_name("K")->default_value(o.folds),
       "of the cross-validation, of whole clusters");
+  add("interval",
+      text(o.interval, "METHOD")->default_value(o.interval),
+      "of the bootstrap: expanded (percentiles that make up for few clusters), percentile or bca; "
+      "the "
+      "files hold all three");
   add("level",
       po::value(&o.level)->value_name("P")->default_value(o.level, "0.95"),
       "of the intervals");
@@ -101,6 +118,19 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
   add("table", text(o.table, "NAME"), "print only this table; a wrong name lists them");
 }
 
+BootstrapMethod interval_method(const std::string& name) {
+  if (name == "expanded") {
+    return BootstrapMethod::expanded;
+  }
+  if (name == "percentile") {
+    return BootstrapMethod::percentile;
+  }
+  if (name == "bca") {
+    return BootstrapMethod::bca;
+  }
+  throw UsageError("--interval: found '" + name + "', expected expanded, percentile or bca");
+}
+
 H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common) {
   require_range("replicates", static_cast<double>(options.replicates), 1, 1e6);
   require_range("folds", static_cast<double>(options.folds), 2, 1000);
@@ -109,10 +139,11 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   }
   H1Options h1;
   h1.predictors = predictors_of(options);
-  h1.success = options.success;
+  h1.success = outcome_column(options.success).column;
   h1.time = options.time;
   h1.cluster = options.cluster;
   h1.strata = options.strata;
+  h1.interval = interval_method(options.interval);
   // A default may be absent; what was asked for may not.
   const H1Options defaults;
   for (const auto& [name, usual] : {std::pair(h1.time, defaults.time),
@@ -122,6 +153,16 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
       h1.required.push_back(name);
     }
   }
+  const bool asked =
+      std::find(common.given.begin(), common.given.end(), "within") != common.given.end();
+  h1.within = asked ? words_of(options.within) : std::vector<std::string>{options.strata};
+  if (!asked && options.strata != "lighting") {
+    h1.within.emplace_back("lighting");
+  }
+  std::erase(h1.within, "");
+  if (asked) {
+    h1.required.insert(h1.required.end(), h1.within.begin(), h1.within.end());
+  }
   h1.landmark_s = effective_parameters({}, common).early_window.time_s;
   if (!options.landmark.empty()) {
     h1.landmark_s = number_of("landmark", options.landmark);
@@ -130,6 +171,7 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   if (!options.limit.empty()) {
     h1.limit_s = number_of("limit", options.limit);
   }
+  h1.round_times = !options.no_time_rounding;
   h1.level = options.level;
   h1.replicates = static_cast<std::size_t>(options.replicates);
   h1.folds = static_cast<std::size_t>(options.folds);

@@ -21,9 +21,12 @@ struct HypothesesOptions {
   std::string time = "time_s";
   std::string cluster = "day";
   std::string strata = "algorithm";
+  std::string within;
+  std::string interval = "expanded";
   std::string table;
   std::string landmark;
   std::string limit;
+  bool no_time_rounding = false;
   double level = 0.95;
   std::int64_t replicates = 2000;
   std::int64_t folds = 5;
@@ -34,6 +37,9 @@ struct HypothesesOptions {
 };
 
 void add_h1_options(po::options_description& own, HypothesesOptions& o);
+
+/// \throws UsageError unless it is expanded, percentile or bca.
+[[nodiscard]] BootstrapMethod interval_method(const std::string& name);
 
 /// \throws UsageError for a value out of range.
 [[nodiscard]] H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common);

@@ -8,6 +8,7 @@
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/guard_options.hpp"
+#include "cli/h1_options.hpp"
 #include "cli/report_output.hpp"
 #include "datasets/bytes.hpp"
 #include "reports/features_table.hpp"
@@ -111,6 +112,7 @@ int run_h3(const H3CommandOptions& options, const H3Shared& shared, const Common
   h3.baseline = options.baseline;
   h3.cluster = shared.cluster;
   h3.level = shared.level;
+  h3.interval = interval_method(shared.interval);
   h3.loss_margin = options.loss_margin;
   h3.replicates = static_cast<std::size_t>(shared.replicates);
   h3.seed = static_cast<std::uint64_t>(common.seed);

@@ -26,6 +26,7 @@ struct H3Shared {
   std::string table;
   double level = 0.95;
   std::int64_t replicates = 2000;
+  std::string interval = "expanded";
 };
 
 /// \throws UsageError, BadData, NoInput, WriteError.

@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <array>
 #include <functional>
+#include <string_view>
 
 #include "analysis/h1/hypothesis_h1.hpp"
 #include "analysis/h2/hypothesis_h2.hpp"
@@ -11,6 +14,7 @@
 #include "cli/h3.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
+#include "cli/outcome_column.hpp"
 #include "cli/output.hpp"
 #include "cli/report_output.hpp"
 #include "reports/features_table.hpp"
@@ -25,8 +29,9 @@ constexpr std::string_view kText =
 
 h1: does the early certificate margin tell successes from failures, and fast trials from slow ones,
 and better than contacts, dwell and bend variance do? AUC, C and hazard ratios of each, of the rivals
-together and with the margin added, with bootstrap intervals and tests by whole clusters (days).
-Twice: with the early window as the paper has it, and with the time window alone (landmark), from
+together and with the margin added, with bootstrap intervals and tests by whole clusters (days);
+AUC and C also of pairs of trials of one algorithm and lighting alone (--within), which shows how much
+of a gain is between groups. Twice: with the early window as the paper has it, and with the time window alone (landmark), from
 which conclusions are to be drawn.
 
 h2: is it as good in every lighting (or other --group)? AUC, C, odds and hazard ratios of each group,
@@ -37,17 +42,24 @@ interaction. Panels and clusters as in h1.
 A table needs the columns of --success and of the predictors; others that are named must be there, and
 those that are usual may be absent or empty. 'column:smaller' after --predictor or in
 --baselines means that smaller values speak for success. Without --features' own landmark columns
-(tc_landmark, ...) there is one panel, unless --landmark is given.
+(tc_landmark, ...) there is one panel, unless --landmark is given, which needs times.
+
+Intervals are expanded percentiles of the bootstrap: with 22 days the paper's BCa covers less than it
+says (--interval bca; the files hold both, and plain percentiles). With fewer than 10 clusters, or 10
+outcomes of a class, p-values and intervals are withheld: NA; the estimates stand.
 
 h3: does gating the speed by the margin recover the lead of the camera baseline without losing
 successes? Every trial is replayed at each speed law and beta; rates of advance, gain, share of the
-gap, successes lost and retained, stalls, the Pareto front; by lighting.
+gap (the baseline's lead at one mix of lightings), successes lost and retained, stalls, the Pareto
+front; by lighting.
 
 With --output DIR/ (it ends with /, or is a folder): every table as CSV, JSON, text, Markdown and
 LaTeX, the curves behind the figures as CSV and JSON, report.json, manifest.json.
-text and md have the main tables, json every number; csv has the first table, or that of --table: h1, h1_time,
-h1_case_level, h1_incidence, h1_incidence_curve, h1_roc, h1_calibration, h1_closed_form, h1_folds; h2, h2_equality, h2_pairs, h2_interaction,
-h2_closed_form, h2_covariance; h3.
+text and md have the main tables, json every number; csv has the first table, or that of --table: h1, h1_within,
+h1_time, h1_time_within, h1_mixed, h1_intervals, h1_case_level, h1_incidence, h1_incidence_curve, h1_roc,
+h1_calibration, h1_recalibration, h1_closed_form, h1_within_closed_form, h1_folds; h2, h2_within,
+h2_equality, h2_pairs, h2_interaction, h2_intervals, h2_closed_form, h2_covariance; h3, h3_baseline,
+h3_intervals.
 
 Usage: tcert hypotheses (h1 | h2) (BUNDLE | --features FILE) [options]
        tcert hypotheses h3 (BUNDLE | --replays FILE) [options]
@@ -57,6 +69,7 @@ Example:
   tcert hypotheses h1 --features results/features.csv --format md --output tables/h1.md
   tcert hypotheses h1 --features barn.csv --predictor m1 --baselines m2,m3:smaller --cluster world \
     --strata planner --time time_s
+  tcert hypotheses h1 --features runs.csv --success 'status=goal,done' --predictor margin_m --strata ''
   tcert hypotheses h2 corpus --margin 0.05 --output h2/
   tcert hypotheses h2 --features barn.csv --predictor m1 --group planner --cluster world --strata ''
   tcert hypotheses h3 corpus --betas 5,10,20
@@ -155,6 +168,29 @@ void require_table_options(const CommonOptions& common) {
   }
 }
 
+/// \throws UsageError for an option of h1 and h2 that would do nothing to h3.
+void require_h3_options(const CommonOptions& common) {
+  constexpr std::array<std::string_view, 14> kOfTrials = {"features",
+                                                          "predictor",
+                                                          "baselines",
+                                                          "success",
+                                                          "time",
+                                                          "strata",
+                                                          "within",
+                                                          "landmark",
+                                                          "limit",
+                                                          "no-time-rounding",
+                                                          "folds",
+                                                          "group",
+                                                          "margin",
+                                                          "permutations"};
+  for (const std::string& name : common.given) {
+    if (std::find(kOfTrials.begin(), kOfTrials.end(), name) != kOfTrials.end()) {
+      throw UsageError("--" + name + " is for h1 and h2, not for h3");
+    }
+  }
+}
+
 int run(Arguments arguments) {
   HypothesesOptions options;
   H3CommandOptions h3_options;
@@ -163,10 +199,15 @@ int run(Arguments arguments) {
     return exit_done;
   }
   if (options.hypothesis == "h3") {
-    return run_h3(
-        h3_options,
-        {options.bundle, options.cluster, options.table, options.level, options.replicates},
-        common);
+    require_h3_options(common);
+    return run_h3(h3_options,
+                  {options.bundle,
+                   options.cluster,
+                   options.table,
+                   options.level,
+                   options.replicates,
+                   options.interval},
+                  common);
   }
   const Hypothesis hypothesis = hypothesis_of(options, common);
   if (options.bundle.empty() == options.features.empty()) {
@@ -181,7 +222,11 @@ int run(Arguments arguments) {
                                          : study_of_table(options, hypothesis.columns, common);
   FitReport result;
   try {
+    refuse_missing_words(hypothesis.columns, study.file.table);
+    const OutcomeTexts texts =
+        code_outcome_column(outcome_column(options.success), study.file.table);
     result = hypothesis.test(study.file.table);
+    name_outcome_texts(texts, result);
   } catch (const FormulaError& error) {
     throw UsageError(error.what());
   }

@@ -215,8 +215,9 @@ void remove_stale(const fs::path& output, const ReproduceOptions& options) {
 void print_tables(const fs::path& folder, TableFormat format) {
   const std::pair<ResultKind, std::vector<const char*>> shown[] = {
       {ResultKind::certificates, {"table1", "speed", "latency"}},
-      {ResultKind::h1, {"issued", "tc_early", "h1", "h1_time", "h1_mixed"}},
-      {ResultKind::h2, {"h2", "h2_equality"}},
+      {ResultKind::h1,
+       {"issued", "tc_early", "h1", "h1_within", "h1_time", "h1_time_within", "h1_mixed"}},
+      {ResultKind::h2, {"h2", "h2_within", "h2_equality"}},
       {ResultKind::h3, {"h3", "h3_baseline"}},
       {ResultKind::gate, {"gate"}}};
   const Results results = read_results(folder);

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "datasets/bytes.hpp"
+#include "datasets/cell_reading.hpp"
 #include "datasets/csv_write.hpp"
+#include "datasets/mixture_check.hpp"
+#include "datasets/unlike_times.hpp"
 
 namespace tcert {
 
@@ -24,6 +27,12 @@ constexpr std::array<std::string_view, 8> kTrialNames = {
 constexpr std::array<std::string_view, 7> kStreamParts = {
     "x_m", "y_m", "yaw", "bend", "force", "fsr", "range"};
 
+/// Parts of the names of a table's columns of times, beside those of a clock.
+constexpr std::array<std::string_view, 4> kTimeParts = {"time", "stamp", "duration", "elapsed"};
+
+/// Times whose range is a smaller share of them are stamps: a day of seconds since 1970.
+constexpr double kRangeOfStamps = 1e-4;
+
 /// In a file of unknown columns: the share of steps that may go back before its times are no clock.
 constexpr double kMostStepsBack = 0.1;
 
@@ -35,30 +44,20 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-std::optional<double> number_in(std::string_view cell, char decimal_point) {
-  std::string text(cell);
-  if (decimal_point != '.') {
-    std::ranges::replace(text, decimal_point, '.');
-  }
-  const char* begin = text.c_str() + (text.starts_with('+') ? 1 : 0);
-  const char* end = text.c_str() + text.size();
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-bool is_missing(std::string_view cell) {
-  const std::string word = lower_case(cell);
-  return word.empty() || word == "na" || word == "nan" || word == "null";
-}
-
 std::string number_text(double value) {
   std::string text;
   append_number(text, value);
   return text;
+}
+
+bool is_clock_name(const std::string& lower) {
+  return std::ranges::find(kClockNames, lower) != kClockNames.end();
+}
+
+bool is_time_name(const std::string& lower) {
+  return is_clock_name(lower) || std::ranges::any_of(kTimeParts, [&](std::string_view part) {
+           return lower.find(part) != std::string::npos;
+         });
 }
 
 double share_of_sorted(const std::vector<double>& sorted, double share) {
@@ -74,13 +73,17 @@ class CsvChecker {
     check_.preamble_records = header.preamble_records;
     check_.header_line = header.line;
     for (const std::string& name : header.names) {
-      check_.columns.push_back({name, 0, 0, 0, {}, {}});
+      check_.columns.push_back({name, 0, 0, 0, 0, {}, {}});
     }
+    mixtures_.resize(header.names.size());
     const auto is_clock = [](const ColumnCheck& column) {
-      return std::ranges::find(kClockNames, lower_case(column.name)) != kClockNames.end();
+      return is_clock_name(lower_case(column.name));
     };
-    for (const ColumnCheck& column : check_.columns) {
-      const std::string name = lower_case(column.name);
+    for (std::size_t i = 0; i < check_.columns.size(); ++i) {
+      const std::string name = lower_case(check_.columns[i].name);
+      if (is_time_name(name)) {
+        times_.push_back({i, {}, {}});
+      }
       of_trials_ = of_trials_ || std::ranges::find(kTrialNames, name) != kTrialNames.end();
       of_stream_ = of_stream_ || std::ranges::any_of(kStreamParts, [&](std::string_view part) {
                      return name.find(part) != std::string::npos;
@@ -103,25 +106,25 @@ class CsvChecker {
     }
     ++check_.rows;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      take_cell(check_.columns[i], fields[i], line, i == clock_, problems);
+      take_cell(i, fields[i], line, problems);
     }
     if (fields == last_) {
       problems.add({Severity::warning, file_, line, "", "the row before again", "new values", 1});
+    }
+    for (TimesOfColumn& times : times_) {
+      const CellReading reading = read_cell(fields[times.column], dialect_.decimal_point);
+      if (reading.meaning == CellMeaning::number && std::isfinite(reading.value)) {
+        times.values.push_back(reading.value);
+        times.lines.push_back(line);
+      }
     }
     last_ = fields;
   }
 
   CsvCheck finish(DiagnosticGroups& problems) {
-    for (const ColumnCheck& column : check_.columns) {
-      if (column.numbers > 0 && column.texts > 0) {
-        problems.add({Severity::error,
-                      file_,
-                      0,
-                      column.name,
-                      std::to_string(column.texts) + " cells that are no number",
-                      "numbers, as in its " + std::to_string(column.numbers) + " other cells",
-                      1});
-      }
+    for (std::size_t i = 0; i < check_.columns.size(); ++i) {
+      ColumnCheck& column = check_.columns[i];
+      mixtures_[i].finish(file_, column, problems);
       if (column.is_constant() && check_.rows > 1) {
         problems.add({Severity::note,
                       file_,
@@ -132,39 +135,83 @@ class CsvChecker {
                       1});
       }
     }
-    if (is_stream()) {
+    if (clock_ < check_.columns.size() && is_stream()) {
       finish_clock();
       for (Diagnostic& problem : clock_problems_.take()) {
         problems.add(std::move(problem));
+      }
+    } else {
+      for (const TimesOfColumn& times : times_) {
+        check_times_of_trials(times, problems);
       }
     }
     return std::move(check_);
   }
 
  private:
-  void take_cell(ColumnCheck& column,
+  /// The numbers of a column of times, each with its line.
+  struct TimesOfColumn {
+    std::size_t column;
+    std::vector<double> values;
+    std::vector<std::size_t> lines;
+  };
+
+  /// Of a table of trials: stamps among durations, or stamps alone.
+  void check_times_of_trials(const TimesOfColumn& times, DiagnosticGroups& problems) const {
+    const ColumnCheck& column = check_.columns[times.column];
+    if (const auto unlike = unlike_times(times.values)) {
+      std::string found = number_text(unlike->time) + ", " + distance_in_words(*unlike);
+      if (unlike->count > 1) {
+        found += " (" + std::to_string(unlike->count) + " such times)";
+      }
+      problems.add({Severity::warning,
+                    file_,
+                    times.lines[unlike->first],
+                    column.name,
+                    std::move(found),
+                    "times of one kind",
+                    1});
+    } else if (column.numbers > 1 && !column.is_constant() && *column.least > 0.0 &&
+               *column.largest - *column.least < kRangeOfStamps * *column.least) {
+      problems.add(
+          {Severity::note,
+           file_,
+           0,
+           column.name,
+           "stamps, from " + number_text(*column.least) + " to " + number_text(*column.largest),
+           "durations: subtract the first time",
+           1});
+    }
+  }
+
+  void take_cell(std::size_t i,
                  const std::string& cell,
                  std::size_t line,
-                 bool is_clock,
                  DiagnosticGroups& problems) {
-    if (const auto value = number_in(cell, dialect_.decimal_point)) {
-      ++column.numbers;
-      column.least = column.least ? std::min(*column.least, *value) : *value;
-      column.largest = column.largest ? std::max(*column.largest, *value) : *value;
-      if (is_clock) {
-        take_time(column.name, *value, line);
-      }
-    } else if (is_missing(cell)) {
-      ++column.missing;
+    ColumnCheck& column = check_.columns[i];
+    const CellReading reading = read_cell(cell, dialect_.decimal_point);
+    mixtures_[i].take(reading, cell, line);
+    const auto warn = [&](std::string found, std::string expectation) {
       problems.add({Severity::warning,
                     file_,
                     line,
                     column.name,
-                    cell.empty() ? "an empty cell" : shortened(cell),
-                    "a value",
+                    std::move(found),
+                    std::move(expectation),
                     1});
-    } else {
-      ++column.texts;
+    };
+    if (reading.meaning == CellMeaning::number) {
+      const double value = reading.value;
+      column.least = column.least ? std::min(*column.least, value) : value;
+      column.largest = column.largest ? std::max(*column.largest, value) : value;
+      if (std::isinf(value)) {
+        warn(shortened(cell), "a finite number");
+      } else if (i == clock_) {
+        take_time(column.name, value, line);
+      }
+    } else if (reading.meaning == CellMeaning::missing) {
+      ++column.missing;
+      warn(cell.empty() ? "an empty cell" : shortened(cell), "a value");
     }
   }
 
@@ -225,6 +272,7 @@ class CsvChecker {
   CsvDialect dialect_;
   double max_gap_s_;
   CsvCheck check_;
+  std::vector<MixtureCheck> mixtures_;  ///< Of each column.
   std::size_t clock_ = 0;
   std::vector<std::string> last_;
   double first_time_s_ = 0.0;
@@ -235,6 +283,7 @@ class CsvChecker {
   bool of_trials_ = false;
   bool of_stream_ = false;
   DiagnosticGroups clock_problems_;
+  std::vector<TimesOfColumn> times_;
 };
 
 /// Bytes that no text has: a file that was cut off or overwritten.

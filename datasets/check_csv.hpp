@@ -16,9 +16,10 @@ namespace tcert {
 /// One column: how many of its cells are what, and the range of its numbers.
 struct ColumnCheck {
   std::string name;
-  std::size_t numbers = 0;
-  std::size_t missing = 0;  ///< Empty cells and the words NA, NaN, null.
-  std::size_t texts = 0;
+  std::size_t numbers = 0;  ///< Infinite ones too.
+  std::size_t truths = 0;   ///< TRUE, False, ..., in a column of nothing else but 0 and 1.
+  std::size_t missing = 0;  ///< Empty cells, NA and nan.
+  std::size_t texts = 0;    ///< All others.
   std::optional<double> least;
   std::optional<double> largest;
 
@@ -53,12 +54,15 @@ struct CsvCheckResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Reads a CSV file of any dialect (.gz and .zst are expanded) and names its faults: lines before
-/// the header, control bytes, rows of another length, text in a column of numbers, missing cells,
-/// rows that repeat the one before, constant columns (a note); in a stream also times that do not
-/// increase and gaps of more than `max_gap_s`. A stream has a sensor's columns, or neither those
-/// nor a table of trials' (success, status, ...) and times of which a tenth at most go back. Never
-/// throws on what it finds. O(size).
+/// Reads a CSV file of any dialect (.gz and .zst are expanded), its cells by read_cell(), as every
+/// other command does, and names its faults: lines before the header, control bytes, rows of
+/// another length, text in a column of numbers (MixedCells::is_spoiled(): `fit` refuses such a
+/// column), other mixtures of numbers and names, words for missing cells, infinities, missing
+/// cells, rows that repeat the one before, constant columns (a note); in a stream also times that
+/// do not increase and gaps of more than `max_gap_s`; in a table that is no stream, times far from
+/// the others of their column (`unlike_times`), and a column of stamps (a note). A stream has a
+/// sensor's columns, or neither those nor a table of trials' (success, status, ...) and times of
+/// which a tenth at most go back. Never throws on what it finds. O(size).
 [[nodiscard]] CsvCheckResult check_csv_file(const std::filesystem::path& path,
                                             double max_gap_s = 1.0,
                                             CsvOptions csv = {});

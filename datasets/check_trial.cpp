@@ -1,17 +1,18 @@
 #include "datasets/check_trial.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tcert/geometry.hpp>
 #include <tcert/region.hpp>
 #include <utility>
 
+#include "datasets/check_rays.hpp"
 #include "datasets/tick_limit.hpp"
+#include "datasets/travelled_way.hpp"
 
 namespace tcert {
 
 namespace {
-
-constexpr double kCountedStepM = 0.01;
 
 StreamCheck check_stream(const std::vector<std::int64_t>& time_ns) {
   StreamCheck check;
@@ -32,22 +33,6 @@ StreamCheck check_stream(const std::vector<std::int64_t>& time_ns) {
   return check;
 }
 
-double distance_travelled_m(const TickTable& ticks) {
-  double sum_m = 0.0;
-  Point counted = ticks.poses.front().position;
-  for (std::size_t i = 1; i < ticks.size(); ++i) {
-    const Point here = ticks.poses[i].position;
-    const double step_m = distance(counted, here);
-    if (ticks.segment_start[i] != 0) {
-      counted = here;
-    } else if (step_m >= kCountedStepM) {
-      sum_m += step_m;
-      counted = here;
-    }
-  }
-  return sum_m;
-}
-
 std::optional<bool> lies_in(const std::optional<Region>& region, const Pose& pose) {
   return region ? std::optional(contains(*region, pose.position)) : std::nullopt;
 }
@@ -60,7 +45,7 @@ void check_ticks(const TickTable& ticks, const Course& course, TrialCheck& check
     return;
   }
   check.duration_s = 1e-9 * static_cast<double>(ticks.time_ns.back() - ticks.time_ns.front());
-  check.distance_m = distance_travelled_m(ticks);
+  check.distance_m = travelled_way(ticks).back();
   check.starts_in_start = lies_in(course.start, ticks.poses.front());
   check.ends_in_goal = lies_in(course.goal, ticks.poses.back());
 }
@@ -70,7 +55,8 @@ void check_ticks(const TickTable& ticks, const Course& course, TrialCheck& check
 TrialCheckResult check_trial(const Bundle& bundle,
                              const TrialRow& trial,
                              const ReadOptions& read,
-                             const ResampleOptions& grid) {
+                             const ResampleOptions& grid,
+                             const CertificateParameters& parameters) {
   TrialResult log = read_trial(bundle, trial, read);
   TrialCheckResult result;
   result.diagnostics = std::move(log.diagnostics);
@@ -84,7 +70,8 @@ TrialCheckResult check_trial(const Bundle& bundle,
       check_stream(log.log->merged ? log.log->merged->time_ns : log.log->pose.time_ns);
   result.check.tactile = check_stream(log.log->tactile.time_ns);
   result.check.control = check_stream(log.log->control.time_ns);
-  check_ticks(resample(*log.log, grid), bundle.info.course, result.check);
+  const TickTable ticks = resample(*log.log, grid);
+  check_ticks(ticks, bundle.info.course, result.check);
   if (result.check.starts_in_start == false) {
     result.diagnostics.push_back({Severity::warning,
                                   "logs/" + trial.trial_id,
@@ -94,6 +81,8 @@ TrialCheckResult check_trial(const Bundle& bundle,
                                   "a run that starts in S; otherwise there is never a certificate",
                                   1});
   }
+  std::ranges::move(check_rays(bundle.info.robot, parameters, ticks, "logs/" + trial.trial_id),
+                    std::back_inserter(result.diagnostics));
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <tcert/parameters.hpp>
 #include <vector>
 
 #include "datasets/trial_reader.hpp"
@@ -34,13 +35,16 @@ struct TrialCheck {
 
 struct TrialCheckResult {
   TrialCheck check;
-  std::vector<Diagnostic> diagnostics;  ///< Of the logs; a start outside S is a warning.
+  std::vector<Diagnostic>
+      diagnostics;  ///< Of the logs; warnings of a start outside S and of check_rays.
 };
 
-/// Reads and resamples the logs of one trial. Never throws on bad content.
+/// Reads and resamples the logs of one trial; `parameters` say what a contact is. Never throws on
+/// bad content.
 [[nodiscard]] TrialCheckResult check_trial(const Bundle& bundle,
                                            const TrialRow& trial,
                                            const ReadOptions& read = {},
-                                           const ResampleOptions& grid = {});
+                                           const ResampleOptions& grid = {},
+                                           const CertificateParameters& parameters = {});
 
 }  // namespace tcert

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "datasets/cell_reading.hpp"
+
 namespace tcert {
 
 namespace {
@@ -80,7 +82,18 @@ class RowReporter {
 
  private:
   static std::string expectation(CellKind kind) {
-    return kind == CellKind::seconds ? "a time in seconds" : "a finite number";
+    switch (kind) {
+      case CellKind::seconds:
+        return "a time in seconds";
+      case CellKind::optional_flag:
+        return "0 or 1, true or false";
+      case CellKind::optional_number:
+        return "a finite number (" + std::string(kHowMissingIsWritten) + ")";
+      case CellKind::number:
+      case CellKind::ignored:
+        break;
+    }
+    return "a finite number";
   }
 
   void add(Severity severity,
@@ -145,7 +158,9 @@ RowPlan plan_row(const CsvHeader& header, const NumberOptions& options) {
   for (std::size_t i = 0; i < options.columns.size(); ++i) {
     const NumberColumn& column = options.columns[i];
     if (const auto position = header.find(column.name)) {
-      plan.cells[*position] = {column.may_be_empty ? CellKind::optional_number : CellKind::number,
+      plan.cells[*position] = {column.is_flag        ? CellKind::optional_flag
+                               : column.may_be_empty ? CellKind::optional_number
+                                                     : CellKind::number,
                                i};
     }
   }

@@ -19,7 +19,8 @@ namespace tcert {
 struct NumberColumn {
   std::string name;
   bool required = true;       ///< The file must have the column.
-  bool may_be_empty = false;  ///< An empty cell is missing (NaN), not an error.
+  bool may_be_empty = false;  ///< A missing cell (empty, NA, nan) is NaN, not an error.
+  bool is_flag = false;       ///< A truth value (True, F, ...) is 1 or 0, not an error.
 };
 
 struct NumberOptions {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "datasets/bytes.hpp"
-#include "datasets/decimal.hpp"
+#include "datasets/cell_reading.hpp"
 #include "datasets/nearest_name.hpp"
 
 namespace tcert {
@@ -98,6 +97,7 @@ void report_missing(const CsvHeader& header,
   }
 }
 
+/// In a bundle names are told apart without case, as SQL readers do; in any other table as R does.
 void report_equal_names(const CsvHeader& header,
                         const CsvOptions& options,
                         DiagnosticGroups& problems) {
@@ -106,14 +106,16 @@ void report_equal_names(const CsvHeader& header,
     if (name.empty()) {
       continue;
     }
-    const auto [first, is_new] = seen.try_emplace(case_folded(name), name);
+    const auto [first, is_new] =
+        seen.try_emplace(options.fold_names ? case_folded(name) : name, name);
     if (!is_new) {
       problems.add({Severity::error,
                     options.file,
                     header.line,
                     shortened(name),
                     shortened(first->second),
-                    "column names that differ when case is folded",
+                    options.fold_names ? "column names that differ when case is folded"
+                                       : "column names that differ",
                     1});
     }
   }
@@ -137,16 +139,11 @@ void report_no_record(const CsvOptions& options, DiagnosticGroups& problems) {
   problems.add({Severity::error, options.file, 0, "", "", "a header line and rows", 1});
 }
 
-bool is_number(std::string_view text, char decimal_point) {
-  const Bytes padded = Bytes::copy_of(text);
-  double value = 0.0;
-  const char* const begin = padded.view().data();
-  return scan_number(begin, decimal_point, value) == begin + text.size();
-}
-
+/// A word that is read as a number or as missing names no column.
 bool holds_text(const std::vector<std::string>& record, char decimal_point) {
   return std::ranges::any_of(record, [decimal_point](const std::string& cell) {
-    return !cell.empty() && !is_number(cell, decimal_point);
+    const CellMeaning meaning = read_cell(cell, decimal_point).meaning;
+    return meaning != CellMeaning::number && meaning != CellMeaning::missing;
   });
 }
 

@@ -22,6 +22,8 @@ struct CsvOptions {
   bool decimal_comma = false;                 ///< Takes effect with the semicolon only.
   std::map<std::string, std::string> rename;  ///< Column name in the file -> name to use.
   std::size_t preamble_records = 20;          ///< How many lines may stand before the header.
+  bool fold_names =
+      false;  ///< Names that are equal when case is folded are refused, as in a bundle.
 };
 
 struct CsvHeader {
@@ -36,16 +38,16 @@ struct CsvHeader {
 };
 
 /// The first record that holds all of the `required` columns, or else most of them. Missing
-/// columns, names that are equal when case is folded, and a file without any record are errors, and
-/// then there is no header; records before the header are a warning.
+/// columns, equal names, and a file without any record are errors, and then there is no header;
+/// records before the header are a warning.
 [[nodiscard]] std::optional<CsvHeader> find_header(std::string_view text,
                                                    const CsvOptions& options,
                                                    std::span<const std::string> required,
                                                    DiagnosticGroups& problems);
 
 /// The header of a file of which nothing is known: the first record that has as many fields as most
-/// others and holds a text that is not a number. Without one the columns are called c1, c2, ... and
-/// the header's line is 0.
+/// others and holds a text that is neither a number nor missing. Without one the columns are called
+/// c1, c2, ... and the header's line is 0. Equal names are an error.
 [[nodiscard]] std::optional<CsvHeader> guess_header(std::string_view text,
                                                     const CsvOptions& options,
                                                     DiagnosticGroups& problems);

@@ -1,10 +1,12 @@
 #include "datasets/csv_row.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
 #include "datasets/bytes.hpp"
+#include "datasets/cell_reading.hpp"
 #include "datasets/decimal.hpp"
 
 namespace tcert {
@@ -18,26 +20,29 @@ class CellReader {
       : plan_(plan), time_ns_(time_ns), values_(values) {}
 
   [[nodiscard]] bool read(const CellPlan& cell, std::string_view text) {
-    if (text.empty()) {
-      if (cell.kind == CellKind::optional_number) {
-        values_[cell.slot] = std::numeric_limits<double>::quiet_NaN();
-      }
-      return cell.kind == CellKind::optional_number || cell.kind == CellKind::ignored;
+    if (cell.kind == CellKind::ignored) {
+      return true;
     }
-    padded_.assign(text);
-    const char* const begin = padded_.view().data();
-    const char* end = begin + text.size();
     const char point = plan_.dialect.decimal_point;
-    switch (cell.kind) {
-      case CellKind::ignored:
-        return true;
-      case CellKind::seconds:
-        return scan_seconds(begin, point, time_ns_) == end;
-      case CellKind::number:
-      case CellKind::optional_number:
+    if (cell.kind == CellKind::seconds) {
+      padded_.assign(text);
+      const char* const begin = padded_.view().data();
+      return !text.empty() && scan_seconds(begin, point, time_ns_) == begin + text.size();
+    }
+    const CellReading reading = read_cell(text, point);
+    values_[cell.slot] = reading.value;
+    switch (reading.meaning) {
+      case CellMeaning::number:
+        return std::isfinite(reading.value);
+      case CellMeaning::missing:
+        return cell.kind != CellKind::number;
+      case CellMeaning::truth:
+        return cell.kind == CellKind::optional_flag;
+      case CellMeaning::missing_word:
+      case CellMeaning::text:
         break;
     }
-    return scan_number(begin, point, values_[cell.slot]) == end;
+    return false;
   }
 
  private:
@@ -97,6 +102,7 @@ inline const char* scan_plain(const CellPlan& cell,
                               double* values) noexcept {
   switch (cell.kind) {
     case CellKind::optional_number:
+    case CellKind::optional_flag:
       if (*p == dialect.separator || *p == '\n' || *p == '\r') {
         values[cell.slot] = std::numeric_limits<double>::quiet_NaN();
         return p;

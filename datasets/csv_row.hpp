@@ -14,8 +14,9 @@ namespace tcert {
 enum class CellKind : std::uint8_t {
   ignored,
   seconds,          ///< Exact decimal -> integer nanoseconds.
-  number,           ///< Finite; an empty cell is an error.
-  optional_number,  ///< Finite; an empty cell is missing.
+  number,           ///< Finite; a missing cell is an error.
+  optional_number,  ///< Finite or missing.
+  optional_flag,    ///< The same, or a truth value, which is 1 or 0.
 };
 
 /// What to do with the field at one position of a row.

@@ -1,63 +1,29 @@
 #include "datasets/data_table.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
 
+#include "datasets/cell_reading.hpp"
 #include "datasets/decimal.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-bool is_missing(std::string_view cell) noexcept {
-  return cell.empty() || cell == "NA" || cell == "NaN" || cell == "nan";
-}
-
-bool is_truth_value(std::string_view cell) noexcept {
-  return cell == "TRUE" || cell == "true" || cell == "FALSE" || cell == "false";
-}
-
-/// The words that stand for a number; false for any other.
-bool word_value(std::string_view cell, double& value) noexcept {
-  if (is_missing(cell)) {
-    value = kNaN;
-  } else if (cell == "Inf" || cell == "inf") {
-    value = kInfinity;
-  } else if (cell == "-Inf" || cell == "-inf") {
-    value = -kInfinity;
-  } else if (cell == "TRUE" || cell == "true") {
-    value = 1.0;
-  } else if (cell == "FALSE" || cell == "false") {
-    value = 0.0;
-  } else {
-    return false;
-  }
-  return true;
-}
 
 /// Cells within the padded bytes may be scanned ahead; those that were quoted lie elsewhere.
 class CellReader {
  public:
   CellReader(std::string_view bytes, char point) : bytes_(bytes), point_(point) {}
 
-  [[nodiscard]] bool number(std::string_view cell, double& value) const {
+  [[nodiscard]] CellReading read(std::string_view cell) const {
     const char* const end = cell.data() + cell.size();
     const bool inside = cell.data() >= bytes_.data() && end <= bytes_.data() + bytes_.size();
-    if (inside && !cell.empty()) {
-      return scan_number(cell.data(), point_, value) == end || word_value(cell, value);
+    CellReading reading{CellMeaning::number, 0.0};
+    if (inside && !cell.empty() && scan_number(cell.data(), point_, reading.value) == end) {
+      return reading;
     }
-    std::string text(cell);
-    std::replace(text.begin(), text.end(), point_, '.');
-    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const auto [stop, error] = std::from_chars(begin, text.data() + text.size(), value);
-    return (error == std::errc{} && stop == text.data() + text.size() && std::isfinite(value)) ||
-           word_value(cell, value);
+    return read_cell(cell, point_);
   }
 
  private:
@@ -87,13 +53,15 @@ void for_each_cell(const CsvHeader& header, Take&& take, EndRow&& end_row) {
   }
 }
 
-/// Where and why a column stopped being one of numbers.
-struct FirstText {
-  std::size_t line = 0;
-  std::string cell;
-  std::size_t texts = 0;
-  std::size_t numbers = 0;
-  std::size_t truths = 0;  ///< Of the numbers.
+/// What a column has been seen to hold.
+struct Seen {
+  bool other_numbers = false;  ///< Neither 0 nor 1.
+  bool zero_or_one = false;
+  bool truths = false;
+  bool texts = false;
+
+  [[nodiscard]] bool is_text() const noexcept { return texts || (truths && other_numbers); }
+  [[nodiscard]] bool is_truth() const noexcept { return truths && !zero_or_one && !is_text(); }
 };
 
 constexpr std::size_t kSkipped = std::numeric_limits<std::size_t>::max();
@@ -101,7 +69,7 @@ constexpr std::size_t kSkipped = std::numeric_limits<std::size_t>::max();
 struct Reading {
   DataTable table;
   std::vector<std::size_t> slot;  ///< Per column of the file: index into table.columns.
-  std::vector<FirstText> first_text;
+  std::vector<Seen> seen;
 };
 
 Reading reading_of(const CsvHeader& header,
@@ -116,9 +84,9 @@ Reading reading_of(const CsvHeader& header,
       continue;
     }
     reading.slot.push_back(reading.table.columns.size());
-    reading.table.columns.push_back({name, false, {}, {}, false});
+    reading.table.columns.push_back({name, false, {}, {}, false, {}});
   }
-  reading.first_text.resize(reading.table.columns.size());
+  reading.seen.resize(reading.table.columns.size());
   return reading;
 }
 
@@ -129,28 +97,28 @@ void read_numbers(const Bytes& bytes,
   const CellReader reader(bytes.view(), header.dialect.decimal_point);
   auto& columns = reading.table.columns;
   std::vector<double> row(columns.size());
-  std::vector<std::string> texts(columns.size());
   const auto take = [&](std::size_t position, std::string_view cell) {
     const std::size_t slot = reading.slot[position];
     if (slot == kSkipped) {
       return;
     }
-    FirstText& text = reading.first_text[slot];
-    if (reader.number(cell, row[slot])) {
-      text.numbers += std::isnan(row[slot]) ? 0 : 1;
-      text.truths += (row[slot] == 0.0 || row[slot] == 1.0) && is_truth_value(cell) ? 1 : 0;
+    Seen& seen = reading.seen[slot];
+    if (seen.texts) {
+      return;  // its numbers are not kept
+    }
+    const CellReading read = reader.read(cell);
+    row[slot] = read.value;
+    if (read.meaning == CellMeaning::number) {
+      const bool zero_or_one = read.value == 0.0 || read.value == 1.0;
+      seen.zero_or_one = seen.zero_or_one || zero_or_one;
+      seen.other_numbers = seen.other_numbers || !zero_or_one;
     } else {
-      if (text.texts++ == 0) {
-        text.cell = cell;
-        text.line = 0;
-      }
-      columns[slot].is_text = true;
+      seen.truths = seen.truths || read.meaning == CellMeaning::truth;
+      seen.texts = seen.texts || read.meaning == CellMeaning::missing_word ||
+                   read.meaning == CellMeaning::text;
     }
   };
   const auto end_row = [&](std::size_t line, std::size_t cells, bool open_quote) {
-    for (FirstText& text : reading.first_text) {
-      text.line = text.texts > 0 && text.line == 0 ? line : text.line;
-    }
     if (open_quote || cells != header.names.size()) {
       problems.add({Severity::error,
                     reading.table.file,
@@ -168,8 +136,8 @@ void read_numbers(const Bytes& bytes,
   };
   for_each_cell(header, take, end_row);
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const FirstText& text = reading.first_text[k];
-    columns[k].is_truth = text.texts == 0 && text.truths > 0 && text.truths == text.numbers;
+    columns[k].is_text = reading.seen[k].is_text();
+    columns[k].is_truth = reading.seen[k].is_truth();
   }
 }
 
@@ -213,6 +181,46 @@ class Levels {
   std::uint32_t last_code_ = Factor::kMissing;
 };
 
+MixedCells mixed_cells(const Factor& text, char decimal_point) {
+  std::vector<std::size_t> cells(text.levels.size(), 0);
+  for (const std::uint32_t code : text.codes) {
+    if (code != Factor::kMissing) {
+      ++cells[code];
+    }
+  }
+  MixedCells mixed;
+  std::vector<CellMeaning> meaning;
+  for (std::size_t level = 0; level < text.levels.size(); ++level) {
+    meaning.push_back(read_cell(text.levels[level], decimal_point).meaning);
+    switch (meaning.back()) {
+      case CellMeaning::number:
+        mixed.numbers += cells[level];
+        ++mixed.distinct_numbers;
+        break;
+      case CellMeaning::truth:
+        mixed.truths += cells[level];
+        break;
+      case CellMeaning::missing_word:
+        mixed.missing_words += cells[level];
+        break;
+      case CellMeaning::missing:
+      case CellMeaning::text:
+        mixed.texts += cells[level];
+        ++mixed.distinct_texts;
+        break;
+    }
+  }
+  const auto is_stray = [&](std::uint32_t code) {
+    return code != Factor::kMissing && meaning[code] != CellMeaning::number &&
+           (mixed.numbers > 0 || meaning[code] != CellMeaning::truth);
+  };
+  const auto first = std::find_if(text.codes.begin(), text.codes.end(), is_stray);
+  mixed.distinct_numbers = std::min(mixed.distinct_numbers, MixedCells::kMostDistinct);
+  mixed.distinct_texts = std::min(mixed.distinct_texts, MixedCells::kMostDistinct);
+  mixed.first_row = static_cast<std::size_t>(first - text.codes.begin());
+  return mixed;
+}
+
 void read_texts(const CsvHeader& header, Reading& reading) {
   auto& columns = reading.table.columns;
   std::vector<Levels> levels(columns.size());
@@ -225,27 +233,36 @@ void read_texts(const CsvHeader& header, Reading& reading) {
   const auto take = [&](std::size_t position, std::string_view cell) {
     const std::size_t slot = reading.slot[position];
     if (slot != kSkipped && columns[slot].is_text) {
-      columns[slot].text.codes.push_back(is_missing(cell) ? Factor::kMissing
-                                                          : levels[slot].code(cell));
+      columns[slot].text.codes.push_back(is_missing_cell(cell) ? Factor::kMissing
+                                                               : levels[slot].code(cell));
     }
   };
   for_each_cell(header, take, [](std::size_t, std::size_t, bool) {});
   for (std::size_t k = 0; k < columns.size(); ++k) {
     levels[k].finish(columns[k].text);
+    if (columns[k].is_text) {
+      columns[k].mixed = mixed_cells(columns[k].text, header.dialect.decimal_point);
+    }
   }
 }
 
-void warn_of_mixed_columns(const Reading& reading, DiagnosticGroups& problems) {
-  for (std::size_t k = 0; k < reading.first_text.size(); ++k) {
-    const FirstText& text = reading.first_text[k];
-    if (text.texts > 0 && text.numbers > text.texts) {
-      problems.add({Severity::warning,
-                    reading.table.file,
-                    text.line,
-                    reading.table.columns[k].name,
-                    shortened(text.cell),
-                    "a number, as in its " + std::to_string(text.numbers) +
-                        " other cells; the column is taken as text"});
+void warn_of_mixed_columns(const DataTable& table, DiagnosticGroups& problems) {
+  for (const DataColumn& column : table.columns) {
+    const MixedCells& mixed = column.mixed;
+    const std::size_t others = mixed.missing_words + mixed.texts + mixed.truths;
+    if (mixed.is_spoiled() || mixed.numbers > others) {
+      const bool numbers = mixed.numbers > 0;
+      problems.add(
+          {Severity::warning,
+           table.file,
+           table.lines[mixed.first_row],
+           column.name,
+           shortened(column.text.levels[column.text.codes[mixed.first_row]]),
+           (numbers ? "a number, as in its " + std::to_string(mixed.numbers)
+                    : "TRUE or FALSE, as in its " + std::to_string(mixed.truths)) +
+               " other cells" +
+               (mixed.has_missing_words() ? " (" + std::string(kHowMissingIsWritten) + ")" : "") +
+               "; the column is taken as text"});
     }
   }
 }
@@ -273,7 +290,7 @@ DataTableResult read_data_table(const Bytes& bytes,
                       [](const DataColumn& column) { return column.is_text; })) {
         read_texts(*header, reading);
       }
-      warn_of_mixed_columns(reading, problems);
+      warn_of_mixed_columns(reading.table, problems);
       result.table = std::move(reading.table);
     }
   }

@@ -14,17 +14,19 @@
 #include "datasets/csv_header.hpp"
 #include "datasets/diagnostic.hpp"
 #include "datasets/factor.hpp"
+#include "datasets/mixed_cells.hpp"
 
 namespace tcert {
 
-/// A column is numeric if every cell is a number, missing, infinite or a truth value (TRUE, true,
-/// FALSE, false are 1 and 0); otherwise it is text, and each distinct cell a level.
+/// A column is numeric if every cell is a number, infinite or missing; or a truth value, alone or
+/// beside nothing but 0 and 1. Otherwise it is text, and each distinct cell a level.
 struct DataColumn {
   std::string name;
   bool is_text = false;
   std::vector<double> numbers;  ///< Of a numeric column; NaN where missing; infinities kept.
   Factor text;                  ///< Of a text column.
   bool is_truth = false;        ///< Numeric, and every cell that is not missing is a truth value.
+  MixedCells mixed;             ///< Of a text column.
 };
 
 struct DataTable {
@@ -44,8 +46,9 @@ struct DataTableResult {
 };
 
 /// Reads the columns called `wanted`, all of them if it is empty; names that the file does not have
-/// are not an error here. Missing is an empty cell, NA or NaN; Inf and -Inf are infinite. A row
-/// with another number of cells than the header is an error. O(size).
+/// are not an error here. Cells are read by read_cell(). A row with another number of cells than
+/// the header is an error; a text column that holds more numbers than texts, or is spoiled, a
+/// warning. O(size).
 [[nodiscard]] DataTableResult read_data_table(const std::filesystem::path& path,
                                               std::span<const std::string> wanted = {},
                                               CsvOptions csv = {});

@@ -8,22 +8,24 @@
 #include <set>
 #include <string_view>
 
+#include "datasets/cell_reading.hpp"
 #include "datasets/csv_write.hpp"
+#include "datasets/outcome_word.hpp"
 
 namespace tcert {
 namespace {
 
-template <typename Number>
-std::optional<Number> number_of(std::string_view cell) {
-  Number value{};
-  const char* const end = cell.data() + cell.size();
-  const auto [stop, error] = std::from_chars(cell.data(), end, value);
-  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+std::optional<double> finite_number(std::string_view cell) {
+  const CellReading reading = read_cell(cell);
+  const bool is_number = reading.meaning == CellMeaning::number && std::isfinite(reading.value);
+  return is_number ? std::optional(reading.value) : std::nullopt;
 }
 
 std::optional<long> world_of(std::string_view cell) {
-  const std::optional<long> world = number_of<long>(cell);
-  return world && *world >= 0 ? world : std::nullopt;
+  long world = 0;
+  const char* const end = cell.data() + cell.size();
+  const auto [stop, error] = std::from_chars(cell.data(), end, world);
+  return error == std::errc{} && stop == end && world >= 0 ? std::optional(world) : std::nullopt;
 }
 
 /// A table with the places of its problems.
@@ -99,8 +101,7 @@ std::map<long, std::string> metrics_by_world(const Source& metrics,
     std::string cells;
     bool good = true;
     for (const std::string& column : columns) {
-      const std::optional<double> value = number_of<double>(metrics.cell(row, column));
-      if (!value || !std::isfinite(*value)) {
+      if (!finite_number(metrics.cell(row, column))) {
         metrics.add(Severity::error, row, column, "a finite number; the world has no metrics");
         good = false;
       }
@@ -113,7 +114,11 @@ std::map<long, std::string> metrics_by_world(const Source& metrics,
   return result;
 }
 
-bool is_flag(const std::string& cell) { return cell == "0" || cell == "1"; }
+bool is_true(const std::string& cell) { return outcome_of_cell(cell) == OutcomeWord::success; }
+
+bool is_flag(const std::string& cell) {
+  return is_true(cell) || outcome_of_cell(cell) == OutcomeWord::failure;
+}
 
 /// True if the row can be used; else what is wrong with it has been said.
 bool check_row(const Source& trials, std::size_t row) {
@@ -128,15 +133,15 @@ bool check_row(const Source& trials, std::size_t row) {
   int endings = 0;
   for (const char* const column : {"success", "collided", "timeout"}) {
     if (!is_flag(trials.cell(row, column))) {
-      reject(column, "0 or 1");
+      reject(column, "0 or 1, true or false");
     }
-    endings += trials.cell(row, column) == "1" ? 1 : 0;
+    endings += is_true(trials.cell(row, column)) ? 1 : 0;
   }
   if (good && endings != 1) {
     reject("success", "exactly one of success, collided and timeout to be 1");
   }
-  const std::optional<double> time = number_of<double>(trials.cell(row, "time_s"));
-  if (!time || !(*time > 0.0) || !std::isfinite(*time)) {
+  const std::optional<double> time = finite_number(trials.cell(row, "time_s"));
+  if (!time || !(*time > 0.0)) {
     reject("time_s", "a time above 0 s");
   } else if (*time > 1.01 * kBarnLimitSeconds) {
     trials.add(Severity::warning, row, "time_s", "at most 101 s, for a trial ends at 100; kept");
@@ -227,12 +232,13 @@ BarnImportResult import_barn(const TextTable& trials,
     const long world = *world_of(source.cell(row, "world"));
     append_text(csv, group);
     csv += ',' + std::to_string(world);
-    for (const char* const column : {"success", "collided", "timeout", "time_s"}) {
-      csv += ',' + source.cell(row, column);
+    for (const char* const column : {"success", "collided", "timeout"}) {
+      csv += is_true(source.cell(row, column)) ? ",1" : ",0";
     }
+    csv += ',' + source.cell(row, "time_s");
     csv += by_world.at(world) + '\n';
     ++summary.written;
-    summary.successes += source.cell(row, "success") == "1" ? 1U : 0U;
+    summary.successes += is_true(source.cell(row, "success")) ? 1U : 0U;
     ++groups[group];
     worlds.insert(world);
   }

@@ -50,10 +50,10 @@ struct BarnImportResult {
 
 /// `trials` has world, success, collided, timeout, time_s and either planner or first_commit_date
 /// (written as `date`); `metrics` has world and m1 to m5, and norm1 to norm5 or not. Exactly one of
-/// success, collided and timeout is 1; time_s is above 0. A row that breaks this is left out with
-/// an error that names its line; rows are left out in the order of the counts in `BarnSummary`.
-/// Written: planner or date, world, success, collided, timeout, time_s, the metrics; cells as they
-/// stand. O(size).
+/// success, collided and timeout is true (1, True, ...: outcome_of_cell()); time_s is above 0. A
+/// row that breaks this is left out with an error that names its line; rows are left out in the
+/// order of the counts in `BarnSummary`. Written: planner or date, world, success, collided,
+/// timeout, time_s, the metrics; the three as 0 and 1, the other cells as they stand. O(size).
 [[nodiscard]] BarnImportResult import_barn(const TextTable& trials,
                                            const std::string& trials_file,
                                            const TextTable& metrics,

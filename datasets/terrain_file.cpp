@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "datasets/cell_reading.hpp"
 #include "datasets/csv_write.hpp"
 #include "datasets/decimal.hpp"
 
@@ -66,7 +67,12 @@ class Line {
 };
 
 [[nodiscard]] bool to_number(std::string_view cell, double& value) {
-  return !cell.empty() && scan_number(cell.data(), '.', value) == cell.data() + cell.size();
+  if (!cell.empty() && scan_number(cell.data(), '.', value) == cell.data() + cell.size()) {
+    return true;
+  }
+  const CellReading reading = read_cell(cell);
+  value = reading.value;
+  return reading.meaning == CellMeaning::number && std::isfinite(value);
 }
 
 [[nodiscard]] char separator_of(std::string_view line) {
@@ -127,21 +133,18 @@ class Reader {
     std::string_view cell;
     double value = 0.0;
     while (cells.next(cell)) {
-      if (to_number(cell, value) || is_not_finite(cell)) {
+      if (to_number(cell, value) || is_no_name(cell)) {
         return false;
       }
     }
     return true;
   }
 
-  /// Words for what is not a number are data, not names.
-  [[nodiscard]] static bool is_not_finite(std::string_view cell) {
-    std::string word;
-    for (const char c : cell) {
-      word += static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
-    }
-    return word.empty() || word == "nan" || word == "na" || word == "inf" || word == "-inf" ||
-           word == "+inf";
+  /// Words for an infinity or a missing cell are data, not names.
+  [[nodiscard]] static bool is_no_name(std::string_view cell) {
+    const CellMeaning meaning = read_cell(cell).meaning;
+    return meaning == CellMeaning::number || meaning == CellMeaning::missing ||
+           meaning == CellMeaning::missing_word;
   }
 
   void row(std::string_view text) {

@@ -40,8 +40,11 @@ NumberOptions tick_columns(const Robot& robot) {
   NumberOptions options;
   options.columns = {{"x_m"}, {"y_m"}, {"yaw_rad"}};
   add_ray_columns(robot, options);
-  for (const char* name : {"speed_cmd_mps", "yaw_rate_cmd_rps", "stale", "segment_start"}) {
+  for (const char* name : {"speed_cmd_mps", "yaw_rate_cmd_rps"}) {
     options.columns.push_back({name, false, true});
+  }
+  for (const char* name : {"stale", "segment_start"}) {
+    options.columns.push_back({name, false, true, true});
   }
   return options;
 }

@@ -58,6 +58,7 @@ void TickLineParser::restart(std::string_view first_line, DiagnosticGroups& prob
   csv.file = options_.file;
   csv.rename = options_.rename;
   csv.preamble_records = 0;
+  csv.fold_names = true;
   csv.decimal_comma = options_.decimal_comma;
   const Bytes header_bytes = Bytes::copy_of(first_line);
   const auto header = find_header(header_bytes.view(), csv, required_names(columns_), problems);

@@ -96,6 +96,7 @@ class StreamReader {
     CsvOptions csv;
     csv.file = file;
     csv.decimal_comma = bundle_.decimal_comma;
+    csv.fold_names = true;
     if (const auto renames = bundle_.info.columns.find(name);
         renames != bundle_.info.columns.end()) {
       csv.rename = renames->second;

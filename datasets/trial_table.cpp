@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <tcert/tick.hpp>
 #include <utility>
 
+#include "datasets/cell_reading.hpp"
 #include "datasets/csv.hpp"
 #include "datasets/csv_write.hpp"
-#include "datasets/decimal.hpp"
 #include "datasets/nearest_name.hpp"
+#include "datasets/outcome_word.hpp"
 #include "datasets/path_name.hpp"
 
 namespace tcert {
@@ -45,10 +47,10 @@ class TrialRowReader {
     if (!is_file_name(trial.trial_id)) {
       reject("trial_id", std::string(kFileNameRule));
     }
-    trial.algorithm = cell("algorithm");
-    trial.lighting = cell("lighting");
-    trial.day = cell("day");
-    trial.batch = cell("batch");
+    trial.algorithm = name_in("algorithm");
+    trial.lighting = name_in("lighting");
+    trial.day = name_in("day");
+    trial.batch = name_in("batch");
     trial.success = read_success();
     trial.time_s = read_amount("time_s");
     trial.distance_m = read_amount("distance_m");
@@ -78,6 +80,12 @@ class TrialRowReader {
     return column ? table_.at(row_, *column) : std::string{};
   }
 
+  /// Empty if the cell is missing.
+  [[nodiscard]] std::string name_in(std::string_view column) const {
+    std::string text = cell(column);
+    return is_missing_cell(text) ? std::string{} : text;
+  }
+
   void add(Severity severity, std::string_view column, std::string expectation) {
     problems_.add({severity,
                    "trials.csv",
@@ -94,38 +102,36 @@ class TrialRowReader {
   }
 
   std::optional<bool> read_success() {
-    const std::string text = case_folded(cell("success"));
-    if (text == "1" || text == "true") {
-      return true;
+    switch (outcome_of_cell(cell("success"), table_.dialect.decimal_point)) {
+      case OutcomeWord::success:
+        return true;
+      case OutcomeWord::failure:
+        return false;
+      case OutcomeWord::missing:
+        return std::nullopt;
+      case OutcomeWord::unknown:
+        break;
     }
-    if (text == "0" || text == "false") {
-      return false;
-    }
-    if (!text.empty()) {
-      reject("success", "0, 1, true, false or nothing");
-    }
+    reject("success", std::string(kOutcomeWords) + " (" + std::string(kHowMissingIsWritten) + ")");
     return std::nullopt;
   }
 
-  /// A number of seconds or metres, missing if the cell is empty.
+  /// A number of seconds or metres, or missing.
   std::optional<double> read_amount(std::string_view column) {
-    const std::string text = cell(column);
-    if (text.empty()) {
+    const CellReading reading = read_cell(cell(column), table_.dialect.decimal_point);
+    if (reading.meaning == CellMeaning::missing) {
       return std::nullopt;
     }
-    padded_.assign(text);
-    const char* const begin = padded_.view().data();
-    double value = 0.0;
-    if (scan_number(begin, table_.dialect.decimal_point, value) != begin + text.size() ||
-        value < 0.0) {
-      reject(column, "a finite number, 0 or more");
+    if (reading.meaning != CellMeaning::number || !std::isfinite(reading.value) ||
+        reading.value < 0.0) {
+      reject(column, "a finite number, 0 or more (" + std::string(kHowMissingIsWritten) + ")");
       return std::nullopt;
     }
-    return value;
+    return reading.value;
   }
 
   EndReason read_end_reason() {
-    const auto* const found = std::ranges::find(kEndReasons, case_folded(cell("end_reason")));
+    const auto* const found = std::ranges::find(kEndReasons, case_folded(name_in("end_reason")));
     if (found == kEndReasons.end()) {
       reject("end_reason", "goal, collision, wedged, timeout, aborted or nothing");
       return EndReason::unknown;
@@ -149,7 +155,6 @@ class TrialRowReader {
   DiagnosticGroups& problems_;
   std::size_t row_ = 0;
   bool good_ = true;
-  Bytes padded_;
 };
 
 /// Lines that repeat an id, by id.
@@ -173,6 +178,7 @@ void read_trial_table(const Bytes& bytes, Bundle& bundle, DiagnosticGroups& prob
   CsvOptions csv;
   csv.file = "trials.csv";
   csv.decimal_comma = bundle.decimal_comma;
+  csv.fold_names = true;
   if (const auto renames = bundle.info.columns.find(csv.file);
       renames != bundle.info.columns.end()) {
     csv.rename = renames->second;

@@ -27,6 +27,7 @@ Table csv_check_table(const CsvCheck& check, const std::string& file) {
   table.title = "Columns of " + file;
   table.columns = {{"column", "column", "", ColumnKind::text},
                    {"numbers", "numbers", "", ColumnKind::integer},
+                   {"truths", "truth values", "", ColumnKind::integer},
                    {"missing", "missing", "", ColumnKind::integer},
                    {"texts", "texts", "", ColumnKind::integer},
                    {"least", "least", "", ColumnKind::number, 6},
@@ -34,6 +35,7 @@ Table csv_check_table(const CsvCheck& check, const std::string& file) {
   for (const ColumnCheck& column : check.columns) {
     table.add_row({column.name,
                    count(column.numbers),
+                   count(column.truths),
                    count(column.missing),
                    count(column.texts),
                    number_or_missing(column.least),

@@ -61,12 +61,13 @@ Table h1_calibration_table(const H1Table& h1) {
                        integer_cell(bin.events),
                        integer_cell(bin.clusters),
                        Number{bin.predicted},
-                       Estimate{bin.observed, bin.wilson.low, bin.wilson.high}});
+                       estimate_cell(bin.observed, bin.wilson)});
       }
     }
   }
   table.footnotes = {
-      "Folds of whole clusters. observed: Wilson's interval, which takes trials as independent."};
+      "Folds of whole clusters. observed: Wilson's interval, which takes trials as independent; "
+      "withheld with the others."};
   return table;
 }
 

@@ -1,17 +1,19 @@
 #include "reports/h1_notes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>
 
+#include "analysis/basics/condition_groups.hpp"
+#include "analysis/basics/few_clusters.hpp"
+#include "reports/h1_intervals.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr std::size_t kFewClusters = 30;
 
 std::string cluster_note(const H1Table& h1) {
   const std::string& cluster = h1.options.cluster;
@@ -27,7 +29,9 @@ std::string cluster_note(const H1Table& h1) {
   const bool few = std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
     return panel.clusters < kFewClusters;
   });
-  return note + (few ? "; with fewer than 30 of them intervals tend to be too narrow." : ".");
+  return note + (few ? fmt::format("; with fewer than {} of them intervals tend to be too narrow.",
+                                   kFewClusters)
+                     : std::string("."));
 }
 
 /// `p` says what the p of a model is.
@@ -39,18 +43,47 @@ std::string model_note(std::string_view p) {
       p);
 }
 
+/// What several rows of a panel have, or one row of several folds, is one line.
+void add_row_conditions(const H1Table& h1, const H1Panel& panel, std::vector<std::string>& notes) {
+  std::vector<OwnedCondition> owned;
+  for (const H1Row& row : panel.rows) {
+    for (Condition condition : row.conditions) {
+      if (condition.column == row.name) {
+        condition.column.clear();  // The line names the row.
+      }
+      owned.push_back({row.name, subject_of(condition.detail), condition});
+    }
+  }
+  for (SharedCondition& shared : shared_conditions(owned)) {
+    if (!shared.same_detail) {
+      shared.condition.detail +=
+          shared.owners.size() > 1 ? " in " + shared.owners.front() : " and the like";
+    }
+    notes.push_back(panel_name(h1, panel) + " panel, " +
+                    fmt::format("{}", fmt::join(shared.owners, ", ")) + ": " +
+                    to_string(shared.condition) + ".");
+  }
+}
+
 void add_conditions(const H1Table& h1, std::vector<std::string>& notes) {
   for (const H1Panel& panel : h1.panels) {
     for (const Condition& condition : panel.conditions) {
       notes.push_back(panel_name(h1, panel) + " panel: " + to_string(condition) + ".");
     }
-    for (const H1Row& row : panel.rows) {
-      for (const Condition& condition : row.conditions) {
-        notes.push_back(panel_name(h1, panel) + " panel, " + row.name + ": " +
-                        to_string(condition) + ".");
-      }
-    }
+    add_row_conditions(h1, panel, notes);
   }
+}
+
+/// What the features of a landmark panel are of.
+std::string window_words(const H1Panel& panel) {
+  if (panel.not_of_window.empty()) {
+    return "the time window alone, ";
+  }
+  std::string columns;
+  for (const std::string& column : panel.not_of_window) {
+    columns += (columns.empty() ? "'" : ", '") + column + "'";
+  }
+  return columns + " as in the other panel, for the table has no column of the time window alone, ";
 }
 
 }  // namespace
@@ -66,11 +99,18 @@ std::string h1_panel_note(const H1Options& options, const H1Panel& panel, bool o
               " failures), which then contains the outcome";
     }
   } else {
-    note = "Landmark panel: the time window alone, " + std::to_string(panel.trials) +
-           " trials, times from " + significant(options.landmark_s, 4) +
-           " s; excluded: " + std::to_string(panel.ended_by_landmark) +
-           " that end before the landmark, " + std::to_string(panel.still_at_landmark) +
-           " that stand still at it. Conclusions are drawn from this panel";
+    const std::string landmark = significant(options.landmark_s, 4) + " s";
+    note =
+        "Landmark panel: " + window_words(panel) + std::to_string(panel.trials) +
+        " trials, times from " + landmark + "; excluded: " +
+        (panel.ends_known
+             ? std::to_string(panel.ended_by_landmark) + " that end before the landmark, "
+             : "none for having ended before the landmark, as the table does not "
+               "say when trials end, ") +
+        std::to_string(panel.still_at_landmark) + " that stand still at it. " +
+        (panel.not_of_window.empty()
+             ? "Conclusions are drawn from this panel"
+             : "Conclusions are drawn from this panel if those columns are known by " + landmark);
   }
   if (panel.complete < panel.trials) {
     note += "; " + std::to_string(panel.trials - panel.complete) +
@@ -93,9 +133,13 @@ std::vector<std::string> h1_success_notes(const H1Table& h1) {
       "of "
       "the predictor less that of the rival, on the same resamples (" +
       std::to_string(h1.options.replicates) + ", seed " + std::to_string(h1.options.seed) +
-      "). p: clustered DeLong (Obuchowski 1997), two-sided; Holm over the rivals in AUC and in C.");
-  notes.push_back(model_note(
-      "Their p is the likelihood-ratio test of the logistic model, trials independent."));
+      "). Intervals: " + interval_words(h1.options.interval) +
+      "; the others are in h1_intervals. p: clustered DeLong (Obuchowski 1997), two-sided; Holm "
+      "over the rivals in AUC and in C.");
+  notes.push_back(
+      model_note("Their p is Wald's test of the predictor added, by the jackknife of whole "
+                 "clusters and t; the "
+                 "likelihood ratio, trials independent, is in h1_closed_form."));
   notes.push_back("Out of fold: mean within " + std::to_string(h1.options.folds) +
                   " folds of whole clusters, weighted by comparable pairs.");
   if (h1.outcome_missing > 0) {
@@ -132,8 +176,8 @@ std::vector<std::string> h1_time_notes(const H1Table& h1) {
       "HR: hazard ratio of egress per standard deviation (column SD) towards the better side, Cox "
       "with Efron ties, cluster-robust; above 1 is sooner. At limit: failures stay at risk to " +
           limits + ". " + strata,
-      model_note("For C the model is a Cox model; its p is the likelihood-ratio test, trials "
-                 "independent. The HR of 'rivals + ...' is the predictor's, rivals held fixed."),
+      model_note("For C the model is a Cox model; its p is made as that of success. The HR of "
+                 "'rivals + ...' is the predictor's, rivals held fixed."),
       "Clusters, panels and conditions: see the table of success."};
 }
 

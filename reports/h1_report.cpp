@@ -3,7 +3,9 @@
 
 #include "reports/fit/cells.hpp"
 #include "reports/fit/survival_report.hpp"
+#include "reports/h1_intervals.hpp"
 #include "reports/h1_table.hpp"
+#include "reports/h1_within_table.hpp"
 
 namespace tcert {
 namespace {
@@ -63,7 +65,9 @@ Table closed_form_table(const H1Table& h1) {
                    number_column("c_gain_std_error", "SE of its gain"),
                    p_column("hr_censored_p", "p of HR, censored"),
                    p_column("hr_at_limit_p", "p of HR, at limit"),
-                   p_column("hr_stratified_p", "p of HR, stratified")};
+                   p_column("hr_stratified_p", "p of HR, stratified"),
+                   p_column("auc_lr_p", "likelihood ratio of adding, trials independent: success"),
+                   p_column("c_lr_p", "time")};
   for (const H1Panel& panel : h1.panels) {
     for (const H1Row& row : panel.rows) {
       table.add_row({panel_name(h1, panel),
@@ -78,7 +82,9 @@ Table closed_form_table(const H1Table& h1) {
                      number_cell(row.c_gain.std_error),
                      p_cell(row.censored.p_value),
                      p_cell(row.at_limit.p_value),
-                     p_cell(row.stratified.p_value)});
+                     p_cell(row.stratified.p_value),
+                     p_cell(row.auc_lr_p),
+                     p_cell(row.c_lr_p)});
     }
   }
   return table;
@@ -155,6 +161,8 @@ FitReport h1_report(const H1Table& h1) {
       .text("time", "time", h1.options.time)
       .text("cluster", "cluster", h1.options.cluster)
       .text("strata", "strata", h1.options.strata)
+      .text("within", "within", h1_within_columns(h1))
+      .text("interval", "interval", std::string(to_string(h1.options.interval)))
       .number("landmark_s",
               "landmark [s]",
               has_landmark ? std::optional(h1.options.landmark_s) : std::nullopt)
@@ -163,12 +171,27 @@ FitReport h1_report(const H1Table& h1) {
       .integer("folds", "folds", h1.options.folds)
       .integer("seed", "seed", h1.options.seed);
   report.summary = std::move(summary).table();
-  report.tables = {h1_success_table(h1), h1_time_table(h1), h1_mixed_table(h1)};
+  const bool has_strata = std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
+    return !panel.within.columns.empty();
+  });
+  report.tables = {h1_success_table(h1)};
+  if (has_strata) {
+    report.tables.push_back(h1_within_table(h1));
+  }
+  report.tables.push_back(h1_time_table(h1));
+  if (has_strata) {
+    report.tables.push_back(h1_time_within_table(h1));
+  }
+  report.tables.push_back(h1_mixed_table(h1));
   report.details = {issuance_table(h1), tc_early_table(h1), case_level_table(h1)};
   add_incidence_tables(h1, report);
   report.details.insert(report.details.end(),
                         {h1_roc_table(h1), h1_calibration_table(h1), h1_recalibration_table(h1)});
+  report.details.push_back(h1_interval_table(h1));
   report.details.push_back(closed_form_table(h1));
+  if (has_strata) {
+    report.details.push_back(h1_within_closed_form_table(h1));
+  }
   report.details.push_back(fold_table(h1));
   for (const H1Panel& panel : h1.panels) {
     report.conditions.insert(

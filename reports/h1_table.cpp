@@ -5,33 +5,28 @@
 #include <string>
 
 #include "reports/fit/cells.hpp"
+#include "reports/h1_intervals.hpp"
 #include "reports/h1_notes.hpp"
 
 namespace tcert {
 namespace {
 
-TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.bca); }
+TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.interval); }
 
 TableCell ratio(const H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
-bool is_single(const H1Row& row) {
-  return row.kind == H1RowKind::predictor || row.kind == H1RowKind::rival;
-}
-
 TableCell better_if(const H1Row& row) {
-  if (!is_single(row)) {
+  if (!row.is_single()) {
     return {};
   }
   return std::string(row.higher == HigherMeans::success ? "larger" : "smaller");
 }
 
 TableCell missing(const H1Row& row) {
-  return is_single(row) ? integer_cell(row.missing) : TableCell{};
+  return row.is_single() ? integer_cell(row.missing) : TableCell{};
 }
 
-std::string level_text(const H1Table& h1) {
-  return significant(100.0 * h1.options.level, kShownDigits) + " %";
-}
+std::string level_text(const H1Table& h1) { return h1_interval_text(h1.options); }
 
 }  // namespace
 
@@ -71,8 +66,8 @@ Table h1_success_table(const H1Table& h1) {
                    integer_column("events", "successes"),
                    integer_column("clusters", "clusters"),
                    integer_column("missing", "missing"),
-                   estimate_column("auc", "AUC [" + level_text(h1) + " BCa]"),
-                   estimate_column("auc_gain", "gain of AUC [" + level_text(h1) + " BCa]"),
+                   estimate_column("auc", "AUC [" + level_text(h1) + "]"),
+                   estimate_column("auc_gain", "gain of AUC [" + level_text(h1) + "]"),
                    p_column("p", "p"),
                    p_column("p_holm", "p Holm"),
                    fixed_column("auc_out_of_fold", "out of fold")};
@@ -103,8 +98,8 @@ Table h1_time_table(const H1Table& h1) {
   table.n = static_cast<std::int64_t>(h1.trials);
   table.columns = {text_column("panel", "panel"),
                    text_column("predictor", "predictor"),
-                   estimate_column("c", "C [" + level_text(h1) + " BCa]"),
-                   estimate_column("c_gain", "gain of C [" + level_text(h1) + " BCa]"),
+                   estimate_column("c", "C [" + level_text(h1) + "]"),
+                   estimate_column("c_gain", "gain of C [" + level_text(h1) + "]"),
                    p_column("p", "p"),
                    p_column("p_holm", "p Holm"),
                    fixed_column("c_out_of_fold", "out of fold"),

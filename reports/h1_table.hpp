@@ -31,9 +31,9 @@ namespace tcert {
 [[nodiscard]] Table h1_calibration_table(const H1Table& h1);
 [[nodiscard]] Table h1_recalibration_table(const H1Table& h1);
 
-/// All of H1 as a document: the two tables above; as details issuance, the spread of
-/// the predictor, the case-level figures, incidence by quartile, ROC curves, calibration,
-/// closed-form standard errors and folds.
+/// All of H1 as a document: the tables above, with those within strata; as details issuance, the
+/// spread of the predictor, the case-level figures, incidence by quartile, ROC curves, calibration,
+/// all intervals, closed-form standard errors and folds.
 [[nodiscard]] FitReport h1_report(const H1Table& h1);
 
 /// Certificates issued, by outcome.

@@ -1,6 +1,11 @@
 #include "reports/h2_notes.hpp"
 
+#include <algorithm>
+
+#include "analysis/basics/condition_groups.hpp"
+#include "analysis/basics/few_clusters.hpp"
 #include "reports/fit/cells.hpp"
+#include "reports/h1_intervals.hpp"
 #include "reports/h1_notes.hpp"
 #include "reports/table.hpp"
 
@@ -11,28 +16,62 @@ std::string cluster_note(const H1Options& options) {
   return options.cluster.empty()
              ? "Trials are taken as independent: no cluster was named."
              : "Clusters: column '" + options.cluster +
-                   "'. Resamples draw whole clusters for all groups jointly; with fewer than 30 of "
-                   "them intervals tend to be too narrow, and tests reject too often.";
+                   "'. Resamples draw whole clusters for all groups jointly; with fewer than " +
+                   std::to_string(kFewClusters) +
+                   " of them intervals tend to be too narrow, and tests reject too often.";
+}
+
+/// Those of the groups; what several groups have is one line.
+void add_level_conditions(const H2Panel& panel,
+                          const std::string& name,
+                          std::vector<std::string>& notes) {
+  std::vector<OwnedCondition> owned;
+  for (const H2Level& level : panel.levels) {
+    for (const Condition& condition : level.conditions) {
+      owned.push_back({level.name, subject_of(condition.detail), condition});
+    }
+  }
+  for (SharedCondition& shared : shared_conditions(owned)) {
+    if (!shared.same_detail) {
+      shared.condition.detail += " in " + shared.owners.front();
+    }
+    notes.push_back(name + " panel, " + some_of(shared.owners) + ": " +
+                    to_string(shared.condition) + ".");
+  }
+}
+
+/// "lighting" of the column "Dark" of an interaction, "tc:lighting" of "tc:Dark".
+std::string factor_of(const H2Table& h2, const H2Panel& panel, const std::string& column) {
+  const std::string product = panel.predictor + ":";
+  const bool is_product = column.starts_with(product);
+  const std::string level = is_product ? column.substr(product.size()) : column;
+  const bool is_level = std::any_of(panel.levels.begin(),
+                                    panel.levels.end(),
+                                    [&](const H2Level& one) { return one.name == level; });
+  return is_level ? (is_product ? product : "") + h2.options.trials.group : "";
 }
 
 void add_conditions(const H2Table& h2, std::vector<std::string>& notes) {
   for (const H2Panel& panel : h2.panels) {
+    const std::string name = h2_panel_name(h2, panel);
     const auto add = [&](const Conditions& conditions, const std::string& where) {
       for (const Condition& condition : conditions) {
-        notes.push_back(h2_panel_name(h2, panel) + " panel" + where + ": " + to_string(condition) +
-                        ".");
+        notes.push_back(name + " panel" + where + ": " + to_string(condition) + ".");
       }
+    };
+    const auto add_interaction = [&](const H2Interaction& one) {
+      add(one_per_factor(one.conditions,
+                         [&](const std::string& column) { return factor_of(h2, panel, column); }),
+          ", interaction, " + one.model);
     };
     add(panel.trials.conditions, "");
     add(panel.conditions, "");
-    for (const H2Level& level : panel.levels) {
-      add(level.conditions, ", " + level.name);
-    }
+    add_level_conditions(panel, name, notes);
     for (const H2Interaction& one : panel.interactions) {
-      add(one.conditions, ", interaction, " + one.model);
+      add_interaction(one);
     }
     if (panel.mixed_interaction) {
-      add(panel.mixed_interaction->conditions, ", interaction, " + panel.mixed_interaction->model);
+      add_interaction(*panel.mixed_interaction);
     }
   }
 }
@@ -65,9 +104,9 @@ std::vector<std::string> h2_level_notes(const H2Table& h2) {
   notes.push_back(cluster_note(options));
   notes.push_back(
       "AUC: Pr(a success outranks a failure) within the group, in the a-priori direction, ties one "
-      "half. C: Pr(the better value goes with earlier egress) within the group. BCa of " +
-      std::to_string(options.replicates) + " resamples, seed " + std::to_string(options.seed) +
-      ".");
+      "half. C: Pr(the better value goes with earlier egress) within the group. Intervals: " +
+      interval_words(options.interval) + " of " + std::to_string(options.replicates) +
+      " resamples, seed " + std::to_string(options.seed) + ".");
   notes.push_back("Ratios are per standard deviation of the whole panel, " + sds +
                   ", towards the better side, cluster-robust. OR: of success, logistic. HR: of "
                   "egress, Cox with "

@@ -4,17 +4,17 @@
 #include <utility>
 
 #include "reports/fit/cells.hpp"
+#include "reports/h1_intervals.hpp"
+#include "reports/h1_within_table.hpp"
 #include "reports/h2_notes.hpp"
 
 namespace tcert {
 namespace {
 
-TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.bca); }
+TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.interval); }
 TableCell ratio(const H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
-std::string level_text(const H2Table& h2) {
-  return significant(100.0 * h2.options.trials.level, kShownDigits) + " %";
-}
+std::string level_text(const H2Table& h2) { return h1_interval_text(h2.options.trials); }
 
 std::optional<double> statistic(const std::optional<ChiSquareTest>& test) {
   return test ? std::optional(test->statistic) : std::nullopt;
@@ -38,6 +38,10 @@ std::vector<std::pair<std::string, const H2Equality*>> equalities(const H2Panel&
   return all;
 }
 
+bool is_withheld(const H2Panel& panel, std::size_t level) {
+  return !panel.levels[level].withheld.empty();
+}
+
 Table pair_table(const H2Table& h2) {
   Table table;
   table.name = "h2_pairs";
@@ -54,6 +58,18 @@ Table pair_table(const H2Table& h2) {
   for (const H2Panel& panel : h2.panels) {
     for (const auto& [quantity, equality] : equalities(panel)) {
       for (const EquivalencePair& pair : equality->tests.pairs) {
+        if (is_withheld(panel, pair.first) || is_withheld(panel, pair.second)) {
+          table.add_row({h2_panel_name(h2, panel),
+                         quantity,
+                         equality->groups.names[pair.first],
+                         equality->groups.names[pair.second],
+                         estimate_cell(pair.difference, std::nullopt),
+                         TableCell{},
+                         TableCell{},
+                         TableCell{},
+                         TableCell{}});
+          continue;
+        }
         table.add_row({h2_panel_name(h2, panel),
                        quantity,
                        equality->groups.names[pair.first],
@@ -102,6 +118,62 @@ Table interaction_table(const H2Table& h2) {
   return table;
 }
 
+/// Those of the first panel that has strata: one that cannot be scored has none.
+std::string within_columns(const H2Table& h2) {
+  for (const H2Panel& panel : h2.panels) {
+    if (!panel.trials.within.columns.empty()) {
+      return h1_within_columns(panel.trials);
+    }
+  }
+  return "";
+}
+
+/// Beside the whole group, pairs of trials of one stratum.
+Table within_table(const H2Table& h2) {
+  Table table;
+  table.name = "h2_within";
+  table.title = "H2, within " + within_columns(h2) + ": " +
+                h2.options.trials.predictors.front().column + " by " + h2.options.trials.group;
+  table.columns = {text_column("panel", "panel"),
+                   text_column("group", h2.options.trials.group),
+                   fixed_column("auc", "AUC"),
+                   estimate_column("auc_within", "AUC within [" + level_text(h2) + "]"),
+                   fixed_column("c", "C"),
+                   estimate_column("c_within", "C within [" + level_text(h2) + "]")};
+  for (const H2Panel& panel : h2.panels) {
+    for (const H2Level& level : panel.levels) {
+      table.add_row({h2_panel_name(h2, panel),
+                     level.name,
+                     number_cell(level.auc.value),
+                     estimate(level.auc_within),
+                     number_cell(level.c.value),
+                     estimate(level.c_within)});
+    }
+  }
+  for (const H2Panel& panel : h2.panels) {
+    if (!panel.trials.within.columns.empty()) {
+      table.footnotes.push_back(h1_within_note(panel.trials, h2_panel_name(h2, panel)));
+    }
+  }
+  return table;
+}
+
+Table interval_table(const H2Table& h2) {
+  Table table = h1_interval_columns("h2_intervals", "group", h2.options.trials.group);
+  for (const H2Panel& panel : h2.panels) {
+    for (const H2Level& level : panel.levels) {
+      const auto add = [&](const char* quantity, const H1Score& score) {
+        add_intervals(h2_panel_name(h2, panel), level.name, quantity, score, table);
+      };
+      add("AUC", level.auc);
+      add("C", level.c);
+      add("AUC within strata", level.auc_within);
+      add("C within strata", level.c_within);
+    }
+  }
+  return table;
+}
+
 Table closed_form_table(const H2Table& h2) {
   Table table;
   table.name = "h2_closed_form";
@@ -117,7 +189,13 @@ Table closed_form_table(const H2Table& h2) {
                    p_column("or_p", "p of OR"),
                    p_column("hr_censored_p", "p of HR, censored"),
                    p_column("hr_at_limit_p", "p of HR, at limit"),
-                   p_column("hr_stratified_p", "p of HR, stratified")};
+                   p_column("hr_stratified_p", "p of HR, stratified"),
+                   number_column("auc_within_std_error", "SE of AUC within"),
+                   number_column("auc_within_low", "low"),
+                   number_column("auc_within_high", "high"),
+                   number_column("c_within_std_error", "SE of C within"),
+                   number_column("c_within_low", "low"),
+                   number_column("c_within_high", "high")};
   for (const H2Panel& panel : h2.panels) {
     for (const H2Level& level : panel.levels) {
       table.add_row({h2_panel_name(h2, panel),
@@ -131,7 +209,13 @@ Table closed_form_table(const H2Table& h2) {
                      p_cell(level.odds.p_value),
                      p_cell(level.censored.p_value),
                      p_cell(level.at_limit.p_value),
-                     p_cell(level.stratified.p_value)});
+                     p_cell(level.stratified.p_value),
+                     number_cell(level.auc_within.std_error),
+                     low_cell(level.auc_within.closed_form),
+                     high_cell(level.auc_within.closed_form),
+                     number_cell(level.c_within.std_error),
+                     low_cell(level.c_within.closed_form),
+                     high_cell(level.c_within.closed_form)});
     }
   }
   return table;
@@ -156,8 +240,10 @@ Table covariance_table(const H2Table& h2) {
                          quantity,
                          groups.names[i],
                          groups.names[j],
-                         number_cell(groups.covariance(static_cast<Eigen::Index>(i),
-                                                       static_cast<Eigen::Index>(j)))});
+                         is_withheld(panel, i) || is_withheld(panel, j)
+                             ? TableCell{}
+                             : number_cell(groups.covariance(static_cast<Eigen::Index>(i),
+                                                             static_cast<Eigen::Index>(j)))});
         }
       }
     }
@@ -198,8 +284,8 @@ Table h2_level_table(const H2Table& h2) {
                    integer_column("n", "n"),
                    integer_column("events", "successes"),
                    integer_column("clusters", "clusters"),
-                   estimate_column("auc", "AUC [" + level_text(h2) + " BCa]"),
-                   estimate_column("c", "C [" + level_text(h2) + " BCa]"),
+                   estimate_column("auc", "AUC [" + level_text(h2) + "]"),
+                   estimate_column("c", "C [" + level_text(h2) + "]"),
                    estimate_column("or", "OR per SD"),
                    estimate_column("hr_censored", "HR per SD, failures censored"),
                    estimate_column("hr_at_limit", "HR, failures at limit"),
@@ -277,6 +363,8 @@ FitReport h2_report(const H2Table& h2) {
       .text("time", "time", options.time)
       .text("cluster", "cluster", options.cluster)
       .text("strata", "strata", options.strata)
+      .text("within", "within", within_columns(h2))
+      .text("interval", "interval", std::string(to_string(options.interval)))
       .number("landmark_s", "landmark [s]", options.landmark_s)
       .number("margin", "margin", h2.options.margin)
       .number("level", "level", options.level)
@@ -284,9 +372,13 @@ FitReport h2_report(const H2Table& h2) {
       .integer("permutations", "permutations", h2.options.permutations)
       .integer("seed", "seed", options.seed);
   report.summary = std::move(summary).table();
-  report.tables = {
-      h2_level_table(h2), h2_equality_table(h2), pair_table(h2), interaction_table(h2)};
-  report.details = {closed_form_table(h2), covariance_table(h2)};
+  report.tables = {h2_level_table(h2)};
+  if (!within_columns(h2).empty()) {
+    report.tables.push_back(within_table(h2));
+  }
+  report.tables.insert(report.tables.end(),
+                       {h2_equality_table(h2), pair_table(h2), interaction_table(h2)});
+  report.details = {interval_table(h2), closed_form_table(h2), covariance_table(h2)};
   add_conditions(h2, report);
   return report;
 }

@@ -18,7 +18,7 @@ struct SeriesColumn {
 };
 
 constexpr auto kColumns = std::to_array<SeriesColumn>({
-    {"time_s", "s", "since the first tick of the trial"},
+    {"time_s", "s", "of the tick, as the log counts it"},
     {"x_m", "m", "pose, in the frame of the log"},
     {"y_m", "m", "the same"},
     {"yaw_rad", "rad", "the same"},

@@ -15,6 +15,7 @@ part_of <- function(d, level) {
   e$x <- d$x[rows, 1]
   e$scaled <- d$scaled[rows, 1, drop = FALSE]
   e$strata <- d$strata[rows]
+  e$within <- d$within[rows]
   e$n <- sum(rows)
   if (!is.null(d$censored)) {
     e$censored <- d$censored[rows]
@@ -64,8 +65,24 @@ check_ratio <- function(column, p_column, where, h2, forms, expected) {
   for (i in 1:4) check(quantity[i], where, found[i], expected[i], FITTED)
 }
 
-check_level <- function(d, level, h2, forms) {
+check_level_within <- function(d, e, where, found, forms) {
+  own <- function(name, outcome, x) {
+    fit <- tryCatch(c_within(x, outcome, e, e$cluster), error = function(error) NULL)
+    value <- if (is.null(fit)) NA else fit$concordance
+    se <- if (is.na(value)) NA else sqrt(fit$var)
+    quantity <- paste("H2", toupper(name), "within")
+    check(quantity, where, found[[paste0(name, "_within")]], value)
+    check(paste(quantity, "SE"), where, forms[[paste0(name, "_within_std_error")]], se)
+    check(paste(quantity, "CI"), where, unlist(forms[paste0(name, "_within", c("_low", "_high"))]),
+          if (is.na(value)) c(NA, NA) else wald(value, se, d$level))
+  }
+  own("auc", e$y, e$x)
+  if (!is.null(d$censored)) own("c", e$censored, -e$x)
+}
+
+check_level <- function(d, level, h2, forms, within) {
   e <- part_of(d, level)
+  cells$withheld <- d$few || too_few(e$y, e$cluster)
   where <- paste(d$name, level)
   check("H2 n", where, h2$n, e$n)
   check("H2 events", where, h2$events, sum(e$y))
@@ -77,6 +94,7 @@ check_level <- function(d, level, h2, forms) {
   check("H2 AUC clustered SE", where, forms$auc_std_error, se)
   check("H2 AUC clustered CI", where, c(forms$auc_low, forms$auc_high), wald(auc, se, d$level))
   check_ratio("or", "or_p", where, h2, forms, or_na(odds_ratio(e), 4))
+  if (!is.null(d$within)) check_level_within(d, e, where, within, forms)
   if (is.null(d$censored)) return(invisible())
   fit <- c_of(e$x, e$censored, e$cluster)
   check("H2 C", where, h2$c, fit$concordance)
@@ -160,13 +178,17 @@ check_equality <- function(d, quantity, levels, groups, result) {
   pairs <- combn(length(levels), 2)
   margin <- result$summary$margin
   found <- pick(result$h2_equality)
+  cells$withheld <- d$few_levels[pairs[1, ]] | d$few_levels[pairs[2, ]]
   own <- check_pairs(where, pick(result$h2_pairs), groups, pairs, margin)
   covariance <- pick(result$h2_covariance)
+  cells$withheld <- d$few_levels[match(covariance$first, levels)] |
+    d$few_levels[match(covariance$second, levels)]
   V <- groups$covariance
   scale <- sqrt(diag(V)[match(covariance$first, levels)] * diag(V)[match(covariance$second, levels)])
   expected <- V[cbind(match(covariance$first, levels), match(covariance$second, levels))]
   # A covariance near 0 is a sum that cancels: judged on the scale of the variances.
   check("H2 1 + correlation", where, 1 + covariance$covariance / scale, 1 + expected / scale)
+  cells$withheld <- any(d$few_levels)
   check("H2 TOST p of all", where, found$p_tost, max(own$p))
   check_text("H2 all equivalent", where, found$equivalent, if (all(own$smallest < margin)) "yes" else "no")
   check("H2 smallest margin of all", where, found$smallest_margin, max(own$smallest))
@@ -254,7 +276,15 @@ check_h2_panel <- function(d, result) {
   h2 <- rows_of(result$h2, d$name)
   forms <- rows_of(result$h2_closed_form, d$name)
   check_text("H2 groups", d$name, h2$group, levels)
-  for (i in seq_along(levels)) check_level(d, levels[i], h2[i, ], forms[i, ])
+  within <- if (!is.null(result$h2_within)) rows_of(result$h2_within, d$name)
+  d$few <- too_few(d$y, d$cluster)
+  for (i in seq_along(levels)) check_level(d, levels[i], h2[i, ], forms[i, ], within[i, ])
+  few <- sapply(levels, function(level) {
+    e <- part_of(d, level)
+    d$few || too_few(e$y, e$cluster)
+  })
+  d$few_levels <- few
+  cells$withheld <- any(few)
   if (all(sapply(levels, function(level) both_classes(part_of(d, level))))) {
     found <- check_equality(d, "AUC", levels, auc_groups(d, levels), result)
     inform_of_permutation(d, levels, found)

@@ -78,6 +78,13 @@ complete_rows <- function(table, columns, options) {
   complete.cases(table[used])
 }
 
+# The cross of the columns of "algorithm x lighting"; a row where one is missing has none.
+strata_within <- function(rows, names) {
+  if (!nzchar(names)) return(NULL)
+  columns <- rows[strsplit(names, " x ", fixed = TRUE)[[1]]]
+  ifelse(complete.cases(columns), do.call(paste, c(columns, sep = "|")), NA)
+}
+
 #' A panel: columns of its complete trials. `x` has every predictor turned so that larger is better.
 panel_of <- function(panel, table, predictors, options, limit) {
   columns <- if (panel == "landmark") predictors$landmark else predictors$column
@@ -91,6 +98,7 @@ panel_of <- function(panel, table, predictors, options, limit) {
                       else as.character(seq_len(nrow(rows))),
             strata = if (has_column(options$strata, table)) rows[[options$strata]],
             group = if (!is.null(options$group)) rows[[options$group]],
+            within = strata_within(rows, options$within),
             n = nrow(rows), level = options$level)
   d$sd <- apply(d$x, 2, sd)
   d$scaled <- sweep(d$x, 2, d$sd, "/")
@@ -162,6 +170,16 @@ wald <- function(estimate, se, level) {
 c_of <- function(x, outcome, cluster = NULL) {
   if (is.null(cluster)) return(concordance(outcome ~ x, reverse = TRUE, influence = 1))
   concordance(outcome ~ x, reverse = TRUE, cluster = cluster)
+}
+
+# Pairs within strata alone; `outcome` may be 0 and 1, and C the AUC.
+c_within <- function(x, outcome, d, cluster = NULL) {
+  known <- !is.na(d$within)
+  y <- if (is.matrix(outcome)) outcome[known, ] else outcome[known]
+  x <- x[known]
+  s <- d$within[known]
+  if (is.null(cluster)) return(concordance(y ~ x + strata(s), influence = 1))
+  concordance(y ~ x + strata(s), cluster = cluster[known])
 }
 
 # The paired difference has the difference of the dfbetas as its own.
@@ -335,18 +353,73 @@ check_holm <- function(d, h1, time, p_auc, p_c) {
   if (!is.null(p_c)) check("Holm", paste(d$name, "C"), time$p_holm, tail(adjusted, length(p_c)))
 }
 
-check_likelihood_ratios <- function(d, h1, time) {
+# Wald's test of a coefficient by the jackknife of whole clusters and t; `coefficient(rows)` is fitted
+# to those rows.
+cluster_jackknife_p <- function(cluster, coefficient) {
+  groups <- unique(cluster)
+  all <- coefficient(rep(TRUE, length(cluster)))
+  without <- sapply(groups, function(g) coefficient(cluster != g))
+  n <- length(groups)
+  2 * pt(-abs(all) / sqrt((n - 1) / n * sum((without - all)^2)), n - 1)
+}
+
+check_nested <- function(d, h1, time, forms) {
   k <- length(d$columns)
   if (k < 2) return(invisible())
   small <- scale(d$x)[, -1, drop = FALSE]
-  large <- scale(d$x)
+  large <- scale(d$x)[, c(2:k, 1), drop = FALSE]
   fits <- lapply(list(small, large), fit_glm, y = d$y)
-  check("likelihood ratio p, logistic", d$name, h1$p[k + 1:2],
+  check("likelihood ratio p, logistic", d$name, forms$auc_lr_p[k + 1:2],
         c(NA, lrt_p(log_likelihood(fits[[1]], d$y), log_likelihood(fits[[2]], d$y))))
+  check("nested p, logistic", d$name, h1$p[k + 1:2],
+        c(NA, cluster_jackknife_p(d$cluster, function(rows) {
+          tail(fit_glm(large, d$y, rows)$coefficients, 1)
+        })), FITTED)
   if (is.null(time)) return(invisible())
   fits <- lapply(list(small, large), fit_cox, outcome = d$censored)
-  check("likelihood ratio p, Cox", d$name, time$p[k + 1:2],
+  check("likelihood ratio p, Cox", d$name, forms$c_lr_p[k + 1:2],
         c(NA, lrt_p(fits[[1]]$loglik[2], fits[[2]]$loglik[2])))
+  check("nested p, Cox", d$name, time$p[k + 1:2],
+        c(NA, cluster_jackknife_p(d$cluster, function(rows) {
+          tail(coef(fit_cox(large, d$censored, rows)), 1)
+        })), FITTED)
+}
+
+# AUC or C within strata: values in `found`, closed forms in `forms`. `turn` is -1 where a better value
+# goes with a shorter time.
+check_within_of <- function(d, name, outcome, turn, found, forms) {
+  column <- function(table, suffix) table[[paste0(name, suffix)]]
+  fits <- lapply(seq_along(d$columns), function(k) c_within(turn * d$x[, k], outcome, d, d$cluster))
+  dfbetas <- sapply(seq_along(d$columns), function(k) {
+    rowsum(c_within(turn * d$x[, k], outcome, d)$dfbeta, d$cluster[!is.na(d$within)])
+  })
+  value <- sapply(fits, `[[`, "concordance")
+  se <- sqrt(sapply(fits, `[[`, "var"))
+  quantity <- toupper(name)
+  check(paste(quantity, "within"), d$name, column(found, "_within"), value)
+  check(paste(quantity, "within, gain"), d$name, column(found, "_gain_within"),
+        c(NA, value[1] - value[-1]))
+  counts <- as.matrix(fits[[1]]$count)
+  if (ncol(counts) == 1) counts <- t(counts)
+  pairs <- sum(counts[, c("concordant", "discordant", "tied.x")])
+  check(paste(quantity, "within, pairs"), d$name, column(forms, "_pairs"),
+        rep(pairs, length(value)))
+  check(paste(quantity, "within SE"), d$name, column(forms, "_std_error"), se)
+  check(paste(quantity, "within CI"), d$name, c(column(forms, "_low"), column(forms, "_high")),
+        c(pmax(0, value - qnorm((1 + d$level) / 2) * se),
+          pmin(1, value + qnorm((1 + d$level) / 2) * se)))
+  gain_se <- c(NA, sqrt(colSums((dfbetas[, 1] - dfbetas[, -1, drop = FALSE])^2)))
+  check(paste(quantity, "within, gain SE"), d$name, column(forms, "_gain_std_error"), gain_se)
+  check(paste(quantity, "within, gain p"), d$name, column(forms, "_gain_p"),
+        two_sided(c(NA, value[1] - value[-1]), gain_se))
+}
+
+check_within <- function(d, success, time, forms) {
+  if (is.null(d$within)) return(invisible())
+  check("strata within", d$name, forms$strata,
+        rep(length(unique(na.omit(d$within))), nrow(forms)))
+  check_within_of(d, "auc", d$y, 1, success, forms)
+  if (!is.null(d$censored)) check_within_of(d, "c", d$censored, -1, time, forms)
 }
 
 # coxph stops where the log-likelihood does not change any more; its score may still be 1e-5, which
@@ -501,32 +574,37 @@ fold_of_rows <- function(d, folds) {
   fold
 }
 
-# Another bootstrap with other draws and a plainer interval: close, never equal.
+# Another bootstrap with other draws: close, never equal.
 inform_of_bootstrap <- function(d, h1, replicates = 1000) {
+  if (cells$withheld) return(invisible())
   set.seed(1)
   rows <- split(seq_len(d$n), d$cluster)
   auc <- replicate(replicates, {
     drawn <- unlist(rows[sample(length(rows), replace = TRUE)], use.names = FALSE)
     auc_by_ranks(d$x[drawn, 1], d$y[drawn])
   })
-  percentile <- quantile(auc, (1 + c(-1, 1) * d$level) / 2, names = FALSE, na.rm = TRUE)
-  bca <- c(h1$auc_low[1], h1$auc_high[1])
-  cat(sprintf("%s, AUC of %s: BCa %.4f to %.4f, R's percentile %.4f to %.4f: %s (not counted)\n",
-              d$name, d$columns[1], bca[1], bca[2], percentile[1], percentile[2],
-              if (all(abs(bca - percentile) < 0.03)) "within 0.03" else "NOT within 0.03"))
+  units <- length(rows)
+  tail <- pnorm(-sqrt(units / (units - 1)) * qt((1 + d$level) / 2, units - 1))
+  expanded <- quantile(auc, c(tail, 1 - tail), names = FALSE, na.rm = TRUE, type = 6)
+  own <- c(h1$auc_low[1], h1$auc_high[1])
+  cat(sprintf("%s, AUC of %s: tool %.4f to %.4f, R's expanded %.4f to %.4f: %s (not counted)\n",
+              d$name, d$columns[1], own[1], own[2], expanded[1], expanded[2],
+              if (all(abs(own - expanded) < 0.03)) "within 0.03" else "NOT within 0.03"))
 }
 
 check_panel <- function(d, result) {
-  part <- lapply(result[c("h1", "h1_time", "h1_case_level", "h1_closed_form", "h1_folds",
-                          "h1_mixed")],
-                 rows_of, panel = d$name)
+  tables <- c("h1", "h1_time", "h1_within", "h1_time_within", "h1_case_level", "h1_closed_form",
+              "h1_within_closed_form", "h1_folds", "h1_mixed")
+  part <- lapply(result[intersect(tables, names(result))], rows_of, panel = d$name)
+  cells$withheld <- too_few(d$y, d$cluster)
   fold <- fold_of_rows(d, part$h1_folds)
   timed <- !is.null(d$censored)
   check_counts(d, part$h1)
   p_auc <- check_auc(d, part$h1, part$h1_closed_form, fold)
   p_c <- if (timed) check_c(d, part$h1_time, part$h1_closed_form, fold)
   check_holm(d, part$h1, part$h1_time, p_auc, p_c)
-  check_likelihood_ratios(d, part$h1, if (timed) part$h1_time)
+  check_nested(d, part$h1, if (timed) part$h1_time, part$h1_closed_form)
+  check_within(d, part$h1_within, part$h1_time_within, part$h1_within_closed_form)
   check_mixed(d, part$h1_mixed)
   check_case_level_auc(d, part$h1_case_level)
   if (timed) {

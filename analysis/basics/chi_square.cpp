@@ -8,10 +8,8 @@
 namespace tcert {
 
 ChiSquareTest chi_square_test(double statistic, std::size_t df) {
-  ChiSquareTest test{statistic, df, 1.0};
-  if (std::isnan(statistic)) {
-    test.p_value = std::numeric_limits<double>::quiet_NaN();
-  } else if (df > 0) {
+  ChiSquareTest test{statistic, df, std::numeric_limits<double>::quiet_NaN()};
+  if (!std::isnan(statistic) && df > 0) {
     test.p_value = std::isinf(statistic) ? 0.0
                                          : boost::math::gamma_q(0.5 * static_cast<double>(df),
                                                                 0.5 * std::max(0.0, statistic));

@@ -3,17 +3,18 @@
 /// The chi-squared distribution as tests need it.
 
 #include <cstddef>
+#include <limits>
 
 namespace tcert {
 
 struct ChiSquareTest {
   double statistic = 0.0;
   std::size_t df = 0;
-  double p_value = 1.0;
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< NaN where nothing is tested.
 };
 
-/// With the upper tail as p; p is 1 without degrees of freedom. A statistic that rounding has put
-/// below 0 counts as 0.
+/// With the upper tail as p; NaN without degrees of freedom: nothing was tested. A statistic that
+/// rounding has put below 0 counts as 0.
 [[nodiscard]] ChiSquareTest chi_square_test(double statistic, std::size_t df);
 
 }  // namespace tcert

@@ -7,10 +7,19 @@
 
 namespace tcert {
 
-CompactCodes compact_codes(std::span<const std::uint32_t> codes) {
+namespace {
+
+std::vector<std::uint32_t> distinct_codes(std::span<const std::uint32_t> codes) {
   std::vector<std::uint32_t> distinct(codes.begin(), codes.end());
   std::sort(distinct.begin(), distinct.end());
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  return distinct;
+}
+
+}  // namespace
+
+CompactCodes compact_codes(std::span<const std::uint32_t> codes) {
+  const std::vector<std::uint32_t> distinct = distinct_codes(codes);
   if (!distinct.empty() && distinct.back() == Factor::kMissing) {
     throw std::invalid_argument("a row without its group");
   }
@@ -22,6 +31,10 @@ CompactCodes compact_codes(std::span<const std::uint32_t> codes) {
         std::lower_bound(distinct.begin(), distinct.end(), code) - distinct.begin()));
   }
   return result;
+}
+
+std::size_t count_codes(std::span<const std::uint32_t> codes) {
+  return distinct_codes(codes).size();
 }
 
 }  // namespace tcert

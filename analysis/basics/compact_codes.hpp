@@ -18,4 +18,7 @@ struct CompactCodes {
 /// Factor::kMissing. O(rows log rows).
 [[nodiscard]] CompactCodes compact_codes(std::span<const std::uint32_t> codes);
 
+/// How many different codes there are: the clusters among rows. O(rows log rows).
+[[nodiscard]] std::size_t count_codes(std::span<const std::uint32_t> codes);
+
 }  // namespace tcert

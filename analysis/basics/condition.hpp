@@ -13,13 +13,15 @@ namespace tcert {
 
 enum class ConditionKind : std::uint8_t {
   // The rows.
-  no_rows,            ///< No complete row is left.
-  too_few_rows,       ///< Fewer rows than the estimate needs.
-  missing_rows,       ///< Rows left out because a used column is missing.
-  infinite_value,     ///< An infinite cell where a finite one is needed.
-  bad_probability,    ///< A probability that is not within (0, 1).
-  not_binary,         ///< An outcome or status that is neither 0 nor 1.
-  time_not_positive,  ///< A survival time that is not above 0.
+  no_rows,              ///< No complete row is left.
+  too_few_rows,         ///< Fewer rows than the estimate needs.
+  missing_rows,         ///< Rows left out because a used column is missing.
+  infinite_value,       ///< An infinite cell where a finite one is needed.
+  bad_probability,      ///< A probability that is not within [0, 1].
+  certain_probability,  ///< A probability of exactly 0 or 1, which has no logit.
+  not_binary,           ///< An outcome or status that is neither 0 nor 1.
+  bad_counts,           ///< cbind(): negative, fractional, or more successes than trials.
+  time_not_positive,    ///< A survival time that is not above 0.
   start_not_before_stop,
   text_outcome,  ///< An outcome of two texts, coded 0 and 1 by byte order.
   bad_weight,    ///< Negative, or fractional where a count is needed.
@@ -30,17 +32,20 @@ enum class ConditionKind : std::uint8_t {
   one_group,          ///< A grouping column with a single level.
   singleton_groups,   ///< As many levels as rows: what varies between them is not told from noise.
   no_random_effects,  ///< A mixed model without (1 | group).
-  few_clusters,       ///< Fewer than 30: cluster-robust numbers are too sure of themselves.
+  few_clusters,       ///< See `few_clusters()`: cluster-robust numbers are too sure of themselves.
   one_cluster,        ///< A single cluster: no variance.
   // The columns of the model.
   constant_column,
   collinear_column,
   complete_separation,
   quasi_separation,
+  near_separation,       ///< A finite estimate that has run away: it says nothing.
   penalised_separation,  ///< Separation under a penalty, which alone keeps the estimate finite.
   monotone_likelihood,   ///< Cox: a coefficient runs to infinity.
+  infinite_hazard,       ///< Cox: the baseline hazard runs to infinity with a coefficient.
   // The estimate.
   not_converged,
+  no_profile,           ///< Profile intervals left out for what they cost.
   singular_fit,         ///< Mixed model: a variance between groups is 0, or a correlation is 1.
   infinite_variance,    ///< Mixed model: a variance between groups runs to infinity.
   all_tied,             ///< The predictor is constant: 0.5, which says nothing.
@@ -58,19 +63,28 @@ enum class ConditionKind : std::uint8_t {
   endpoint_out_of_range,  ///< An endpoint's rank is below 1 or above the number of replicates.
   infinite_bias,          ///< All replicates lie on one side of the estimate: no BCa.
   no_acceleration,        ///< The jackknife has no spread or lacks a value: no BCa.
+  no_jackknife,           ///< A fit without one cluster has no estimate: no test by clusters.
+  withheld,               ///< Too few clusters or outcomes for p-values and intervals.
   one_class_fold,
   fold_without_fit,  ///< A fold whose training rows have no finite estimate.
+  no_prediction,     ///< No fold has one.
   // Equivalence and calibration.
   few_bins,             ///< Ties leave fewer bins of probabilities than were asked for.
   singular_covariance,  ///< Too few clusters for a joint test of so many groups.
-  // Trial limits.
-  beyond_limit,  ///< Times above the limit: censored there.
+  // Times and trial limits.
+  beyond_limit,          ///< Times above the limit: censored there.
+  limit_from_data,       ///< No limit was given, and the longest time is far above the others.
+  near_times,            ///< R's timefix would make distinct times equal that are kept apart here.
+  merged_times,          ///< Distinct times made equal: they differ by rounding.
+  unlike_times,          ///< A time far from the others: a stamp among durations.
+  singular_information,  ///< Cox: what a test adds cannot be told from what is there.
+  no_robust_variance,  ///< Robust: clusters too few for a joint test, or a column without variance.
 };
 
 /// How far the numbers stand.
 enum class ConditionSeverity : std::uint8_t {
   note,     ///< The estimate stands; the condition is stated.
-  warning,  ///< Some number is missing (NA) because of it.
+  warning,  ///< Some number is missing (NA) because of it, or is not to be trusted.
   error,    ///< There is no estimate.
 };
 
@@ -80,7 +94,8 @@ struct Condition {
   ConditionKind kind = ConditionKind::no_rows;
   ConditionSeverity severity = ConditionSeverity::error;
   std::string column;
-  std::string detail;  ///< What was found: "rows 5 and 9", "every row with f = c has y = 1".
+  std::string detail;    ///< What was found: "rows 5 and 9", "every row with f = c has y = 1".
+  std::string advice{};  ///< What to do here; empty: what `advice(kind)` says.
 
   friend bool operator==(const Condition&, const Condition&) = default;
 };
@@ -93,6 +108,9 @@ using Conditions = std::vector<Condition>;
 /// The kind in words and what to do about it, each without a full stop; advice may be empty.
 [[nodiscard]] std::string_view words(ConditionKind kind) noexcept;
 [[nodiscard]] std::string_view advice(ConditionKind kind) noexcept;
+
+/// Its own advice, or that of its kind.
+[[nodiscard]] std::string_view advice(const Condition& condition) noexcept;
 
 /// "note", "warning", "error".
 [[nodiscard]] std::string_view to_string(ConditionSeverity severity) noexcept;

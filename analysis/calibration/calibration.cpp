@@ -5,8 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/basics/compact_codes.hpp"
 #include "analysis/calibration/calibration_bins.hpp"
 #include "analysis/logistic/logistic.hpp"
+#include "datasets/csv_write.hpp"
 
 namespace tcert {
 namespace {
@@ -30,24 +32,50 @@ void check(std::span<const double> outcome,
   }
 }
 
-/// Complete rows; a probability outside (0, 1) becomes a condition.
+/// Rows of one kind: how many, and the first.
+struct NamedRows {
+  std::size_t count = 0;
+  std::size_t first = 0;
+
+  void add(std::size_t row) { first = count++ == 0 ? row : first; }
+};
+
+/// "3 rows, the first is row 5 (line 6) with 1.5".
+std::string words_of(const NamedRows& named,
+                     std::span<const double> probability,
+                     const CalibrationOptions& options) {
+  std::string words =
+      std::to_string(named.count) + (named.count == 1 ? " row, " : " rows, the first is ");
+  words += options.place ? options.place(named.first) : "row " + std::to_string(named.first + 1);
+  words += " with ";
+  append_number(words, probability[named.first]);
+  return words;
+}
+
+/// Complete rows; a probability outside [0, 1] becomes an error, one of 0 or 1 a warning.
 CalibrationRows complete_rows(std::span<const double> outcome,
                               std::span<const double> probability,
                               const Factor* cluster,
+                              const CalibrationOptions& options,
                               ModelCalibration& result) {
   CalibrationRows rows;
-  std::size_t outside = 0;
-  std::string first;
+  NamedRows outside;
+  NamedRows certain;
+  bool predicted = false;
   for (std::size_t i = 0; i < outcome.size(); ++i) {
     const double p = probability[i];
+    predicted = predicted || !std::isnan(p);
     if (std::isnan(outcome[i]) || std::isnan(p) ||
         (cluster != nullptr && cluster->codes[i] == Factor::kMissing)) {
       ++result.missing;
       continue;
     }
-    if (!(p > 0.0 && p < 1.0)) {
-      first = ++outside == 1 ? "the first is row " + std::to_string(i + 1) : first;
+    if (!(p >= 0.0 && p <= 1.0)) {
+      outside.add(i);
       continue;
+    }
+    if (p == 0.0 || p == 1.0) {
+      certain.add(i);
     }
     rows.outcome.push_back(outcome[i]);
     rows.probability.push_back(p);
@@ -55,11 +83,19 @@ CalibrationRows complete_rows(std::span<const double> outcome,
       rows.cluster.push_back(cluster->codes[i]);
     }
   }
-  if (outside > 0) {
+  if (outside.count > 0) {
     result.conditions.push_back({ConditionKind::bad_probability,
                                  ConditionSeverity::error,
-                                 "",
-                                 std::to_string(outside) + ", " + first});
+                                 options.column,
+                                 words_of(outside, probability, options)});
+  } else if (certain.count > 0) {
+    result.conditions.push_back({ConditionKind::certain_probability,
+                                 ConditionSeverity::warning,
+                                 options.column,
+                                 words_of(certain, probability, options)});
+  }
+  if (!outcome.empty() && !predicted) {
+    result.conditions.push_back({ConditionKind::no_prediction, ConditionSeverity::error, "", ""});
   }
   return rows;
 }
@@ -111,10 +147,22 @@ void add_recalibration(const CalibrationRows& rows,
         {ConditionKind::one_class, ConditionSeverity::warning, "", "no slope, no intercepts"});
     return;
   }
+  if (has(result.conditions, ConditionKind::certain_probability)) {
+    return;
+  }
   const LogisticFit both = recalibration(rows, cluster, true, level);
-  result.clusters = both.clusters;
   result.in_the_large = coefficient(recalibration(rows, cluster, false, level), 0);
   for (Condition condition : both.conditions) {
+    const bool apart = condition.kind == ConditionKind::complete_separation ||
+                       condition.kind == ConditionKind::quasi_separation ||
+                       condition.kind == ConditionKind::near_separation;
+    if (apart) {
+      condition.advice =
+          "the probabilities tell the outcomes apart, so that no finite slope recalibrates them";
+    }
+    if (condition.kind == ConditionKind::constant_column) {
+      condition.advice = "equal probabilities have no slope";
+    }
     // The probabilities stand although no finite slope recalibrates them.
     if (condition.severity == ConditionSeverity::error) {
       condition.severity = ConditionSeverity::warning;
@@ -135,7 +183,7 @@ ModelCalibration calibration(std::span<const double> outcome,
                              const CalibrationOptions& options) {
   check(outcome, probability, cluster, options);
   ModelCalibration result;
-  const CalibrationRows rows = complete_rows(outcome, probability, cluster, result);
+  const CalibrationRows rows = complete_rows(outcome, probability, cluster, options, result);
   result.rows = rows.outcome.size();
   if (has_error(result.conditions)) {
     return result;
@@ -148,6 +196,7 @@ ModelCalibration calibration(std::span<const double> outcome,
     result.events += rows.outcome[i] == 1.0 ? 1 : 0;
     result.expected += rows.probability[i];
   }
+  result.clusters = count_codes(rows.cluster);
   result.observed = static_cast<double>(result.events);
   if (result.events > 0) {
     result.expected_to_observed = result.expected / result.observed;

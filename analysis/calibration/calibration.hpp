@@ -6,8 +6,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "analysis/basics/chi_square.hpp"
@@ -20,6 +22,8 @@ namespace tcert {
 struct CalibrationOptions {
   double level = 0.95;
   std::size_t bins = 10;  ///< Of the curve, the Brier score's parts and the test.
+  std::string column;     ///< The probabilities' name in conditions.
+  std::function<std::string(std::size_t)> place;  ///< Row i in words; empty: "row i + 1".
 };
 
 /// A logistic coefficient of the recalibration.
@@ -35,10 +39,10 @@ struct CalibrationBin {
   double high = 0.0;  ///< Included.
   std::size_t trials = 0;
   std::size_t events = 0;
-  std::size_t clusters = 0;  ///< That have trials in it; 0 if there are none.
-  double predicted = 0.0;    ///< Mean probability.
-  double observed = 0.0;     ///< events / trials.
-  Interval wilson;           ///< Of `observed`, as if its trials were independent.
+  std::size_t clusters = 0;        ///< That have trials in it; 0 if there are none.
+  double predicted = 0.0;          ///< Mean probability.
+  double observed = 0.0;           ///< events / trials.
+  std::optional<Interval> wilson;  ///< Of `observed`, as if its trials were independent.
 };
 
 /// mean (p - y)^2 = reliability - resolution + uncertainty + within_variance - within_covariance,
@@ -75,9 +79,10 @@ struct ModelCalibration {
 /// fewer (few_bins). The recalibration has no finite slope where the probabilities separate the
 /// outcomes (complete_separation, quasi_separation) or are all equal (constant_column).
 ///
-/// Conditions: no_rows, bad_probability (errors); one_class: only the Brier score, the bins and
-/// E:O. \throws std::invalid_argument if lengths differ, an outcome is another number, the level is
-/// not in (0, 1) or there are fewer than 3 bins. O(n log n).
+/// Conditions: no_rows, no_prediction (no row has a probability), bad_probability (below 0 or above
+/// 1; errors); one_class, certain_probability (one of exactly 0 or 1): only the Brier score, the
+/// bins and E:O. \throws std::invalid_argument if lengths differ, an outcome is another number, the
+/// level is not in (0, 1) or there are fewer than 3 bins. O(n log n).
 [[nodiscard]] ModelCalibration calibration(std::span<const double> outcome,
                                            std::span<const double> probability,
                                            const Factor* cluster = nullptr,

@@ -85,7 +85,7 @@ std::vector<CalibrationBin> calibration_bins(const CalibrationRows& rows,
     const auto trials = static_cast<double>(bin.trials);
     bin.predicted /= trials;
     bin.observed = static_cast<double>(bin.events) / trials;
-    bin.wilson = wilson(bin.events, bin.trials, options.level).value();
+    bin.wilson = wilson(bin.events, bin.trials, options.level);
   }
   return bins;
 }
@@ -127,6 +127,9 @@ std::optional<ChiSquareTest> hosmer_lemeshow(std::span<const CalibrationBin> bin
   }
   double statistic = 0.0;
   for (const CalibrationBin& bin : bins) {
+    if (!(bin.predicted > 0.0 && bin.predicted < 1.0)) {
+      return std::nullopt;
+    }
     const double difference = bin.observed - bin.predicted;
     statistic += static_cast<double>(bin.trials) * difference * difference /
                  (bin.predicted * (1.0 - bin.predicted));

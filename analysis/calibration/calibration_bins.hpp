@@ -13,7 +13,7 @@ namespace tcert {
 
 /// Complete rows of a calibration.
 struct CalibrationRows {
-  std::vector<double> probability;     ///< In (0, 1).
+  std::vector<double> probability;     ///< In [0, 1].
   std::vector<double> outcome;         ///< 0 or 1.
   std::vector<std::uint32_t> cluster;  ///< Codes; empty without clusters.
 };
@@ -31,7 +31,7 @@ struct CalibrationRows {
                                      std::span<const CalibrationBin> bins);
 
 /// Sum over bins of (observed - expected)^2 / (expected (1 - expected / n)); empty for fewer
-/// than 3.
+/// than 3, and if a bin expects exactly none or all.
 [[nodiscard]] std::optional<ChiSquareTest> hosmer_lemeshow(std::span<const CalibrationBin> bins);
 
 }  // namespace tcert

@@ -8,13 +8,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/basics/compact_codes.hpp"
+#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/concordance/concordance_columns.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr std::size_t kFewClusters = 30;
 
 void turn_over(ConcordancePairs& pairs) {
   const auto swap_sides = [](ConcordanceCounts& counts) {
@@ -116,14 +116,6 @@ ConcordanceDifference difference_of(const ConcordanceEstimate& first,
   return result;
 }
 
-std::size_t count_clusters(std::span<const std::uint32_t> cluster, std::size_t levels) {
-  std::vector<bool> seen(levels, false);
-  for (const std::uint32_t code : cluster) {
-    seen[code] = true;
-  }
-  return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
-}
-
 void name_row_conditions(std::size_t rows, bool clustered, ConcordanceResult& result) {
   if (result.missing > 0) {
     result.conditions.push_back({ConditionKind::missing_rows,
@@ -143,8 +135,10 @@ void name_row_conditions(std::size_t rows, bool clustered, ConcordanceResult& re
   }
   if (clustered && result.clusters == 1) {
     result.conditions.push_back(condition(ConditionKind::one_cluster, ConditionSeverity::warning));
-  } else if (clustered && result.clusters < kFewClusters) {
-    result.conditions.push_back(condition(ConditionKind::few_clusters, ConditionSeverity::note));
+  } else if (clustered) {
+    if (auto few = few_clusters(result.clusters)) {
+      result.conditions.push_back(std::move(*few));
+    }
   }
 }
 
@@ -206,7 +200,6 @@ SurvivalOutcome uncensored(std::span<const double> values) {
   SurvivalOutcome outcome;
   outcome.stop.assign(values.begin(), values.end());
   outcome.event.assign(values.size(), 1);
-  snap_times(outcome);
   return outcome;
 }
 
@@ -222,7 +215,7 @@ ConcordanceResult concordance(const SurvivalOutcome& outcome,
   const std::size_t clusters = options.cluster == nullptr ? 0 : options.cluster->levels.size();
   const auto& events = columns.outcome().event;
   result.events = static_cast<std::size_t>(std::count(events.begin(), events.end(), 1));
-  result.clusters = count_clusters(columns.cluster(), clusters);
+  result.clusters = count_codes(columns.cluster());
   name_row_conditions(columns.outcome().rows(), options.cluster != nullptr, result);
 
   const TimeOrder order = time_order(columns.outcome(), columns.strata(), strata);

@@ -78,7 +78,7 @@ struct ConcordanceResult {
   Conditions conditions;                           ///< Of the rows, the same for every predictor.
 };
 
-/// `outcome` has snapped times; a start that all rows share (a landmark) is no truncation. A time
+/// `outcome` has rounded times; a start that all rows share (a landmark) is no truncation. A time
 /// tie is broken as R does: an event precedes a censoring at its time. O(n log n) per predictor.
 /// With one event in a stratum R's `concordance` falls back to equal pair weights; this does not.
 /// \throws std::invalid_argument if lengths differ, a factor has missing codes, a weight, time or
@@ -89,7 +89,7 @@ struct ConcordanceResult {
                                             const ConcordanceOptions& options = {});
 
 /// A plain number as the outcome, as R's `concordance(y ~ x)` takes it: every row has its event at
-/// its value. Values are snapped as times are. For 0/1 outcomes C is the AUC.
+/// its value. For 0/1 outcomes C is the AUC. Values are still to be rounded as times are.
 [[nodiscard]] SurvivalOutcome uncensored(std::span<const double> values);
 
 }  // namespace tcert

@@ -42,7 +42,7 @@ class ConcordanceReplicates {
     std::uint64_t tied_x = 0;
   };
 
-  /// `outcome` has snapped times, the predictor no missing values; a start that all rows share (a
+  /// `outcome` has rounded times, the predictor no missing values; a start that all rows share (a
   /// landmark) is no truncation. `strata` may be null. O(n log n).
   /// \throws std::invalid_argument if lengths differ, a time or event is out of range, or a
   /// predictor value or a stratum is missing.

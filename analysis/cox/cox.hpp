@@ -32,7 +32,7 @@ enum class Ties : std::uint8_t {
 
 /// What a Cox model is fitted to; n rows, p columns, no intercept.
 struct CoxData {
-  SurvivalOutcome outcome;                 ///< Times snapped (`snap_times`).
+  SurvivalOutcome outcome;                 ///< Times rounded (`round_times`).
   Eigen::MatrixXd design;                  ///< n x p.
   std::vector<std::string> columns;        ///< p names.
   std::vector<std::string> terms;          ///< Of the formula.
@@ -67,8 +67,8 @@ struct CoxOptions {
 };
 
 enum class CoxTermination : std::uint8_t {
-  converged,
-  monotone,  ///< The log-likelihood converged, a coefficient runs to infinity.
+  converged,  ///< Newton's next step is below 1e-5 standard errors.
+  monotone,   ///< The log-likelihood converged, a coefficient runs to infinity.
   iteration_limit,
   no_fit,  ///< An error among the conditions.
 };
@@ -90,6 +90,7 @@ struct CoxSummary {
 /// infinity.
 struct CoxCoefficient {
   std::string column;
+  bool is_infinite = false;  ///< The likelihood rises without end along it.
   std::optional<double> estimate;
   std::optional<double> hazard_ratio;
   std::optional<double> model_se;
@@ -108,12 +109,25 @@ struct CoxFit {
   double level = 0.95;
 
   std::vector<CoxCoefficient> coefficients;
-  Eigen::VectorXd beta;        ///< p, 0 where the coefficient is NA; a column that runs to infinity
-                               ///< holds the last iterate, so predictors order the rows rightly.
-  Eigen::MatrixXd vcov;        ///< p x p, the robust one if robust; NaN where a coefficient is NA.
-  Eigen::MatrixXd model_vcov;  ///< p x p.
-  Eigen::VectorXd means;       ///< p, about which coxph centres: 0 for columns of -1, 0 and 1,
-                               ///< weighted for right-censored Efron and Breslow.
+  Eigen::VectorXd beta;  ///< p, 0 where the coefficient is NA; a column that runs to infinity
+                         ///< holds the last iterate, so predictors order the rows rightly.
+  std::vector<bool> estimated;  ///< p: false where the column is constant or collinear, or its
+                                ///< coefficient runs to infinity. Empty without a fit.
+  Eigen::MatrixXd vcov;         ///< p x p, the robust one if robust; NaN where a coefficient is NA.
+  Eigen::MatrixXd model_vcov;   ///< p x p.
+
+  /// The same two without NaN: 0 in rows and columns of coefficients that have no part in the
+  /// likelihood, or none in its limit. What residuals, curves and tests of hazards go by.
+  Eigen::MatrixXd limit_vcov;
+  Eigen::MatrixXd limit_model_vcov;
+
+  /// p, where a coefficient runs to infinity: the direction in which they do; empty otherwise.
+  Eigen::VectorXd recession;
+  bool at_limit = true;  ///< False: rounding stops a monotone fit before its limit, so there are no
+                         ///< numbers beside the infinite coefficients.
+
+  Eigen::VectorXd means;  ///< p, about which coxph centres: 0 for columns of -1, 0 and 1,
+                          ///< weighted for right-censored Efron and Breslow.
   Eigen::VectorXd linear_predictors;  ///< n: (x - means) beta + offset - its mean.
 
   std::size_t df = 0;  ///< Columns of full rank.
@@ -132,9 +146,12 @@ struct CoxFit {
 
 /// Maximum partial likelihood by Newton's method with step halving.
 ///
+/// Of a monotone likelihood the numbers that have a limit as the coefficients run to infinity are
+/// given at it: likelihoods and their tests, the other coefficients and their variances.
+///
 /// Conditions: no_rows, too_few_rows, no_events, bad_weight, infinite_value, not_converged (errors,
-/// without numbers); constant_column, collinear_column, monotone_likelihood, one_cluster (a number
-/// is missing); few_clusters (a note).
+/// without numbers); constant_column, collinear_column, monotone_likelihood, near_separation,
+/// one_cluster, no_robust_variance (a number is missing); few_clusters (a note or a warning).
 ///
 /// O(n (log n + p^2)) a step with Efron or Breslow ties, also with robust variance; with exact ties
 /// O(m d p^2) for each time with d > 1 events and m rows at risk (Gail, Lubin and Rubinstein 1981).

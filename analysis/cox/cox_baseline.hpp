@@ -16,11 +16,14 @@ namespace tcert {
 struct BaselineHazard {
   std::string stratum;  ///< Its level; empty without strata.
   std::vector<double> time;
-  std::vector<double> hazard;  ///< Cumulative, of a row with x = 0 and offset 0.
+  std::vector<double> hazard;  ///< Cumulative, of a row with x = 0 and offset 0; infinity where it
+                               ///< runs there with a coefficient.
 };
 
-/// One a stratum that has rows. \pre `fit` is the fit to `data`, without an error. A column that
-/// runs to infinity enters with its last iterate. O(n (log n + p)).
+/// One a stratum that has rows. \pre `fit` is the fit to `data`, with inference, without an error.
+/// Where coefficients run to infinity it is the limit: an event at which rows of a larger risk in
+/// their direction are at risk adds nothing, one at which all are of a smaller risk adds infinity.
+/// O(n (log n + p)).
 [[nodiscard]] std::vector<BaselineHazard> cox_baseline(const CoxData& data, const CoxFit& fit);
 
 /// The curve of one new row in one stratum, at the times of its baseline hazard.
@@ -36,7 +39,8 @@ struct CoxCurve {
 };
 
 /// For every stratum all rows of `design` (k x p, columns as in `data`), with `offset` (k) if the
-/// model has one. std_err, lower and upper are NaN if a coefficient runs to infinity.
+/// model has one. In the limit of coefficients that run to infinity, as above; a survival of 0 that
+/// comes of an infinite hazard has no std_err.
 /// O(n (log n + p) + k T p^2). \throws std::invalid_argument if the sizes differ.
 [[nodiscard]] std::vector<CoxCurve> cox_curves(const CoxData& data,
                                                const CoxFit& fit,

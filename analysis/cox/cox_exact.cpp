@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/basics/compensated_sum.hpp"
 #include "analysis/cox/cox_likelihood.hpp"
 #include "analysis/cox/cox_risk_pass.hpp"
 
@@ -195,7 +196,11 @@ CoxDerivatives exact_derivatives(const CoxRows& rows, const Eigen::VectorXd& bet
   result.score = Eigen::VectorXd::Zero(p);
   result.information = Eigen::MatrixXd::Zero(p, p);
   AtRisk at;
+  CompensatedSum loglik;
+  std::vector<CompensatedSum> score(rows.columns);
   for_each_risk_set(rows, risks, true, [&](const RiskSet& set) {
+    result.loglik = 0.0;
+    result.score.setZero();
     const std::size_t begin = rows.sets.events_begin[set.time];
     const std::size_t end = rows.sets.begin[set.time + 1];
     if (end - begin > 1) {
@@ -212,7 +217,15 @@ CoxDerivatives exact_derivatives(const CoxRows& rows, const Eigen::VectorXd& bet
       result.score += x;
       result.loglik += x.dot(beta) + rows.offset_of(place) - risks.shift;
     }
+    loglik.add(result.loglik);
+    for (std::size_t j = 0; j < score.size(); ++j) {
+      score[j].add(result.score(static_cast<Eigen::Index>(j)));
+    }
   });
+  result.loglik = loglik.value();
+  for (std::size_t j = 0; j < score.size(); ++j) {
+    result.score(static_cast<Eigen::Index>(j)) = score[j].value();
+  }
   result.information = Eigen::MatrixXd(result.information.selfadjointView<Eigen::Lower>());
   return result;
 }

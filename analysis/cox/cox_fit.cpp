@@ -208,6 +208,13 @@ CoxFit fit_cox(const CoxData& data, const CoxOptions& options) {
     return fit;
   }
   fit.df = ranked_columns(maximum.columns).size();
+  for (const ColumnState state : maximum.columns) {
+    fit.estimated.push_back(state == ColumnState::estimated);
+  }
+  fit.at_limit = maximum.at_limit;
+  if (maximum.recession.size() > 0) {
+    fit.recession = maximum.recession.cwiseQuotient(rows.scale);
+  }
   fit.beta = maximum.beta.cwiseQuotient(rows.scale);
   fit.means = centring_means(data, rows, options.ties);
   fit.loglik_null = maximum.null.loglik;

@@ -54,7 +54,7 @@ void accumulate_strata(const RiskSets& sets, std::vector<double>& values, std::s
 
 }  // namespace
 
-HazardSteps hazard_steps(const CoxRows& rows, const Eigen::VectorXd& beta, Ties ties) {
+HazardSteps hazard_increments(const CoxRows& rows, const Eigen::VectorXd& beta, Ties ties) {
   const std::size_t times = rows.sets.times();
   const std::size_t p = rows.columns;
   HazardSteps steps;
@@ -87,9 +87,14 @@ HazardSteps hazard_steps(const CoxRows& rows, const Eigen::VectorXd& beta, Ties 
       steps.event_mean_hazard[t * p + j] = weight * (sums.b2 * r + sums.c2 * e);
     }
   });
+  return steps;
+}
+
+HazardSteps hazard_steps(const CoxRows& rows, const Eigen::VectorXd& beta, Ties ties) {
+  HazardSteps steps = hazard_increments(rows, beta, ties);
   accumulate_strata(rows.sets, steps.hazard, 1);
   accumulate_strata(rows.sets, steps.hazard_variance, 1);
-  accumulate_strata(rows.sets, steps.mean_hazard, p);
+  accumulate_strata(rows.sets, steps.mean_hazard, rows.columns);
   return steps;
 }
 

@@ -25,6 +25,11 @@ struct HazardSteps {
   RiskScores risks;          ///< Scores of the rows; `hazard` belongs to scores with their shift.
 };
 
+/// The same with the step of each time alone where `hazard_steps` has cumulative sums.
+[[nodiscard]] HazardSteps hazard_increments(const CoxRows& rows,
+                                            const Eigen::VectorXd& beta,
+                                            Ties ties);
+
 /// With exact ties the steps are Breslow's, as in R. O(m p).
 [[nodiscard]] HazardSteps hazard_steps(const CoxRows& rows, const Eigen::VectorXd& beta, Ties ties);
 

@@ -1,7 +1,9 @@
 #include "analysis/cox/cox_likelihood.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "analysis/basics/compensated_sum.hpp"
 #include "analysis/cox/cox_risk_pass.hpp"
 
 namespace tcert {
@@ -76,9 +78,15 @@ CoxDerivatives cox_derivatives(const CoxRows& rows, const Eigen::VectorXd& beta,
   risk_scores(rows, beta, risks);
   std::vector<double> score(p, 0.0);
   std::vector<double> information(p * (p + 1) / 2, 0.0);
-  double loglik = 0.0;
+  // Of hundreds of thousands of terms a plain sum loses more than Newton's last steps gain.
+  CompensatedSum loglik;
+  std::vector<CompensatedSum> score_sums(p);
   for_each_risk_set(rows, risks, true, [&](const RiskSet& set) {
-    loglik -= add_risk_set(rows, set, ties, score, information);
+    std::fill(score.begin(), score.end(), 0.0);
+    loglik.add(-add_risk_set(rows, set, ties, score, information));
+    for (std::size_t j = 0; j < p; ++j) {
+      score_sums[j].add(score[j]);
+    }
   });
   for (std::size_t t = 0; t < rows.sets.times(); ++t) {
     for (std::size_t place = rows.sets.events_begin[t]; place < rows.sets.begin[t + 1]; ++place) {
@@ -86,13 +94,16 @@ CoxDerivatives cox_derivatives(const CoxRows& rows, const Eigen::VectorXd& beta,
       for (std::size_t j = 0; j < p; ++j) {
         predictor += rows.row(place)[j] * beta(static_cast<Eigen::Index>(j));
       }
-      loglik += rows.weight_of(place) * predictor;
+      loglik.add(rows.weight_of(place) * predictor);
     }
   }
 
   CoxDerivatives result;
-  result.loglik = loglik;
-  result.score = Eigen::Map<const Eigen::VectorXd>(score.data(), static_cast<Eigen::Index>(p));
+  result.loglik = loglik.value();
+  result.score.resize(static_cast<Eigen::Index>(p));
+  for (std::size_t j = 0; j < p; ++j) {
+    result.score(static_cast<Eigen::Index>(j)) = score_sums[j].value();
+  }
   result.information.resize(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(p));
   std::size_t k = 0;
   for (Eigen::Index a = 0; a < result.information.rows(); ++a) {

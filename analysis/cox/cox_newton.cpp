@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -16,6 +17,9 @@ constexpr std::size_t kHalvings = 40;
 constexpr std::size_t kStalled = 4;       ///< Steps without gain before the fit is judged.
 constexpr double kRunaway = 1e-3;         ///< A step as large, without gain, is no rounding.
 constexpr double kLimitTolerance = 1e-6;  ///< Information left in the limit, of that at 0.
+constexpr double kErrors = 1e-6;          ///< A step of that many standard errors is the last.
+constexpr double kMostErrors = 1e-5;      ///< The largest that rounding may leave at the end.
+constexpr double kRounding = 1e-13;       ///< Of a log-likelihood: a change as small is rounding.
 constexpr double kVanished = 1e-12;       ///< As little is no more than rounding: no step there.
 constexpr double kPart = 1e-3;            ///< Of a column's length: it is part of a lost direction.
 constexpr double kMoves = 1e-8;           ///< Of the largest: it is part of a certified direction.
@@ -140,16 +144,19 @@ void name_infinite(const Eigen::MatrixXd& basis,
 
 /// Says what the end of the iteration is. A fit that has lost the information of a direction is
 /// believed only if the data allow a maximum there.
+/// \param errors the step that Newton's method would take next, in standard errors.
 void judge(const CoxRows& rows,
            Ties ties,
            const Eigen::MatrixXd& basis,
            bool settled,
+           double errors,
            CoxMaximum& maximum) {
   const auto share = share_of_information(maximum.fitted, basis);
   const double least = share.eigenvalues()(0);
   CoxTermination& termination = maximum.summary.termination;
-  termination = settled ? CoxTermination::converged : CoxTermination::iteration_limit;
-  if (settled && least > kLimitTolerance) {
+  const bool converged = settled && errors <= kMostErrors;
+  termination = converged ? CoxTermination::converged : CoxTermination::iteration_limit;
+  if (converged && least > kLimitTolerance) {
     return;
   }
   const auto direction =
@@ -164,6 +171,7 @@ void judge(const CoxRows& rows,
   maximum.recession = *direction;
   if (least > kLimitTolerance || relative_size(rest, maximum.beta) > kRunaway) {
     // Rounding has stopped the fit before its limit: it has no numbers beside the infinite ones.
+    maximum.at_limit = false;
     for (const Eigen::Index j : ranked_columns(maximum.columns)) {
       maximum.columns[static_cast<std::size_t>(j)] = ColumnState::infinite;
     }
@@ -172,14 +180,31 @@ void judge(const CoxRows& rows,
   name_infinite(basis, share, maximum);
 }
 
-/// Moves by `step`, halved until the log-likelihood does not fall; false if it always does.
-bool climb(const CoxRows& rows, Ties ties, Eigen::VectorXd step, CoxMaximum& maximum) {
-  const double slack = 1e-13 * std::abs(maximum.fitted.loglik);
+/// The length of the score where a direction of information 1 at beta = 0 has length 1.
+double score_length(const CoxDerivatives& at, const Eigen::MatrixXd& basis) {
+  return (basis.transpose() * at.score).norm();
+}
+
+/// Moves by `step`, halved until the log-likelihood does not fall; false if it always does. Where
+/// the step promises less than the log-likelihood's rounding, the score must fall instead.
+bool climb(const CoxRows& rows,
+           Ties ties,
+           const Eigen::MatrixXd& basis,
+           Eigen::VectorXd step,
+           CoxMaximum& maximum) {
+  const double size = std::max(1.0, std::abs(maximum.fitted.loglik));
+  // What a sum over the rows may lose.
+  const double noise = std::numeric_limits<double>::epsilon() * static_cast<double>(rows.rows());
+  const double length = score_length(maximum.fitted, basis);
   for (std::size_t halving = 0; halving < kHalvings; ++halving) {
     const Eigen::VectorXd beta = maximum.beta + step;
     CoxDerivatives next = cox_derivatives(rows, beta, ties);
-    if (std::isfinite(next.loglik) && next.score.allFinite() && next.information.allFinite() &&
-        next.loglik >= maximum.fitted.loglik - slack) {
+    const bool is_finite =
+        std::isfinite(next.loglik) && next.score.allFinite() && next.information.allFinite();
+    const double fall = maximum.fitted.loglik - next.loglik;
+    const bool is_small = 0.5 * maximum.fitted.score.dot(step) <= kRounding * size;
+    if (is_finite && (fall <= kRounding * size ||
+                      (is_small && fall <= noise * size && score_length(next, basis) < length))) {
       maximum.beta = beta;
       maximum.fitted = std::move(next);
       return true;
@@ -209,9 +234,12 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
   std::size_t stalled = 0;
   bool level = kept.empty();
   bool settled = false;
+  double errors = 0.0;
   while (true) {
     summary.last_step = relative_size(step, maximum.beta);
-    settled = level && summary.last_step <= options.step_tolerance;
+    // Newton's decrement: the step in standard errors.
+    errors = std::sqrt(std::max(0.0, maximum.fitted.score.dot(step)));
+    settled = level && summary.last_step <= options.step_tolerance && errors <= kErrors;
     // A direction that runs away is followed until its information has vanished.
     stalled = level && summary.last_step <= kRunaway ? stalled + 1 : 0;
     if (settled || summary.iterations == options.iterations) {
@@ -219,7 +247,7 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
     }
     ++summary.iterations;
     const double before = maximum.fitted.loglik;
-    if (stalled == kStalled || !climb(rows, options.ties, step, maximum)) {
+    if (stalled == kStalled || !climb(rows, options.ties, basis, step, maximum)) {
       // Without gain a small step is rounding.
       settled = summary.last_step <= kRunaway;
       break;
@@ -231,7 +259,7 @@ CoxMaximum maximise(const CoxRows& rows, const CoxOptions& options) {
   if (kept.empty()) {
     summary.termination = CoxTermination::converged;
   } else {
-    judge(rows, options.ties, basis, settled, maximum);
+    judge(rows, options.ties, basis, settled, errors, maximum);
   }
   summary.gradient_norm = kept.empty() ? 0.0 : maximum.fitted.score(kept).cwiseAbs().maxCoeff();
   return maximum;
@@ -247,7 +275,7 @@ std::vector<Eigen::Index> ranked_columns(const std::vector<ColumnState>& columns
   return ranked;
 }
 
-Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
+Eigen::MatrixXd limit_inverse(const CoxMaximum& maximum) {
   const Eigen::Index p = maximum.beta.size();
   std::vector<Eigen::Index> kept = ranked_columns(maximum.columns);
   if (maximum.summary.termination == CoxTermination::monotone) {
@@ -258,7 +286,7 @@ Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
     kept = independent_columns(
         maximum.fitted.information, kept, maximum.null.information.diagonal(), kLimitTolerance);
   }
-  Eigen::MatrixXd inverse = Eigen::MatrixXd::Constant(p, p, std::nan(""));
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(p, p);
   if (!kept.empty()) {
     const Eigen::MatrixXd information = maximum.fitted.information(kept, kept);
     const auto size = static_cast<Eigen::Index>(kept.size());
@@ -266,13 +294,17 @@ Eigen::MatrixXd inverse_information(const CoxMaximum& maximum) {
         information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
     inverse(kept, kept) = solution;
   }
-  for (Eigen::Index j = 0; j < p; ++j) {
-    if (maximum.columns[static_cast<std::size_t>(j)] == ColumnState::infinite) {
-      inverse.row(j).setConstant(std::nan(""));
-      inverse.col(j).setConstant(std::nan(""));
+  return inverse;
+}
+
+Eigen::MatrixXd with_missing(Eigen::MatrixXd variance, const CoxMaximum& maximum) {
+  for (Eigen::Index j = 0; j < variance.cols(); ++j) {
+    if (maximum.columns[static_cast<std::size_t>(j)] != ColumnState::estimated) {
+      variance.row(j).setConstant(std::nan(""));
+      variance.col(j).setConstant(std::nan(""));
     }
   }
-  return inverse;
+  return variance;
 }
 
 }  // namespace tcert

@@ -25,6 +25,7 @@ struct CoxMaximum {
   CoxDerivatives fitted;  ///< At `beta`.
   std::vector<ColumnState> columns;
   Eigen::VectorXd recession;  ///< A direction in which the likelihood rises; empty without one.
+  bool at_limit = true;       ///< False: rounding has stopped the fit before its limit.
   CoxSummary summary;
 };
 
@@ -35,9 +36,12 @@ struct CoxMaximum {
 /// Columns that are neither constant nor collinear.
 [[nodiscard]] std::vector<Eigen::Index> ranked_columns(const std::vector<ColumnState>& columns);
 
-/// Inverse of the information; NaN in rows and columns of coefficients that are NA. Where the
-/// likelihood runs away the directions that do so are taken out first, so the others have the
-/// variance of the limit.
-[[nodiscard]] Eigen::MatrixXd inverse_information(const CoxMaximum& maximum);
+/// Inverse of the information over the columns that keep some in the limit, 0 elsewhere. Where the
+/// likelihood runs away the columns that do so come last: those that the others determine on the
+/// rows that are left in the limit are taken out, so the rest have the variance of the limit.
+[[nodiscard]] Eigen::MatrixXd limit_inverse(const CoxMaximum& maximum);
+
+/// The same with NaN in rows and columns of coefficients that are NA.
+[[nodiscard]] Eigen::MatrixXd with_missing(Eigen::MatrixXd variance, const CoxMaximum& maximum);
 
 }  // namespace tcert

@@ -78,12 +78,13 @@ std::vector<Eigen::Index> known_columns(const CoxFit& fit) {
 
 void scale_residuals(const CoxData& data, const CoxFit& fit, CoxResiduals& residuals) {
   const std::vector<Eigen::Index> known = known_columns(fit);
-  const Eigen::MatrixXd variance = fit.model_vcov(known, known);
-  const Eigen::VectorXd se = variance.diagonal().cwiseSqrt();
+  // From the scores of all columns, since one that is NA may still share information with others.
+  const Eigen::MatrixXd variance = fit.limit_model_vcov(Eigen::all, known);
+  const Eigen::VectorXd se = fit.model_vcov(known, known).diagonal().cwiseSqrt();
   const Eigen::Index p = residuals.score.cols();
   const double missing = std::nan("");
 
-  Eigen::MatrixXd change = residuals.score(Eigen::all, known) * variance;
+  Eigen::MatrixXd change = residuals.score * variance;
   if (data.weights) {
     change = data.weights->asDiagonal() * change;
   }
@@ -94,7 +95,7 @@ void scale_residuals(const CoxData& data, const CoxFit& fit, CoxResiduals& resid
 
   const Eigen::VectorXd beta = fit.beta(known);
   const auto events = static_cast<double>(fit.events);
-  Eigen::MatrixXd scaled = residuals.schoenfeld(Eigen::all, known) * variance * events;
+  Eigen::MatrixXd scaled = residuals.schoenfeld * variance * events;
   scaled.rowwise() += beta.transpose();
   residuals.scaled_schoenfeld = Eigen::MatrixXd::Constant(scaled.rows(), p, missing);
   residuals.scaled_schoenfeld(Eigen::all, known) = scaled;
@@ -103,7 +104,7 @@ void scale_residuals(const CoxData& data, const CoxFit& fit, CoxResiduals& resid
 }  // namespace
 
 CoxResiduals cox_residuals(const CoxData& data, const CoxFit& fit) {
-  if (fit.model_vcov.cols() != data.design.cols() || fit.beta.size() != data.design.cols() ||
+  if (fit.limit_model_vcov.cols() != data.design.cols() || fit.beta.size() != data.design.cols() ||
       fit.summary.termination == CoxTermination::no_fit) {
     throw std::invalid_argument("Cox residuals: the fit has no variance");
   }

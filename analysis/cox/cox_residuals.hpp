@@ -11,7 +11,9 @@
 
 namespace tcert {
 
-/// n rows in the data's order, p columns, D events. Columns whose coefficient is NA hold NaN.
+/// n rows in the data's order, p columns, D events. Columns whose coefficient is NA hold NaN where
+/// the residual is one of the coefficient. If a coefficient runs to infinity, all are those of the
+/// limit.
 struct CoxResiduals {
   Eigen::VectorXd martingale;  ///< n: event minus the cumulative hazard that the row was under.
   Eigen::VectorXd deviance;    ///< n.

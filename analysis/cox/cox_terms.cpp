@@ -27,12 +27,20 @@ CoxData with_terms(const CoxData& data, const Keep& keep) {
   return part;
 }
 
-/// A refit; the robust variance has no part in a likelihood.
+/// A refit; the robust variance has no part in a likelihood. One that stops before the limit of its
+/// likelihood is an error.
 CoxFit refit(const CoxData& data, const CoxOptions& options) {
   CoxOptions light = options;
   light.inference = false;
   light.robust = false;
-  return fit_cox(data, light);
+  CoxFit fit = fit_cox(data, light);
+  if (!fit.at_limit) {
+    fit.conditions.push_back({ConditionKind::not_converged,
+                              ConditionSeverity::error,
+                              {},
+                              "a likelihood that rises without end"});
+  }
+  return fit;
 }
 
 TermTest row_of(const std::string& term, const CoxFit& fit) {
@@ -45,7 +53,8 @@ TermTest row_of(const std::string& term, const CoxFit& fit) {
 
 void add_test(const CoxFit& smaller, const CoxFit& larger, TermTest& row) {
   if (larger.df > smaller.df) {
-    row.test = chi_square_test(2.0 * (*larger.loglik - *smaller.loglik), larger.df - smaller.df);
+    const double statistic = std::max(0.0, 2.0 * (*larger.loglik - *smaller.loglik));
+    row.test = chi_square_test(statistic, larger.df - smaller.df);
   }
 }
 

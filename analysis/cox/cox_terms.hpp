@@ -25,6 +25,9 @@ struct TermTests {
   Conditions conditions;       ///< Those of the full model.
 };
 
+/// Both hold where a coefficient runs to infinity: the likelihoods are those of the limit, and such
+/// a coefficient counts among the degrees of freedom, as in R.
+///
 /// Terms added in turn; row 0 is the model without any. The tests take the rows as independent: R
 /// refuses them for robust fits, where a Wald test with `CoxFit::vcov` is the right one.
 /// \throws std::invalid_argument as `fit_cox` does.

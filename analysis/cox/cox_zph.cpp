@@ -1,10 +1,10 @@
 #include "analysis/cox/cox_zph.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/basics/wald_test.hpp"
 #include "analysis/cox/cox_likelihood.hpp"
 #include "analysis/cox/cox_risk_pass.hpp"
 #include "analysis/cox/time_transform.hpp"
@@ -30,13 +30,19 @@ ExtendedScore extended_score(const CoxRows& rows,
   RiskScores risks;
   risk_scores(rows, beta, risks);
   ExtendedScore sum{Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(2 * size, 2 * size)};
+  // About its mean: far from 0 x g(t) is x but for a factor.
+  double centre = 0.0;
+  for (std::size_t t = 0; t < rows.sets.times(); ++t) {
+    centre +=
+        g[rows.sets.order[rows.sets.events_begin[t]]] / static_cast<double>(rows.sets.times());
+  }
   std::vector<double> score(p);
   std::vector<double> triangle(p * (p + 1) / 2);
   for_each_risk_set(rows, risks, true, [&](const RiskSet& set) {
     std::fill(score.begin(), score.end(), 0.0);
     std::fill(triangle.begin(), triangle.end(), 0.0);
     add_risk_set(rows, set, ties, score, triangle);
-    const double at = g[rows.sets.order[rows.sets.events_begin[set.time]]];
+    const double at = g[rows.sets.order[rows.sets.events_begin[set.time]]] - centre;
     const double* value = triangle.data();
     for (Eigen::Index a = 0; a < size; ++a) {
       sum.score(a) += at * score[static_cast<std::size_t>(a)];
@@ -57,10 +63,11 @@ ExtendedScore extended_score(const CoxRows& rows,
   return sum;
 }
 
-/// Tests x g(t) for `tested` beside x for all `known` columns.
-ChiSquareTest score_test(const ExtendedScore& extended,
-                         const std::vector<Eigen::Index>& known,
-                         const std::vector<Eigen::Index>& tested) {
+/// Tests x g(t) for `tested` beside x for all `known` columns, on `df` degrees of freedom.
+std::optional<ChiSquareTest> score_test(const ExtendedScore& extended,
+                                        const std::vector<Eigen::Index>& known,
+                                        const std::vector<Eigen::Index>& tested,
+                                        std::size_t df) {
   const Eigen::Index p = extended.score.size();
   std::vector<Eigen::Index> columns = known;
   for (const Eigen::Index j : tested) {
@@ -70,22 +77,61 @@ ChiSquareTest score_test(const ExtendedScore& extended,
   for (std::size_t k = 0; k < tested.size(); ++k) {
     score(static_cast<Eigen::Index>(known.size() + k)) = extended.score(tested[k]);
   }
-  // Powers of g may be far from 1: put every column on its own scale.
-  Eigen::MatrixXd information = extended.information(columns, columns);
-  const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
-  information = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::VectorXd scaled = score.cwiseProduct(scale);
-  const Eigen::VectorXd solution = information.ldlt().solve(scaled);
-  return chi_square_test(scaled.dot(solution), tested.size());
+  const auto form = wald_test(score, extended.information(columns, columns));
+  return form && !tested.empty() ? std::optional(chi_square_test(form->statistic, df))
+                                 : std::nullopt;
 }
 
+/// Without a column to test there is nothing that could be singular.
 void note_rejection(const std::string& name,
-                    const ChiSquareTest& test,
+                    bool is_tested,
+                    const std::optional<ChiSquareTest>& test,
                     ProportionalityTests& result) {
-  if (test.p_value < kAlpha) {
+  if (is_tested && !test) {
+    result.conditions.push_back({ConditionKind::singular_information,
+                                 ConditionSeverity::warning,
+                                 name,
+                                 "no test of proportional hazards"});
+  }
+  if (test && test->p_value < kAlpha) {
     result.conditions.push_back(
         {ConditionKind::not_proportional, ConditionSeverity::note, name, ""});
   }
+}
+
+/// A term or a column: those of its columns that are tested, and how many have a part in the
+/// likelihood.
+struct Part {
+  std::string name;
+  std::vector<Eigen::Index> tested;
+  std::size_t df = 0;
+};
+
+/// At a finite maximum: one that has run away has no estimate that is told, but a score as any.
+bool is_finite(const CoxFit& fit, std::size_t column) {
+  const auto j = static_cast<Eigen::Index>(column);
+  const CoxCoefficient& coefficient = fit.coefficients[column];
+  return coefficient.estimate || (!coefficient.is_infinite && fit.limit_model_vcov(j, j) > 0.0);
+}
+
+std::vector<Part> parts_of(const CoxData& data, const CoxFit& fit, bool by_term) {
+  std::vector<Part> parts;
+  std::size_t last_term = data.terms.size();
+  for (std::size_t j = 0; j < data.columns.size(); ++j) {
+    const bool tested = is_finite(fit, j);
+    if (!tested && !fit.coefficients[j].is_infinite) {
+      continue;
+    }
+    if (!by_term || parts.empty() || data.term_of[j] != last_term) {
+      parts.push_back({by_term ? data.terms[data.term_of[j]] : data.columns[j], {}, 0});
+    }
+    last_term = data.term_of[j];
+    ++parts.back().df;
+    if (tested) {
+      parts.back().tested.push_back(static_cast<Eigen::Index>(j));
+    }
+  }
+  return parts;
 }
 
 }  // namespace
@@ -117,23 +163,19 @@ ProportionalityTests cox_zph(const CoxData& data,
     result.conditions = fit.conditions;
     return result;
   }
+  const std::vector<Part> parts = parts_of(data, fit, by_term);
+  // What has information in the limit, and of that the coefficients that are finite.
   std::vector<Eigen::Index> known;
-  std::vector<std::string> names;
-  std::vector<std::vector<Eigen::Index>> parts;
-  std::size_t last_term = data.terms.size();
-  for (std::size_t j = 0; j < data.columns.size(); ++j) {
-    if (!fit.coefficients[j].estimate) {
-      continue;
+  std::vector<Eigen::Index> finite;
+  for (Eigen::Index j = 0; j < fit.beta.size(); ++j) {
+    if (fit.limit_model_vcov(j, j) > 0.0) {
+      known.push_back(j);
     }
-    known.push_back(static_cast<Eigen::Index>(j));
-    if (!by_term || parts.empty() || data.term_of[j] != last_term) {
-      names.push_back(by_term ? data.terms[data.term_of[j]] : data.columns[j]);
-      parts.emplace_back();
+    if (is_finite(fit, static_cast<std::size_t>(j))) {
+      finite.push_back(j);
     }
-    last_term = data.term_of[j];
-    parts.back().push_back(static_cast<Eigen::Index>(j));
   }
-  if (known.empty()) {
+  if (parts.empty()) {
     return result;
   }
   const CoxRows rows = cox_rows(data);
@@ -141,12 +183,12 @@ ProportionalityTests cox_zph(const CoxData& data,
                                                 fit.beta.cwiseProduct(rows.scale),
                                                 fit.ties,
                                                 transformed_times(data.outcome, transform));
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    result.parts.push_back({names[k], score_test(extended, known, parts[k])});
-    note_rejection(names[k], result.parts.back().test, result);
+  for (const Part& part : parts) {
+    result.parts.push_back({part.name, score_test(extended, known, part.tested, part.df)});
+    note_rejection(part.name, !part.tested.empty(), result.parts.back().test, result);
   }
-  result.global = score_test(extended, known, known);
-  note_rejection("", result.global, result);
+  result.global = score_test(extended, known, finite, fit.df);
+  note_rejection("", !finite.empty(), result.global, result);
   return result;
 }
 

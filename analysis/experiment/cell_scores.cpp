@@ -87,6 +87,7 @@ CellScores cell_scores(const DataTable& cell,
   require_same_trials(cell, full);
   options.models = false;
   CellScores scores;
+  options.within.clear();  // Cells are compared with one another, not taken apart.
   H1Options own = options;
   own.landmark_s = landmark_s;
   scores.own = hypothesis_h1(cell, own);

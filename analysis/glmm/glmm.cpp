@@ -8,11 +8,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "analysis/basics/normal.hpp"
 #include "analysis/glmm/glmm_problem.hpp"
 #include "analysis/glmm/glmm_solve.hpp"
+#include "analysis/logistic/near_separation.hpp"
 
 namespace tcert {
 namespace {
@@ -51,20 +53,66 @@ void set_estimate(LogisticCoefficient& coefficient,
   coefficient.interval = Interval{estimate - half, estimate + half, level};
 }
 
-void add_coefficients(const GlmmProblem& problem, const GlmmMaximum& maximum, GlmmFit& fit) {
+/// Per kept coefficient: see `ran_away()`, at the fixed part's linear predictors.
+std::vector<bool> runaways(const GlmmInput& input,
+                           const GlmmProblem& problem,
+                           const GlmmMaximum& maximum,
+                           const Eigen::MatrixXd& back,
+                           const Eigen::MatrixXd& covariance) {
+  const Eigen::VectorXd along = maximum.parameters.tail(back.cols());
+  Eigen::VectorXd eta = problem.fixed.space.basis * along;
+  if (problem.fixed.rows.offset.size() > 0) {
+    eta += problem.fixed.rows.offset;
+  }
+  std::vector<std::size_t> names(input.fixed.columns.size());
+  std::iota(names.begin(), names.end(), 0U);
+  const Eigen::VectorXd estimates = back * along;
+  const Eigen::VectorXd variances = covariance.diagonal();
+  const Eigen::VectorXd units = Eigen::VectorXd::Ones(back.rows());
+  return ran_away(input.fixed,
+                  problem.fixed,
+                  names,
+                  {back, estimates, variances, units},
+                  eta.size() > 0 ? eta.cwiseAbs().maxCoeff() : 0.0);
+}
+
+void withhold(double estimate,
+              double variance,
+              LogisticCoefficient& coefficient,
+              Conditions& conditions) {
+  coefficient.kind = CoefficientKind::ran_away;
+  conditions.push_back({ConditionKind::near_separation,
+                        ConditionSeverity::warning,
+                        coefficient.column,
+                        fmt::format("a log odds ratio of {:.3g} with a standard error of {:.3g}",
+                                    estimate,
+                                    std::sqrt(variance))});
+}
+
+void add_coefficients(const GlmmInput& input,
+                      const GlmmProblem& problem,
+                      const GlmmMaximum& maximum,
+                      GlmmFit& fit) {
   const Eigen::Index rank = problem.fixed.space.rank();
   const Eigen::MatrixXd back = inverse_triangle(problem.fixed.space);
   const Eigen::VectorXd estimates = back * maximum.parameters.tail(rank);
   const Eigen::MatrixXd joint = inverse_of(-maximum.at.hessian);
   const Eigen::MatrixXd covariance = back * joint.bottomRightCorner(rank, rank) * back.transpose();
   const std::vector<std::size_t>& kept = problem.fixed.space.kept;
+  const std::vector<bool> away = runaways(input, problem, maximum, back, covariance);
   for (std::size_t a = 0; a < kept.size(); ++a) {
     const auto row = static_cast<Eigen::Index>(a);
+    if (away[a]) {
+      withhold(estimates[row], covariance(row, row), fit.coefficients[kept[a]], fit.conditions);
+      continue;
+    }
     set_estimate(
         fit.coefficients[kept[a]], estimates[row], covariance(row, row), fit.options.level);
     for (std::size_t b = 0; b < kept.size(); ++b) {
-      fit.covariance(static_cast<Eigen::Index>(kept[a]), static_cast<Eigen::Index>(kept[b])) =
-          covariance(row, static_cast<Eigen::Index>(b));
+      if (!away[b]) {
+        fit.covariance(static_cast<Eigen::Index>(kept[a]), static_cast<Eigen::Index>(kept[b])) =
+            covariance(row, static_cast<Eigen::Index>(b));
+      }
     }
   }
 }
@@ -317,7 +365,7 @@ GlmmFit fit_glmm(const GlmmInput& input, const GlmmOptions& options) {
     add_no_convergence(*problem, maximum, fit);
     return fit;
   }
-  add_coefficients(*problem, maximum, fit);
+  add_coefficients(input, *problem, maximum, fit);
   add_random(*problem, maximum, fit);
   add_likelihoods(*problem, maximum, fit);
   add_explained(*problem, maximum, fit);

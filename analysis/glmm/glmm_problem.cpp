@@ -12,8 +12,11 @@
 namespace tcert {
 namespace {
 
-Condition error(ConditionKind kind, std::string column, std::string detail) {
-  return {kind, ConditionSeverity::error, std::move(column), std::move(detail)};
+Condition error(ConditionKind kind,
+                std::string column,
+                std::string detail,
+                std::string advice = {}) {
+  return {kind, ConditionSeverity::error, std::move(column), std::move(detail), std::move(advice)};
 }
 
 bool is_intercept(const RandomEffects& random) {
@@ -73,6 +76,9 @@ void add_fixed_conditions(const GlmmInput& input,
     if (condition.kind == ConditionKind::quasi_separation ||
         condition.kind == ConditionKind::complete_separation) {
       condition.severity = ConditionSeverity::error;
+      condition.advice =
+          "no finite estimate; merge levels or leave the term out (fit glm with --firth has one, "
+          "of a model without random effects)";
     }
   }
 }
@@ -141,7 +147,8 @@ void add_term_conditions(const RandomEffects& random,
     for (const std::size_t j : orthonormal_basis(term.design).dropped) {
       conditions.push_back(error(ConditionKind::collinear_column,
                                  random.columns[j],
-                                 "among the random effects of " + random.group));
+                                 "among the random effects of " + random.group,
+                                 "leave the effect out"));
     }
   }
 }
@@ -158,7 +165,8 @@ void add_duplicate_conditions(const GlmmInput& input, Conditions& conditions) {
         if (std::find(others.begin(), others.end(), column) != others.end()) {
           conditions.push_back(error(ConditionKind::collinear_column,
                                      column,
-                                     "twice among the random effects of " + input.random[a].group));
+                                     "twice among the random effects of " + input.random[a].group,
+                                     "leave one of them out"));
         }
       }
     }

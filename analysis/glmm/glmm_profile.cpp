@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "analysis/basics/normal.hpp"
@@ -174,7 +175,9 @@ GlmmProfile laid_out(const GlmmProblem& problem,
 
 }  // namespace
 
-GlmmProfile glmm_profile(const GlmmInput& input, const GlmmOptions& options) {
+GlmmProfile glmm_profile(const GlmmInput& input,
+                         const GlmmOptions& options,
+                         const GlmmProfileWatch& watch) {
   GlmmProfile profile;
   profile.coefficients.resize(input.fixed.columns.size());
   profile.sds.resize(input.random.size());
@@ -192,10 +195,18 @@ GlmmProfile glmm_profile(const GlmmInput& input, const GlmmOptions& options) {
   const std::vector<Target> targets = targets_of(*problem, maximum);
   const double wanted = normal_factor(options.level);
   std::vector<std::optional<double>> ends(2 * targets.size());
+  if (watch.started) {
+    watch.started(ends.size());
+  }
+  std::mutex watching;
   tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t k) {
     const Target& target = targets[k / 2];
     Profile along(*problem, quadrature, target, maximum, options);
     ends[k] = profile_end(along, target, wanted, k % 2 == 0 ? -1.0 : 1.0);
+    if (watch.advance) {
+      const std::lock_guard<std::mutex> lock(watching);
+      watch.advance();
+    }
   });
   std::vector<std::optional<Interval>> intervals(targets.size());
   for (std::size_t k = 0; k < targets.size(); ++k) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/basics/chi_square.hpp"
 #include "analysis/basics/standard_deviation.hpp"
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/cox/cox.hpp"
 #include "analysis/h1/hazard_ratio.hpp"
+#include "analysis/h1/nested_test.hpp"
 #include "analysis/model/variable.hpp"
 #include "analysis/roc/roc.hpp"
 
@@ -96,13 +96,13 @@ void add_case_level(const H1Data& data, const H1Options& options, H1Panel& panel
     H1CaseRow row;
     row.name = data.names[k];
     row.auc = {
-        joint.markers[k].auc, {}, joint.markers[k].interval, root(joint.markers[k].variance)};
+        joint.markers[k].auc, {}, {}, joint.markers[k].interval, root(joint.markers[k].variance)};
     if (k > 0) {
       row.auc_gain_p = auc_contrast(joint, 0, k).p_value;
     }
     if (result) {
       const ConcordanceEstimate& c = result->estimates[k];
-      row.c = {c.c, {}, c.interval, c.std_error};
+      row.c = {c.c, {}, {}, c.interval, c.std_error};
       if (k > 0) {
         row.c_gain_p = gain_of(*result, k).p_value;
       }
@@ -169,35 +169,6 @@ void add_hazard_ratios(const H1Data& data, const H1Options& options, H1Panel& pa
   }
 }
 
-std::optional<double> likelihood_ratio_p(double smaller, double larger, std::size_t df) {
-  return df == 0 ? std::nullopt
-                 : std::optional(chi_square_test(2.0 * (larger - smaller), df).p_value);
-}
-
-void add_likelihood_ratios(const H1Data& data, const H1Models& models, H1Panel& panel) {
-  if (models.models.empty()) {
-    return;
-  }
-  H1Row& added = panel.rows.back();
-  const LogisticFit small = fit_logistic(models.models[0].logistic());
-  const LogisticFit large = fit_logistic(models.models[1].logistic());
-  if (small.log_likelihood && large.log_likelihood) {
-    added.auc_p =
-        likelihood_ratio_p(*small.log_likelihood, *large.log_likelihood, large.rank - small.rank);
-  }
-  for (const Condition& condition : large.conditions) {
-    added.conditions.push_back(condition);
-  }
-  if (data.censored) {
-    const CoxFit cox_small = fit_cox(models.models[0].cox());
-    const CoxFit cox_large = fit_cox(models.models[1].cox());
-    if (cox_small.loglik && cox_large.loglik) {
-      added.c_p =
-          likelihood_ratio_p(*cox_small.loglik, *cox_large.loglik, cox_large.df - cox_small.df);
-    }
-  }
-}
-
 }  // namespace
 
 void add_closed_forms(const H1Data& data,
@@ -208,7 +179,7 @@ void add_closed_forms(const H1Data& data,
   add_case_level(data, options, panel);
   add_spreads(data, panel);
   add_hazard_ratios(data, options, panel);
-  add_likelihood_ratios(data, models, panel);
+  add_nested_tests(data, models, panel);
 }
 
 }  // namespace tcert

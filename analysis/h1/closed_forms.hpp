@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What H1 knows without resampling: clustered DeLong, the jackknife of C, hazard ratios,
-/// likelihood ratios.
+/// What H1 knows without resampling: clustered DeLong, the jackknife of C, hazard ratios, tests of
+/// nested models.
 
 #include "analysis/h1/model_scores.hpp"
 #include "analysis/h1/panel_data.hpp"

@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/basics/holm.hpp"
 #include "analysis/h1/closed_forms.hpp"
 #include "analysis/h1/curves.hpp"
+#include "analysis/h1/h1_score.hpp"
 #include "analysis/h1/incidence_by_quartile.hpp"
 #include "analysis/h1/joint_statistic.hpp"
 #include "analysis/h1/mixed_effects.hpp"
 #include "analysis/h1/model_scores.hpp"
 #include "analysis/h1/out_of_fold.hpp"
 #include "analysis/h1/panel_data.hpp"
+#include "analysis/h1/withhold.hpp"
+#include "analysis/h1/within_strata.hpp"
 #include "analysis/resampling/bootstrap_difference.hpp"
 
 namespace tcert {
@@ -57,18 +61,63 @@ std::optional<Comparison> comparison_of(const H1Panel& panel, std::size_t row) {
   return std::nullopt;
 }
 
-void take(const BootstrapEstimate& estimate,
-          const std::string& quantity,
-          H1Score& score,
-          H1Row& row) {
-  if (!std::isnan(estimate.observed)) {
-    score.value = estimate.observed;
+/// Scores of the rows of one bootstrap.
+class RowScores {
+ public:
+  RowScores(const BootstrapResult& result,
+            const ResamplingPlan& plan,
+            const H1Options& options,
+            H1Panel& panel)
+      : result_(result), plan_(plan), options_(options), panel_(panel) {}
+
+  void take(std::size_t value, const std::string& quantity, std::size_t row, H1Score& score) {
+    take_of(result_, value, quantity, row, score);
   }
-  score.bca = estimate.interval;
-  for (Condition condition : estimate.conditions) {
-    condition.column = row.name;
-    condition.detail = quantity + (condition.detail.empty() ? "" : ": " + condition.detail);
-    row.conditions.push_back(std::move(condition));
+
+  /// Value `better` less value `than`, resample by resample.
+  void take_gain(std::size_t better,
+                 std::size_t than,
+                 const std::string& quantity,
+                 std::size_t row,
+                 H1Score& score) {
+    take_of(paired_difference(result_, plan_, better, than), 0, "gain of " + quantity, row, score);
+  }
+
+ private:
+  void take_of(const BootstrapResult& result,
+               std::size_t value,
+               const std::string& quantity,
+               std::size_t row,
+               H1Score& score) {
+    Conditions met;
+    take_score(result, value, options_, quantity, score, met);
+    for (Condition& condition : met) {
+      condition.column = panel_.rows[row].name;
+      panel_.rows[row].conditions.push_back(std::move(condition));
+    }
+  }
+
+  const BootstrapResult& result_;
+  const ResamplingPlan& plan_;
+  const H1Options& options_;
+  H1Panel& panel_;
+};
+
+void take_within(const H1Layout& layout, RowScores& scores, H1Panel& panel) {
+  for (std::size_t r = 0; r < layout.predictors; ++r) {
+    H1WithinScores& within = panel.rows[r].within;
+    scores.take(layout.auc_within(r), "AUC within strata", r, within.auc);
+    if (layout.has_time) {
+      scores.take(layout.c_within(r), "C within strata", r, within.c);
+    }
+    if (r > 0) {
+      scores.take_gain(
+          layout.auc_within(0), layout.auc_within(r), "AUC within strata", r, within.auc_gain);
+      if (layout.has_time) {
+        scores.take_gain(
+            layout.c_within(0), layout.c_within(r), "C within strata", r, within.c_gain);
+      }
+    }
   }
 }
 
@@ -80,6 +129,7 @@ void bootstrap_rows(const H1Data& data,
   layout.predictors = data.predictors.size();
   layout.models = models.models.size();
   layout.has_time = data.censored.has_value();
+  layout.has_strata = !panel.within.columns.empty();
   const ResamplingPlan plan = ResamplingPlan::of_clusters(data.cluster.codes);
   BootstrapOptions bootstrap_options;
   bootstrap_options.replicates = options.replicates;
@@ -88,24 +138,23 @@ void bootstrap_rows(const H1Data& data,
   const BootstrapResult result =
       bootstrap(joint_statistic(data, layout, models), plan, bootstrap_options);
 
+  RowScores scores(result, plan, options, panel);
   for (std::size_t r = 0; r < panel.rows.size(); ++r) {
     H1Row& row = panel.rows[r];
-    take(bootstrap_estimate(result, H1Layout::auc(r), options.level), "AUC", row.auc, row);
+    scores.take(H1Layout::auc(r), "AUC", r, row.auc);
     if (layout.has_time) {
-      take(bootstrap_estimate(result, layout.c(r), options.level), "C", row.c, row);
+      scores.take(layout.c(r), "C", r, row.c);
     }
     if (const auto pair = comparison_of(panel, r)) {
-      const auto gain = [&](std::size_t better, std::size_t than) {
-        return bootstrap_estimate(paired_difference(result, plan, better, than), 0, options.level);
-      };
-      take(gain(H1Layout::auc(pair->better), H1Layout::auc(pair->than)),
-           "gain of AUC",
-           row.auc_gain,
-           row);
+      scores.take_gain(
+          H1Layout::auc(pair->better), H1Layout::auc(pair->than), "AUC", r, row.auc_gain);
       if (layout.has_time) {
-        take(gain(layout.c(pair->better), layout.c(pair->than)), "gain of C", row.c_gain, row);
+        scores.take_gain(layout.c(pair->better), layout.c(pair->than), "C", r, row.c_gain);
       }
     }
+  }
+  if (layout.has_strata) {
+    take_within(layout, scores, panel);
   }
 }
 
@@ -138,6 +187,7 @@ H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind k
   }
   const H1Models models = options.models ? h1_models(data) : H1Models{};
   add_model_rows(models, panel);
+  add_within_strata(data, options.level, panel);
   bootstrap_rows(data, models, options, panel);
   add_closed_forms(data, models, options, panel);
   if (options.models) {
@@ -147,6 +197,7 @@ H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind k
   }
   add_incidence_by_quartile(data, panel);
   adjust(panel);
+  withhold_if_few(options, panel);
   // A fit that fails costs its own number, not the table.
   for (H1Row& row : panel.rows) {
     for (Condition& condition : row.conditions) {
@@ -228,6 +279,7 @@ std::vector<std::string> columns_of(const H1Options& options) {
     columns.push_back(predictor.column);
     columns.push_back(predictor.landmark_column);
   }
+  columns.insert(columns.end(), options.within.begin(), options.within.end());
   std::erase(columns, "");
   return columns;
 }

@@ -39,12 +39,17 @@ struct H1Options {
   std::string time = "time_s";  ///< Column of the time to egress or to the end; may be absent.
   std::string cluster = "day";  ///< Empty, or not in the table: every trial is its own cluster.
   std::string strata = "algorithm";  ///< Of the stratified Cox model; may be absent.
-  std::string group;                 ///< Column of the groups that H2 compares; empty for none.
-  double landmark_s = 15.0;          ///< When the time window closes.
-  bool always_landmark = false;      ///< A landmark panel without landmark columns too.
-  std::optional<double> limit_s;     ///< Trial limit, where longer ones are censored; empty: the
-                                     ///< longest time of the panel.
+  /// Columns that are crossed to strata, for AUC and C of pairs within a stratum; those that the
+  /// table does not have are left out.
+  std::vector<std::string> within = {"algorithm", "lighting"};
+  std::string group;              ///< Column of the groups that H2 compares; empty for none.
+  double landmark_s = 15.0;       ///< When the time window closes.
+  bool always_landmark = false;   ///< A landmark panel without landmark columns too.
+  std::optional<double> limit_s;  ///< Trial limit, where longer ones are censored; empty: the
+                                  ///< longest time of the panel.
+  bool round_times = true;        ///< Times that differ by rounding are one.
   double level = 0.95;
+  BootstrapMethod interval = BootstrapMethod::expanded;  ///< The one to be read; all are kept.
   std::size_t replicates = 2000;
   std::size_t folds = 5;
   bool models = true;  ///< The rows of models, what is out of fold, mixed models, and curves.
@@ -94,12 +99,35 @@ enum class H1RowKind : std::uint8_t {
   added,     ///< The same with the predictor under test.
 };
 
-/// One number by the panel's clusters: its bootstrap interval, and the closed form beside it.
+/// One number by the panel's clusters: its bootstrap intervals, and the closed form beside them.
 struct H1Score {
   std::optional<double> value;
-  std::optional<Interval> bca;
+  std::optional<Interval> interval;     ///< By H1Options::interval.
+  BootstrapIntervals intervals;         ///< All of them, of the same resamples.
   std::optional<Interval> closed_form;  ///< Clustered DeLong; clustered jackknife of C.
   std::optional<double> std_error;      ///< Of the closed form.
+};
+
+/// AUC and C over pairs of trials of one stratum alone, and the gain over a rival. What differs
+/// between strata (an algorithm, a lighting) cannot help them.
+struct H1WithinScores {
+  H1Score auc;  ///< Closed form: clustered jackknife, as of C.
+  H1Score auc_gain;
+  std::optional<double> auc_gain_p;
+  H1Score c;
+  H1Score c_gain;
+  std::optional<double> c_gain_p;
+};
+
+/// The strata of a panel.
+struct H1Strata {
+  std::vector<std::string> columns;  ///< Crossed; empty if there are none.
+  std::size_t levels = 0;            ///< Combinations that a complete trial has.
+  std::size_t missing = 0;           ///< Complete trials without one: in no pair.
+  std::size_t auc_pairs = 0;         ///< Of a success and a failure, in one stratum.
+  std::size_t c_pairs = 0;           ///< That C compares, in one stratum.
+  std::size_t all_auc_pairs = 0;     ///< The same whatever their strata.
+  std::size_t all_c_pairs = 0;
 };
 
 /// One row of the table. A gain is that of the predictor under test over a rival or over the rivals
@@ -112,15 +140,19 @@ struct H1Row {
 
   H1Score auc;
   H1Score auc_gain;
-  std::optional<double> auc_p;     ///< Clustered DeLong; likelihood ratio for `added`.
+  std::optional<double> auc_p;     ///< Clustered DeLong; for `added` see `nested_test`.
+  std::optional<double> auc_lr_p;  ///< Row `added`: likelihood ratio, trials independent.
   std::optional<double> auc_holm;  ///< Of the family of gains over the rivals.
   std::optional<double> auc_out_of_fold;
 
   H1Score c;
   H1Score c_gain;
   std::optional<double> c_p;
+  std::optional<double> c_lr_p;
   std::optional<double> c_holm;
   std::optional<double> c_out_of_fold;
+
+  H1WithinScores within;  ///< Empty for rows of models, and where there are no strata.
 
   std::optional<double> sd;  ///< One standard deviation of the predictor.
   H1HazardRatio censored;    ///< Failures leave the risk set when they fail.
@@ -128,6 +160,11 @@ struct H1Row {
   H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
   H1MixedModel mixed;
   Conditions conditions;
+
+  /// A predictor by itself, not a model.
+  [[nodiscard]] bool is_single() const noexcept {
+    return kind == H1RowKind::predictor || kind == H1RowKind::rival;
+  }
 };
 
 /// A single predictor by single trials, as if they were independent: a sensitivity, not the result.
@@ -168,16 +205,22 @@ struct H1Panel {
   bool has_time = false;
   bool has_clusters = false;  ///< Else every trial is its own.
   bool has_strata = false;
+  H1Strata within;                                           ///< What `H1Row::within` is within.
   double limit_s = 0.0;                                      ///< The trial limit that was used.
   std::vector<std::pair<std::string, std::size_t>> missing;  ///< Per column that is no predictor.
 
   // Landmark panel: what was excluded, in this order.
   std::size_t ended_by_landmark = 0;
   std::size_t still_at_landmark = 0;
+  bool ends_known = false;                 ///< Else no one could be excluded for having ended.
+  std::vector<std::string> not_of_window;  ///< Predictors as they are in the other panel.
 
   // Paper panel: trials that are over before their window is; empty if the table does not say.
   std::optional<std::size_t> ended_in_window;
   std::optional<std::size_t> failures_ended_in_window;
+
+  /// Why p-values and intervals are withheld; empty if they are not.
+  std::string withheld;
 
   std::vector<H1Row> rows;  ///< The predictor, its rivals, together, added.
   std::vector<H1CaseRow> case_level;
@@ -207,9 +250,11 @@ struct H1Table {
 /// The trials of `table` by its columns. A trial ends at its time, or with its log (`end_s`) where
 /// that is not given. Every resample draws whole clusters, for all numbers of a panel jointly;
 /// model rows are re-fitted in each (logistic for AUC, Cox for C) and in each fold; a fold whose
-/// fit has no estimate is left out and named. A column without a single value is not there. \throws
-/// FormulaError if a column is not there, holds the wrong kind or is infinite;
-/// std::invalid_argument if an option is out of range. O(replicates trials log trials).
+/// fit has no estimate is left out and named. A column without a single value is not there. With
+/// too few clusters or outcomes p-values and intervals are withheld (`withhold`). \throws
+/// FormulaError if a column is not there, holds the wrong kind or is infinite, or if a landmark is
+/// asked for and no time is known; std::invalid_argument if an option is out of range. O(replicates
+/// trials log trials).
 [[nodiscard]] H1Table hypothesis_h1(const DataTable& table, const H1Options& options = {});
 
 /// Names of the columns that it looks for.

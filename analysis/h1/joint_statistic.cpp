@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "analysis/concordance/concordance_statistic.hpp"
+#include "analysis/h1/within_strata.hpp"
 #include "analysis/roc/auc_statistic.hpp"
 
 namespace tcert {
@@ -55,6 +56,9 @@ Statistic joint_statistic(const H1Data& data, const H1Layout& layout, const H1Mo
     if (layout.models > 0) {
       parts.push_back(of_models(data, models, &H1Model::c));
     }
+  }
+  if (layout.has_strata) {
+    parts.push_back(within_statistic(data));
   }
   return joined(std::move(parts));
 }

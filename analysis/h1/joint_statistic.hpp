@@ -16,14 +16,22 @@ struct H1Layout {
   std::size_t predictors = 0;
   std::size_t models = 0;  ///< 0 or 2: together, added.
   bool has_time = false;
+  bool has_strata = false;
 
   [[nodiscard]] std::size_t scored() const noexcept { return predictors + models; }
   [[nodiscard]] static std::size_t auc(std::size_t row) noexcept { return row; }
   [[nodiscard]] std::size_t c(std::size_t row) const noexcept { return scored() + row; }
-  [[nodiscard]] std::size_t values() const noexcept { return has_time ? 2 * scored() : scored(); }
+  /// Within strata, of predictors alone.
+  [[nodiscard]] std::size_t auc_within(std::size_t row) const noexcept {
+    return (has_time ? 2 : 1) * scored() + row;
+  }
+  [[nodiscard]] std::size_t c_within(std::size_t row) const noexcept {
+    return auc_within(row) + predictors;
+  }
 };
 
-/// AUC of every predictor and model, then C of each if there are times. Models are re-fitted on
+/// AUC of every predictor and model, then C of each if there are times; then the same of the
+/// predictors within strata, if there are any. Models are re-fitted on
 /// each resample. NaN where a resample has one class, no comparable pair, or a fit without an
 /// estimate.
 [[nodiscard]] Statistic joint_statistic(const H1Data& data,

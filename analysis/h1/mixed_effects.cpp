@@ -39,14 +39,16 @@ GlmmFit fit_of(const H1Data& data,
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(data.rows()),
                           static_cast<Eigen::Index>(predictors.size()));
   std::vector<std::string> names;
+  std::vector<std::span<const double>> own_units;
   for (const std::size_t k : predictors) {
     columns.col(static_cast<Eigen::Index>(names.size())) = per_sd(data, k);
     names.push_back(data.names[k]);
+    own_units.emplace_back(data.predictors[k]);
   }
   GlmmOptions glmm;
   glmm.level = options.level;
   glmm.test_terms = false;
-  return fit_glmm(mixed_input(data, columns, names, options.cluster), glmm);
+  return fit_glmm(mixed_input(data, columns, names, own_units, options.cluster), glmm);
 }
 
 void take(const GlmmFit& fit, H1Row& row) {
@@ -87,6 +89,7 @@ void take_ratio(const GlmmFit& fit, const H1Data& data, std::size_t k, double le
 GlmmInput mixed_input(const H1Data& data,
                       const Eigen::MatrixXd& columns,
                       const std::vector<std::string>& names,
+                      const std::vector<std::span<const double>>& own_units,
                       const std::string& cluster) {
   const Eigen::Index rows = columns.rows();
   GlmmInput input;
@@ -100,6 +103,8 @@ GlmmInput mixed_input(const H1Data& data,
     fixed.terms.push_back(name);
     fixed.term_of.push_back(fixed.terms.size());
   }
+  fixed.own_units = {{}};
+  fixed.own_units.insert(fixed.own_units.end(), own_units.begin(), own_units.end());
   fixed.response = "success";
   fixed.successes.resize(rows);
   for (Eigen::Index row = 0; row < rows; ++row) {
@@ -117,7 +122,7 @@ void add_mixed_effects(const H1Data& data, const H1Options& options, H1Panel& pa
   for (std::size_t k = 1; k < data.predictors.size(); ++k) {
     rivals.push_back(k);
   }
-  std::optional<double> smaller;
+  std::optional<GlmmFit> smaller;
   for (std::size_t r = 0; r < panel.rows.size(); ++r) {
     H1Row& row = panel.rows[r];
     std::vector<std::size_t> predictors{r};
@@ -130,13 +135,16 @@ void add_mixed_effects(const H1Data& data, const H1Options& options, H1Panel& pa
     const GlmmFit fit = fit_of(data, options, predictors);
     take(fit, row);
     if (row.kind == H1RowKind::together) {
-      smaller = fit.log_likelihood;
+      smaller = fit;
       continue;  // No single ratio.
     }
     const bool added = row.kind == H1RowKind::added;
     take_ratio(fit, data, added ? 0 : r, options.level, row);
-    if (added && smaller && fit.log_likelihood) {
-      row.mixed.lr_p_value = chi_square_test(2.0 * (*fit.log_likelihood - *smaller), 1).p_value;
+    if (added && smaller && smaller->log_likelihood && fit.log_likelihood &&
+        fit.rank > smaller->rank) {
+      row.mixed.lr_p_value = chi_square_test(2.0 * (*fit.log_likelihood - *smaller->log_likelihood),
+                                             fit.rank - smaller->rank)
+                                 .p_value;
     }
   }
 }

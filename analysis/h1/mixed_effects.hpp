@@ -3,6 +3,7 @@
 /// The paper's outcome model: logistic regression of success with a random intercept by cluster.
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,12 @@
 namespace tcert {
 
 /// Success of the panel's trials on an intercept and these columns (trials x columns), with a
-/// random intercept by cluster. \pre the panel has clusters.
+/// random intercept by cluster. `own_units` are the columns as words are to have them; they are not
+/// copied. \pre the panel has clusters.
 [[nodiscard]] GlmmInput mixed_input(const H1Data& data,
                                     const Eigen::MatrixXd& columns,
                                     const std::vector<std::string>& names,
+                                    const std::vector<std::span<const double>>& own_units,
                                     const std::string& cluster);
 
 /// Fills `mixed` of the panel's rows: each predictor alone, the rivals together, the predictor

@@ -63,6 +63,12 @@ CoxFit light_fit(const CoxData& data) {
 
 bool usable(const CoxFit& fit) { return fit.summary.termination == CoxTermination::converged; }
 
+/// False if these rows do not tell the last column from a constant or from those before it: its
+/// 0 is then no estimate.
+bool last_is_estimated(const CoxFit& fit) {
+  return !fit.estimated.empty() && fit.estimated.back();
+}
+
 std::vector<std::uint32_t> as_multiplicity(std::span<const std::uint8_t> train) {
   return {train.begin(), train.end()};
 }
@@ -74,12 +80,14 @@ H1Model::H1Model(const H1Data& data, const std::vector<std::size_t>& columns) : 
   logistic_.design = Eigen::MatrixXd::Ones(rows, static_cast<Eigen::Index>(columns.size()) + 1);
   logistic_.columns = {"(Intercept)"};
   logistic_.term_of = {0};
+  logistic_.own_units = {{}};
   for (std::size_t k = 0; k < columns.size(); ++k) {
     logistic_.design.col(static_cast<Eigen::Index>(k) + 1) =
         standardised(data.predictors[columns[k]]);
     logistic_.columns.push_back(data.names[columns[k]]);
     logistic_.terms.push_back(data.names[columns[k]]);
     logistic_.term_of.push_back(k + 1);
+    logistic_.own_units.emplace_back(data.predictors[columns[k]]);
   }
   logistic_.response = "success";
   logistic_.successes.resize(rows);
@@ -119,6 +127,16 @@ double H1Model::c(std::span<const std::uint32_t> multiplicity) const {
       "", {risk.data(), static_cast<std::size_t>(risk.size())}, LargerMeans::shorter_time};
   ConcordanceReplicates::Scratch scratch;
   return ConcordanceReplicates(cox_.outcome, predictor).c(multiplicity, scratch);
+}
+
+double H1Model::added_logistic_coefficient(std::span<const std::uint32_t> multiplicity) const {
+  const LogisticReplicate fit = refit_->fit(multiplicity);
+  return fit.coefficients ? refit_->column_coefficients(*fit.coefficients)(Eigen::last) : kNaN;
+}
+
+double H1Model::added_cox_coefficient(std::span<const std::uint32_t> multiplicity) const {
+  const CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
+  return usable(fit) && last_is_estimated(fit) ? fit.beta(Eigen::last) : kNaN;
 }
 
 std::optional<std::vector<double>> H1Model::logistic_scores(

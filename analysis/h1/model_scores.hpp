@@ -31,6 +31,12 @@ class H1Model {
   /// those of the resample. \pre the panel has times.
   [[nodiscard]] double c(std::span<const std::uint32_t> multiplicity) const;
 
+  /// Coefficient of the last of `columns`, per standard deviation, fitted to these multiplicities:
+  /// the log odds of success, the log hazard of egress. NaN without an estimate.
+  [[nodiscard]] double added_logistic_coefficient(
+      std::span<const std::uint32_t> multiplicity) const;
+  [[nodiscard]] double added_cox_coefficient(std::span<const std::uint32_t> multiplicity) const;
+
   /// Linear predictors of all rows, fitted to the rows where `train` is set; empty without an
   /// estimate. A larger one speaks for success, or for earlier egress.
   [[nodiscard]] std::optional<std::vector<double>> logistic_scores(

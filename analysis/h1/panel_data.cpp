@@ -5,8 +5,11 @@
 #include <limits>
 
 #include "analysis/basics/quantile.hpp"
+#include "analysis/model/stray_text.hpp"
 #include "analysis/model/variable.hpp"
 #include "analysis/survival/failures_at_limit.hpp"
+#include "analysis/survival/time_conditions.hpp"
+#include "analysis/survival/time_rounding.hpp"
 #include "datasets/csv_write.hpp"
 #include "datasets/nearest_name.hpp"
 
@@ -22,9 +25,20 @@ Expression column_named(const std::string& name) {
 std::vector<double> numbers(const DataTable& table, const std::string& column) {
   Variable variable = evaluate(column_named(column), table);
   if (variable.kind == Variable::Kind::factor) {
-    throw FormulaError("column '" + column + "' of " + table.file + " holds text, not numbers");
+    throw FormulaError("column " + not_numbers(table, column));
   }
   return std::move(variable.numbers);
+}
+
+/// Whether two times are one: but for rounding, as `round_times` has it, unless every time is left
+/// as it is.
+bool is_same(double at, double time, const H1Options& options) {
+  return time == at || (options.round_times && same_time(at, time));
+}
+
+/// Whether `time` is not after `at`.
+bool is_by(double at, double time, const H1Options& options) {
+  return time <= at || is_same(at, time, options);
 }
 
 /// A column without a single value is not there: feature tables have a column for all they could
@@ -88,6 +102,20 @@ const std::string& column_of(const DataTable& table,
   return landmark ? predictor.landmark_column : predictor.column;
 }
 
+/// The cross of those columns of `within` that are there; nothing if none is.
+std::optional<Factor> strata_of(const DataTable& table,
+                                const std::vector<std::string>& within,
+                                std::vector<std::string>& used) {
+  std::vector<Factor> factors;
+  for (const std::string& name : within) {
+    if (is_there(table, name)) {
+      factors.push_back(evaluate_factor(column_named(name), table));
+      used.push_back(name);
+    }
+  }
+  return factors.empty() ? std::nullopt : std::optional(crossed(factors, ", "));
+}
+
 Columns columns_of_table(const DataTable& table, const H1Options& options, H1PanelKind kind) {
   Columns columns;
   columns.success = outcome(table, options.success);
@@ -124,7 +152,8 @@ std::vector<std::size_t> trials_of_panel(const DataTable& table,
       continue;
     }
     if (panel.kind == H1PanelKind::landmark) {
-      if (columns.end[row] <= options.landmark_s || columns.log_end[row] <= options.landmark_s) {
+      if (is_by(options.landmark_s, columns.end[row], options) ||
+          is_by(options.landmark_s, columns.log_end[row], options)) {
         ++panel.ended_by_landmark;
         continue;
       }
@@ -136,10 +165,15 @@ std::vector<std::size_t> trials_of_panel(const DataTable& table,
     rows.push_back(row);
   }
   panel.trials = rows.size();
+  const auto is_known = [](double end) { return !std::isnan(end); };
+  panel.ends_known = std::any_of(columns.end.begin(), columns.end.end(), is_known);
   return rows;
 }
 
-void count_window_ends(const DataTable& table, const Columns& columns, H1Panel& panel) {
+void count_window_ends(const DataTable& table,
+                       const H1Options& options,
+                       const Columns& columns,
+                       H1Panel& panel) {
   if (panel.kind != H1PanelKind::paper || table.find("window_end_s") == nullptr) {
     return;
   }
@@ -150,8 +184,9 @@ void count_window_ends(const DataTable& table, const Columns& columns, H1Panel& 
     if (std::isnan(columns.success[row])) {
       continue;
     }
-    const bool in_window = std::isnan(window_end[row]) ? !std::isnan(columns.log_end[row])
-                                                       : columns.end[row] <= window_end[row];
+    const bool in_window = std::isnan(window_end[row])
+                               ? !std::isnan(columns.log_end[row])
+                               : is_by(window_end[row], columns.end[row], options);
     ended += in_window ? 1 : 0;
     failures += in_window && columns.success[row] == 0.0 ? 1 : 0;
   }
@@ -226,11 +261,12 @@ std::vector<double> on(const std::vector<double>& column, const std::vector<std:
 /// "found 0 in row 8 (and 1 more)": of the times that are not above `earliest`; empty if all are.
 std::string bad_times(const std::vector<double>& time,
                       const std::vector<std::size_t>& rows,
-                      double earliest) {
+                      double earliest,
+                      const H1Options& options) {
   std::string found;
   std::size_t bad = 0;
   for (std::size_t i = 0; i < time.size(); ++i) {
-    if (!(time[i] > earliest) && bad++ == 0) {
+    if (is_by(earliest, time[i], options) && bad++ == 0) {
       found = "found ";
       append_number(found, time[i]);
       found += " in row " + std::to_string(rows[i] + 1);
@@ -249,12 +285,14 @@ void end_at_limit(const H1Options& options,
   if (!options.limit_s) {
     return;
   }
-  if (!(*options.limit_s > earliest)) {
+  if (is_by(earliest, *options.limit_s, options)) {
     throw FormulaError("the trial limit lies before the times begin");
   }
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < outcome.rows(); ++i) {
-    if (outcome.stop[i] > *options.limit_s) {
+    if (is_same(outcome.stop[i], *options.limit_s, options)) {
+      outcome.stop[i] = *options.limit_s;
+    } else if (outcome.stop[i] > *options.limit_s) {
       outcome.stop[i] = *options.limit_s;
       outcome.event[i] = 0;
       data.cut[i] = 1;
@@ -282,7 +320,7 @@ void add_times(const std::vector<double>& time,
     outcome.start.assign(time.size(), options.landmark_s);
   }
   const double earliest = landmark ? options.landmark_s : 0.0;
-  if (const std::string bad = bad_times(time, rows, earliest); !bad.empty()) {
+  if (const std::string bad = bad_times(time, rows, earliest, options); !bad.empty()) {
     panel.conditions.push_back({ConditionKind::time_not_positive,
                                 ConditionSeverity::warning,
                                 options.time,
@@ -290,11 +328,27 @@ void add_times(const std::vector<double>& time,
     panel.has_time = false;
     return;
   }
+  add_unlike_times(
+      time,
+      options.time,
+      [&](std::size_t i) { return "row " + std::to_string(rows[i] + 1); },
+      panel.conditions);
+  const bool is_far = has(panel.conditions, ConditionKind::unlike_times);
   end_at_limit(options, earliest, outcome, panel, data);
-  snap_times(outcome);
+  add_rounding_conditions(options.round_times ? round_times(outcome) : count_times(outcome),
+                          options.time,
+                          panel.conditions);
   const double longest =
       time.empty() ? 0.0 : *std::max_element(outcome.stop.begin(), outcome.stop.end());
   panel.limit_s = options.limit_s.value_or(longest);
+  if (is_far && !options.limit_s) {
+    std::string detail = "failures stay at risk to ";
+    append_number(detail, longest);
+    panel.conditions.push_back({ConditionKind::limit_from_data,
+                                ConditionSeverity::warning,
+                                options.time,
+                                std::move(detail)});
+  }
   std::vector<std::uint8_t> failed(data.success.size());
   std::transform(data.success.begin(), data.success.end(), failed.begin(), [](std::uint8_t s) {
     return static_cast<std::uint8_t>(s == 0 ? 1 : 0);
@@ -364,6 +418,12 @@ void require_columns(const DataTable& table, const H1Options& options) {
 
 bool has_landmark(const DataTable& table, const H1Options& options) {
   if (options.always_landmark) {
+    if (!is_there(table, options.time) && !is_there(table, "end_s")) {
+      throw FormulaError("--landmark: " + table.file + " has no times, neither in column '" +
+                         options.time +
+                         "' nor in 'end_s', so that nobody knows which trials had ended by then; "
+                         "name the column with --time, or leave --landmark out");
+    }
     return true;
   }
   return std::all_of(
@@ -379,7 +439,7 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
   panel.has_clusters = columns.cluster.has_value();
   panel.has_strata = columns.strata.has_value();
   const std::vector<std::size_t> trials = trials_of_panel(table, options, columns, panel);
-  count_window_ends(table, columns, panel);
+  count_window_ends(table, options, columns, panel);
   for (const bool success : {true, false}) {
     panel.distribution.push_back(distribution(trials, columns, success));
   }
@@ -395,6 +455,10 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
     data.predictors.push_back(on(columns.predictors[k], rows));
     data.higher.push_back(options.predictors[k].higher);
     data.names.push_back(column_of(table, options.predictors[k], panel.kind));
+    if (panel.kind == H1PanelKind::landmark &&
+        data.names.back() != options.predictors[k].landmark_column) {
+      panel.not_of_window.push_back(data.names.back());
+    }
   }
   data.cluster = columns.cluster ? on_rows(*columns.cluster, rows) : each_its_own(rows.size());
   if (columns.strata) {
@@ -403,6 +467,9 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
   }
   if (columns.group) {
     data.group = on_rows(*columns.group, rows);
+  }
+  if (const auto within = strata_of(table, options.within, data.within_columns)) {
+    data.within = on_rows(*within, rows);
   }
   panel.clusters = data.cluster.levels.size();
   if (panel.has_time) {

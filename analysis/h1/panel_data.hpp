@@ -29,6 +29,9 @@ struct H1Data {
   std::optional<Factor> strata;  ///< A code may be missing: only the stratified ratio needs them.
   std::string strata_name;
   std::optional<Factor> group;  ///< Levels without a trial are gone.
+  /// The cross of `within_columns`; a code may be missing. Empty if the table has none of them.
+  std::optional<Factor> within;
+  std::vector<std::string> within_columns;
 
   [[nodiscard]] std::size_t rows() const noexcept { return success.size(); }
   [[nodiscard]] Score score(std::size_t predictor) const {
@@ -53,7 +56,8 @@ struct H1Data {
 /// \throws FormulaError with the nearest name if a required column is absent.
 void require_columns(const DataTable& table, const H1Options& options);
 
-/// True if the table has the landmark column of every predictor.
+/// True if the table has the landmark column of every predictor, or if a landmark is asked for.
+/// \throws FormulaError if it is, and the table does not say when any trial ended.
 [[nodiscard]] bool has_landmark(const DataTable& table, const H1Options& options);
 
 }  // namespace tcert

@@ -1,6 +1,7 @@
 #include "analysis/h2/group_models.hpp"
 
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "analysis/basics/chi_square.hpp"
@@ -52,9 +53,11 @@ H1Data part_of(const H1Data& data, const std::vector<std::size_t>& rows) {
   return part;
 }
 
+/// `own_units` is the predictor as it was, `x` in standard deviations.
 H1HazardRatio odds_ratio(const H1Data& part,
                          const std::string& name,
                          const Eigen::VectorXd& x,
+                         const std::vector<double>& own_units,
                          double level,
                          Conditions& conditions) {
   LogisticInput input;
@@ -63,6 +66,7 @@ H1HazardRatio odds_ratio(const H1Data& part,
   input.columns = {"(Intercept)", name};
   input.terms = {name};
   input.term_of = {0, 1};
+  input.own_units = {{}, own_units};
   input.response = "success";
   input.successes = outcome_of(part);
   input.cluster = part.cluster;
@@ -99,7 +103,12 @@ CoxData cox_of(const SurvivalOutcome& outcome, Eigen::MatrixXd design, const std
 struct Interaction {
   Eigen::MatrixXd design;
   std::vector<std::string> columns;
-  Eigen::Index products = 0;  ///< The last so many columns.
+  Eigen::Index products = 0;             ///< The last so many columns.
+  std::vector<std::vector<double>> raw;  ///< The columns with the predictor in its own units.
+
+  [[nodiscard]] std::vector<std::span<const double>> own_units(std::size_t count) const {
+    return {raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(count)};
+  }
 };
 
 Interaction interaction_of(const H1Data& data) {
@@ -115,6 +124,15 @@ Interaction interaction_of(const H1Data& data) {
     if (code > 0) {
       result.design(row, code) = 1.0;
       result.design(row, others + code) = x[row];
+    }
+  }
+  const std::vector<double>& own = data.predictors[0];
+  for (Eigen::Index column = 0; column < result.design.cols(); ++column) {
+    result.raw.emplace_back(own.size());
+    for (std::size_t row = 0; row < own.size(); ++row) {
+      const double cell = result.design(static_cast<Eigen::Index>(row), column);
+      const bool of_predictor = column == 0 || column > others;
+      result.raw.back()[row] = of_predictor && cell != 0.0 ? own[row] : cell;
     }
   }
   result.columns = {data.names[0]};
@@ -154,6 +172,8 @@ H2Interaction logistic_interaction(const H1Data& data, const Interaction& terms)
     input.terms.push_back(column);
     input.term_of.push_back(input.terms.size());
   }
+  input.own_units = terms.own_units(terms.raw.size());
+  input.own_units.insert(input.own_units.begin(), std::span<const double>{});
   input.response = "success";
   input.successes = outcome_of(data);
   input.cluster = data.cluster;
@@ -192,12 +212,16 @@ void add_mixed_interaction(const H1Data& data,
   }
   GlmmOptions options;
   options.test_terms = false;
-  const GlmmFit with = fit_glmm(mixed_input(data, terms.design, terms.columns, cluster), options);
+  const GlmmFit with = fit_glmm(
+      mixed_input(
+          data, terms.design, terms.columns, terms.own_units(terms.columns.size()), cluster),
+      options);
   const Eigen::Index main_columns = terms.design.cols() - terms.products;
   const GlmmFit without =
       fit_glmm(mixed_input(data,
                            terms.design.leftCols(main_columns),
                            {terms.columns.begin(), terms.columns.begin() + main_columns},
+                           terms.own_units(static_cast<std::size_t>(main_columns)),
                            cluster),
                options);
   H2Interaction result{"logistic, mixed", std::nullopt, {}};
@@ -218,7 +242,11 @@ void add_group_effects(const H1Data& data, double level, H2Panel& panel) {
     H2Level& one = panel.levels[g];
     const H1Data part = part_of(data, rows_of[g]);
     const Eigen::VectorXd own = x(indices(rows_of[g]));
-    one.odds = odds_ratio(part, data.names[0], own, level, one.conditions);
+    std::vector<double> own_units;
+    for (const std::size_t row : rows_of[g]) {
+      own_units.push_back(data.predictors[0][row]);
+    }
+    one.odds = odds_ratio(part, data.names[0], own, own_units, level, one.conditions);
     if (!part.censored) {
       continue;
     }

@@ -9,9 +9,12 @@
 #include "analysis/concordance/concordance_statistic.hpp"
 #include "analysis/equivalence/scores_by_group.hpp"
 #include "analysis/equivalence/statistic_by_group.hpp"
+#include "analysis/h1/h1_score.hpp"
 #include "analysis/h1/hazard_ratio.hpp"
 #include "analysis/h1/panel_data.hpp"
+#include "analysis/h1/within_strata.hpp"
 #include "analysis/h2/group_models.hpp"
+#include "analysis/h2/withhold_groups.hpp"
 #include "analysis/model/variable.hpp"
 #include "analysis/roc/auc_statistic.hpp"
 
@@ -57,17 +60,6 @@ void take(const GroupScore& score, const std::string& quantity, H1Score& to, H2L
   }
 }
 
-void take(const BootstrapEstimate& estimate,
-          const std::string& quantity,
-          H1Score& to,
-          H2Level& level) {
-  to.bca = estimate.interval;
-  for (Condition condition : estimate.conditions) {
-    condition.detail = quantity + (condition.detail.empty() ? "" : ": " + condition.detail);
-    level.conditions.push_back(std::move(condition));
-  }
-}
-
 void bootstrap_levels(const H1Data& data,
                       const Statistic& scores,
                       const H2Options& options,
@@ -78,15 +70,25 @@ void bootstrap_levels(const H1Data& data,
   bootstrap_options.seed = options.trials.seed;
   bootstrap_options.analysis =
       kFirstStream + kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind);
-  const BootstrapResult result = bootstrap(by_group(scores, *data.group), plan, bootstrap_options);
+  const bool has_strata = !panel.trials.within.columns.empty();
+  const Statistic each = has_strata ? joined({scores, within_statistic(data)}) : scores;
+  const BootstrapResult result = bootstrap(by_group(each, *data.group), plan, bootstrap_options);
   for (std::size_t g = 0; g < panel.levels.size(); ++g) {
     H2Level& level = panel.levels[g];
-    const auto estimate = [&](std::size_t value) {
-      return bootstrap_estimate(result, g * scores.values + value, options.trials.level);
+    std::size_t value = g * each.values;
+    const auto take_next = [&](const std::string& quantity, H1Score& to) {
+      // The clusters that a group is made of, which may be few of those that are drawn.
+      take_score(result, value++, options.trials, quantity, to, level.conditions, level.clusters);
     };
-    take(estimate(0), "AUC", level.auc, level);
+    take_next("AUC", level.auc);
     if (data.censored) {
-      take(estimate(1), "C", level.c, level);
+      take_next("C", level.c);
+    }
+    if (has_strata) {
+      take_next("AUC within strata", level.auc_within);
+      if (data.censored) {
+        take_next("C within strata", level.c_within);
+      }
     }
   }
 }
@@ -122,6 +124,27 @@ std::optional<H2Equality> equality(const ScoresByGroup& by_level,
   return result;
 }
 
+void take(const ConcordanceEstimate& estimate, H1Score& to) {
+  to.value = estimate.c;
+  to.closed_form = estimate.interval;
+  to.std_error = estimate.std_error;
+}
+
+void score_within_strata(const H1Data& data, double level, H2Panel& panel) {
+  add_within_strata(data, level, panel.trials);
+  const auto rows_of = rows_of_levels(*data.group);
+  for (std::size_t g = 0; g < panel.levels.size(); ++g) {
+    const auto scores = within_scores(data, rows_of[g], level);
+    if (!scores) {
+      continue;
+    }
+    take(scores->auc.estimates.front(), panel.levels[g].auc_within);
+    if (scores->c) {
+      take(scores->c->estimates.front(), panel.levels[g].c_within);
+    }
+  }
+}
+
 void score_levels(const H1Data& data, const H2Options& options, H2Panel& panel) {
   const double level = options.trials.level;
   const Statistic scores = scores_of(data);
@@ -139,6 +162,7 @@ void score_levels(const H1Data& data, const H2Options& options, H2Panel& panel) 
     }
     panel.c = equality(c, data, scores, 1, options, panel);
   }
+  score_within_strata(data, level, panel);
   bootstrap_levels(data, scores, options, panel);
 }
 
@@ -163,6 +187,7 @@ H2Panel panel_of(const DataTable& table, const H2Options& options, H1PanelKind k
   score_levels(data, options, panel);
   add_group_effects(data, options.trials.level, panel);
   add_interactions(data, options.trials.cluster, panel);
+  withhold_if_few(options, panel);
   return panel;
 }
 

@@ -32,11 +32,16 @@ struct H2Level {
   std::size_t clusters = 0;
   H1Score auc;  ///< Closed form: clustered DeLong within the group.
   H1Score c;    ///< Closed form: clustered jackknife within the group.
+  /// Over pairs of trials of one stratum alone (H1Options::within). Closed form: clustered
+  /// jackknife.
+  H1Score auc_within;
+  H1Score c_within;
   /// Per standard deviation of the whole panel towards the better side, cluster-robust.
   H1HazardRatio odds;        ///< Of success; logistic.
   H1HazardRatio censored;    ///< Of egress; failures leave the risk set when they fail.
   H1HazardRatio at_limit;    ///< Failures stay at risk to the trial limit.
   H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
+  std::string withheld;      ///< Why p-values and intervals are; empty if they are not.
   Conditions conditions;
 };
 
@@ -78,7 +83,9 @@ struct H2Table {
 };
 
 /// Panels are made as H1's, of trials whose group is known. Every resample draws whole clusters for
-/// all groups jointly, so their BCa intervals share draws. \throws FormulaError if a column is not
+/// all groups jointly, so their intervals share draws. Where a group has too few clusters or
+/// outcomes (`too_few`) its p-values and intervals are withheld, with the tests of its pairs and of
+/// all groups; in a panel that has, all are. \throws FormulaError if a column is not
 /// there or holds the wrong kind; std::invalid_argument if an option is out of range.
 /// O((replicates + permutations groups) trials log trials).
 [[nodiscard]] H2Table hypothesis_h2(const DataTable& table, const H2Options& options);

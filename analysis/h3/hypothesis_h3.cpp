@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "analysis/basics/binomial_interval.hpp"
+#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/quantile.hpp"
+#include "analysis/h1/withhold.hpp"
 #include "analysis/h3/pareto.hpp"
 #include "analysis/replay/replay.hpp"
 #include "analysis/resampling/bootstrap.hpp"
@@ -23,7 +25,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kH3Stream = 0x48330000;
-constexpr std::size_t kFewClusters = 30;
 const char* const kAllLightings = "all";
 
 using CaseKey = std::pair<std::string, double>;
@@ -95,13 +96,22 @@ struct Trial {
 /// The trials of a group that succeed, as arrays that the bootstrap runs over.
 struct Advance {
   std::vector<std::uint8_t> baseline;
+  std::vector<std::size_t> lighting;  ///< Below `lightings`.
+  std::size_t lightings = 0;
   std::vector<double> length;
   std::vector<double> time;
   std::vector<std::vector<double>> gated_time;  ///< [case][trial]
 };
 
-// Values of the statistic: three of the group, then four a case.
-enum GroupValue : std::size_t { value_ungated, value_baseline, value_gap, group_values };
+// Values of the statistic: five of the group, then four a case.
+enum GroupValue : std::size_t {
+  value_ungated,
+  value_baseline,
+  value_standardised,
+  value_gap,
+  value_gap_as_run,
+  group_values
+};
 enum CaseValue : std::size_t {
   value_gated,
   value_gain,
@@ -114,21 +124,49 @@ double rate(double length_m, double time_s) {
   return rate_of_advance(length_m, time_s).value_or(kNaN);
 }
 
-void rates(const Advance& advance,
-           std::span<const std::uint32_t> multiplicity,
-           std::span<double> values) {
+/// Metres and seconds of both algorithms.
+struct Sums {
   double length = 0.0;
   double time = 0.0;
   double baseline_length = 0.0;
   double baseline_time = 0.0;
+
+  void add(bool baseline, double more_length, double more_time) {
+    (baseline ? baseline_length : length) += more_length;
+    (baseline ? baseline_time : time) += more_time;
+  }
+};
+
+/// The baseline's rate at the gated algorithm's mix of lightings by length; NaN where it has none.
+double standardised_rate(std::span<const Sums> by_lighting) {
+  double length = 0.0;
+  double time = 0.0;
+  for (const Sums& sums : by_lighting) {
+    if (sums.length > 0.0) {
+      length += sums.length;
+      time += sums.length * 60.0 / rate(sums.baseline_length, sums.baseline_time);
+    }
+  }
+  return rate(length, time);
+}
+
+void rates(const Advance& advance,
+           std::span<const std::uint32_t> multiplicity,
+           std::span<double> values) {
+  std::vector<Sums> by_lighting(advance.lightings);
+  Sums all;
   for (std::size_t i = 0; i < advance.length.size(); ++i) {
     const double times = multiplicity[i];
-    (advance.baseline[i] != 0 ? baseline_length : length) += times * advance.length[i];
-    (advance.baseline[i] != 0 ? baseline_time : time) += times * advance.time[i];
+    for (Sums* const sums : {&all, &by_lighting[advance.lighting[i]]}) {
+      sums->add(advance.baseline[i] != 0, times * advance.length[i], times * advance.time[i]);
+    }
   }
-  values[value_ungated] = rate(length, time);
-  values[value_baseline] = rate(baseline_length, baseline_time);
-  values[value_gap] = values[value_baseline] - values[value_ungated];
+  const double length = all.length;
+  values[value_ungated] = rate(length, all.time);
+  values[value_baseline] = rate(all.baseline_length, all.baseline_time);
+  values[value_standardised] = standardised_rate(by_lighting);
+  values[value_gap] = values[value_standardised] - values[value_ungated];
+  values[value_gap_as_run] = values[value_baseline] - values[value_ungated];
   for (std::size_t c = 0; c < advance.gated_time.size(); ++c) {
     double gated_time = 0.0;
     for (std::size_t i = 0; i < advance.length.size(); ++i) {
@@ -190,6 +228,9 @@ class Group {
     auto data = std::make_shared<Advance>();
     data->gated_time.resize(cases_.size());
     std::map<std::string, std::uint32_t> codes;
+    std::set<std::string> of_gated;
+    std::set<std::string> of_baseline;
+    std::map<std::string, std::size_t> lightings;
     std::vector<std::uint32_t> cluster;
     for (const Trial& trial : trials_) {
       const std::size_t row = trial.any_row();
@@ -197,6 +238,8 @@ class Group {
         continue;
       }
       data->baseline.push_back(trial.baseline ? 1 : 0);
+      data->lighting.push_back(
+          lightings.emplace(rows_.lighting[row], lightings.size()).first->second);
       data->length.push_back(rows_.length[row]);
       data->time.push_back(rows_.time[row]);
       for (std::size_t c = 0; c < cases_.size(); ++c) {
@@ -204,18 +247,22 @@ class Group {
       }
       const auto code = static_cast<std::uint32_t>(codes.size());
       cluster.push_back(codes.emplace(rows_.cluster[row], code).first->second);
+      (trial.baseline ? of_baseline : of_gated).insert(rows_.cluster[row]);
     }
+    data->lightings = lightings.size();
     group_.clusters = codes.size();
+    gated_clusters_ = of_gated.size();
+    baseline_clusters_ = of_baseline.size();
     if (cluster.empty()) {
       group_.conditions.push_back(
           {ConditionKind::no_rows, ConditionSeverity::warning, "success", "no trial succeeds"});
       return;
     }
-    if (group_.clusters < kFewClusters) {
-      group_.conditions.push_back({ConditionKind::few_clusters,
-                                   ConditionSeverity::note,
-                                   options_.cluster,
-                                   std::to_string(group_.clusters)});
+    look_for_few();
+    if (group_.withheld.empty()) {
+      if (auto few = few_clusters(group_.clusters)) {
+        group_.conditions.push_back(std::move(*few));
+      }
     }
     Statistic statistic;
     statistic.rows = cluster.size();
@@ -230,7 +277,65 @@ class Group {
                            {options_.replicates, options_.seed, kH3Stream});
     group_.ungated = estimate(value_ungated);
     group_.baseline = estimate(value_baseline);
+    group_.baseline_standardised = estimate(value_standardised);
     group_.gap = estimate(value_gap);
+    group_.gap_as_run = estimate(value_gap_as_run);
+  }
+
+  /// Rates of an algorithm with so few successes have no intervals; with so few clusters nothing
+  /// has.
+  void look_for_few() {
+    const std::size_t enough = kTooFewOutcomes;
+    group_.withheld = too_few(options_.cluster, group_.clusters, enough, enough);
+    if (!group_.withheld.empty()) {
+      few_gated_ = few_baseline_ = true;
+      group_.conditions.push_back(withheld(group_.withheld));
+      return;
+    }
+    few_gated_ = is_few(options_.gated, group_.trials, group_.successes);
+    few_baseline_ = is_few(options_.baseline, group_.baseline_trials, group_.baseline_successes);
+  }
+
+  /// Says so, of an algorithm that has trials.
+  bool is_few(const std::string& algorithm, std::size_t trials, std::size_t successes) {
+    const bool few = successes < kTooFewOutcomes;
+    if (few && trials > 0) {
+      group_.conditions.push_back(withheld(std::to_string(successes) + " successes of '" +
+                                           algorithm + "', fewer than " +
+                                           std::to_string(kTooFewOutcomes)));
+    }
+    return few;
+  }
+
+  /// Which algorithms' trials a value is made of.
+  struct Makers {
+    bool gated = true;
+    bool baseline = true;
+  };
+
+  [[nodiscard]] static Makers makers_of(std::size_t value) {
+    if (value == value_baseline) {
+      return {false, true};
+    }
+    const bool both =
+        value == value_standardised || value == value_gap || value == value_gap_as_run ||
+        (value >= group_values && (value - group_values) % case_values == value_recovered);
+    return {true, both};
+  }
+
+  [[nodiscard]] bool is_withheld(std::size_t value) const {
+    const Makers makers = makers_of(value);
+    return (makers.gated && few_gated_) || (makers.baseline && few_baseline_);
+  }
+
+  /// The clusters that a value is made of; of two algorithms, those of the one that has fewer, as
+  /// its rate is the less certain one.
+  [[nodiscard]] std::size_t units_of(std::size_t value) const {
+    const Makers makers = makers_of(value);
+    if (makers.gated && makers.baseline) {
+      return std::min(gated_clusters_, baseline_clusters_);
+    }
+    return makers.gated ? gated_clusters_ : baseline_clusters_;
   }
 
   [[nodiscard]] H3Estimate estimate(std::size_t value) {
@@ -238,9 +343,14 @@ class Group {
     if (bootstrap_.observed.empty() || std::isnan(bootstrap_.observed[value])) {
       return out;
     }
-    const BootstrapEstimate found = bootstrap_estimate(bootstrap_, value, options_.level);
+    const BootstrapEstimate found =
+        bootstrap_estimate(bootstrap_, value, options_.level, options_.interval, units_of(value));
     out.value = found.observed;
-    out.bca = found.interval;
+    if (is_withheld(value)) {
+      return out;
+    }
+    out.interval = found.interval;
+    out.intervals = bootstrap_intervals(bootstrap_, value, options_.level, units_of(value));
     for (const Condition& condition : found.conditions) {
       if (!has(group_.conditions, condition.kind)) {
         group_.conditions.push_back(condition);
@@ -256,7 +366,7 @@ class Group {
     out.gated = estimate(first + value_gated);
     out.gain = estimate(first + value_gain);
     out.gain_share = estimate(first + value_gain_share);
-    const auto& gap = group_.gap.bca;
+    const auto& gap = group_.gap.interval;
     if (gap && (gap->low > 0.0 || gap->high < 0.0)) {
       out.recovered = estimate(first + value_recovered);
     }
@@ -272,12 +382,16 @@ class Group {
     out.lost = group_.successes - out.kept;
     if (group_.trials > 0) {
       out.lost_share = static_cast<double>(out.lost) / static_cast<double>(group_.trials);
+    }
+    if (group_.trials > 0 && group_.withheld.empty()) {
       out.lost_upper = clopper_pearson_upper(out.lost, group_.trials, options_.level);
       out.non_inferior = *out.lost_upper < options_.loss_margin;
     }
     if (group_.successes > 0) {
       out.retained = static_cast<double>(out.kept) / static_cast<double>(group_.successes);
-      out.retained_interval = wilson(out.kept, group_.successes, options_.level);
+      if (group_.withheld.empty()) {
+        out.retained_interval = wilson(out.kept, group_.successes, options_.level);
+      }
     }
     return out;
   }
@@ -297,6 +411,10 @@ class Group {
   const std::vector<Trial>& trials_;
   std::vector<CaseKey> cases_;
   const H3Options& options_;
+  std::size_t gated_clusters_ = 0;     ///< Among the successes of the gated algorithm.
+  std::size_t baseline_clusters_ = 0;  ///< Among those of the other.
+  bool few_gated_ = false;
+  bool few_baseline_ = false;
   H3Group group_;
   BootstrapResult bootstrap_;
 };

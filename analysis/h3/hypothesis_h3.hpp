@@ -12,6 +12,7 @@
 
 #include "analysis/basics/condition.hpp"
 #include "analysis/basics/interval.hpp"
+#include "analysis/resampling/bootstrap.hpp"
 #include "datasets/data_table.hpp"
 
 namespace tcert {
@@ -22,6 +23,7 @@ struct H3Options {
   std::string cluster = "day";    ///< Column of the unit of resampling; empty: trials.
   double level = 0.95;            ///< Of intervals and of the one-sided bound; in (0, 1).
   double loss_margin = 0.05;      ///< Loss of successes that would still do; in (0, 1).
+  BootstrapMethod interval = BootstrapMethod::expanded;  ///< The one to be read; all are kept.
   std::size_t replicates = 2000;
   std::uint64_t seed = 1;
 };
@@ -31,7 +33,8 @@ struct H3Options {
 
 struct H3Estimate {
   std::optional<double> value;
-  std::optional<Interval> bca;  ///< Clusters of both algorithms resampled jointly.
+  std::optional<Interval> interval;  ///< Clusters of both algorithms resampled jointly.
+  BootstrapIntervals intervals;      ///< By every method that is kept.
 };
 
 /// One speed law and beta under one lighting. Rates are total length over total time of the trials
@@ -65,12 +68,18 @@ struct H3Group {
   std::size_t baseline_successes = 0;
   std::size_t clusters = 0;  ///< Among the successes of both.
   H3Estimate ungated;
-  H3Estimate baseline;
-  H3Estimate gap;  ///< baseline - ungated.
+  H3Estimate baseline;  ///< As it ran.
+  /// The baseline's rate if its metres had been driven under the lightings of the gated
+  /// algorithm's: sum_l L_l / sum_l (L_l / r_l), L_l the ungated successes' length under lighting l
+  /// and r_l the baseline's rate there. NA if it has no success under one of them.
+  H3Estimate baseline_standardised;
+  H3Estimate gap;         ///< baseline_standardised - ungated.
+  H3Estimate gap_as_run;  ///< baseline - ungated: holds what the mixes of lightings differ in.
   std::optional<double> speed_cmd_mps;
   std::optional<double> baseline_speed_cmd_mps;
   std::optional<double> latency_ms;  ///< Median of the gated algorithm's medians, as logged.
   std::vector<H3Case> cases;
+  std::string withheld;  ///< Why intervals, bounds and verdicts are; empty if they are not.
   Conditions conditions;
 };
 
@@ -81,7 +90,9 @@ struct H3Table {
   Conditions conditions;        ///< Of the table as a whole; an error leaves no groups.
 };
 
-/// \throws std::invalid_argument if a column is not there or an option is out of range.
+/// With fewer than kTooFewClusters clusters among the successes no interval, bound or verdict is
+/// given; with fewer than kTooFewOutcomes successes of an algorithm none of its rates. \throws
+/// std::invalid_argument if a column is not there or an option is out of range.
 [[nodiscard]] H3Table hypothesis_h3(const DataTable& replays, const H3Options& options);
 
 }  // namespace tcert

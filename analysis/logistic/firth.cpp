@@ -17,7 +17,7 @@
 namespace tcert {
 namespace {
 
-LikelihoodPoint point_of(const FirthNewtonResult& newton) {
+ProfilePoint point_of(const FirthNewtonResult& newton) {
   // Away from the maximum the Hessian need not be definite; the information always is.
   return {newton.coefficients, newton.at.value, newton.at.gradient, newton.at.information};
 }
@@ -68,12 +68,12 @@ class FirthMaximum {
   /// Far from the estimate the penalised likelihood can have several maxima on start +
   /// span(subspace), so it is climbed from three points: there, and where the other directions are
   /// 0 or those of the estimate.
-  [[nodiscard]] std::optional<LikelihoodPoint> maximise(const Eigen::VectorXd& start,
-                                                        const Eigen::MatrixXd& subspace) const {
+  [[nodiscard]] std::optional<ProfilePoint> maximise(const Eigen::VectorXd& start,
+                                                     const Eigen::MatrixXd& subspace) const {
     const Eigen::VectorXd fixed = start - subspace * (subspace.transpose() * start);
     const Eigen::VectorXd as_estimated =
         fixed + subspace * (subspace.transpose() * newton_.coefficients);
-    std::optional<LikelihoodPoint> best;
+    std::optional<ProfilePoint> best;
     for (const Eigen::VectorXd& from : {start, fixed, as_estimated}) {
       const FirthNewtonResult result =
           maximise_firth(problem_.space.basis, problem_.rows, from, subspace, options_);
@@ -131,10 +131,12 @@ void add_separation(const LogisticInput& input, const LogisticProblem& problem, 
   for (std::size_t k = 0; k < signs.size(); ++k) {
     if (signs[k].positive || signs[k].negative) {
       const std::size_t column = problem.space.kept[k];
-      fit.conditions.push_back({ConditionKind::penalised_separation,
-                                ConditionSeverity::note,
-                                input.columns[column],
-                                separation_words(input, problem.used, column)});
+      fit.conditions.push_back(
+          {ConditionKind::penalised_separation,
+           ConditionSeverity::note,
+           input.columns[column],
+           separation_words(input, problem.used, column),
+           fit.options.profiles ? "" : "the Wald interval misleads; ask for the profile's"});
     }
   }
 }
@@ -158,6 +160,9 @@ void add_coefficients(const LogisticProblem& problem, const FirthMaximum& maximu
     one.test = maximum.test({k});
     if (fit.options.profiles) {
       one.profile = maximum.profile(k, fit.options.level);
+    }
+    if (fit.options.advance) {
+      fit.options.advance();
     }
     for (Eigen::Index other = 0; other < rank; ++other) {
       fit.covariance(

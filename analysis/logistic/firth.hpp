@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct FirthOptions {
   double level = 0.95;
   bool profiles = true;  ///< False leaves out the profile intervals.
   NewtonOptions newton;
+  std::function<void()> advance{};  ///< Called after each coefficient.
 };
 
 /// Numbers are empty unless `kind` is finite; a test or an end that was not found is empty too.

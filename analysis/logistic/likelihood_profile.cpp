@@ -14,7 +14,7 @@ namespace {
 /// The likelihood along one coefficient: functional' gamma, maximised over the rest.
 class Profile {
  public:
-  Profile(const LikelihoodPoint& maximum,
+  Profile(const ProfilePoint& maximum,
           const Eigen::VectorXd& functional,
           const ConstrainedMaximum& maximise)
       : maximise_(maximise),
@@ -29,7 +29,7 @@ class Profile {
     const Eigen::VectorXd line = at_.information.llt().solve(functional_);
     const Eigen::VectorXd start =
         at_.coefficients + line * ((to - value()) / functional_.dot(line));
-    std::optional<LikelihoodPoint> next = maximise_(start, others_);
+    std::optional<ProfilePoint> next = maximise_(start, others_);
     if (!next) {
       return false;
     }
@@ -50,13 +50,13 @@ class Profile {
   Eigen::VectorXd functional_;
   Eigen::MatrixXd others_;
   double highest_;
-  LikelihoodPoint at_;
+  ProfilePoint at_;
 };
 
 /// Where the root of the drop is `target` on the side of `sign`. The root is nearly linear in the
 /// coefficient, so Newton's method needs a few steps; they are kept within the bracket found so
 /// far.
-std::optional<double> profile_end(Profile profile, double error, double target, double sign) {
+std::optional<double> end_along(Profile profile, double error, double target, double sign) {
   double inside = profile.value();
   double outside = sign * std::numeric_limits<double>::infinity();
   double next = inside + sign * target * error;
@@ -87,15 +87,21 @@ Eigen::MatrixXd orthogonal_complement(const Eigen::MatrixXd& functionals) {
   return whole.rightCols(size - functionals.cols());
 }
 
-std::optional<Interval> profile_interval(const LikelihoodPoint& maximum,
+std::optional<double> profile_end(const ProfilePoint& maximum,
+                                  const Eigen::VectorXd& functional,
+                                  const ConstrainedMaximum& maximise,
+                                  double level,
+                                  double sign) {
+  const double error = std::sqrt(functional.dot(maximum.information.llt().solve(functional)));
+  return end_along(Profile(maximum, functional, maximise), error, normal_factor(level), sign);
+}
+
+std::optional<Interval> profile_interval(const ProfilePoint& maximum,
                                          const Eigen::VectorXd& functional,
                                          const ConstrainedMaximum& maximise,
                                          double level) {
-  const double error = std::sqrt(functional.dot(maximum.information.llt().solve(functional)));
-  const double target = normal_factor(level);
-  const Profile profile(maximum, functional, maximise);
-  const auto low = profile_end(profile, error, target, -1.0);
-  const auto high = profile_end(profile, error, target, 1.0);
+  const auto low = profile_end(maximum, functional, maximise, level, -1.0);
+  const auto high = profile_end(maximum, functional, maximise, level, 1.0);
   return low && high ? std::optional(Interval{*low, *high, level}) : std::nullopt;
 }
 

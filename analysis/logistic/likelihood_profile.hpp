@@ -12,7 +12,7 @@
 namespace tcert {
 
 /// A maximum, free or constrained, of a (penalised) log-likelihood along an orthonormal basis.
-struct LikelihoodPoint {
+struct ProfilePoint {
   Eigen::VectorXd coefficients;
   double value = 0.0;
   Eigen::VectorXd gradient;
@@ -20,17 +20,24 @@ struct LikelihoodPoint {
 };
 
 /// Maximises over start + span(subspace); empty if that does not converge.
-using ConstrainedMaximum = std::function<std::optional<LikelihoodPoint>(
+using ConstrainedMaximum = std::function<std::optional<ProfilePoint>(
     const Eigen::VectorXd& start, const Eigen::MatrixXd& subspace)>;
 
 /// Orthonormal columns that span what is orthogonal to the columns of `functionals`.
 /// \pre these are linearly independent.
 [[nodiscard]] Eigen::MatrixXd orthogonal_complement(const Eigen::MatrixXd& functionals);
 
-/// The two values of functional' coefficients at which twice the drop from `maximum` is the
-/// chi-squared quantile of `level` (one degree of freedom), to 1e-10 of its root. Empty if an end
-/// is not found. About 8 maximisations an end.
-[[nodiscard]] std::optional<Interval> profile_interval(const LikelihoodPoint& maximum,
+/// The value of functional' coefficients below (`sign` -1) or above the maximum at which twice the
+/// drop from `maximum` is the chi-squared quantile of `level` (one degree of freedom), to 1e-10 of
+/// its root. Empty if it is not found. About 8 maximisations.
+[[nodiscard]] std::optional<double> profile_end(const ProfilePoint& maximum,
+                                                const Eigen::VectorXd& functional,
+                                                const ConstrainedMaximum& maximise,
+                                                double level,
+                                                double sign);
+
+/// Both ends. Empty if one is not found.
+[[nodiscard]] std::optional<Interval> profile_interval(const ProfilePoint& maximum,
                                                        const Eigen::VectorXd& functional,
                                                        const ConstrainedMaximum& maximise,
                                                        double level);

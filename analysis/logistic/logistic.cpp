@@ -9,9 +9,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 #include "analysis/logistic/logistic_checks.hpp"
 #include "analysis/logistic/logistic_problem.hpp"
+#include "analysis/logistic/near_separation.hpp"
 #include "analysis/logistic/separation_words.hpp"
 
 namespace tcert {
@@ -87,18 +89,15 @@ Eigen::MatrixXd score_products(const LogisticInput& input,
   return scores * scores.transpose();
 }
 
-void add_cluster_conditions(const LogisticInput& input, LogisticFit& fit) {
-  if (!input.cluster || fit.variance != CoefficientVariance::robust) {
+void add_cluster_conditions(LogisticFit& fit) {
+  if (!fit.clustered) {
     return;
   }
   if (fit.clusters == 1) {
     fit.conditions.push_back(
         {ConditionKind::one_cluster, ConditionSeverity::warning, "", "no robust variance"});
-  } else if (fit.clusters < 30) {
-    fit.conditions.push_back({ConditionKind::few_clusters,
-                              ConditionSeverity::note,
-                              "",
-                              fmt::format("{} clusters", fit.clusters)});
+  } else if (auto few = few_clusters(fit.clusters, fit.rank)) {
+    fit.conditions.push_back(std::move(*few));
   }
 }
 
@@ -156,6 +155,52 @@ std::vector<bool> determined(const LogisticProblem& problem) {
   return result;
 }
 
+struct ScaledEstimates {
+  const Eigen::MatrixXd& back;
+  const Eigen::VectorXd& estimates;
+  const Eigen::VectorXd& units;
+};
+
+/// Names the `known` coefficients that have run away, which are known no longer.
+void withhold_runaways(const LogisticInput& input,
+                       const LogisticProblem& problem,
+                       const NewtonResult& newton,
+                       const std::vector<std::size_t>& names,
+                       const ScaledEstimates& scaled,
+                       std::vector<bool>& known,
+                       LogisticFit& fit) {
+  if (!(newton.at.largest_eta > kSuspiciousEta)) {
+    return;
+  }
+  const Eigen::LLT<Eigen::MatrixXd> information(newton.at.information);
+  Eigen::VectorXd variances(scaled.back.rows());
+  for (Eigen::Index k = 0; k < variances.size(); ++k) {
+    const Eigen::VectorXd functional = scaled.back.row(k).transpose();
+    variances[k] = functional.dot(information.solve(functional));
+  }
+  const std::vector<bool> away = ran_away(input,
+                                          problem,
+                                          names,
+                                          {scaled.back, scaled.estimates, variances, scaled.units},
+                                          newton.at.largest_eta);
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (!known[k] || !away[k]) {
+      continue;
+    }
+    known[k] = false;
+    const auto row = static_cast<Eigen::Index>(k);
+    LogisticCoefficient& coefficient = fit.coefficients[names[problem.space.kept[k]]];
+    coefficient.kind = CoefficientKind::ran_away;
+    fit.conditions.push_back(
+        {ConditionKind::near_separation,
+         ConditionSeverity::warning,
+         coefficient.column,
+         fmt::format("a log odds ratio of {:.3g} with a standard error of {:.3g}",
+                     scaled.estimates[row] * scaled.units[row],
+                     std::sqrt(variances[row]) * scaled.units[row])});
+  }
+}
+
 /// Estimates of the problem that was solved; `names[k]` is the input's column of its column k.
 void add_estimates(const LogisticInput& input,
                    const LogisticProblem& problem,
@@ -171,9 +216,10 @@ void add_estimates(const LogisticInput& input,
   const Eigen::VectorXd estimates = back * newton.coefficients;
   const Eigen::MatrixXd covariance =
       back * basis_covariance(input, problem, newton, fit) * back.transpose();
-  const std::vector<bool> known = fit.separation == Separation::none
-                                      ? std::vector<bool>(problem.space.kept.size(), true)
-                                      : determined(problem);
+  std::vector<bool> known = fit.separation == Separation::none
+                                ? std::vector<bool>(problem.space.kept.size(), true)
+                                : determined(problem);
+  withhold_runaways(input, problem, newton, names, {back, estimates, units}, known, fit);
   for (std::size_t a = 0; a < known.size(); ++a) {
     if (!known[a]) {
       continue;
@@ -203,7 +249,8 @@ void add_separation(const LogisticInput& input, const LogisticProblem& problem, 
   const bool complete = fit.separation == Separation::complete;
   for (std::size_t k = 0; k < problem.space.kept.size(); ++k) {
     LogisticCoefficient& coefficient = fit.coefficients[problem.space.kept[k]];
-    if (coefficient.kind == CoefficientKind::finite) {
+    if (coefficient.kind == CoefficientKind::finite ||
+        coefficient.kind == CoefficientKind::ran_away) {
       continue;
     }
     const bool both = signs[k].positive == signs[k].negative;
@@ -302,7 +349,7 @@ void add_solution(const LogisticInput& input, const LogisticProblem& problem, Lo
     set_limits(problem, maximum.separation.overlaps, fit.fitted);
     add_separation(input, problem, fit);
   }
-  add_cluster_conditions(input, fit);
+  add_cluster_conditions(fit);
 }
 
 }  // namespace
@@ -311,6 +358,7 @@ LogisticFit fit_logistic(const LogisticInput& input, const LogisticOptions& opti
   LogisticFit fit;
   fit.options = options;
   fit.variance = options.variance;
+  fit.clustered = input.cluster && options.variance == CoefficientVariance::robust;
   fit.conditions = input.conditions;
   for (const std::string& column : input.columns) {
     LogisticCoefficient coefficient;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct LogisticInput {
   Eigen::VectorXd offset;         ///< Empty: 0 each.
   std::optional<Factor> cluster;  ///< For the robust variance.
   Conditions conditions;          ///< What is known of the rows already; an error ends the fit.
+  /// Per column, if any: its values in the units that words about it are to have, where the design
+  /// holds a scaled column. Empty, or of another length than the design: those of the design.
+  std::vector<std::span<const double>> own_units;
 };
 
 /// The frame's outcome as successes out of trials; numbers must be 0 or 1 (condition `not_binary`,
@@ -58,6 +62,7 @@ enum class CoefficientKind : std::uint8_t {
   plus_infinity,   ///< By separation.
   minus_infinity,  ///< By separation.
   diverging,       ///< By separation, in a direction that the likelihood leaves open.
+  ran_away,        ///< Finite by a hair: see `ran_away()`.
   unknown,         ///< The fit ended without an estimate.
 };
 
@@ -89,7 +94,8 @@ struct LogisticFit {
 
   Separation separation = Separation::none;
   CoefficientVariance variance = CoefficientVariance::model;
-  std::size_t clusters = 0;  ///< Of the robust variance.
+  std::size_t clusters = 0;  ///< Of the robust variance; the rows where none are named.
+  bool clustered = false;    ///< They are named.
 
   Termination termination = Termination::converged;
   int iterations = 0;
@@ -104,9 +110,9 @@ struct LogisticFit {
 /// estimate in the completion of the model (Geyer, 2009). No estimate is given without convergence.
 ///
 /// Conditions: no_rows, too_few_rows, one_class, constant_column, collinear_column,
-/// complete_separation, quasi_separation, not_converged, infinite_value, bad_weight, few_clusters,
-/// one_cluster. \throws std::invalid_argument if lengths differ, successes lie outside [0, trials],
-/// or the level outside (0, 1). O(rows columns^2) an iteration.
+/// complete_separation, quasi_separation, near_separation, not_converged, infinite_value,
+/// bad_weight, few_clusters, one_cluster. \throws std::invalid_argument if lengths differ,
+/// successes lie outside [0, trials], or the level outside (0, 1). O(rows columns^2) an iteration.
 [[nodiscard]] LogisticFit fit_logistic(const LogisticInput& input,
                                        const LogisticOptions& options = {});
 

@@ -1,9 +1,11 @@
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "analysis/logistic/logistic.hpp"
 #include "analysis/model/frame_checks.hpp"
 #include "datasets/csv_write.hpp"
+#include "datasets/trimmed.hpp"
 
 namespace tcert {
 namespace {
@@ -12,16 +14,49 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+/// "cbind(k, n - k)" for the response "k/n"; in general words for another.
+std::string counts_in_words(const std::string& response) {
+  const std::size_t slash = response.find('/');
+  const auto plain = [](const std::string& name) {
+    return !name.empty() && name.find_first_of("/()+-*^:, ") == std::string::npos;
+  };
+  if (slash != std::string::npos) {
+    const std::string k(trimmed(std::string_view(response).substr(0, slash)));
+    const std::string n(trimmed(std::string_view(response).substr(slash + 1)));
+    if (plain(k) && plain(n)) {
+      return "cbind(" + k + ", " + n + " - " + k + ")";
+    }
+  }
+  return "cbind(successes, failures)";
+}
+
+/// Shares of successes, which R takes with their numbers of trials as weights.
+bool are_shares(const std::string& response, const std::vector<double>& values) {
+  bool fraction = response.find('/') != std::string::npos;
+  for (const double value : values) {
+    if (!(value >= 0.0 && value <= 1.0)) {
+      return response.find('/') != std::string::npos;
+    }
+    fraction = fraction || (value > 0.0 && value < 1.0);
+  }
+  return fraction;
+}
+
 std::optional<Condition> first_not_binary(const ModelFrame& frame,
                                           const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] != 0.0 && values[i] != 1.0) {
       std::string found;
       append_number(found, values[i]);
-      return Condition{ConditionKind::not_binary,
-                       ConditionSeverity::error,
-                       frame.response,
-                       "found " + found + " in " + place_of(frame, i)};
+      Condition condition{ConditionKind::not_binary,
+                          ConditionSeverity::error,
+                          frame.response,
+                          "found " + found + " in " + place_of(frame, i)};
+      if (are_shares(frame.response, values)) {
+        condition.advice = "shares of successes are given by their counts: write '" +
+                           counts_in_words(frame.response) + "', without --weights";
+      }
+      return condition;
     }
   }
   return std::nullopt;

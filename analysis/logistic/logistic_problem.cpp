@@ -20,6 +20,8 @@ std::vector<Eigen::Index> used_rows(const LogisticInput& input) {
   return used;
 }
 
+}  // namespace
+
 LogisticProblem part_of(const LogisticInput& input,
                         const LogisticProblem& problem,
                         const std::vector<bool>& keep) {
@@ -37,8 +39,6 @@ LogisticProblem part_of(const LogisticInput& input,
   part.space = orthonormal_basis(input.design(part.used, problem.space.kept));
   return part;
 }
-
-}  // namespace
 
 LogisticProblem logistic_problem(const LogisticInput& input) {
   LogisticProblem problem;

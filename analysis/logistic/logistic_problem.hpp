@@ -26,6 +26,12 @@ struct LogisticProblem {
 
 [[nodiscard]] LogisticProblem logistic_problem(const LogisticInput& input);
 
+/// Only the rows for which `keep` (one a row of the problem) holds, over their own basis; its
+/// columns count among the kept ones of `problem`.
+[[nodiscard]] LogisticProblem part_of(const LogisticInput& input,
+                                      const LogisticProblem& problem,
+                                      const std::vector<bool>& keep);
+
 /// Where to start: 0, or against a large offset, where 0 may be hopelessly far, the least-squares
 /// fit of the rows' own smoothed logits less the offset (as `glm` starts).
 [[nodiscard]] Eigen::VectorXd starting_point(const LogisticProblem& problem);

@@ -87,6 +87,15 @@ std::optional<std::string> dummy_words(const LogisticInput& input,
   return words.empty() ? std::nullopt : std::optional(words);
 }
 
+/// The column in its own units.
+double own_value(const LogisticInput& input, Eigen::Index row, std::size_t column) {
+  if (column < input.own_units.size() &&
+      static_cast<Eigen::Index>(input.own_units[column].size()) == input.design.rows()) {
+    return input.own_units[column][static_cast<std::size_t>(row)];
+  }
+  return input.design(row, static_cast<Eigen::Index>(column));
+}
+
 std::optional<std::string> threshold_words(const LogisticInput& input,
                                            const std::vector<Eigen::Index>& used,
                                            std::size_t column) {
@@ -96,7 +105,7 @@ std::optional<std::string> threshold_words(const LogisticInput& input,
   double least_failure = kInfinity;
   double most_failure = -kInfinity;
   for (const Eigen::Index row : used) {
-    const double value = input.design(row, static_cast<Eigen::Index>(column));
+    const double value = own_value(input, row, column);
     Outcomes outcome;
     outcome.add(input, row);
     if (outcome.success) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datasets/trimmed.hpp"
+
 namespace tcert {
 namespace {
 
@@ -211,10 +213,6 @@ class Expansion {
           .push_back(call.arguments.front());
       return {};
     }
-    if (call.name == "strata") {
-      formula_.strata.insert(formula_.strata.end(), call.arguments.begin(), call.arguments.end());
-      return {};
-    }
     if (call.name == "Surv" || call.name == "cbind" || call.name == "~" || call.name == "|" ||
         call.name == "||") {
       fail("'" + to_string(call) + "' cannot stand on the right-hand side");
@@ -254,8 +252,10 @@ RandomTerm Expansion::random_effects(const Expression& side) const {
   Expansion expansion(own);
   RandomTerm effects;
   effects.terms = expansion.terms_of(side);
-  const bool plain =
-      own.offsets.empty() && own.strata.empty() && own.clusters.empty() && own.random_terms.empty();
+  const bool plain = own.offsets.empty() && own.clusters.empty() && own.random_terms.empty() &&
+                     std::none_of(expansion.seen().begin(),
+                                  expansion.seen().end(),
+                                  [](const Expression& one) { return one.is_call("strata"); });
   if (!plain || (effects.terms.empty() && !own.intercept)) {
     fail("'" + to_string(side) + "' are no random effects: write (1 | group) or (1 + x | group)");
   }
@@ -264,11 +264,28 @@ RandomTerm Expansion::random_effects(const Expression& side) const {
   return effects;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\n");
-  const auto last = text.find_last_not_of(" \t\n");
-  return first == std::string_view::npos ? std::string_view{}
-                                         : text.substr(first, last - first + 1);
+/// Strata are no columns of the model: their own effects leave the terms.
+void take_strata(const std::vector<Expression>& seen, Formula& formula) {
+  for (const Expression& variable : seen) {
+    const bool used = variable.is_call("strata") &&
+                      std::any_of(formula.terms.begin(),
+                                  formula.terms.end(),
+                                  [&](const Term& term) { return holds(term, variable); });
+    for (const Expression& argument : variable.arguments) {
+      if (used && std::find(formula.strata.begin(), formula.strata.end(), argument) ==
+                      formula.strata.end()) {
+        formula.strata.push_back(argument);
+      }
+    }
+  }
+  const auto is_stratum = [](const Term& term) {
+    return term.variables.size() == 1 && term.variables.front().is_call("strata");
+  };
+  std::copy_if(formula.terms.begin(),
+               formula.terms.end(),
+               std::back_inserter(formula.strata_effects),
+               is_stratum);
+  std::erase_if(formula.terms, is_stratum);
 }
 
 }  // namespace
@@ -334,6 +351,8 @@ Formula parse_formula(std::string_view text) {
   Expansion expansion(formula);
   formula.terms = expansion.terms_of(whole.arguments[1]);
   sort_as_r_does(formula.terms, expansion.seen());
+  take_strata(expansion.seen(), formula);
+  formula.intercept = formula.intercept || formula.response.is_call("Surv");
   return formula;
 }
 

@@ -8,7 +8,9 @@
 ///     Surv(time, status == 2) ~ age + strata(sex) + cluster(inst)
 ///     Surv(start, stop, event) ~ x
 ///
-/// `+ 0` and `- 1` drop the intercept, `- term` a term, `a/b` is a + a:b, `(a + b)^2` all terms of
+/// `+ 0` and `- 1` drop the intercept, but not of Surv(): a Cox model has none to drop, and its
+/// factors keep their contrasts as coxph's do. x * strata(g) is x and x:strata(g) within strata.
+/// `- term` drops a term, `a/b` is a + a:b, `(a + b)^2` all terms of
 /// up to two variables. There is no `.` and no `%in%`. `(1 | a/b)` is (1 | a) + (1 | b:a), and
 /// `(1 + x || g)` is (1 | g) + (0 + x | g).
 
@@ -47,7 +49,9 @@ struct Formula {
   bool intercept = true;
   std::vector<Term> terms;           ///< Main effects first, then by order, as R sorts them.
   std::vector<Expression> offsets;   ///< Arguments of offset().
-  std::vector<Expression> strata;    ///< Arguments of strata().
+  std::vector<Expression> strata;    ///< Arguments of strata(), also of those in products.
+  std::vector<Term> strata_effects;  ///< strata() on its own: it has no coefficients, but x *
+                                     ///< strata(g) is coded against it.
   std::vector<Expression> clusters;  ///< Arguments of cluster().
   std::vector<RandomTerm> random_terms;
 

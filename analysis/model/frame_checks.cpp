@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "analysis/survival/time_conditions.hpp"
 #include "datasets/csv_write.hpp"
 
 namespace tcert {
@@ -131,14 +132,27 @@ void check_times(const SurvivalOutcome& survival, const std::string& column, Mod
   }
 }
 
-void check_snapped(const SurvivalOutcome& survival, const std::string& column, ModelFrame& frame) {
+void round_and_check_times(SurvivalOutcome& survival,
+                           const std::string& column,
+                           bool round,
+                           ModelFrame& frame) {
+  add_unlike_times(
+      survival.stop, column, [&](std::size_t i) { return place_of(frame, i); }, frame.conditions);
+  if (!round) {
+    add_rounding_conditions(count_times(survival), column, frame.conditions);
+    return;
+  }
+  add_rounding_conditions(round_times(survival), column, frame.conditions);
   if (survival.left_truncated()) {
     check_rows(
         frame,
         ConditionKind::start_not_before_stop,
         column,
         [&](std::size_t i) { return !(survival.start[i] < survival.stop[i]); },
-        [&](std::size_t i) { return "a step of rounding size at " + text(survival.stop[i]); });
+        [&](std::size_t i) {
+          return "a step of rounding size at " + text(survival.stop[i]) +
+                 "; subtract the first time from both, or keep it with --no-time-rounding";
+        });
   }
 }
 
@@ -147,7 +161,7 @@ void check_counts(ModelFrame& frame) {
   const auto is_count = [](double x) { return std::isfinite(x) && x >= 0.0 && x == std::floor(x); };
   check_rows(
       frame,
-      ConditionKind::not_binary,
+      ConditionKind::bad_counts,
       frame.response,
       [&](std::size_t i) {
         return !is_count(counts.successes[i]) || !is_count(counts.trials[i] - counts.successes[i]);

@@ -24,8 +24,12 @@ void check_weights(const std::vector<double>& values, const std::string& column,
 /// Times are finite and above 0, starts before their stops.
 void check_times(const SurvivalOutcome& survival, const std::string& column, ModelFrame& frame);
 
-/// Starts still lie before their stops when times that differ by rounding have been made equal.
-void check_snapped(const SurvivalOutcome& survival, const std::string& column, ModelFrame& frame);
+/// Makes times equal that differ by rounding, if `round`, and says what that did, or what R would
+/// do; then starts must still lie before their stops. Names times that are far from the others.
+void round_and_check_times(SurvivalOutcome& survival,
+                           const std::string& column,
+                           bool round,
+                           ModelFrame& frame);
 
 /// Successes and failures are whole and not negative.
 void check_counts(ModelFrame& frame);

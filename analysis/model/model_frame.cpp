@@ -1,24 +1,25 @@
 #include "analysis/model/model_frame.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <string_view>
+#include <iterator>
 
 #include "analysis/model/design_matrix.hpp"
 #include "analysis/model/frame_checks.hpp"
+#include "analysis/model/outcome_coding.hpp"
+#include "analysis/model/stray_text.hpp"
+#include "datasets/cell_reading.hpp"
 
 namespace tcert {
 namespace {
 
 constexpr std::size_t kMostGroups = 1000;  ///< A curve each; a test is cubic in their number.
 
-bool reads_as_number(std::string_view text) {
-  double value = 0.0;
-  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  return error == std::errc{} && stop == end;
+/// The column in which an expression of names has them: x, (x) and I(x) of x.
+const Expression& inside(const Expression& expression) {
+  const bool wraps =
+      (expression.is_call("(") || expression.is_call("I")) && expression.arguments.size() == 1;
+  return wraps ? inside(expression.arguments.front()) : expression;
 }
 
 /// Everything that the formula and the options name, evaluated on all rows of the table.
@@ -61,8 +62,7 @@ class FrameBuilder {
 
   void use_numbers(std::vector<Used>& list, const Expression& expression) {
     if (use(list, expression).kind == Variable::Kind::factor) {
-      throw FormulaError("'" + list.back().name + "' of " + table_.file +
-                         " holds text, not numbers");
+      throw FormulaError(not_numbers(table_, list.back().name));
     }
   }
 
@@ -73,38 +73,27 @@ class FrameBuilder {
   }
 
   void use_factor(std::vector<Used>& list, const Expression& expression) {
+    refuse_missing_words(table_, text_column(expression));
     list.push_back(
         {to_string(expression), {Variable::Kind::factor, {}, evaluate_factor(expression, table_)}});
   }
 
-  /// A single typing error would otherwise make a factor of a column of numbers.
+  [[nodiscard]] const DataColumn* text_column(const Expression& expression) const {
+    const Expression& name = inside(expression);
+    const DataColumn* const column =
+        name.kind == Expression::Kind::column ? table_.find(name.name) : nullptr;
+    return column != nullptr && column->is_text ? column : nullptr;
+  }
+
+  /// Stray texts would otherwise make a factor of a column of numbers.
   void refuse_stray_text(const Expression& expression) const {
-    if (options_.right_side != RightSide::design || expression.kind != Expression::Kind::column) {
+    if (options_.right_side == RightSide::groups) {
+      refuse_missing_words(table_, text_column(expression));
       return;
     }
-    const DataColumn* const column = table_.find(expression.name);
-    if (column == nullptr || !column->is_text) {
-      return;
-    }
-    std::vector<bool> is_number;
-    for (const std::string& level : column->text.levels) {
-      is_number.push_back(reads_as_number(level));
-    }
-    std::size_t numbers = 0;
-    std::size_t texts = 0;
-    std::size_t first = 0;
-    for (std::size_t row = 0; row < table_.rows; ++row) {
-      const std::uint32_t code = column->text.codes[row];
-      if (code != Factor::kMissing && is_number[code]) {
-        ++numbers;
-      } else if (code != Factor::kMissing) {
-        first = texts++ == 0 ? row : first;
-      }
-    }
-    if (texts > 0 && numbers >= 4 * texts) {
-      throw FormulaError("'" + column->text.levels[column->text.codes[first]] + "' in row " +
-                         std::to_string(first + 1) + " of column " + expression.name + " of " +
-                         table_.file + " is not a number; write factor(" + expression.name +
+    const DataColumn* const column = text_column(expression);
+    if (column != nullptr && column->mixed.is_spoiled()) {
+      throw FormulaError(stray_cell(table_, *column) + "; write factor(" + column->name +
                          ") if it is a name");
     }
   }
@@ -212,7 +201,10 @@ class FrameBuilder {
       }
     }
     for (const NamedVariable& variable : right_) {
-      mark(to_string(variable.expression), variable.value, complete);
+      // Those of strata() are marked one by one.
+      if (!variable.expression.is_call("strata")) {
+        mark(to_string(variable.expression), variable.value, complete);
+      }
     }
     for (const NamedVariable& variable : slopes_) {
       mark(to_string(variable.expression), variable.value, complete);
@@ -243,23 +235,65 @@ class FrameBuilder {
 
   /// A factor of two levels as 0 and 1: by the levels of the whole column, so that the rows that
   /// happen to be complete do not turn it over.
-  [[nodiscard]] std::vector<double> kept_outcome(const Used& used) const {
+  /// Words that everybody writes for an outcome mean what they say, whatever their order.
+  [[nodiscard]] std::vector<double> kept_outcome(const Used& used, const Expression& expression) {
     if (used.value.kind != Variable::Kind::factor) {
       return kept(used.value);
     }
     const Factor& factor = used.value.factor;
-    if (factor.levels.size() == 1 || factor.levels.size() > 2) {
-      throw FormulaError("'" + used.name + "' has " + std::to_string(factor.levels.size()) +
-                         (factor.levels.size() == 1 ? " level" : " levels") +
-                         "; an outcome has two: write " + used.name + " == \"" +
-                         factor.levels.back() + "\"");
+    const bool has_order = text_column(expression) == nullptr ||
+                           options_.reference.count(text_column(expression)->name) > 0;
+    if (const auto coding = has_order ? std::nullopt : coded_by_words(factor)) {
+      return kept_coding(*coding);
     }
+    refuse_bad_outcome(used, expression);
     std::vector<double> codes;
     codes.reserve(frame_.rows.size());
     for (const std::size_t row : frame_.rows) {
       codes.push_back(factor.codes[row]);
     }
+    frame_.outcome_levels = on_rows(factor, frame_.rows).levels;
     return codes;
+  }
+
+  [[nodiscard]] std::vector<double> kept_coding(const OutcomeCoding& coding) {
+    std::vector<double> codes;
+    codes.reserve(frame_.rows.size());
+    for (const std::size_t row : frame_.rows) {
+      codes.push_back(coding.values[row]);
+    }
+    if (!coding.failure.empty() && !coding.success.empty()) {
+      frame_.outcome_levels = {coding.failure, coding.success};
+    }
+    return codes;
+  }
+
+  void refuse_bad_outcome(const Used& used, const Expression& expression) const {
+    const Factor& factor = used.value.factor;
+    const DataColumn* const column = text_column(expression);
+    const bool is_spoiled = column != nullptr && column->mixed.is_spoiled();
+    const std::string advice = "; an outcome has two: write " + used.name + " == \"" +
+                               (factor.levels.empty() ? "" : factor.levels.back()) + "\"";
+    if (is_spoiled) {
+      throw FormulaError(stray_cell(table_, *column));
+    }
+    if (column != nullptr && column->mixed.missing_words > 0) {
+      throw FormulaError("'" + used.name + "' of " + table_.file + " holds '" +
+                         missing_word_of(factor) + "', which is no outcome; " +
+                         std::string(kHowMissingIsWritten));
+    }
+    if (factor.levels.size() == 1 || factor.levels.size() > 2) {
+      throw FormulaError("'" + used.name + "' has " + std::to_string(factor.levels.size()) +
+                         (factor.levels.size() == 1 ? " level" : " levels") + advice);
+    }
+  }
+
+  static std::string missing_word_of(const Factor& factor) {
+    const auto found =
+        std::find_if(factor.levels.begin(), factor.levels.end(), [](const std::string& level) {
+          return read_cell(level).meaning == CellMeaning::missing_word;
+        });
+    return found == factor.levels.end() ? "" : *found;
   }
 
   void take_outcome() {
@@ -277,10 +311,7 @@ class FrameBuilder {
       frame_.outcome = std::move(counts);
       check_counts(frame_);
     } else {
-      NumberOutcome numbers{kept_outcome(outcome_[0])};
-      if (outcome_[0].value.kind == Variable::Kind::factor) {
-        frame_.outcome_levels = on_rows(outcome_[0].value.factor, frame_.rows).levels;
-      }
+      NumberOutcome numbers{kept_outcome(outcome_[0], response)};
       check_finite(numbers.values, frame_.response, frame_);
       frame_.outcome = std::move(numbers);
     }
@@ -298,7 +329,7 @@ class FrameBuilder {
     if (outcome_.size() == 3) {
       survival.start = kept(outcome_.front().value);
     }
-    const std::vector<double> events = kept_outcome(status);
+    const std::vector<double> events = kept_outcome(status, formula_.response.arguments.back());
     check_binary(events, status.name, frame_);
     survival.event.reserve(events.size());
     for (const double event : events) {
@@ -306,8 +337,7 @@ class FrameBuilder {
     }
     check_times(survival, time.name, frame_);
     if (!has_error(frame_.conditions)) {
-      snap_times(survival);
-      check_snapped(survival, time.name, frame_);
+      round_and_check_times(survival, time.name, options_.round_times, frame_);
     }
     frame_.outcome = std::move(survival);
   }
@@ -339,13 +369,54 @@ class FrameBuilder {
       take_groups();
       return;
     }
-    DesignMatrix design = design_matrix(formula_, right_, frame_.rows.size());
+    DesignMatrix design = design_within_strata();
     frame_.design = std::move(design.values);
     frame_.columns = std::move(design.columns);
     frame_.term_of = std::move(design.term_of);
   }
 
+  /// Products with strata() are coded as if its own effects were in the model; these have no
+  /// columns, as in coxph().
+  [[nodiscard]] DesignMatrix design_within_strata() const {
+    if (!has_products_with_strata()) {
+      return design_matrix(formula_, right_, frame_.rows.size());
+    }
+    Formula whole = formula_;
+    std::copy_if(formula_.strata_effects.begin(),
+                 formula_.strata_effects.end(),
+                 std::back_inserter(whole.terms),
+                 [&](const Term& effect) { return is_on_the_right(effect.variables.front()); });
+    const DesignMatrix all = design_matrix(whole, right_, frame_.rows.size());
+    DesignMatrix design;
+    std::vector<Eigen::Index> kept;
+    for (std::size_t k = 0; k < all.columns.size(); ++k) {
+      if (all.term_of[k] <= formula_.terms.size()) {
+        kept.push_back(static_cast<Eigen::Index>(k));
+        design.columns.push_back(all.columns[k]);
+        design.term_of.push_back(all.term_of[k]);
+      }
+    }
+    design.values = all.values(Eigen::all, kept);
+    return design;
+  }
+
+  [[nodiscard]] bool is_on_the_right(const Expression& expression) const {
+    return std::any_of(right_.begin(), right_.end(), [&](const NamedVariable& variable) {
+      return variable.expression == expression;
+    });
+  }
+
+  [[nodiscard]] bool has_products_with_strata() const {
+    return std::any_of(right_.begin(), right_.end(), [](const NamedVariable& variable) {
+      return variable.expression.is_call("strata");
+    });
+  }
+
   void take_groups() {
+    if (has_products_with_strata()) {
+      throw FormulaError("formula '" + formula_.text +
+                         "': a product with strata() is for cox; here write + strata()");
+    }
     std::vector<Factor> factors;
     for (const NamedVariable& variable : right_) {
       factors.push_back(evaluate_factor(variable.expression, table_));

@@ -32,6 +32,7 @@ struct FrameOptions {
   std::string strata;   ///< Column of the strata, beside strata() in the formula.
   RightSide right_side = RightSide::design;
   bool allow_infinite = false;  ///< Of predictors, where only ranks count.
+  bool round_times = true;      ///< Times that differ by rounding are one (`round_times`).
 };
 
 /// Successes out of trials, one row each; a 0/1 outcome has trials of 1.
@@ -57,7 +58,8 @@ struct ModelFrame {
   std::string formula;
   std::string response;  ///< As R prints it: "Surv(time, status == 2)".
   std::variant<NumberOutcome, CountOutcome, SurvivalOutcome> outcome;
-  std::vector<std::string> outcome_levels;  ///< Of a text outcome: what is 0, then what is 1.
+  std::vector<std::string> outcome_levels;  ///< Of a text outcome: what is 0, then what is 1;
+                                            ///< several words with commas between.
 
   Eigen::MatrixXd design;            ///< rows x columns; the intercept first if there is one.
   std::vector<std::string> columns;  ///< R's names: "(Intercept)", "lightingdim", "x1:lightingdim".
@@ -82,12 +84,14 @@ struct ModelFrame {
 };
 
 /// Evaluates `formula` on `table`. The kind of outcome follows the response: Surv() -> survival
-/// with snapped times, cbind() -> counts, anything else -> numbers (a text column or factor() of
-/// two levels is 0 and 1 in the order of all its levels, and so is a status; times and counts are
-/// numbers). Where infinities are allowed, a row in which a product of a term is infinity times 0
-/// is missing. \throws FormulaError if a column is not in the table (with the nearest name), a
-/// variable cannot be evaluated (log of a text column), an outcome of text has not two levels, or a
-/// predictor without factor() is text though four fifths of its cells are numbers.
+/// with rounded times, cbind() -> counts, anything else -> numbers. A text column whose levels are
+/// words of outcome_of_cell() is 0 and 1 by these, any other of two levels, and factor(), in the
+/// order of all its levels; so is a status; times and counts are numbers. Where infinities are
+/// allowed, a row in which a product of a term is infinity times 0 is missing. \throws FormulaError
+/// if a column is not in the table (with the nearest name), a variable cannot be evaluated (log of
+/// a text column), an outcome of text has not two levels, a predictor without factor() is a column
+/// of numbers spoiled by texts (MixedCells::is_spoiled()), or another column by words for missing
+/// cells.
 [[nodiscard]] ModelFrame model_frame(const Formula& formula,
                                      const DataTable& table,
                                      const FrameOptions& options = {});

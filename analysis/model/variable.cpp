@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
+#include "analysis/model/stray_text.hpp"
+#include "datasets/cell_reading.hpp"
 #include "datasets/csv_write.hpp"
 #include "datasets/nearest_name.hpp"
 
@@ -62,7 +65,21 @@ auto find_by(const Table& table, std::string_view name) {
   return found == table.end() ? nullptr : &*found;
 }
 
-/// Levels by value; -0 and 0 are one.
+/// The number of 15 significant digits that R prints for `value`; 0 for -0.
+double as_printed(double value) {
+  if (value == 0.0 || !std::isfinite(value)) {
+    return value == 0.0 ? 0.0 : value;
+  }
+  constexpr int kDigits = 15;
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(
+      text.data(), text.data() + text.size(), value, std::chars_format::scientific, kDigits - 1);
+  double printed = value;
+  std::from_chars(text.data(), end, printed);
+  return printed;
+}
+
+/// Levels by value; numbers that print alike are one, as in R's factor().
 Factor levels_by_value(const std::vector<double>& numbers) {
   std::vector<double> distinct;
   std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(distinct), [](double x) {
@@ -71,17 +88,22 @@ Factor levels_by_value(const std::vector<double>& numbers) {
   std::sort(distinct.begin(), distinct.end());
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   Factor factor;
+  std::vector<std::uint32_t> level_of;  // of each distinct number
+  double last = 0.0;
   for (const double value : distinct) {
-    factor.levels.emplace_back();
-    append_number(factor.levels.back(), value == 0.0 ? 0.0 : value);
+    const double printed = as_printed(value);
+    if (factor.levels.empty() || printed != last) {
+      factor.levels.emplace_back();
+      append_number(factor.levels.back(), printed);
+    }
+    last = printed;
+    level_of.push_back(static_cast<std::uint32_t>(factor.levels.size() - 1));
   }
   factor.codes.reserve(numbers.size());
   for (const double x : numbers) {
-    factor.codes.push_back(
-        std::isnan(x)
-            ? Factor::kMissing
-            : static_cast<std::uint32_t>(std::lower_bound(distinct.begin(), distinct.end(), x) -
-                                         distinct.begin()));
+    const auto place = std::lower_bound(distinct.begin(), distinct.end(), x) - distinct.begin();
+    factor.codes.push_back(std::isnan(x) ? Factor::kMissing
+                                         : level_of[static_cast<std::size_t>(place)]);
   }
   return factor;
 }
@@ -115,8 +137,8 @@ void put_first(Factor& factor, const std::string& level, const std::string& colu
 
 class Evaluation {
  public:
-  Evaluation(const DataTable& table, const References& references)
-      : table_(table), references_(references) {}
+  Evaluation(const DataTable& table, References references)
+      : table_(table), references_(std::move(references)) {}
 
   Variable value(const Expression& expression) {
     switch (expression.kind) {
@@ -146,11 +168,36 @@ class Evaluation {
 
   void apply_reference(const std::string& column, Factor& factor) const {
     if (const auto level = references_.find(column); level != references_.end()) {
-      put_first(factor, level->second, column);
+      const DataColumn* const data = table_.find(column);
+      const bool is_truth = data != nullptr && data->is_truth;
+      put_first(factor, is_truth ? truth_word(level->second) : level->second, column);
     }
   }
 
+  /// TRUE or FALSE for any spelling of them; other words stay.
+  static std::string truth_word(const std::string& word) {
+    const CellReading reading = read_cell(word);
+    return reading.meaning != CellMeaning::truth ? word : reading.value == 1.0 ? "TRUE" : "FALSE";
+  }
+
+  /// TRUE and FALSE, in a comparison also T and F, where no column is called so.
+  [[nodiscard]] bool is_truth_constant(const Expression& expression, bool compared) const {
+    const std::string& name = expression.name;
+    return expression.kind == Expression::Kind::column &&
+           (name == "TRUE" || name == "FALSE" || (compared && (name == "T" || name == "F"))) &&
+           table_.find(name) == nullptr;
+  }
+
+  [[nodiscard]] Variable truth_constant(const std::string& name) const {
+    return {Variable::Kind::truth,
+            std::vector<double>(table_.rows, name.front() == 'T' ? 1.0 : 0.0),
+            {}};
+  }
+
   [[nodiscard]] Variable column(const std::string& name) const {
+    if (is_truth_constant({Expression::Kind::column, 0.0, name, {}}, false)) {
+      return truth_constant(name);
+    }
     const DataColumn& data = find(name);
     if (data.is_truth && references_.count(name) == 0) {
       return {Variable::Kind::truth, data.numbers, {}};
@@ -165,15 +212,38 @@ class Evaluation {
   }
 
   std::vector<double> numbers(const Expression& expression, const Expression& of) {
-    Variable variable = value(expression);
+    if (is_truth_constant(expression, of.is_call("==") || of.is_call("!="))) {
+      return truth_constant(expression.name).numbers;
+    }
+    // A reference level turns truth values into a factor; as numbers they stay what they are.
+    Variable variable = Evaluation(table_, {}).value(expression);
     if (variable.kind == Variable::Kind::factor) {
-      throw FormulaError("'" + to_string(of) + "' needs numbers, but '" + to_string(expression) +
-                         "' holds text");
+      refuse_text(expression, of);
     }
     return std::move(variable.numbers);
   }
 
+  [[noreturn]] void refuse_text(const Expression& expression, const Expression& of) const {
+    std::string problem =
+        "'" + to_string(of) + "' needs numbers, but '" + to_string(expression) + "' holds text";
+    const DataColumn* const data =
+        expression.kind == Expression::Kind::column ? table_.find(expression.name) : nullptr;
+    if (data != nullptr && data->is_text && data->mixed.is_spoiled()) {
+      problem += ": " + stray_cell(table_, *data);
+    } else if (data != nullptr && data->is_text &&
+               std::any_of(of.arguments.begin(), of.arguments.end(), [&](const Expression& one) {
+                 return is_truth_constant(one, true);
+               })) {
+      problem += ", not TRUE and FALSE; write " + expression.name + " == \"" +
+                 data->text.levels.back() + "\" for the text that counts as TRUE";
+    }
+    throw FormulaError(problem);
+  }
+
   Variable call(const Expression& call) {
+    if (call.name == "strata") {
+      return stratum(call);
+    }
     if (call.arguments.size() == 1) {
       const Expression& only = call.arguments.front();
       if (call.name == "(") {
@@ -231,6 +301,23 @@ class Evaluation {
     return variable;
   }
 
+  /// The levels of strata() as survival names them: "M3" where all arguments are text, "a, M3" of
+  /// several, else "sex=1, arm=A".
+  Variable stratum(const Expression& call) {
+    bool all_text = true;
+    std::vector<Factor> factors;
+    for (const Expression& argument : call.arguments) {
+      all_text = all_text && value(argument).kind == Variable::Kind::factor;
+      factors.push_back(factor(argument).factor);
+    }
+    for (std::size_t k = 0; k < factors.size() && !all_text; ++k) {
+      for (std::string& level : factors[k].levels) {
+        level.insert(0, to_string(call.arguments[k]) + '=');
+      }
+    }
+    return {Variable::Kind::factor, {}, crossed(factors, ", ")};
+  }
+
   Variable applied(const Expression& call, const Function& function) {
     if (call.name == "I") {
       return value(call.arguments.front());
@@ -260,20 +347,50 @@ class Evaluation {
     return {Variable::Kind::number, std::move(x), {}};
   }
 
+  /// A word for a missing cell differs from every text, and would count as one of them. Compared
+  /// with itself it is meant. \throws FormulaError with its place.
+  void refuse_missing_words(const Expression& call,
+                            const Factor& factor,
+                            const std::string& text) const {
+    std::vector<bool> is_missing_word;
+    for (const std::string& level : factor.levels) {
+      is_missing_word.push_back(level != text &&
+                                read_cell(level).meaning == CellMeaning::missing_word);
+    }
+    const auto found =
+        std::find_if(factor.codes.begin(), factor.codes.end(), [&](std::uint32_t code) {
+          return code != Factor::kMissing && is_missing_word[code];
+        });
+    if (found == factor.codes.end()) {
+      return;
+    }
+    const auto row = static_cast<std::size_t>(found - factor.codes.begin());
+    std::string place = "row " + std::to_string(row + 1) + " of " + table_.file;
+    if (row < table_.lines.size()) {
+      place += " (line " + std::to_string(table_.lines[row]) + ")";
+    }
+    const std::string& word = factor.levels[*found];
+    throw FormulaError("'" + to_string(call) + "': found '" + word + "' in " + place + ", which " +
+                       "would count as another text than '" + text + "'; " +
+                       std::string(kHowMissingIsWritten) + "; if '" + word +
+                       "' is a name, compare with it or call it something else");
+  }
+
   /// A factor compared with a text.
   Variable compared(const Expression& call, const Expression& subject, std::string text) {
     if (call.name != "==" && call.name != "!=") {
       throw FormulaError("'" + to_string(call) + "': texts are equal or not, nothing else");
     }
-    const Variable what = value(subject);
+    const Variable what = Evaluation(table_, {}).value(subject);
     if (what.kind == Variable::Kind::truth) {
-      text = text == "true" ? "TRUE" : text == "false" ? "FALSE" : text;
+      text = truth_word(text);
       if (text != "TRUE" && text != "FALSE") {
         throw FormulaError("'" + to_string(call) + "': '" + to_string(subject) +
                            "' is TRUE or FALSE");
       }
     }
     const Variable names = factor(subject);
+    refuse_missing_words(call, names.factor, text);
     Variable result{Variable::Kind::truth, std::vector<double>(table_.rows, kNaN), {}};
     for (std::size_t row = 0; row < table_.rows; ++row) {
       if (!names.is_missing(row)) {
@@ -325,7 +442,7 @@ class Evaluation {
   }
 
   const DataTable& table_;
-  const References& references_;
+  References references_;
 };
 
 }  // namespace

@@ -30,12 +30,15 @@ struct Variable {
 /// Reference level by column: it becomes the first level.
 using References = std::map<std::string, std::string>;
 
-/// Arithmetic (+ - * / ^), comparison, log, log2, log10, log1p, exp, sqrt, abs, I, scale, factor
-/// and as.numeric. A text column is a factor; factor() of numbers sorts its levels by value.
-/// scale() uses the mean and standard deviation (n - 1) of the rows where its argument is known, as
-/// R does before it leaves rows out. A truth value as a factor has the levels FALSE and TRUE.
-/// O(rows) a call, O(rows log levels) for a factor. \throws FormulaError if a column is not there
-/// (with the nearest name), a function is not known, or an argument is of the wrong kind.
+/// Arithmetic (+ - * / ^), comparison, log, log2, log10, log1p, exp, sqrt, abs, I, scale, factor,
+/// strata and as.numeric. A text column is a factor; factor() of numbers sorts its levels by value,
+/// and numbers that print alike to 15 digits are one level, as in R. TRUE and FALSE (after == and
+/// != also T and F) are truth values where no column has that name. strata() is the cross of its
+/// arguments, its levels named as survival names them. scale() uses the mean and standard deviation
+/// (n - 1) of the rows where its argument is known, as R does before it leaves rows out. A truth
+/// value as a factor has the levels FALSE and TRUE. O(rows) a call, O(rows log levels) for a
+/// factor. \throws FormulaError if a column is not there (with the nearest name), a function is not
+/// known, or an argument is of the wrong kind.
 [[nodiscard]] Variable evaluate(const Expression& expression,
                                 const DataTable& table,
                                 const References& references = {});

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/resampling/jackknife.hpp"
 
@@ -48,6 +49,7 @@ BootstrapResult bootstrap(const Statistic& statistic,
     throw std::invalid_argument("bootstrap: no replicates");
   }
   BootstrapResult result;
+  result.units = plan.units();
   result.left_out = leave_one_out(statistic, plan);
   result.observed = observed_values(statistic);
   result.replicates.assign(statistic.values, std::vector<double>(options.replicates));
@@ -62,14 +64,20 @@ BootstrapResult bootstrap(const Statistic& statistic,
 BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
                                      std::size_t value,
                                      double level,
-                                     BootstrapMethod method) {
+                                     BootstrapMethod method,
+                                     std::optional<std::size_t> units) {
   if (value >= result.observed.size()) {
     throw std::invalid_argument("bootstrap: a value that is not there");
   }
   const BootstrapDistribution distribution =
       bootstrap_distribution(result.replicates[value], result.observed[value]);
-  BootstrapInterval interval =
-      bootstrap_interval(distribution, method, result.acceleration[value], level);
+  const bool one_unit = units && *units < 2 && method == BootstrapMethod::expanded;
+  BootstrapInterval interval = one_unit ? BootstrapInterval{}
+                                        : bootstrap_interval(distribution,
+                                                             method,
+                                                             result.acceleration[value],
+                                                             level,
+                                                             units.value_or(result.units));
   BootstrapEstimate estimate;
   estimate.observed = distribution.observed;
   estimate.bias = distribution.mean - distribution.observed;
@@ -77,6 +85,41 @@ BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
   estimate.interval = interval.interval;
   estimate.conditions = std::move(interval.conditions);
   return estimate;
+}
+
+const std::optional<Interval>& BootstrapIntervals::of(BootstrapMethod method) const {
+  switch (method) {
+    case BootstrapMethod::expanded:
+      return expanded;
+    case BootstrapMethod::percentile:
+      return percentile;
+    case BootstrapMethod::bca:
+      return bca;
+    case BootstrapMethod::normal:
+    case BootstrapMethod::basic:
+      break;
+  }
+  throw std::invalid_argument("bootstrap: an interval that is not kept");
+}
+
+BootstrapIntervals bootstrap_intervals(const BootstrapResult& result,
+                                       std::size_t value,
+                                       double level,
+                                       std::optional<std::size_t> units) {
+  const auto by = [&](BootstrapMethod method) {
+    return bootstrap_estimate(result, value, level, method, units).interval;
+  };
+  BootstrapEstimate bca = bootstrap_estimate(result, value, level, BootstrapMethod::bca);
+  BootstrapIntervals intervals{
+      by(BootstrapMethod::expanded), by(BootstrapMethod::percentile), bca.interval, std::nullopt};
+  for (Condition& condition : bca.conditions) {
+    const bool is_reason = condition.kind == ConditionKind::infinite_bias ||
+                           condition.kind == ConditionKind::no_acceleration;
+    if (is_reason && !bca.interval && intervals.percentile) {
+      intervals.no_bca = std::move(condition);
+    }
+  }
+  return intervals;
 }
 
 }  // namespace tcert

@@ -23,6 +23,7 @@ struct BootstrapOptions {
 /// Values of a statistic on the data, on every resample and without every unit. Index 0 is the
 /// statistic's first value.
 struct BootstrapResult {
+  std::size_t units = 0;  ///< Rows or clusters of a replicate.
   std::vector<double> observed;
   std::vector<std::vector<double>> replicates;      ///< [value][replicate]; NaN where it failed.
   std::vector<std::vector<double>> left_out;        ///< [value][unit].
@@ -46,11 +47,31 @@ struct BootstrapEstimate {
   Conditions conditions;
 };
 
-/// Value number `value` with its interval. \throws std::invalid_argument if there is no such value
-/// or `level` is not in (0, 1).
+/// Value number `value` with its interval. `units` is of how many drawn units the value is made,
+/// where that is not all of them: the clusters of one group; expanded percentiles make up for so
+/// many. Of fewer than two they have no interval. \throws std::invalid_argument if there is no such
+/// value or `level` is not in (0, 1).
 [[nodiscard]] BootstrapEstimate bootstrap_estimate(const BootstrapResult& result,
                                                    std::size_t value,
                                                    double level = 0.95,
-                                                   BootstrapMethod method = BootstrapMethod::bca);
+                                                   BootstrapMethod method = BootstrapMethod::bca,
+                                                   std::optional<std::size_t> units = {});
+
+/// The intervals that a hypothesis keeps of a value: one to be read, all to be compared.
+struct BootstrapIntervals {
+  std::optional<Interval> expanded;
+  std::optional<Interval> percentile;
+  std::optional<Interval> bca;
+  std::optional<Condition> no_bca;  ///< Why, where the others have an interval and BCa has none.
+
+  /// \throws std::invalid_argument for another method.
+  [[nodiscard]] const std::optional<Interval>& of(BootstrapMethod method) const;
+};
+
+/// All of value number `value`, with `units` and \throws as `bootstrap_estimate`.
+[[nodiscard]] BootstrapIntervals bootstrap_intervals(const BootstrapResult& result,
+                                                     std::size_t value,
+                                                     double level = 0.95,
+                                                     std::optional<std::size_t> units = {});
 
 }  // namespace tcert

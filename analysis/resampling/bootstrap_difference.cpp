@@ -25,6 +25,7 @@ BootstrapResult paired_difference(const BootstrapResult& result,
     throw std::invalid_argument("bootstrap: no value of that number");
   }
   BootstrapResult difference;
+  difference.units = result.units;
   difference.observed = {result.observed[first] - result.observed[second]};
   difference.replicates = {minus(result.replicates[first], result.replicates[second])};
   difference.left_out = {minus(result.left_out[first], result.left_out[second])};

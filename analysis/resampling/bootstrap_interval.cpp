@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/basics/normal.hpp"
+#include "analysis/basics/student_t.hpp"
 
 namespace tcert {
 namespace {
@@ -151,7 +152,8 @@ BootstrapDistribution bootstrap_distribution(std::span<const double> replicates,
 BootstrapInterval bootstrap_interval(const BootstrapDistribution& distribution,
                                      BootstrapMethod method,
                                      std::optional<double> acceleration,
-                                     double level) {
+                                     double level,
+                                     std::size_t units) {
   if (!(level > 0.0 && level < 1.0)) {
     throw std::invalid_argument("bootstrap: level must be in (0, 1)");
   }
@@ -174,6 +176,12 @@ BootstrapInterval bootstrap_interval(const BootstrapDistribution& distribution,
       return result;
     }
     levels = *adjusted;
+  } else if (method == BootstrapMethod::expanded) {
+    if (units < 2) {
+      throw std::invalid_argument("bootstrap: expanded percentiles need two units");
+    }
+    const double tail = expanded_tail(level, units);
+    levels = {tail, 1.0 - tail};
   }
   const Endpoint low = endpoint(distribution.sorted, levels.first);
   const Endpoint high = endpoint(distribution.sorted, levels.second);
@@ -192,6 +200,27 @@ BootstrapInterval bootstrap_interval(const BootstrapDistribution& distribution,
                         ? Interval{2.0 * t0 - high.value, 2.0 * t0 - low.value, level}
                         : Interval{low.value, high.value, level};
   return result;
+}
+
+double expanded_tail(double level, std::size_t units) {
+  const auto count = static_cast<double>(units);
+  return normal_cdf(-std::sqrt(count / (count - 1.0)) * t_factor(level, count - 1.0));
+}
+
+std::string_view to_string(BootstrapMethod method) noexcept {
+  switch (method) {
+    case BootstrapMethod::normal:
+      return "normal";
+    case BootstrapMethod::basic:
+      return "basic";
+    case BootstrapMethod::percentile:
+      return "percentile";
+    case BootstrapMethod::expanded:
+      return "expanded";
+    case BootstrapMethod::bca:
+      return "BCa";
+  }
+  return "";
 }
 
 }  // namespace tcert

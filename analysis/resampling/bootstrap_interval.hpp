@@ -1,11 +1,13 @@
 #pragma once
 /// \file
-/// Confidence intervals from bootstrap replicates, as R's `boot::boot.ci` has them.
+/// Confidence intervals from bootstrap replicates, as R's `boot::boot.ci` has them, and expanded
+/// percentiles.
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "analysis/basics/condition.hpp"
@@ -31,6 +33,7 @@ enum class BootstrapMethod : std::uint8_t {
   normal,      ///< t0 - bias -+ z SD.
   basic,       ///< 2 t0 - the percentile endpoints, exchanged.
   percentile,  ///< Quantiles of the replicates.
+  expanded,    ///< Quantiles at levels that make up for few units (Hesterberg 2015).
   bca,         ///< Quantiles at bias-corrected and accelerated levels (Efron 1987).
 };
 
@@ -43,13 +46,25 @@ struct BootstrapInterval {
   Conditions conditions;
 };
 
+/// `units` is how many rows or clusters were drawn in a replicate.
 /// Quantiles lie at rank (R + 1) alpha, between order statistics interpolated on the scale of
 /// normal quantiles (Davison & Hinkley 1997, eq. 5.8; `norm.inter`). BCa: w = qnorm(below / R),
 /// alpha' = pnorm(w + (w + z) / (1 - a (w + z))). `acceleration` is of use to BCa alone.
-/// \throws std::invalid_argument if `level` is not in (0, 1). O(1).
+/// Expanded: with G `units` the tail alpha / 2 is pnorm(-sqrt(G / (G - 1)) qt(1 - alpha / 2, G -
+/// 1)) instead, as the bootstrap's spread is that of n and not of n - 1, and normal where it should
+/// be Student's (Hesterberg 2015, The American Statistician 69:371). \throws std::invalid_argument
+/// if `level` is not in (0, 1), or for expanded percentiles of fewer than two units. O(1).
 [[nodiscard]] BootstrapInterval bootstrap_interval(const BootstrapDistribution& distribution,
                                                    BootstrapMethod method,
                                                    std::optional<double> acceleration = {},
-                                                   double level = 0.95);
+                                                   double level = 0.95,
+                                                   std::size_t units = 0);
+
+/// The tail below the lower end of an expanded percentile interval; that above the upper one is as
+/// large. \pre units > 1, level in (0, 1).
+[[nodiscard]] double expanded_tail(double level, std::size_t units);
+
+/// "BCa", "expanded", "percentile", "basic", "normal": as headings have it.
+[[nodiscard]] std::string_view to_string(BootstrapMethod method) noexcept;
 
 }  // namespace tcert

@@ -83,11 +83,12 @@ Folds assign_folds(std::span<const std::uint8_t> success,
   }
   folds.count = std::min(options.folds, codes.count);
   if (folds.count < options.folds) {
-    folds.conditions.push_back({ConditionKind::few_clusters,
-                                ConditionSeverity::note,
-                                "",
-                                std::to_string(codes.count) + " clusters for " +
-                                    std::to_string(options.folds) + " folds"});
+    folds.conditions.push_back(
+        {ConditionKind::few_clusters,
+         ConditionSeverity::note,
+         "",
+         std::to_string(codes.count) + " clusters for " + std::to_string(options.folds) + " folds",
+         "each cluster is a fold of its own"});
   }
   folds.rows.assign(folds.count, 0);
   folds.failures.assign(folds.count, 0);

@@ -78,7 +78,7 @@ struct PooledScore {
                                           std::span<const std::uint8_t> success,
                                           HigherMeans higher = HigherMeans::success);
 
-/// Harrell's C of out-of-fold `scores` within folds. `outcome` has snapped times.
+/// Harrell's C of out-of-fold `scores` within folds. `outcome` has rounded times.
 /// \throws std::invalid_argument if lengths differ.
 [[nodiscard]] PooledScore out_of_fold_c(const Folds& folds,
                                         std::span<const double> scores,

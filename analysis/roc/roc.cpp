@@ -4,14 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "analysis/basics/complete_rows.hpp"
+#include "analysis/basics/few_clusters.hpp"
 #include "analysis/basics/normal.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr std::size_t kFewClusters = 30;
 
 /// Conditions of the classes alone; one that is an error means that there is no AUC.
 Conditions class_conditions(const CompleteRows& rows) {
@@ -70,11 +70,8 @@ void add_cluster_conditions(const Units& units, Conditions& conditions) {
     none("all successes are in it");
   } else if (units.with_failure < 2) {
     none("all failures are in it");
-  } else if (units.all < kFewClusters) {
-    conditions.push_back({ConditionKind::few_clusters,
-                          ConditionSeverity::note,
-                          "",
-                          std::to_string(units.all) + " clusters"});
+  } else if (auto few = few_clusters(units.all)) {
+    conditions.push_back(std::move(*few));
   }
 }
 

@@ -1,7 +1,7 @@
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/basics/student_t.hpp"
 #include "analysis/roc/roc.hpp"
 
 namespace tcert {
@@ -10,19 +10,6 @@ namespace {
 double unit_count(const AucEstimate& estimate) {
   return static_cast<double>(estimate.clusters > 0 ? estimate.clusters
                                                    : estimate.successes + estimate.failures);
-}
-
-double t_p_value(double t, double degrees_of_freedom, Alternative alternative) {
-  const boost::math::students_t student(degrees_of_freedom);
-  switch (alternative) {
-    case Alternative::less:
-      return boost::math::cdf(student, t);
-    case Alternative::greater:
-      return boost::math::cdf(boost::math::complement(student, t));
-    case Alternative::two_sided:
-      break;
-  }
-  return 2.0 * boost::math::cdf(boost::math::complement(student, std::abs(t)));
 }
 
 }  // namespace
@@ -60,9 +47,7 @@ UnpairedAucTest unpaired_auc_test(const AucEstimate& first,
   test.t = difference / standard_error;
   test.degrees_of_freedom = degrees_of_freedom;
   test.p_value = t_p_value(*test.t, degrees_of_freedom, alternative);
-  const double half =
-      standard_error * boost::math::quantile(boost::math::complement(
-                           boost::math::students_t(degrees_of_freedom), (1.0 - level) / 2.0));
+  const double half = standard_error * t_factor(level, degrees_of_freedom);
   test.interval = Interval{difference - half, difference + half, level};
   return test;
 }

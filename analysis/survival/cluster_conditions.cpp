@@ -1,35 +1,31 @@
 #include "analysis/survival/cluster_conditions.hpp"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
+#include "analysis/basics/compact_codes.hpp"
+#include "analysis/basics/few_clusters.hpp"
+
 namespace tcert {
-namespace {
-
-constexpr std::size_t kFewClusters = 30;
-
-}  // namespace
 
 std::size_t count_clusters(const Factor& cluster, std::span<const std::uint32_t> rows) {
-  std::vector<bool> seen(cluster.levels.size(), false);
+  std::vector<std::uint32_t> codes;
+  codes.reserve(rows.size());
   for (const std::uint32_t row : rows) {
-    seen[cluster.codes[row]] = true;
+    codes.push_back(cluster.codes[row]);
   }
-  return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+  return count_codes(codes);
 }
 
 void add_cluster_conditions(std::size_t clusters,
                             const std::string& group,
                             Conditions& conditions) {
-  const std::string of = group.empty() ? "" : group + ": ";
   if (clusters == 1) {
+    const std::string of = group.empty() ? "" : group + ": ";
     conditions.push_back(
         {ConditionKind::one_cluster, ConditionSeverity::warning, "", of + "no robust variance"});
-  } else if (clusters > 1 && clusters < kFewClusters) {
-    conditions.push_back({ConditionKind::few_clusters,
-                          ConditionSeverity::note,
-                          "",
-                          of + std::to_string(clusters) + " clusters"});
+  } else if (auto few = few_clusters(clusters, 0, group)) {
+    conditions.push_back(std::move(*few));
   }
 }
 

@@ -12,7 +12,7 @@
 
 namespace tcert {
 
-/// Distinct clusters among `rows`. O(rows + clusters).
+/// Distinct clusters among `rows`. O(rows log rows).
 [[nodiscard]] std::size_t count_clusters(const Factor& cluster,
                                          std::span<const std::uint32_t> rows);
 

@@ -10,6 +10,7 @@
 #include "analysis/survival/cluster_conditions.hpp"
 #include "analysis/survival/influence_sums.hpp"
 #include "analysis/survival/survival_outcome.hpp"
+#include "analysis/survival/time_rounding.hpp"
 
 namespace tcert {
 namespace {
@@ -259,8 +260,12 @@ void name_conditions(const Rows& rows, IncidenceCurves& curves) {
 
 }  // namespace
 
+double IncidenceCurves::time_near(double t) const noexcept {
+  return step_time(time, t, [](double one) { return one; });
+}
+
 std::size_t IncidenceCurves::index_at(double t) const noexcept {
-  const auto after = std::upper_bound(time.begin(), time.end(), t);
+  const auto after = std::upper_bound(time.begin(), time.end(), time_near(t));
   return after == time.begin() ? time.size() : static_cast<std::size_t>(after - time.begin()) - 1;
 }
 
@@ -271,7 +276,6 @@ std::vector<IncidenceCurves> cumulative_incidence(CompetingOutcome outcome,
   for (const std::uint32_t cause : outcome.cause) {
     any.event.push_back(cause == 0 ? 0 : 1);
   }
-  snap_times(any);
   const std::size_t groups = options.groups == nullptr ? 1 : options.groups->levels.size();
   const TimeOrder order = time_order(any,
                                      options.groups == nullptr ? std::span<const std::uint32_t>{}

@@ -47,17 +47,19 @@ struct IncidenceCurves {
   IncidenceCurve event_free;
   Conditions conditions;
 
+  /// The time of the data that `t` is but for rounding (`step_time`), else `t`.
+  [[nodiscard]] double time_near(double t) const noexcept;
+
   /// Index of the last time that is not later than `t`, or time.size() before the first, where
-  /// every incidence is 0.
+  /// every incidence is 0. The same time but for rounding is not later.
   [[nodiscard]] std::size_t index_at(double t) const noexcept;
 };
 
-/// Times are snapped within. Intervals: `survival_interval(probability, std_error / probability)`;
-/// numbers at risk at given times: `numbers_at_risk`. Standard errors are NaN in a group of one
-/// cluster. Conditions: no_rows (an error), no_events, one_cluster (warnings), few_clusters (a
-/// note). O(n log n) for any number of clusters.
-/// \throws std::invalid_argument if lengths differ, a factor has missing codes, or a weight, time
-/// or cause is out of range.
+/// `outcome` has rounded times. Intervals: `survival_interval(probability, std_error /
+/// probability)`; numbers at risk at given times: `numbers_at_risk`. Standard errors are NaN in a
+/// group of one cluster. Conditions: no_rows (an error), no_events, one_cluster (warnings),
+/// few_clusters (a note). O(n log n) for any number of clusters. \throws std::invalid_argument if
+/// lengths differ, a factor has missing codes, or a weight, time or cause is out of range.
 [[nodiscard]] std::vector<IncidenceCurves> cumulative_incidence(
     CompetingOutcome outcome, const IncidenceOptions& options = {});
 

@@ -1,13 +1,13 @@
 #include "analysis/survival/log_rank.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <span>
 #include <stdexcept>
 
 #include "analysis/basics/time_order.hpp"
+#include "analysis/basics/wald_test.hpp"
 
 namespace tcert {
 namespace {
@@ -122,15 +122,13 @@ void set_statistic(LogRankTest& test) {
     }
   }
   test.df = used.size() - 1;
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(covariance);
-  if (!lu.isInvertible()) {
+  const std::optional<ChiSquareTest> form = wald_test(difference, covariance);
+  if (!form) {
     test.conditions.push_back({ConditionKind::zero_variance, ConditionSeverity::error, {}, {}});
     return;
   }
-  const double chi_squared = difference.dot(lu.solve(difference));
-  test.chi_squared = chi_squared;
-  test.p_value =
-      boost::math::gamma_q(0.5 * static_cast<double>(test.df), 0.5 * std::max(0.0, chi_squared));
+  test.chi_squared = form->statistic;
+  test.p_value = form->p_value;
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct LogRankTest {
 
 /// The G-rho family: rho = 0 is the log-rank test, rho = 1 Peto and Peto's, weighted by the pooled
 /// Kaplan-Meier curve of the stratum. Left-truncated rows are taken as well, by their risk sets.
-/// `outcome` has snapped times; `strata` may be null. O(n log n + k^2 times).
+/// `outcome` has rounded times; `strata` may be null. O(n log n + k^2 times).
 /// \throws std::invalid_argument if lengths differ, a factor has missing codes, or a time or event
 /// is out of range, or `rho` is not finite.
 [[nodiscard]] LogRankTest log_rank_test(const SurvivalOutcome& outcome,

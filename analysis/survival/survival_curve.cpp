@@ -8,6 +8,7 @@
 #include "analysis/basics/time_order.hpp"
 #include "analysis/survival/cluster_conditions.hpp"
 #include "analysis/survival/influence_sums.hpp"
+#include "analysis/survival/time_rounding.hpp"
 
 namespace tcert {
 namespace {
@@ -270,9 +271,13 @@ void name_conditions(SurvivalCurve& curve) {
 
 double SurvivalPoint::std_error() const noexcept { return survival * log_std_error; }
 
+double SurvivalCurve::time_near(double time) const noexcept {
+  return step_time(points, time, [](const SurvivalPoint& point) { return point.time; });
+}
+
 const SurvivalPoint* SurvivalCurve::at(double time) const noexcept {
   const auto after = std::upper_bound(
-      points.begin(), points.end(), time, [](double value, const SurvivalPoint& point) {
+      points.begin(), points.end(), time_near(time), [](double value, const SurvivalPoint& point) {
         return value < point.time;
       });
   return after == points.begin() ? nullptr : &*(after - 1);

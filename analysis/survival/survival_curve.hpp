@@ -50,15 +50,19 @@ struct SurvivalCurve {
   std::vector<SurvivalPoint> points;  ///< One per distinct stop, ascending.
   Conditions conditions;
 
-  /// The curve just after `time`: the last point that is not later, or null before the first.
+  /// The time of the point that `time` is but for rounding (`step_time`), else `time`.
+  [[nodiscard]] double time_near(double time) const noexcept;
+
+  /// The curve just after `time`: the last point that is not later, or null before the first. A
+  /// point at the same time but for rounding is not later.
   [[nodiscard]] const SurvivalPoint* at(double time) const noexcept;
 };
 
 /// A curve per level of the groups, in order; a level without rows has a curve without points.
-/// `outcome` has snapped times. Standard errors are Greenwood's, that of the hazard its Poisson
-/// form; with a cluster or fractional weights both are robust: the infinitesimal jackknife of rows
-/// or clusters (R does so too); NaN in a group of one cluster. Conditions: no_rows (an error),
-/// no_events, one_cluster (warnings), few_clusters (a note). O(n log n).
+/// `outcome` has rounded times (`round_times`). Standard errors are Greenwood's, that of the hazard
+/// its Poisson form; with a cluster or fractional weights both are robust: the infinitesimal
+/// jackknife of rows or clusters (R does so too); NaN in a group of one cluster. Conditions:
+/// no_rows (an error), no_events, one_cluster (warnings), few_clusters (a note). O(n log n).
 /// \throws std::invalid_argument if lengths differ, a factor has missing codes, or a weight, time
 /// or event is out of range.
 [[nodiscard]] std::vector<SurvivalCurve> survival_curves(const SurvivalOutcome& outcome,
@@ -97,6 +101,6 @@ struct RestrictedMean {
 /// std::invalid_argument if lengths differ or a group is missing.
 [[nodiscard]] std::vector<std::vector<std::size_t>> numbers_at_risk(const SurvivalOutcome& outcome,
                                                                     const Factor* groups,
-                                                                    std::span<const double> times);
+                                                                    std::span<const double> asked);
 
 }  // namespace tcert

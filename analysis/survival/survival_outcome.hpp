@@ -19,11 +19,4 @@ struct SurvivalOutcome {
   [[nodiscard]] bool left_truncated() const noexcept { return !start.empty(); }
 };
 
-/// Makes times equal that differ by rounding alone, in place, as R's `survival::aeqSurv` does with
-/// its default tolerance: sorted distinct times are the same if they differ by at most
-/// sqrt(machine epsilon), absolutely or relative to the mean |time|; they all become the least of
-/// them. `start` and `stop` are treated together. Every estimator here expects it to have been
-/// done. O(n log n).
-void snap_times(SurvivalOutcome& outcome);
-
 }  // namespace tcert

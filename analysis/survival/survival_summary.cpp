@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/survival/survival_curve.hpp"
+#include "analysis/survival/time_rounding.hpp"
 
 namespace tcert {
 namespace {
@@ -68,8 +69,9 @@ SurvivalQuantile survival_quantile(const SurvivalCurve& curve,
   return result;
 }
 
-RestrictedMean restricted_mean(const SurvivalCurve& curve, double limit) {
+RestrictedMean restricted_mean(const SurvivalCurve& curve, double asked) {
   const auto& points = curve.points;
+  const double limit = curve.time_near(asked);
   const double origin = points.empty() ? 0.0 : std::min(0.0, points.front().time);
   std::size_t kept = 0;
   while (kept < points.size() && points[kept].time <= limit) {
@@ -100,13 +102,19 @@ double common_limit(std::span<const SurvivalCurve> curves) noexcept {
 
 std::vector<std::vector<std::size_t>> numbers_at_risk(const SurvivalOutcome& outcome,
                                                       const Factor* groups,
-                                                      std::span<const double> times) {
+                                                      std::span<const double> asked) {
   const std::size_t n = outcome.rows();
   if ((outcome.left_truncated() && outcome.start.size() != n) ||
       (groups != nullptr && groups->rows() != n)) {
     throw std::invalid_argument("numbers at risk: columns of different length");
   }
-  std::vector<double> sorted(times.begin(), times.end());
+  std::vector<double> stops = outcome.stop;
+  std::sort(stops.begin(), stops.end());
+  std::vector<double> times;
+  for (const double time : asked) {
+    times.push_back(step_time(stops, time, [](double stop) { return stop; }));
+  }
+  std::vector<double> sorted = times;
   std::sort(sorted.begin(), sorted.end());
   const std::size_t count = groups == nullptr ? 1 : groups->levels.size();
   // A row is at risk at the sorted times after its start up to its stop; unsigned numbers wrap.

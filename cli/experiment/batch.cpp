@@ -83,7 +83,8 @@ struct BatchTables {
 BatchTables tables_of(const std::vector<PlannedCell>& cells,
                       const Scoring& scoring,
                       const CommonOptions& common) {
-  const BatchNotes notes{scoring.h1.level, scoring.h1.replicates, scoring.h1.cluster};
+  const BatchNotes notes{
+      scoring.h1.level, scoring.h1.replicates, scoring.h1.cluster, scoring.h1.interval};
   BatchTables tables{cells_table(notes), cell_issuance_table(), cell_speed_table(notes)};
   FeatureScorer features(scoring);
   SpeedScorer speeds(scoring);

@@ -66,8 +66,14 @@ FigureFiles write_figures(const Results& results,
       files.missing.push_back({"trial_" + trial, "no series of this trial"});
       continue;
     }
-    study.figures.push_back(trial_series_figure(*picture));
-    study.figures.push_back(trial_map_figure(*picture));
+    for (std::optional<Figure> figure :
+         {trial_series_figure(*picture), trial_map_figure(*picture)}) {
+      if (figure) {
+        study.figures.push_back(std::move(*figure));
+      } else {
+        files.missing.push_back({"a figure of trial " + trial, "no value of it is known"});
+      }
+    }
   }
   for (const Figure& figure : study.figures) {
     write_figure(figure, folder, files.drawn);

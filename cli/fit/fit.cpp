@@ -4,12 +4,14 @@
 #include <array>
 #include <filesystem>
 
+#include "analysis/basics/condition_groups.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/kind_options.hpp"
 #include "cli/fit/outcome_words.hpp"
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
+#include "cli/time_rounding_option.hpp"
 #include "datasets/csv_write.hpp"
 
 namespace tcert::cli {
@@ -34,12 +36,24 @@ against their first level in byte order; --ref changes it. Rows with a missing v
 and counted. offset() is for glm and cox; strata() for cox, for the pairs of concordance, and for km,
 where it stratifies the log-rank test, or without other terms gives a curve a stratum.
 
-An outcome of two texts is coded in byte order; write outcome == "text" for the one that counts as 1.
+A missing cell is empty, NA or nan. TRUE, True, true, T and their opposites are truth values. An outcome
+of texts is 1 where it says success, s, ok, pass, yes or true, 0 where it says the opposite; any other two
+texts are coded in byte order: write outcome == "text" for the one that counts as 1. A word for a missing
+cell (N/A, null, -) among them is refused, also in such a comparison. In cox, + 0 and - 1 change nothing, as in coxph, and x * strata(g) gives an effect of x a stratum. Times that differ by
+rounding are one time; --no-time-rounding keeps them apart. Stamps stay as far apart as they are; one
+among durations is named.
 For competing causes the status is 1 for every cause, and --cause names the column that tells them
 apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends.
 
 Text shows the main tables; json has every number at full precision, the conditions met and how the
-fit ended, with broom's names; csv has the main table, or that of --table.
+fit ended, named as broom names them; csv has the main table, or that of --table.
+
+Intervals of coefficients: conf.low and conf.high are always Wald's, estimate -+ z SE; profile.low and
+profile.high are the profile likelihood's (broom's conf.low of a glm, R's confint), and profile.open
+says of which end there is none. With --cluster t.low, t.high and t.p.value take Student's t with
+clusters - 1 degrees of freedom. Each has its twin on the ratio's scale: odds.ratio.low,
+odds.ratio.profile.low, hazard.ratio.t.high. glm makes profiles up to a second or two of work;
+beyond, --profile asks for them.
 
 Usage: tcert fit KIND --data FILE --formula FORMULA [options]
 
@@ -56,8 +70,8 @@ Example:
 
 --table takes:
 @TABLES@
-Ends with 0 if there is an estimate, with 65 if the data do not allow one; what was met is said on
-stderr and in the result.
+Ends with 0 if there is an estimate, of one coefficient at least, with 65 if the data do not allow
+any; what was met is said on stderr and in the result.
 
 Cost: a pass over the table and a few over its rows; a million rows take seconds.
 )";
@@ -69,15 +83,17 @@ struct Kind {
   Fit fit;
   RightSide right_side;
   bool allow_infinite;  ///< Only ranks count.
+  bool has_coefficients;
 };
 
-constexpr std::array<Kind, 7> kKinds{{{"glm", fit_glm, RightSide::design, false},
-                                      {"glmm", fit_mixed_model, RightSide::design, false},
-                                      {"calibration", fit_calibration, RightSide::design, false},
-                                      {"cox", fit_cox_model, RightSide::design, false},
-                                      {"km", fit_km, RightSide::groups, false},
-                                      {"roc", fit_roc, RightSide::design, true},
-                                      {"concordance", fit_concordance, RightSide::design, true}}};
+constexpr std::array<Kind, 7> kKinds{
+    {{"glm", fit_glm, RightSide::design, false, true},
+     {"glmm", fit_mixed_model, RightSide::design, false, true},
+     {"calibration", fit_calibration, RightSide::design, false, false},
+     {"cox", fit_cox_model, RightSide::design, false, true},
+     {"km", fit_km, RightSide::groups, false, false},
+     {"roc", fit_roc, RightSide::design, true, false},
+     {"concordance", fit_concordance, RightSide::design, true, false}}};
 
 CommandLine command_line(FitOptions& o, std::string_view help) {
   CommandLine line{
@@ -119,7 +135,8 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
       text(o.curves, "ROWS"),
       "cox: predicted survival of these rows of the table, counted from 1, comma between; "
       "in json, or by --table curves");
-  add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile intervals");
+  add_time_rounding_option(line.own, o.no_time_rounding);
+  add("no-profile", po::bool_switch(&o.no_profile), "glm: leave out the profile limits");
   add("firth",
       po::bool_switch(&o.firth),
       "glm: Firth's penalty: finite estimates under separation, less bias in small samples");
@@ -132,7 +149,9 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
   add("quadrature",
       po::value(&o.quadrature)->value_name("N"),
       "glmm: points per group, 1 (Laplace) to 100; 15 for a single random intercept, else 1");
-  add("profile", po::bool_switch(&o.profile), "glmm: profile intervals too");
+  add("profile",
+      po::bool_switch(&o.profile),
+      "glmm: profile intervals too; glm: however long they take");
   add("drop1", po::bool_switch(&o.drop1), "glmm: likelihood-ratio test of each fixed term");
   add("interval",
       text(o.interval, "WORD")->default_value(o.interval),
@@ -188,6 +207,7 @@ FrameOptions frame_options(const FitOptions& options, const Kind& kind) {
   frame.strata = options.strata;
   frame.right_side = kind.right_side;
   frame.allow_infinite = kind.allow_infinite;
+  frame.round_times = !options.no_time_rounding;
   return frame;
 }
 
@@ -236,6 +256,17 @@ std::vector<std::string> wanted_columns(const Formula& formula,
   return columns;
 }
 
+/// The term whose column this is, if it has several.
+std::string factor_of(const ModelFrame& frame, const std::string& column) {
+  const auto found = std::find(frame.columns.begin(), frame.columns.end(), column);
+  if (found == frame.columns.end()) {
+    return "";
+  }
+  const std::size_t term = frame.term_of[static_cast<std::size_t>(found - frame.columns.begin())];
+  const bool several = term > 0 && std::count(frame.term_of.begin(), frame.term_of.end(), term) > 1;
+  return several ? frame.terms[term - 1] : "";
+}
+
 FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile& file) {
   const Formula formula = parse_formula(options.formula);
   const FrameOptions frame_option = frame_options(options, kind);
@@ -249,6 +280,8 @@ FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile&
       report.conditions.push_back(condition);
     }
   }
+  report.conditions = one_per_factor(
+      report.conditions, [&](const std::string& column) { return factor_of(frame, column); });
   add_settings(options, frame, report);
   name_outcome(formula, frame, report);
   report.synthetic = file.synthetic;
@@ -274,7 +307,7 @@ void require_references(const FrameOptions& frame, const Formula& formula, const
                        did_you_mean(column, used));
     }
     const DataColumn* const data = table.find(column);
-    bool is_factor = data == nullptr || data->is_text;
+    bool is_factor = data == nullptr || data->is_text || data->is_truth;
     for (const Term& term : formula.terms) {
       for (const Expression& variable : term.variables) {
         is_factor =
@@ -320,6 +353,7 @@ int run(Arguments arguments) {
     return exit_done;
   }
   options.seed = static_cast<std::uint64_t>(common.seed);
+  options.quiet = common.quiet;
   const Kind& kind = kind_of(options.kind);
   check(options);
   const ThreadLimit threads(common.threads);
@@ -340,7 +374,15 @@ int run(Arguments arguments) {
     require_table(report, options.table);
     const std::string text = render(report, common.table_format(), options.table);
     write_or_print(text, "fit", file, common);
-    return has_error(report.conditions) ? exit_bad_data : exit_done;
+    if (has_error(report.conditions)) {
+      return exit_bad_data;
+    }
+    if (!has_estimate(report)) {
+      say(kind.has_coefficients ? "tcert fit: no coefficient has an estimate"
+                                : "tcert fit: nothing has an estimate");
+      return exit_bad_data;
+    }
+    return exit_done;
   } catch (const FormulaError& error) {
     throw UsageError(error.what());
   }

@@ -25,6 +25,8 @@ struct FitOptions {
   std::string table;
   double level = 0.95;
 
+  bool no_time_rounding = false;
+
   // cox
   std::string ties = "efron";
   bool robust = false;
@@ -54,6 +56,7 @@ struct FitOptions {
   // bootstrap of roc and concordance
   std::int64_t replicates = 0;
   std::uint64_t seed = 1;
+  bool quiet = false;
 };
 
 /// A fit's inputs: the frame is without an error.

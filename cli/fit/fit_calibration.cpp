@@ -3,6 +3,7 @@
 
 #include "analysis/calibration/calibration.hpp"
 #include "analysis/calibration/out_of_fold.hpp"
+#include "analysis/model/frame_checks.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/calibration_report.hpp"
@@ -95,13 +96,15 @@ FitReport fit_calibration(const FitRequest& request) {
     }
     CalibrationOptions options;
     options.level = request.options.level;
+    options.column = source.predicted;
+    options.place = [&](std::size_t row) { return place_of(request.frame, row); };
     result = calibration(
         source.outcome, source.probability, input.cluster ? &*input.cluster : nullptr, options);
   } else {
     source.rows.clear();
   }
   result.conditions.insert(result.conditions.begin(), conditions.begin(), conditions.end());
-  return calibration_report(result, source);
+  return calibration_report(result, source, request.options.level);
 }
 
 }  // namespace tcert::cli

@@ -2,6 +2,7 @@
 
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/concordance/concordance_statistic.hpp"
+#include "analysis/survival/time_conditions.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/bootstrap_of_rows.hpp"
 #include "cli/fit/fit.hpp"
@@ -10,13 +11,17 @@
 namespace tcert::cli {
 namespace {
 
-/// Times as they are, or plain numbers as times of events.
-SurvivalOutcome outcome_of(const ModelFrame& frame) {
+/// Times as they are, or plain numbers as times of events, which then are rounded as times.
+SurvivalOutcome outcome_of(ModelFrame& frame, bool round) {
   if (const auto* const survival = std::get_if<SurvivalOutcome>(&frame.outcome)) {
     return *survival;
   }
   if (const auto* const numbers = std::get_if<NumberOutcome>(&frame.outcome)) {
-    return uncensored(numbers->values);
+    SurvivalOutcome outcome = uncensored(numbers->values);
+    if (round) {
+      add_rounding_conditions(round_times(outcome), frame.response, frame.conditions);
+    }
+    return outcome;
   }
   throw FormulaError("'" + frame.response + "': C needs Surv() or a number as the outcome");
 }
@@ -24,7 +29,7 @@ SurvivalOutcome outcome_of(const ModelFrame& frame) {
 }  // namespace
 
 FitReport fit_concordance(const FitRequest& request) {
-  const ModelFrame& frame = request.frame;
+  ModelFrame& frame = request.frame;
   const FrameColumns columns = predictor_columns(frame);
   const LargerMeans larger =
       request.options.reverse ? LargerMeans::shorter_time : LargerMeans::longer_time;
@@ -46,14 +51,14 @@ FitReport fit_concordance(const FitRequest& request) {
   if (frame.weights) {
     options.weights = {frame.weights->data(), static_cast<std::size_t>(frame.weights->size())};
   }
-  const SurvivalOutcome outcome = outcome_of(frame);
+  const SurvivalOutcome outcome = outcome_of(frame, !request.options.no_time_rounding);
   if (outcome.left_truncated() && (options.pair_weight == PairWeight::survival_by_censoring ||
                                    options.pair_weight == PairWeight::inverse_censoring_squared)) {
     throw UsageError(
         "--pair-weight: S/G and n/G2 need Surv(time, event); with (start, stop] rows "
         "take n, S or I");
   }
-  FitReport report = concordance_report(concordance(outcome, predictors, options));
+  FitReport report = concordance_report(concordance(outcome, predictors, options), options.level);
   if (request.options.replicates > 0 && !has_error(report.conditions)) {
     require_plain_bootstrap(request, options.pair_weight == PairWeight::equal);
     add_bootstrap(request,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "analysis/concordance/concordance.hpp"
 #include "analysis/cox/cox.hpp"
@@ -102,6 +103,23 @@ void add_curves(const FitRequest& request,
   report.details.push_back(curve_table(cox_curves(data, fit, design, offset), names));
 }
 
+/// Says from when on a cumulative baseline hazard is NA.
+void add_infinite_hazards(const std::vector<BaselineHazard>& baseline, FitReport& report) {
+  for (const BaselineHazard& one : baseline) {
+    const auto first = std::find_if(
+        one.hazard.begin(), one.hazard.end(), [](double hazard) { return std::isinf(hazard); });
+    if (first != one.hazard.end()) {
+      const auto at = static_cast<std::size_t>(first - one.hazard.begin());
+      report.conditions.push_back(
+          {ConditionKind::infinite_hazard,
+           ConditionSeverity::warning,
+           "",
+           "from " + significant(one.time[at], 9) + " on" +
+               (one.stratum.empty() ? "" : ", stratum '" + one.stratum + "'")});
+    }
+  }
+}
+
 }  // namespace
 
 FitReport fit_cox_model(const FitRequest& request) {
@@ -122,7 +140,16 @@ FitReport fit_cox_model(const FitRequest& request) {
       "transform", request.options.transform, {"km", "rank", "identity", "log"})];
   const CoxFit fit = fit_cox(data, options);
   FitReport report = cox_report(fit, concordance_of(data, fit));
-  if (has_error(fit.conditions) || fit.summary.termination != CoxTermination::converged) {
+  if (has_error(fit.conditions)) {
+    return report;
+  }
+  if (!fit.at_limit) {
+    report.conditions.push_back({ConditionKind::not_converged,
+                                 ConditionSeverity::warning,
+                                 "",
+                                 "rounding stops it before the limit of the coefficients that run "
+                                 "to infinity: no tests of terms and hazards, no baseline hazard, "
+                                 "residuals and curves"});
     return report;
   }
   if (fit.ties != Ties::exact && fit.df > 0) {
@@ -132,7 +159,9 @@ FitReport fit_cox_model(const FitRequest& request) {
   if (!fit.robust) {
     add_term_tests(cox_anova(data, options), cox_drop1(data, options), report);
   }
-  report.details.push_back(baseline_table(cox_baseline(data, fit)));
+  const std::vector<BaselineHazard> baseline = cox_baseline(data, fit);
+  add_infinite_hazards(baseline, report);
+  report.details.push_back(baseline_table(baseline));
   add_residuals(request, data, fit, report);
   add_curves(request, data, fit, report);
   return report;

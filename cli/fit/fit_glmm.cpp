@@ -1,8 +1,11 @@
+#include <optional>
+
 #include "analysis/glmm/glmm.hpp"
 #include "analysis/glmm/glmm_comparison.hpp"
 #include "analysis/glmm/glmm_profile.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"
+#include "cli/progress.hpp"
 #include "reports/fit/glmm_report.hpp"
 
 namespace tcert::cli {
@@ -32,7 +35,12 @@ FitReport fit_mixed_model(const FitRequest& request) {
   const GlmmFit fit = fit_glmm(input, options);
   GlmmProfile profile;
   if (request.options.profile) {
-    profile = glmm_profile(input, options);
+    std::optional<Progress> progress;
+    profile = glmm_profile(
+        input,
+        options,
+        {[&](std::size_t ends) { progress.emplace("profile ends", ends, request.options.quiet); },
+         [&] { progress->advance(); }});
   }
   std::vector<DroppedTerm> dropped;
   if (request.options.drop1) {

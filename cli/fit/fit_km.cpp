@@ -1,5 +1,6 @@
 #include <array>
 
+#include "analysis/model/stray_text.hpp"
 #include "analysis/model/variable.hpp"
 #include "analysis/survival/cumulative_incidence.hpp"
 #include "analysis/survival/log_rank.hpp"
@@ -54,6 +55,7 @@ void keep(const std::vector<std::size_t>& rows, ModelFrame& frame) {
 /// leave the frame, counted.
 CompetingOutcome competing_outcome(const FitRequest& request, Conditions& conditions) {
   const std::string& column = request.options.cause;
+  refuse_missing_words(request.table, request.table.find(column));
   const Factor all = evaluate_factor({Expression::Kind::column, 0.0, column, {}}, request.table);
   ModelFrame& frame = request.frame;
   auto& survival = std::get<SurvivalOutcome>(frame.outcome);

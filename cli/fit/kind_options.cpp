@@ -19,7 +19,7 @@ struct KindTakes {
 
 constexpr std::array kTakes{
     KindTakes{"glm",
-              "cluster weights ref robust no-profile firth",
+              "cluster weights ref robust profile no-profile firth",
               true,
               false,
               "summary, coefficients, drop1 (not with robust variances), vcov"},
@@ -34,13 +34,13 @@ constexpr std::array kTakes{
               false,
               "summary, calibration, bins, predictions"},
     KindTakes{"cox",
-              "cluster strata weights ref ties robust transform residuals curves",
+              "cluster strata weights ref ties robust transform residuals curves no-time-rounding",
               true,
               true,
               "summary, coefficients, zph, zph_columns, drop1 and anova (not with robust "
               "variances), vcov, model_vcov, basehaz, curves, the names of --residuals"},
     KindTakes{"km",
-              "cluster strata weights interval times rho cause",
+              "cluster strata weights interval times rho cause no-time-rounding",
               false,
               true,
               "summary, groups, times, curve, logrank, logrank_vcov, incidence, incidence_curve"},
@@ -50,7 +50,7 @@ constexpr std::array kTakes{
               false,
               "summary, auc, differences, thresholds, bootstrap, vcov, points"},
     KindTakes{"concordance",
-              "cluster strata weights ref pair-weight reverse bootstrap",
+              "cluster strata weights ref pair-weight reverse bootstrap no-time-rounding",
               false,
               true,
               "summary, concordance, differences, bootstrap, vcov"}};
@@ -87,6 +87,14 @@ std::string kinds_where(const Taken& taken) {
   throw UsageError(what + " is for " + kinds);
 }
 
+bool has_product_with_strata(const Formula& formula) {
+  return std::any_of(formula.terms.begin(), formula.terms.end(), [](const Term& term) {
+    return std::any_of(term.variables.begin(),
+                       term.variables.end(),
+                       [](const Expression& variable) { return variable.is_call("strata"); });
+  });
+}
+
 }  // namespace
 
 bool takes_option(std::string_view kind, std::string_view option) {
@@ -119,6 +127,10 @@ void require_taken(const std::string& kind,
   }
   if (!row->strata && !formula.strata.empty()) {
     refuse("strata()", kinds_where([](const KindTakes& one) { return one.strata; }));
+  }
+  if (kind != "cox" && has_product_with_strata(formula)) {
+    throw UsageError("'fit " + kind +
+                     "': a product with strata() is for cox; here write + strata()");
   }
 }
 

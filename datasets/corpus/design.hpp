@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,8 @@ struct TrialDesign {
   bool success = false;
   double effect = 1.0;        ///< Scales how far the outcomes' tightness lies apart; 0: no effect.
   bool native_rates = false;  ///< Streams at 83/50/20 Hz instead of 20 Hz.
+  /// Of the streams' clocks and noise alone: the same drive, logged again. Empty: `seed`.
+  std::optional<std::uint64_t> noise_seed{};
 };
 
 struct CorpusOptions {

@@ -64,8 +64,12 @@ SimulatedTrial simulate_trial(const TrialDesign& design) {
                                        design.seed,
                                        design.success ? "reach G" : "fail"));
   }
-  simulated.log = log_drive(
-      driven, walls, {design.seed, design.index, design.native_rates, design.day_calibration_m});
+  simulated.log = log_drive(driven,
+                            walls,
+                            {design.noise_seed.value_or(design.seed),
+                             design.index,
+                             design.native_rates,
+                             design.day_calibration_m});
 
   TrialRow& row = simulated.row;
   row.trial_id = trial_name(design.index);

@@ -104,7 +104,8 @@ std::array<RayReading, kTentacles> TentacleSensors::read(const WallIndex& walls,
   for (std::size_t k = 0; k < kTentacles; ++k) {
     const Ray& ray = robot.rays[k];
     const double clearance = clearances[k];
-    touching_[k] = clearance < ray.reach_m - (touching_[k] ? -kHysteresis : kHysteresis);
+    // Clearances end at the reach: no wall can be felt to lie beyond it.
+    touching_[k] = clearance < ray.reach_m - (touching_[k] ? 0.0 : kHysteresis);
     const double felt = clearance < ray.reach_m
                             ? std::clamp(clearance + calibration_bias_m_, 0.0, ray.reach_m)
                             : ray.reach_m;

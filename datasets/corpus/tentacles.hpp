@@ -34,9 +34,11 @@ class TentacleSensors {
   TentacleSensors(double calibration_bias_m, RandomStream random);
 
   /// Readings at the next sample, at a true speed of `speed_mps`. A tentacle touches when its wall
-  /// comes 4 mm into reach and lets go 4 mm out of it; one sample in 200 is a glitch, a bend drawn
-  /// from its whole range. A tip rubs harder the faster it is drawn along: 5.6 N per m/s, at least
-  /// 0.58 N.
+  /// comes 4 mm into reach, which is what it takes to load the force sensor, and lets go when the
+  /// wall leaves its reach: a straight tip has nothing to press on. A sample without a wall in
+  /// reach never touches. One sample in 200 is a glitch, a bend drawn from its whole range. A tip
+  /// rubs harder the faster it is drawn along: 9 N per m/s above 0.04 m/s, at least 0.58 N; a free
+  /// one reads its noise, 0.03 N.
   [[nodiscard]] std::array<RayReading, kTentacles> read(const WallIndex& walls,
                                                         const Pose& pose,
                                                         double speed_mps) noexcept;

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
+#include "datasets/cell_reading.hpp"
 #include "datasets/csv.hpp"
 #include "datasets/worlds/region_distance.hpp"
 #include "datasets/worlds/world_files.hpp"
@@ -33,10 +33,9 @@ Bounds bounds_of(const World& world) {
 }
 
 std::optional<double> number_of(std::string_view cell) {
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  const bool whole = error == std::errc{} && stop == cell.data() + cell.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const CellReading reading = read_cell(cell);
+  const bool is_number = reading.meaning == CellMeaning::number && std::isfinite(reading.value);
+  return is_number ? std::optional(reading.value) : std::nullopt;
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
   for (const Ray& ray : robot.rays) {
     RayState state;
     state.ray = ray;
+    state.ray.reach_m = longest_clearance(ray);
     const double from_left = std::abs(angle_between(kSquare, ray.bearing_rad));
     const double from_right = std::abs(angle_between(-kSquare, ray.bearing_rad));
     const double within = parameters.side_angle_rad + kAngleRounding;
@@ -39,7 +40,7 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
     state.ahead = direction(ray.bearing_rad);
     double& reach_m = state.side > 0 ? left_m : right_m;
     if (state.side != 0) {
-      reach_m = std::min(reach_m, state.offset_m + ray.reach_m * state.across);
+      reach_m = std::min(reach_m, state.offset_m + state.ray.reach_m * state.across);
     }
     rays_.push_back(state);
   }

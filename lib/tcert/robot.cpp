@@ -80,6 +80,13 @@ double calibrated_clearance(const Calibration& calibration, double bend_rad) noe
   return interpolate(calibration.bend_rad, calibration.clearance_m, bend_rad);
 }
 
+double longest_clearance(const Ray& ray) noexcept {
+  const auto& clearance = ray.calibration.clearance_m;
+  return ray.kind == RayKind::bend
+             ? std::min(ray.reach_m, std::max(clearance.front(), clearance.back()))
+             : ray.reach_m;
+}
+
 double calibrated_bend(const Calibration& calibration, double clearance_m) noexcept {
   const auto& bend = calibration.bend_rad;
   const auto& clearance = calibration.clearance_m;

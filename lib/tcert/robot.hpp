@@ -61,6 +61,11 @@ struct Course {
 /// Inverse of h_clr where it is strictly monotone: the smallest bend that reads as `clearance_m`.
 [[nodiscard]] double calibrated_bend(const Calibration& calibration, double clearance_m) noexcept;
 
+/// The longest clearance that a ray can state, in metres: its reach, or where a calibration ends
+/// short of it, the end of that; beyond it nothing is ever read, so nothing may wait for it. O(1).
+/// \pre the calibration of a bend is monotone, with at least one knot.
+[[nodiscard]] double longest_clearance(const Ray& ray) noexcept;
+
 /// \throws std::invalid_argument naming the member that is out of range.
 void validate(const Robot& robot);
 

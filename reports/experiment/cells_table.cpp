@@ -4,14 +4,18 @@
 #include <utility>
 
 #include "reports/fit/cells.hpp"
+#include "reports/h1_intervals.hpp"
 
 namespace tcert {
 namespace {
 
+const char* const kWithheldNote =
+    "Withheld for: why intervals and p-values are NA though their estimates are there.";
+
 /// Of an H1Score or an H3Estimate.
 template <class Score>
 TableCell estimate(const Score& score) {
-  return estimate_cell(score.value, score.bca);
+  return estimate_cell(score.value, score.interval);
 }
 
 /// The rival over which the certificate gains least; null without a rival that has a gain.
@@ -45,6 +49,28 @@ const H1Row* row_against(const CellScores& scores, std::size_t panel) {
   return rows.size() > 1 ? &rows[1] : nullptr;
 }
 
+/// Why a panel has no intervals and no p; or only its changes from full have none.
+std::string withheld_of(const CellScores& scores, std::size_t panel) {
+  const std::string& own = scores.own.panels[panel].withheld;
+  const bool compared =
+      scores.against_full && panel < scores.against_full->panels.size() && own.empty();
+  const std::string changes = compared ? scores.against_full->panels[panel].withheld : "";
+  return changes.empty() ? own : "changes from full: " + changes;
+}
+
+/// Why rates have no intervals: one reason for each algorithm that is few.
+std::string withheld_of(const H3Group& group) {
+  std::string all;
+  for (const Condition& condition : group.conditions) {
+    if (condition.kind == ConditionKind::withheld) {
+      all += (all.empty() ? "" : "; ") + condition.detail;
+    }
+  }
+  return all;
+}
+
+TableCell words(const std::string& text) { return text.empty() ? TableCell{} : TableCell{text}; }
+
 std::vector<TableCell> scores_row(const CellScores& scores, std::size_t at) {
   const H1Panel& panel = scores.own.panels[at];
   const H1Row empty;
@@ -63,6 +89,7 @@ std::vector<TableCell> scores_row(const CellScores& scores, std::size_t at) {
   cells.push_back(against != nullptr ? estimate(against->c_gain) : TableCell{});
   cells.push_back(against != nullptr ? p_cell(against->c_p) : TableCell{});
   add_rival(panel, &H1Row::c_gain, &H1Row::c_holm, cells);
+  cells.push_back(words(withheld_of(scores, at)));
   return cells;
 }
 
@@ -112,7 +139,7 @@ std::vector<TableCell> cell_issuance(const CellIssuance& count) {
 }
 
 Table cells_table(const BatchNotes& notes) {
-  const std::string level = significant(100.0 * notes.level, kShownDigits) + " % BCa";
+  const std::string level = interval_text(notes.interval, notes.level);
   Table table;
   table.name = "cells";
   table.title = "H1 under each cell's parameters";
@@ -134,7 +161,8 @@ Table cells_table(const BatchNotes& notes) {
                         p_column("c_change_p", "p"),
                         text_column("c_rival", "strongest rival"),
                         estimate_column("c_gain", "gain of C over it [" + level + "]"),
-                        p_column("c_gain_p_holm", "p Holm")});
+                        p_column("c_gain_p_holm", "p Holm"),
+                        text_column("withheld", "withheld for")});
   table.footnotes = {
       "Changes are the cell minus the full method, on the trials that have both features, in the "
       "same resamples; p by clustered DeLong and the clustered jackknife of C, not adjusted over "
@@ -142,6 +170,7 @@ Table cells_table(const BatchNotes& notes) {
       "The strongest rival is the one over which the cell's certificate gains least, among the "
       "cell's own contacts, dwell and bend variance; p adjusted by Holm over the six gains of the "
       "cell.",
+      kWithheldNote,
       std::to_string(notes.replicates) + " resamples of whole clusters (" +
           (notes.cluster.empty() ? std::string("each trial its own") : notes.cluster) + ")."};
   return table;
@@ -181,11 +210,7 @@ std::vector<TableCell> cell_speed(const H3Table& h3) {
   }
   const H3Group& all = h3.groups.front();
   const H3Case& one = all.cases.front();
-  const TableCell retained =
-      one.retained && one.retained_interval
-          ? TableCell{Estimate{
-                *one.retained, one.retained_interval->low, one.retained_interval->high}}
-          : TableCell{};
+  const TableCell retained = estimate_cell(one.retained, one.retained_interval);
   return {integer_cell(all.trials),
           integer_cell(all.successes),
           estimate(all.ungated),
@@ -198,11 +223,12 @@ std::vector<TableCell> cell_speed(const H3Table& h3) {
           one.non_inferior ? TableCell{std::string(*one.non_inferior ? "yes" : "no")} : TableCell{},
           retained,
           integer_cell(one.stalls),
-          integer_cell(one.stalled_trials)};
+          integer_cell(one.stalled_trials),
+          words(withheld_of(all))};
 }
 
 Table cell_speed_table(const BatchNotes& notes) {
-  const std::string level = significant(100.0 * notes.level, kShownDigits) + " % BCa";
+  const std::string level = interval_text(notes.interval, notes.level);
   Table table;
   table.name = "speed";
   table.title = "Speed gated by the margin under each cell's parameters (H3)";
@@ -223,10 +249,12 @@ Table cell_speed_table(const BatchNotes& notes) {
                         text_column("non_inferior", "non-inferior"),
                         estimate_column("retained", "retained"),
                         integer_column("stalls", "stalls"),
-                        integer_column("stalled_trials", "trials with stalls")});
+                        integer_column("stalled_trials", "trials with stalls"),
+                        text_column("withheld", "withheld for")});
   table.footnotes = {
       "All lightings together; 'tcert hypotheses h3' has each, and says how every column is made. "
-      "A replay can only lose successes: it cannot see failures that speed would cause."};
+      "A replay can only lose successes: it cannot see failures that speed would cause.",
+      kWithheldNote};
   return table;
 }
 

@@ -19,6 +19,7 @@ struct BatchNotes {
   double level = 0.95;
   std::size_t replicates = 0;
   std::string cluster;
+  BootstrapMethod interval = BootstrapMethod::expanded;
 };
 
 /// Columns, no rows. Each begins with the cell's name, parameters and status.

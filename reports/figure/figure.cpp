@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <set>
 #include <stdexcept>
+
+#include "reports/figure/figure_rows.hpp"
+#include "reports/figure/figure_table.hpp"
 
 namespace tcert {
 namespace {
@@ -18,24 +23,6 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
   throw std::invalid_argument("figure '" + figure.name + "': " + what);
 }
 
-const std::string* text_of(const Figure& figure, std::size_t row, const std::string& column) {
-  for (std::size_t c = 0; c < figure.data.columns.size(); ++c) {
-    if (figure.data.columns[c].name == column) {
-      return std::get_if<std::string>(&figure.data.rows[row][c]);
-    }
-  }
-  return nullptr;
-}
-
-bool drawn_in(const Figure& figure, const Panel& panel, const Layer& layer, std::size_t row) {
-  const std::string* const part = text_of(figure, row, "part");
-  if (part == nullptr || *part != layer.part) {
-    return false;
-  }
-  const std::string* const name = text_of(figure, row, "panel");
-  return panel.name.empty() || (name != nullptr && *name == panel.name);
-}
-
 /// Every text of `column` among the layer's rows is in `known`.
 void require_known(const Figure& figure,
                    const Panel& panel,
@@ -43,12 +30,9 @@ void require_known(const Figure& figure,
                    const std::string& column,
                    const std::vector<std::string>& known) {
   for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
-    if (!drawn_in(figure, panel, layer, row)) {
-      continue;
-    }
-    const std::string* const text = text_of(figure, row, column);
-    if (text != nullptr && !has(known, *text)) {
-      refuse(figure, "'" + *text + "' of column '" + column + "' is not declared");
+    const std::string text = text_at(figure.data, row, column);
+    if (!text.empty() && !has(known, text) && is_of(figure, panel, layer, row)) {
+      refuse(figure, "'" + text + "' of column '" + column + "' is not declared");
     }
   }
 }
@@ -75,6 +59,16 @@ void check_layer(const Figure& figure, const Panel& panel, const Layer& layer) {
   }
   if (panel.y.scale == AxisScale::categories) {
     require_known(figure, panel, layer, layer.y, panel.y.categories);
+  }
+}
+
+void require_together(const Figure& figure) {
+  const std::vector<std::string> names = series_names(figure);
+  std::set<std::string> seen;
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    if ((row == 0 || names[row] != names[row - 1]) && !seen.insert(names[row]).second) {
+      refuse(figure, "rows of a series do not stand together: row " + std::to_string(row + 1));
+    }
   }
 }
 
@@ -112,10 +106,25 @@ const std::vector<std::string>& gradient_stops() {
   return stops;
 }
 
+int tick_decimals(const std::vector<double>& ticks) noexcept {
+  int decimals = 0;
+  for (const double tick : ticks) {
+    while (decimals < 9) {
+      const double scaled = tick * std::pow(10.0, decimals);
+      if (std::abs(scaled - std::round(scaled)) < 1e-6) {
+        break;
+      }
+      ++decimals;
+    }
+  }
+  return decimals;
+}
+
 void check(const Figure& figure) {
   if (!has(data_fields(figure.data), "part")) {
     refuse(figure, "no column 'part'");
   }
+  require_together(figure);
   for (const Panel& panel : figure.panels) {
     for (const Axis* axis : {&panel.x, &panel.y}) {
       if (axis->title.empty() && !axis->hidden && axis->scale != AxisScale::categories) {

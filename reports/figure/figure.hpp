@@ -37,12 +37,18 @@ enum class Mark {
   text,     ///< `text` at x, y.
 };
 
+/// Marks that join their rows by a line.
+[[nodiscard]] constexpr bool is_path(Mark mark) noexcept {
+  return mark == Mark::line || mark == Mark::step;
+}
+
 /// What a mark looks like where no data decide its colour. Ink and muted follow the page: dark on
 /// light or light on dark.
 enum class Tone { ink, muted, faint };
 
 /// Rows of the table with this `part` (and of the panel's, if it names any), drawn by one mark. A
-/// row in which a column that is drawn is missing is left out, and a line is broken there.
+/// row in which a column that is drawn is missing is left out, and a line is broken there. Rows of
+/// one line stand together in the table: rows of others between them would break it.
 struct Layer {
   Mark mark = Mark::point;
   std::string part;
@@ -58,7 +64,8 @@ struct Layer {
   double width = 1.5;   ///< Of lines, in points.
   double size = 1.0;    ///< Of points, relative.
   bool hollow = false;  ///< Points.
-  double raise = 0.0;   ///< Texts, above their point, in lines.
+  bool guide = false;   ///< Not data but what they are compared with: a dashed line.
+  double raise = 0.0;   ///< Texts, in lines above and to the right of their point; 0: upon it.
 };
 
 /// A line across a panel at one value of an axis. Not data: a margin, 0, or 1.
@@ -79,7 +86,8 @@ struct Panel {
   double height = 1.0;       ///< Relative to other panels.
 };
 
-/// Classes with a colour, a dash and a shape each, in the order of the Okabe-Ito palette.
+/// Classes with a colour, a dash and a shape each, in the order of the Okabe-Ito palette. A legend
+/// names those that are drawn.
 struct Key {
   std::string title;
   std::vector<std::string> classes;
@@ -91,6 +99,7 @@ struct Gradient {
   std::string unit;
   double low = 0.0;
   double high = 1.0;
+  std::vector<double> ticks;  ///< Where labels stand; empty: as the drawing program has it.
 };
 
 struct Figure {
@@ -122,8 +131,12 @@ struct Figure {
 /// Five stops of a gradient that rises in lightness (viridis), dark first.
 [[nodiscard]] const std::vector<std::string>& gradient_stops();
 
+/// Decimals that the labels of these ticks need so that all have as many: 0 to 9.
+[[nodiscard]] int tick_decimals(const std::vector<double>& ticks) noexcept;
+
 /// \throws std::invalid_argument if a layer names a column or class that is not there, a row has a
-/// class or category that is not declared, or an axis has no title.
+/// class or category that is not declared, rows of one line do not stand together, or an axis has
+/// no title.
 void check(const Figure& figure);
 
 }  // namespace tcert

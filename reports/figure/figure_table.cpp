@@ -83,6 +83,17 @@ double number_at(const DataTable& table, std::size_t row, std::string_view colum
   return found == nullptr || found->is_text ? kNaN : found->numbers[row];
 }
 
+std::string intervals_of(const Table& table, std::string_view column) {
+  for (const Column& one : table.columns) {
+    const std::size_t open = one.heading.find('[');
+    const std::size_t close = one.heading.find(']', open == std::string::npos ? 0 : open);
+    if (one.name == column && open != std::string::npos && close != std::string::npos) {
+      return one.heading.substr(open + 1, close - open - 1) + " intervals";
+    }
+  }
+  return "intervals";
+}
+
 std::vector<std::string> distinct(const Table& table, std::string_view column) {
   std::vector<std::string> values;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -172,13 +183,34 @@ double round_step(double span, int parts) {
   return 10.0 * power;
 }
 
-std::vector<double> ratio_ticks(double low, double high) {
-  std::vector<double> candidates = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100};
-  if (high / low < 6.0) {
-    candidates = {0.25, 0.5, 0.75, 1, 1.25, 1.5, 2, 2.5, 3, 4};
+std::vector<double> round_ticks(double low, double high, int most) {
+  std::vector<double> ticks;
+  if (!(low < high)) {
+    return ticks;
   }
-  if (high / low < 2.0) {
-    candidates = {0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.4, 1.6, 1.8, 2};
+  const double step = round_step(high - low, most);
+  // Whole numbers by a power of ten: the double that is nearest to what the label says.
+  const double scale = std::pow(10.0, std::max(0.0, std::ceil(-std::log10(step) - 1e-9)));
+  const double last = std::floor(high / step + 1e-9);
+  for (double k = std::ceil(low / step - 1e-9); k <= last; ++k) {
+    ticks.push_back(std::round(k * step * scale) / scale + 0.0);
+  }
+  return ticks;
+}
+
+std::vector<double> ratio_ticks(double low, double high) {
+  if (high / low < 3.0) {
+    return round_ticks(low, high, 5);  // Nearly a linear scale.
+  }
+  std::vector<double> candidates = {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0};
+  if (high / low >= 6.0) {
+    const bool wide = high / low > 500.0;
+    candidates.clear();
+    for (int power = -9; power <= 9; ++power) {
+      for (const double factor : wide ? std::vector{1.0} : std::vector{1.0, 2.0, 5.0}) {
+        candidates.push_back(factor * std::pow(10.0, power));
+      }
+    }
   }
   std::vector<double> ticks;
   for (const double tick : candidates) {

@@ -26,6 +26,10 @@ namespace tcert {
 [[nodiscard]] double number_at(const Table& table, std::size_t row, std::string_view column);
 [[nodiscard]] double number_at(const DataTable& table, std::size_t row, std::string_view column);
 
+/// "95 % expanded intervals": level and method as the brackets of a column's heading have them;
+/// "intervals" if it has none.
+[[nodiscard]] std::string intervals_of(const Table& table, std::string_view column);
+
 /// Different texts of a column, in the order in which they first occur.
 [[nodiscard]] std::vector<std::string> distinct(const Table& table, std::string_view column);
 
@@ -47,6 +51,10 @@ void make_plain(Figure& figure);
 
 /// A round step that cuts `span` into at most `parts`: 1, 2 or 5 times a power of ten.
 [[nodiscard]] double round_step(double span, int parts);
+
+/// Multiples of a round step within the range, at most `most` + 1: each is the number that its
+/// label says. Empty if the range is.
+[[nodiscard]] std::vector<double> round_ticks(double low, double high, int most);
 
 /// Ticks of a scale of ratios that a span of this kind needs.
 [[nodiscard]] std::vector<double> ratio_ticks(double low, double high);

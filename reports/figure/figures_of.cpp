@@ -13,17 +13,24 @@
 namespace tcert {
 namespace {
 
-/// Collects figures; what is empty is missing for the reason given.
+/// Collects figures, and of those that are not drawn the reason.
 class Collection {
  public:
   explicit Collection(const Results& results) : results_(results) {}
 
-  void add(const char* name, std::optional<Figure> figure, const std::string& reason) {
+  /// `reason`: why there is nothing to draw it from; empty if there is.
+  void add(const std::string& name, std::optional<Figure> figure, const std::string& reason) {
     if (figure) {
       found_.figures.push_back(std::move(*figure));
     } else {
-      found_.missing.push_back({name, reason});
+      found_.missing.push_back({name, reason.empty() ? "no value of it is known" : reason});
     }
+  }
+
+  /// Why there is no figure of a kind of results; empty if the results have it.
+  [[nodiscard]] std::string without(ResultKind kind, const char* command) const {
+    return results_.find(kind) != nullptr ? std::string()
+                                          : std::string("no result of 'tcert ") + command + "'";
   }
 
   /// A table of the first result of a kind; empty if it is not there.
@@ -41,34 +48,28 @@ class Collection {
   StudyFigures found_;
 };
 
-void add_cells(const Results& results, Collection& collection) {
-  bool ablation = false;
-  std::size_t sweeps = 0;
+/// Ablations or sweeps; the second of a kind has a 2 behind its name.
+void add_cells(const Results& results,
+               ResultKind kind,
+               const std::string& name,
+               const std::string& title,
+               const char* command,
+               Collection& collection) {
+  int count = 0;
   for (const Result& result : results.all) {
-    if (result.kind != ResultKind::ablation && result.kind != ResultKind::sweep) {
-      continue;
-    }
-    const std::optional<Table> cells = result_table(result, "cells");
+    const std::optional<Table> cells =
+        result.kind == kind ? result_table(result, "cells") : std::nullopt;
     if (!cells) {
       continue;
     }
-    if (result.kind == ResultKind::ablation) {
-      collection.add("ablation", cells_figure(*cells, "ablation", "Parts left out"), "no AUC");
-      ablation = true;
-    } else {
-      ++sweeps;
-      const std::string name =
-          sweeps == 1 ? "specification_curve" : "specification_curve_" + std::to_string(sweeps);
-      collection.add(name.c_str(),
-                     cells_figure(*cells, name, "Specification curve: " + result.name),
-                     "no AUC");
-    }
+    ++count;
+    const std::string own = count == 1 ? name : name + "_" + std::to_string(count);
+    const bool is_named = result.name != "." && result.name != to_string(kind);
+    collection.add(
+        own, cells_figure(*cells, own, is_named ? title + ": " + result.name : title), "");
   }
-  if (!ablation) {
-    collection.add("ablation", std::nullopt, "no result of 'tcert ablate'");
-  }
-  if (sweeps == 0) {
-    collection.add("specification_curve", std::nullopt, "no result of 'tcert sweep'");
+  if (count == 0) {
+    collection.add(name, std::nullopt, std::string("no result of 'tcert ") + command + "'");
   }
 }
 
@@ -97,9 +98,14 @@ std::optional<World> world_of(const Results& results, const std::string& trial_i
 
 StudyFigures study_figures(const Results& results) {
   Collection all(results);
-  const std::string no_h1 = "no result of 'tcert hypotheses h1'";
+  const std::string no_h1 = all.without(ResultKind::h1, "hypotheses h1");
+  const std::vector<std::string> predictors =
+      distinct(all.table(ResultKind::h1, "h1"), "predictor");
   all.add("roc", roc_figure(all.table(ResultKind::h1, "h1_roc")), no_h1);
-  all.add("incidence", incidence_figure(all.table(ResultKind::h1, "h1_incidence_curve")), no_h1);
+  all.add("incidence",
+          incidence_figure(all.table(ResultKind::h1, "h1_incidence_curve"),
+                           predictors.empty() ? "" : predictors.front()),
+          no_h1);
   all.add("calibration", calibration_figure(all.table(ResultKind::h1, "h1_calibration")), no_h1);
   all.add(
       "forest",
@@ -108,31 +114,34 @@ StudyFigures study_figures(const Results& results) {
   all.add("equivalence",
           equivalence_figure(all.table(ResultKind::h2, "h2_pairs"),
                              all.table(ResultKind::h2, "h2_equality")),
-          "no result of 'tcert hypotheses h2'");
+          all.without(ResultKind::h2, "hypotheses h2"));
   all.add("pareto",
           pareto_figure(all.table(ResultKind::h3, "h3")),
-          "no result of 'tcert hypotheses h3'");
-  add_cells(results, all);
+          all.without(ResultKind::h3, "hypotheses h3"));
+  add_cells(results, ResultKind::ablation, "ablation", "Parts left out", "ablate", all);
+  add_cells(results, ResultKind::sweep, "specification_curve", "Specification curve", "sweep", all);
   all.add("gate",
           gate_figure(all.table(ResultKind::gate, "gate"),
                       all.table(ResultKind::gate, "gate_passes"),
                       all.table(ResultKind::gate, "gate_curve"),
                       all.table(ResultKind::gate, "gate_calibration")),
-          "no result of 'tcert gate'");
+          all.without(ResultKind::gate, "gate"));
   const Result* const certificates = results.find(ResultKind::certificates);
   const std::optional<DataTable> features =
       certificates != nullptr ? result_data(*certificates, "features.csv") : std::nullopt;
   const Table speed = all.table(ResultKind::certificates, "speed");
   for (const char* const grouped_by : {"algorithm", "lighting"}) {
-    const std::string name = std::string("speed_by_") + grouped_by;
-    all.add(name.c_str(),
+    all.add(std::string("speed_by_") + grouped_by,
             features ? speed_figure(speed, *features, grouped_by) : std::nullopt,
-            "no result of 'tcert certify', or no such column");
+            features ? std::string("no commanded speed by ") + grouped_by
+                     : "no result of 'tcert certify', or without its features.csv");
   }
+  const bool has_truth = features && features->find("truth_upper_m") != nullptr;
   all.add("truth",
-          features ? truth_figure(*features, results.synthetic) : std::nullopt,
-          "no columns truth_lower_m and truth_upper_m in features.csv: 'tcert certify --truth' "
-          "writes them");
+          has_truth ? truth_figure(*features, results.synthetic) : std::nullopt,
+          has_truth ? ""
+                    : "no columns truth_lower_m and truth_upper_m in features.csv: 'tcert certify "
+                      "--truth' writes them");
   return std::move(all).figures();
 }
 

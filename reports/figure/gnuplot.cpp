@@ -33,7 +33,7 @@ std::string terminals(const Figure& figure, const FigureLayout& layout) {
          "if (form eq 'pdf') {\n"
          "  set terminal pdfcairo noenhanced size " +
          inches +
-         " font 'DejaVu Sans,9' fontscale 1 linewidth 1 rounded background rgb 'white'\n"
+         " font 'DejaVu Sans,9' fontscale 0.75 linewidth 1.5 rounded background rgb 'white'\n"
          "} else { if (form eq 'png') {\n"
          "  set terminal pngcairo noenhanced size " +
          pixels +
@@ -58,6 +58,16 @@ std::string range_of(const Axis& axis) {
   return range + "]";
 }
 
+/// Labels with the same number of decimals, and where they stand.
+std::string tick_list(const std::vector<double>& ticks) {
+  std::string out;
+  for (const double tick : ticks) {
+    out +=
+        (out.empty() ? "(" : ", ") + quoted(fixed(tick, tick_decimals(ticks))) + " " + number(tick);
+  }
+  return out + ")";
+}
+
 std::string axis_commands(const Axis& axis, const std::string& name) {
   std::string out = "set " + name + "range " + range_of(axis) + "\n";
   out += axis.scale == AxisScale::log ? "set logscale " + name + "\n"
@@ -72,11 +82,7 @@ std::string axis_commands(const Axis& axis, const std::string& name) {
     }
     out += ") nomirror scale 0\n";
   } else if (!axis.ticks.empty()) {
-    out += "set " + name + "tics (";
-    for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
-      out += (i == 0 ? "" : ", ") + number(axis.ticks[i]);
-    }
-    out += ") nomirror scale 1\n";
+    out += "set " + name + "tics " + tick_list(axis.ticks) + " nomirror scale 1\n";
   } else {
     out += "set " + name + "tics autofreq nomirror scale 1\n";
   }
@@ -90,8 +96,9 @@ std::string reference_commands(const Panel& panel) {
     out += reference.vertical
                ? "set arrow from first " + at + ", graph 0 to first " + at + ", graph 1"
                : "set arrow from graph 0, first " + at + " to graph 1, first " + at;
-    out += reference.strong ? " nohead back lw 1.2 lc rgb '#222222' dt (6,4)\n"
-                            : " nohead back lw 1 lc rgb '#888888'\n";
+    out += reference.strong
+               ? " nohead back lw 1.2 lc rgb '#222222' dt " + std::string(kGuideDash) + "\n"
+               : " nohead back lw 1 lc rgb '#888888'\n";
   }
   return out;
 }
@@ -113,7 +120,8 @@ std::string gradient_commands(const Gradient& gradient) {
          "]\nset cblabel " +
          quoted(gradient.unit.empty() ? gradient.title
                                       : gradient.title + " [" + gradient.unit + "]") +
-         "\nset cbtics\nset colorbox\n";
+         "\nset cbtics " + (gradient.ticks.empty() ? "autofreq" : tick_list(gradient.ticks)) +
+         "\nset colorbox\n";
 }
 
 bool draws_gradient(const Figure& figure, const Panel& panel) {

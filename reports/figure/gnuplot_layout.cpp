@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "reports/figure/figure_rows.hpp"
+
 namespace tcert {
 namespace {
 
@@ -49,17 +51,17 @@ std::size_t columns_of(const Figure& figure) {
   return static_cast<std::size_t>(std::max(1, figure.columns));
 }
 
-/// Classes that some layer shows.
 double key_height(const Figure& figure, FigureLayout& layout) {
-  if (figure.key.classes.empty()) {
+  const std::vector<std::string> classes = drawn_classes(figure);
+  if (classes.empty()) {
     return 0.0;
   }
-  const double entry = kCharacter * static_cast<double>(longest(figure.key.classes)) + 60.0;
-  layout.key_columns = std::max(1,
-                                std::min(static_cast<int>(figure.key.classes.size()),
-                                         static_cast<int>((layout.width - 2.0 * kMargin) / entry)));
-  const double rows = std::ceil(static_cast<double>(figure.key.classes.size()) /
-                                static_cast<double>(layout.key_columns));
+  const double entry = kCharacter * static_cast<double>(longest(classes)) + 60.0;
+  layout.key_columns = std::clamp(static_cast<int>((layout.width - 2.0 * kMargin) / entry),
+                                  1,
+                                  static_cast<int>(classes.size()));
+  const double rows =
+      std::ceil(static_cast<double>(classes.size()) / static_cast<double>(layout.key_columns));
   return kLineHeight * rows + 8.0;
 }
 

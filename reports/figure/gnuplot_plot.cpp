@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "datasets/csv_write.hpp"
+#include "reports/figure/figure_rows.hpp"
 #include "reports/figure/figure_table.hpp"
 
 namespace tcert {
@@ -32,8 +33,11 @@ std::string_view ink(Tone tone) {
 }
 
 bool is_line(Mark mark) {
-  return mark == Mark::line || mark == Mark::step || mark == Mark::segment ||
-         mark == Mark::range_x || mark == Mark::range_y;
+  return is_path(mark) || mark == Mark::segment || mark == Mark::range_x || mark == Mark::range_y;
+}
+
+std::string dash_of(const Layer& layer, std::size_t index) {
+  return " dt " + std::string(layer.guide ? kGuideDash : kDashes[index % kDashes.size()]);
 }
 
 std::size_t panel_index(const Figure& figure, const Panel& panel) {
@@ -61,9 +65,9 @@ std::string style_of(const Layer& layer, const Look& look) {
   const std::string line = " lw " + number(layer.width) + " lc " + look.colour;
   switch (layer.mark) {
     case Mark::line:
-      return "with lines" + line + " dt " + std::string(kDashes[look.index % kDashes.size()]);
+      return "with lines" + line + dash_of(layer, look.index);
     case Mark::step:
-      return "with steps" + line + " dt " + std::string(kDashes[look.index % kDashes.size()]);
+      return "with steps" + line + dash_of(layer, look.index);
     case Mark::point: {
       const auto& shapes = layer.hollow ? kHollow : kFilled;
       return "with points pt " + std::to_string(shapes[look.index % shapes.size()]) + " ps " +
@@ -76,7 +80,9 @@ std::string style_of(const Layer& layer, const Look& look) {
     case Mark::band:
       return "with filledcurves lc " + look.colour + " fs transparent solid 0.18 noborder";
     case Mark::text:
-      return "with labels offset 0," + number(layer.raise) + " textcolor " + look.colour;
+      return "with labels" +
+             (layer.raise > 0.0 ? std::string(" left offset 0.6,") + number(layer.raise) : "") +
+             " textcolor " + look.colour;
     case Mark::polygon:
       break;
   }
@@ -185,26 +191,6 @@ std::string key_entry(const Layer& layer, const Look& look, const std::string& n
   return "keyentry " + style_of(sample, look) + " title " + quoted(name);
 }
 
-/// True if gnuplot has something to draw: it stops at a plot without a valid point.
-bool has_rows(const Figure& figure,
-              const Panel& panel,
-              const Layer& layer,
-              const std::string& class_name) {
-  const auto known = [&](std::size_t row, const std::string& column, const Axis& axis) {
-    return axis.scale == AxisScale::categories ? !text_at(figure.data, row, column).empty()
-                                               : std::isfinite(number_at(figure.data, row, column));
-  };
-  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
-    if (text_at(figure.data, row, "part") == layer.part &&
-        (panel.name.empty() || text_at(figure.data, row, "panel") == panel.name) &&
-        (class_name.empty() || text_at(figure.data, row, layer.colour) == class_name) &&
-        known(row, layer.x, panel.x) && known(row, layer.y, panel.y)) {
-      return true;
-    }
-  }
-  return false;
-}
-
 struct Polygon {
   std::string vertices;
   std::string first;
@@ -257,31 +243,15 @@ std::string polygon_objects(const Figure& figure, const Panel& panel) {
     if (layer.mark != Mark::polygon) {
       continue;
     }
-    const auto cell = [&](const std::vector<TableCell>& row, const std::string& column) {
-      for (std::size_t c = 0; c < figure.data.columns.size(); ++c) {
-        if (figure.data.columns[c].name == column) {
-          return row[c];
-        }
-      }
-      return TableCell{};
-    };
     std::vector<std::string> order;
     std::map<std::string, Polygon> polygons;
-    for (const auto& row : figure.data.rows) {
-      const TableCell part = cell(row, "part");
-      const TableCell group = cell(row, layer.group);
-      const TableCell x = cell(row, layer.x);
-      const TableCell y = cell(row, layer.y);
-      if (!std::holds_alternative<std::string>(part) || std::get<std::string>(part) != layer.part ||
-          !std::holds_alternative<std::string>(group) || !std::holds_alternative<Number>(x) ||
-          !std::holds_alternative<Number>(y)) {
-        continue;
-      }
-      const std::string vertex =
-          number(std::get<Number>(x).value) + "," + number(std::get<Number>(y).value);
-      Polygon& polygon = polygons[std::get<std::string>(group)];
+    for (const std::size_t row : drawn_rows(figure, panel, layer)) {
+      const std::string name = text_at(figure.data, row, layer.group);
+      const std::string vertex = number(number_at(figure.data, row, layer.x)) + "," +
+                                 number(number_at(figure.data, row, layer.y));
+      Polygon& polygon = polygons[name];
       if (polygon.vertices.empty()) {
-        order.push_back(std::get<std::string>(group));
+        order.push_back(name);
         polygon = {vertex, vertex};
       } else {
         polygon.vertices += " to " + vertex;
@@ -299,7 +269,8 @@ std::string polygon_objects(const Figure& figure, const Panel& panel) {
 std::string plot_command(const Figure& figure, const Panel& panel) {
   std::vector<std::string> clauses;
   const auto add = [&](const Layer& layer, const std::string& class_name, const Look& look) {
-    if (has_rows(figure, panel, layer, class_name)) {
+    // gnuplot stops at a plot without a valid point.
+    if (!drawn_rows(figure, panel, layer, class_name).empty()) {
       clauses.push_back(clause(figure, panel, layer, class_name, look));
     }
   };
@@ -332,9 +303,9 @@ std::string plot_command(const Figure& figure, const Panel& panel) {
 
 std::string key_entries(const Figure& figure) {
   std::string out = "NaN notitle";
-  for (std::size_t i = 0; i < figure.key.classes.size(); ++i) {
-    if (const Layer* const sample = sample_of(figure, figure.key.classes[i])) {
-      out += ", \\\n  " + key_entry(*sample, look_of_class(i), figure.key.classes[i]);
+  for (const std::string& name : drawn_classes(figure)) {
+    if (const Layer* const sample = sample_of(figure, name)) {
+      out += ", \\\n  " + key_entry(*sample, look_of_class(class_index(figure, name)), name);
     }
   }
   return out;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The figures of H1 from its tables.
+/// The figures of H1 from its tables. Empty if the tables have nothing to draw.
 
 #include <optional>
 #include <string>
@@ -10,16 +10,14 @@
 
 namespace tcert {
 
-/// "TC_early" for tc_early and tc_landmark, and so on; any other column by its name.
-[[nodiscard]] std::string predictor_label(const std::string& row);
-
 /// ROC curves of all rows, a panel for each panel of H1, from h1_roc. Points within a straight
 /// stretch of a curve are left out.
 [[nodiscard]] std::optional<Figure> roc_figure(const Table& h1_roc);
 
-/// Cumulative incidence of egress by quartile of the predictor, with numbers at risk, from
-/// h1_incidence_curve.
-[[nodiscard]] std::optional<Figure> incidence_figure(const Table& h1_incidence_curve);
+/// Cumulative incidence of egress by quartile of `predictor` (a column; may be empty), with numbers
+/// at risk, from h1_incidence_curve.
+[[nodiscard]] std::optional<Figure> incidence_figure(const Table& h1_incidence_curve,
+                                                     const std::string& predictor);
 
 /// Observed share of successes against the out-of-fold probability, from h1_calibration.
 [[nodiscard]] std::optional<Figure> calibration_figure(const Table& h1_calibration);

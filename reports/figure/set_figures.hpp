@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Figures of H2, H3, ablations and sweeps, the micro-study, and of all trials together.
+/// Figures of H2, H3, ablations and sweeps, the micro-study, and of all trials together. Empty if
+/// the tables have nothing to draw.
 
 #include <optional>
 
@@ -37,7 +38,7 @@ namespace tcert {
                                                  const std::string& grouped_by);
 
 /// The truth T(E; A) against the certificate T_t, from features.csv with the columns truth_lower_m
-/// and truth_upper_m; empty without them.
+/// and truth_upper_m: the proven interval, its upper bound, and the certificates that it refutes.
 [[nodiscard]] std::optional<Figure> truth_figure(const DataTable& features,
                                                  const std::optional<SyntheticLabel>& synthetic);
 

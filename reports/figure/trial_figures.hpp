@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "datasets/data_table.hpp"
 #include "datasets/world.hpp"
@@ -23,12 +24,15 @@ struct TrialPicture {
   std::optional<SyntheticLabel> synthetic;
 };
 
-/// T_t, V_t, the edge margin and the tick margin over time; below it the speed, measured over the
-/// last second and as the law allows.
-[[nodiscard]] Figure trial_series_figure(const TrialPicture& trial);
+/// Seconds since the first tick, of each row: a log may count from 1970.
+[[nodiscard]] std::vector<double> trial_times(const DataTable& series);
+
+/// T_t, V_t, the edge margin and the tick margin over time since the first tick; below it the
+/// speed, measured over the last second and as the law allows. Empty if the series has no value.
+[[nodiscard]] std::optional<Figure> trial_series_figure(const TrialPicture& trial);
 
 /// Course or what the rays felt, odometry, corridor graph by edge margin, bottleneck, place of
-/// issuance.
-[[nodiscard]] Figure trial_map_figure(const TrialPicture& trial);
+/// issuance. Empty without a pose.
+[[nodiscard]] std::optional<Figure> trial_map_figure(const TrialPicture& trial);
 
 }  // namespace tcert

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "reports/figure/figure_table.hpp"
+#include "reports/figure/figure_rows.hpp"
 #include "reports/table_json.hpp"
 
 namespace tcert {
@@ -47,8 +47,6 @@ std::string_view word_of(Tone tone) {
   return "ink";
 }
 
-bool is_path(Mark mark) { return mark == Mark::line || mark == Mark::step; }
-
 bool has_classes(const Figure& figure, const Layer& layer) {
   return !layer.label.empty() || (!layer.colour.empty() && !figure.gradient);
 }
@@ -79,6 +77,10 @@ Json scale_of(const Axis& axis, bool vertical) {
   return scale;
 }
 
+std::string tick_format(const std::vector<double>& ticks) {
+  return "." + std::to_string(tick_decimals(ticks)) + "f";
+}
+
 Json position(const Axis& axis, const std::string& field, bool vertical) {
   Json channel = {{"field", field}};
   const bool categories = axis.scale == AxisScale::categories;
@@ -88,7 +90,7 @@ Json position(const Axis& axis, const std::string& field, bool vertical) {
   if (axis.hidden) {
     channel["axis"] = nullptr;
   } else if (!axis.ticks.empty()) {
-    channel["axis"] = {{"values", axis.ticks}, {"format", ".6~g"}};
+    channel["axis"] = {{"values", axis.ticks}, {"format", tick_format(axis.ticks)}};
   } else if (categories) {
     channel["axis"] = {{"labelLimit", 260}, {"labelAngle", 0}, {"grid", false}};
   } else {
@@ -119,6 +121,7 @@ void add_classes(const Figure& figure, const Layer& layer, Json& encoding) {
   channel["type"] = "nominal";
   const Json title = figure.key.title.empty() ? Json(nullptr) : Json(figure.key.title);
   const Json legend = {{"title", title},
+                       {"values", drawn_classes(figure)},
                        {"orient", "top"},
                        {"columns", 2},
                        {"labelLimit", 260},
@@ -152,6 +155,10 @@ void add_gradient(const Gradient& gradient, const Layer& layer, Json& encoding) 
       {"scale",
        {{"domain", {gradient.low, gradient.high}}, {"range", gradient_stops()}, {"clamp", true}}},
       {"legend", {{"title", title}, {"orient", "right"}}}};
+  if (!gradient.ticks.empty()) {
+    encoding["stroke"]["legend"]["values"] = gradient.ticks;
+    encoding["stroke"]["legend"]["format"] = tick_format(gradient.ticks);
+  }
 }
 
 Json mark_of(const Figure& figure, const Panel& panel, const Layer& layer) {
@@ -163,6 +170,9 @@ Json mark_of(const Figure& figure, const Panel& panel, const Layer& layer) {
       mark = {{"type", "line"},
               {"interpolate", layer.mark == Mark::step ? "step-after" : "linear"},
               {"strokeWidth", layer.width}};
+      if (layer.guide) {
+        mark["strokeDash"] = {5, 4};
+      }
       break;
     case Mark::point:
       mark = {{"type", "point"},
@@ -187,6 +197,10 @@ Json mark_of(const Figure& figure, const Panel& panel, const Layer& layer) {
       break;
     case Mark::text:
       mark = {{"type", "text"}, {"fontSize", 11}, {"dy", -13.0 * layer.raise}};
+      if (layer.raise > 0.0) {
+        mark["align"] = "left";
+        mark["dx"] = 5;
+      }
       break;
   }
   if (!has_classes(figure, layer)) {
@@ -266,25 +280,6 @@ Json reference_of(const Panel& panel, const Reference& reference) {
           {"encoding", {{reference.vertical ? "x" : "y", std::move(channel)}}}};
 }
 
-bool is_there(const Table& data, std::size_t row, const std::string& column) {
-  return column.empty() || !text_at(data, row, column).empty() ||
-         std::isfinite(number_at(data, row, column));
-}
-
-/// True if the layer draws anything: a scale of nothing has no extent.
-bool has_rows(const Figure& figure, const Panel& panel, const Layer& layer) {
-  const Table& data = figure.data;
-  for (std::size_t row = 0; row < data.rows.size(); ++row) {
-    if (text_at(data, row, "part") == layer.part &&
-        (panel.name.empty() || text_at(data, row, "panel") == panel.name) &&
-        is_there(data, row, layer.x) && is_there(data, row, layer.y) &&
-        is_there(data, row, layer.x2) && is_there(data, row, layer.y2)) {
-      return true;
-    }
-  }
-  return false;
-}
-
 Json panel_of(const Figure& figure, const Panel& panel, bool alone) {
   Json view = Json::object();
   if (!panel.title.empty()) {
@@ -303,7 +298,7 @@ Json panel_of(const Figure& figure, const Panel& panel, bool alone) {
     layers.push_back(reference_of(panel, reference));
   }
   for (const Layer& layer : panel.layers) {
-    if (has_rows(figure, panel, layer)) {
+    if (!drawn_rows(figure, panel, layer).empty()) {  // A scale of nothing has no extent.
       layers.push_back(layer_of(figure, panel, layer));
     }
   }

@@ -16,6 +16,8 @@ BootstrapTable::BootstrapTable(double level) : level_(level) {
                     number_column("std.error", "SE"),
                     number_column("conf.low", "BCa low"),
                     number_column("conf.high", "BCa high"),
+                    number_column("expanded.low", "expanded low"),
+                    number_column("expanded.high", "expanded high"),
                     number_column("percentile.low", "percentile low"),
                     number_column("percentile.high", "percentile high"),
                     number_column("basic.low", "basic low"),
@@ -33,6 +35,7 @@ void BootstrapTable::add(const std::string& name,
   std::vector<TableCell> cells{
       name, number_cell(bca.observed), number_cell(bca.bias), number_cell(bca.standard_error)};
   for (const BootstrapMethod method : {BootstrapMethod::bca,
+                                       BootstrapMethod::expanded,
                                        BootstrapMethod::percentile,
                                        BootstrapMethod::basic,
                                        BootstrapMethod::normal}) {

@@ -1,11 +1,12 @@
 #include "reports/fit/calibration_report.hpp"
 
 #include "reports/fit/cells.hpp"
+#include "reports/fit/interval_columns.hpp"
 
 namespace tcert {
 namespace {
 
-Table coefficient_table(const ModelCalibration& calibration) {
+Table coefficient_table(const ModelCalibration& calibration, double level) {
   Table table;
   table.name = "calibration";
   table.title = "Calibration of predicted probabilities";
@@ -14,15 +15,25 @@ Table coefficient_table(const ModelCalibration& calibration) {
                    number_column("estimate", "estimate"),
                    number_column("std.error", "SE"),
                    number_column("conf.low", "low"),
-                   number_column("conf.high", "high"),
-                   number_column("ideal", "ideal")};
+                   number_column("conf.high", "high")};
+  const bool clustered = calibration.clusters > 0;
+  if (clustered) {
+    append_columns(t_columns(false), table.columns);
+  }
+  table.columns.push_back(number_column("ideal", "ideal"));
   const auto add = [&](const char* name, const CalibrationCoefficient& one, double ideal) {
-    table.add_row({std::string(name),
-                   number_cell(one.estimate),
-                   number_cell(one.standard_error),
-                   low_cell(one.interval),
-                   high_cell(one.interval),
-                   number_cell(ideal)});
+    std::vector<TableCell> cells{std::string(name),
+                                 number_cell(one.estimate),
+                                 number_cell(one.standard_error),
+                                 low_cell(one.interval),
+                                 high_cell(one.interval)};
+    if (clustered) {
+      append_t(by_cluster_t(one.estimate, one.standard_error, {}, calibration.clusters, level),
+               cells,
+               false);
+    }
+    cells.push_back(number_cell(ideal));
+    table.add_row(std::move(cells));
   };
   add("slope", calibration.slope, 1.0);
   add("intercept", calibration.intercept, 0.0);
@@ -35,6 +46,9 @@ Table coefficient_table(const ModelCalibration& calibration) {
           ? "Errors are cluster-robust; intervals of the bins and the Hosmer-Lemeshow test take "
             "trials as independent, so with clusters they are too sure of themselves."
           : "Trials are taken as independent."};
+  if (clustered) {
+    table.footnotes.push_back(t_footnote(calibration.clusters));
+  }
   return table;
 }
 
@@ -60,8 +74,8 @@ Table bin_table(const ModelCalibration& calibration) {
                    calibration.clusters > 0 ? integer_cell(bin.clusters) : TableCell{},
                    number_cell(bin.predicted),
                    number_cell(bin.observed),
-                   number_cell(bin.wilson.low),
-                   number_cell(bin.wilson.high)});
+                   low_cell(bin.wilson),
+                   high_cell(bin.wilson)});
   }
   return table;
 }
@@ -104,7 +118,9 @@ Table prediction_table(const CalibrationSource& source) {
 
 }  // namespace
 
-FitReport calibration_report(const ModelCalibration& calibration, const CalibrationSource& source) {
+FitReport calibration_report(const ModelCalibration& calibration,
+                             const CalibrationSource& source,
+                             double level) {
   FitReport report;
   report.model = "calibration";
   const auto& test = calibration.hosmer_lemeshow;
@@ -127,9 +143,10 @@ FitReport calibration_report(const ModelCalibration& calibration, const Calibrat
       .p("p.value", "p", test ? std::optional(test->p_value) : std::nullopt);
   report.summary = std::move(summary).table();
   report.tables = {
-      coefficient_table(calibration), bin_table(calibration), brier_table(calibration)};
+      coefficient_table(calibration, level), bin_table(calibration), brier_table(calibration)};
   report.details = {prediction_table(source)};
   report.conditions = calibration.conditions;
+  point_to_t(report.conditions);
   return report;
 }
 

@@ -23,6 +23,7 @@ struct CalibrationSource {
 };
 
 [[nodiscard]] FitReport calibration_report(const ModelCalibration& calibration,
-                                           const CalibrationSource& source);
+                                           const CalibrationSource& source,
+                                           double level);
 
 }  // namespace tcert

@@ -55,6 +55,13 @@ Column number_column(std::string name, std::string heading) {
   return column;
 }
 
+Column time_column(std::string name, std::string heading) {
+  constexpr int kAllDigits = 15;
+  Column column = number_column(std::move(name), std::move(heading));
+  column.significant = kAllDigits;
+  return column;
+}
+
 Column fixed_column(std::string name, std::string heading, std::string unit, int decimals) {
   return {std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
 }

@@ -33,6 +33,8 @@ inline constexpr int kShownDigits = 4;
 [[nodiscard]] Column integer_column(std::string name, std::string heading);
 /// Printed with kShownDigits significant digits.
 [[nodiscard]] Column number_column(std::string name, std::string heading);
+/// Of times: printed with 15 significant digits, so that what is read off finds its step again.
+[[nodiscard]] Column time_column(std::string name, std::string heading);
 /// Printed with a fixed number of decimals: a value, a value with its interval.
 [[nodiscard]] Column fixed_column(std::string name,
                                   std::string heading,

@@ -1,6 +1,5 @@
 #include "reports/fit/coefficient_words.hpp"
 
-#include <cmath>
 #include <string>
 
 #include "reports/fit/cells.hpp"
@@ -19,14 +18,12 @@ std::string_view reason_without_estimate(CoefficientKind kind) {
       return "-infinity";
     case CoefficientKind::diverging:
       return "diverging";
+    case CoefficientKind::ran_away:
+      return "near-separation";
     case CoefficientKind::unknown:
       return "unknown";
   }
   return "";
-}
-
-std::optional<double> odds(const std::optional<double>& log_odds) {
-  return log_odds ? std::optional(std::exp(*log_odds)) : std::nullopt;
 }
 
 Table drop_table(const std::vector<DroppedTerm>& dropped, std::string_view deviance_heading) {

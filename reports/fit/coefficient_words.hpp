@@ -2,7 +2,6 @@
 /// \file
 /// Words and tables that logistic models with and without random effects have in common.
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -14,9 +13,6 @@ namespace tcert {
 
 /// "" for a finite coefficient, else why there is no number: "not estimable", "+infinity".
 [[nodiscard]] std::string_view reason_without_estimate(CoefficientKind kind);
-
-/// exp of a log odds.
-[[nodiscard]] std::optional<double> odds(const std::optional<double>& log_odds);
 
 /// The table `drop1`. `deviance_heading` says which deviance it is.
 [[nodiscard]] Table drop_table(const std::vector<DroppedTerm>& dropped,

@@ -1,11 +1,12 @@
 #include "reports/fit/concordance_report.hpp"
 
 #include "reports/fit/cells.hpp"
+#include "reports/fit/interval_columns.hpp"
 
 namespace tcert {
 namespace {
 
-Table estimate_table(const ConcordanceResult& result) {
+Table estimate_table(const ConcordanceResult& result, double level) {
   Table table;
   table.name = "concordance";
   table.title = "Concordance C: Pr(the row with the longer time has the better value)";
@@ -25,24 +26,33 @@ Table estimate_table(const ConcordanceResult& result) {
   for (std::size_t k = table.columns.size() - 5; k < table.columns.size(); ++k) {
     table.columns[k].significant = 12;
   }
+  if (result.clusters > 0) {
+    append_columns(t_columns(false), table.columns);
+    table.footnotes.push_back(t_footnote(result.clusters));
+  }
   for (const ConcordanceEstimate& one : result.estimates) {
-    table.add_row({one.name,
-                   number_cell(one.c),
-                   number_cell(one.std_error),
-                   low_cell(one.interval),
-                   high_cell(one.interval),
-                   number_cell(one.variance),
-                   number_cell(one.null_variance),
-                   number_cell(one.counts.concordant),
-                   number_cell(one.counts.discordant),
-                   number_cell(one.counts.tied_x),
-                   number_cell(one.counts.tied_y),
-                   number_cell(one.counts.tied_xy)});
+    std::vector<TableCell> cells{one.name,
+                                 number_cell(one.c),
+                                 number_cell(one.std_error),
+                                 low_cell(one.interval),
+                                 high_cell(one.interval),
+                                 number_cell(one.variance),
+                                 number_cell(one.null_variance),
+                                 number_cell(one.counts.concordant),
+                                 number_cell(one.counts.discordant),
+                                 number_cell(one.counts.tied_x),
+                                 number_cell(one.counts.tied_y),
+                                 number_cell(one.counts.tied_xy)};
+    if (result.clusters > 0) {
+      append_t(
+          clipped(by_cluster_t(one.c, one.std_error, {}, result.clusters, level)), cells, false);
+    }
+    table.add_row(std::move(cells));
   }
   return table;
 }
 
-Table difference_table(const ConcordanceResult& result) {
+Table difference_table(const ConcordanceResult& result, double level) {
   Table table;
   table.name = "differences";
   table.title = "Paired differences of C";
@@ -54,27 +64,34 @@ Table difference_table(const ConcordanceResult& result) {
                    p_column(),
                    number_column("conf.low", "low"),
                    number_column("conf.high", "high")};
+  if (result.clusters > 0) {
+    append_columns(t_columns(), table.columns);
+  }
   for (const ConcordanceDifference& one : result.differences) {
-    table.add_row({result.estimates[one.first].name,
-                   result.estimates[one.second].name,
-                   number_cell(one.difference),
-                   number_cell(one.std_error),
-                   number_cell(one.z),
-                   p_cell(one.p_value),
-                   low_cell(one.interval),
-                   high_cell(one.interval)});
+    std::vector<TableCell> cells{result.estimates[one.first].name,
+                                 result.estimates[one.second].name,
+                                 number_cell(one.difference),
+                                 number_cell(one.std_error),
+                                 number_cell(one.z),
+                                 p_cell(one.p_value),
+                                 low_cell(one.interval),
+                                 high_cell(one.interval)};
+    if (result.clusters > 0) {
+      append_t(by_cluster_t(one.difference, one.std_error, one.z, result.clusters, level), cells);
+    }
+    table.add_row(std::move(cells));
   }
   return table;
 }
 
 }  // namespace
 
-FitReport concordance_report(const ConcordanceResult& result) {
+FitReport concordance_report(const ConcordanceResult& result, double level) {
   FitReport report;
   report.model = "concordance";
-  report.tables = {estimate_table(result)};
+  report.tables = {estimate_table(result, level)};
   if (!result.differences.empty()) {
-    report.tables.push_back(difference_table(result));
+    report.tables.push_back(difference_table(result, level));
   }
   Record summary("summary", "Rows");
   summary.integer("n", "rows", result.n)
@@ -92,6 +109,7 @@ FitReport concordance_report(const ConcordanceResult& result) {
   for (const ConcordanceDifference& one : result.differences) {
     report.conditions.insert(report.conditions.end(), one.conditions.begin(), one.conditions.end());
   }
+  point_to_t(report.conditions);
   if (result.covariance.rows() == static_cast<Eigen::Index>(names.size())) {
     report.details.push_back(
         matrix_table("vcov", "Covariance of the concordances", names, result.covariance));

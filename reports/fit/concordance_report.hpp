@@ -10,6 +10,6 @@
 
 namespace tcert {
 
-[[nodiscard]] FitReport concordance_report(const ConcordanceResult& result);
+[[nodiscard]] FitReport concordance_report(const ConcordanceResult& result, double level);
 
 }  // namespace tcert

@@ -1,8 +1,11 @@
 #include "reports/fit/cox_report.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "reports/fit/cells.hpp"
+#include "reports/fit/interval_columns.hpp"
 
 namespace tcert {
 namespace {
@@ -19,18 +22,34 @@ Table coefficient_table(const CoxFit& fit) {
                    number_column("statistic", "z"),
                    p_column(),
                    number_column("conf.low", "low"),
-                   number_column("conf.high", "high"),
-                   number_column("hazard.ratio", "hazard ratio")};
+                   number_column("conf.high", "high")};
+  const bool clustered = fit.clusters > 0;
+  std::vector<std::string> others;
+  if (clustered) {
+    append_columns(t_columns(), table.columns);
+    others = {"t"};
+    table.footnotes.push_back(t_footnote(fit.clusters));
+  }
+  append_columns(ratio_columns(hazard_ratio_name(), others), table.columns);
   for (const CoxCoefficient& one : fit.coefficients) {
-    table.add_row({one.column,
-                   number_cell(one.estimate),
-                   number_cell(one.model_se),
-                   number_cell(one.robust_se),
-                   number_cell(one.z),
-                   p_cell(one.p_value),
-                   low_cell(one.interval),
-                   high_cell(one.interval),
-                   number_cell(one.hazard_ratio)});
+    std::vector<TableCell> cells{one.column,
+                                 number_cell(one.estimate),
+                                 number_cell(one.model_se),
+                                 number_cell(one.robust_se),
+                                 number_cell(one.z),
+                                 p_cell(one.p_value),
+                                 low_cell(one.interval),
+                                 high_cell(one.interval)};
+    const ClusterT by_t = by_cluster_t(one.estimate, one.robust_se, one.z, fit.clusters, fit.level);
+    if (clustered) {
+      append_t(by_t, cells);
+    }
+    cells.push_back(number_cell(one.hazard_ratio));
+    append_ratios(one.interval, cells);
+    if (clustered) {
+      append_ratios(by_t.interval, cells);
+    }
+    table.add_row(std::move(cells));
   }
   return table;
 }
@@ -76,8 +95,11 @@ Table summary_of(const CoxFit& fit, const std::optional<ConcordanceResult>& conc
 }
 
 void append_tests(const ProportionalityTests& tests, bool with_global, Table& table) {
-  const auto append = [&](const std::string& name, const ChiSquareTest& test) {
-    table.add_row({name, Number{test.statistic}, integer_cell(test.df), PValue{test.p_value}});
+  const auto append = [&](const std::string& name, const std::optional<ChiSquareTest>& test) {
+    table.add_row({name,
+                   test ? number_cell(test->statistic) : TableCell{},
+                   test ? integer_cell(test->df) : TableCell{},
+                   test ? p_cell(test->p_value) : TableCell{}});
   };
   for (const ProportionalityTest& part : tests.parts) {
     append(part.name, part.test);
@@ -117,6 +139,7 @@ FitReport cox_report(const CoxFit& fit, const std::optional<ConcordanceResult>& 
         matrix_table("model_vcov", "The same by the model", names, fit.model_vcov));
   }
   report.conditions = fit.conditions;
+  point_to_t(report.conditions);
   return report;
 }
 
@@ -152,6 +175,15 @@ void add_term_tests(const TermTests& anova, const TermTests& drop1, FitReport& r
   };
   report.tables.push_back(table_of(drop1, "drop1", "Likelihood-ratio test of each term"));
   report.details.push_back(table_of(anova, "anova", "Terms added in turn"));
+  for (const TermTests* const tests : {&anova, &drop1}) {
+    // Without a refit there is no test; the fit itself stands.
+    for (Condition condition : tests->rows.empty() ? tests->conditions : Conditions{}) {
+      condition.severity = std::min(condition.severity, ConditionSeverity::warning);
+      condition.detail += condition.detail.empty() ? "" : "; ";
+      condition.detail += tests == &anova ? "no anova" : "no drop1";
+      report.conditions.push_back(std::move(condition));
+    }
+  }
 }
 
 Table baseline_table(const std::vector<BaselineHazard>& hazards) {
@@ -159,11 +191,14 @@ Table baseline_table(const std::vector<BaselineHazard>& hazards) {
   table.name = "basehaz";
   table.title = "Cumulative baseline hazard, all covariates 0";
   table.columns = {text_column("strata", "stratum"),
-                   number_column("time", "time"),
+                   time_column("time", "time"),
                    number_column("hazard", "hazard")};
   for (const BaselineHazard& one : hazards) {
     for (std::size_t i = 0; i < one.time.size(); ++i) {
-      table.add_row({one.stratum, number_cell(one.time[i]), number_cell(one.hazard[i])});
+      const bool is_finite = std::isfinite(one.hazard[i]);
+      table.add_row({one.stratum,
+                     number_cell(one.time[i]),
+                     is_finite ? number_cell(one.hazard[i]) : TableCell{}});
     }
   }
   return table;
@@ -175,7 +210,7 @@ Table curve_table(const std::vector<CoxCurve>& curves, const std::vector<std::si
   table.title = "Predicted survival";
   table.columns = {integer_column("row", "row"),
                    text_column("strata", "stratum"),
-                   number_column("time", "time"),
+                   time_column("time", "time"),
                    number_column("estimate", "survival"),
                    number_column("std.error", "SE"),
                    number_column("conf.low", "low"),

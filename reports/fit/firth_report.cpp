@@ -4,6 +4,7 @@
 
 #include "reports/fit/cells.hpp"
 #include "reports/fit/coefficient_words.hpp"
+#include "reports/fit/interval_columns.hpp"
 #include "reports/fit/logistic_report.hpp"
 
 namespace tcert {
@@ -28,23 +29,24 @@ Table coefficient_table(const FirthFit& fit) {
                    number_column("statistic", "chi-squared"),
                    p_column(),
                    number_column("conf.low", "Wald low"),
-                   number_column("conf.high", "Wald high"),
-                   number_column("profile.low", "profile low"),
-                   number_column("profile.high", "profile high"),
-                   number_column("odds.ratio", "odds ratio"),
-                   text_column("kind", "")};
+                   number_column("conf.high", "Wald high")};
+  append_columns(profile_columns(), table.columns);
+  append_columns(ratio_columns(odds_ratio_name(), {"profile"}), table.columns);
+  table.columns.push_back(text_column("kind", ""));
   for (const FirthCoefficient& one : fit.coefficients) {
-    table.add_row({one.column,
-                   number_cell(one.estimate),
-                   number_cell(one.standard_error),
-                   number_cell(statistic(one.test)),
-                   p_cell(p_value(one.test)),
-                   low_cell(one.wald),
-                   high_cell(one.wald),
-                   low_cell(one.profile),
-                   high_cell(one.profile),
-                   number_cell(odds(one.estimate)),
-                   std::string(reason_without_estimate(one.kind))});
+    std::vector<TableCell> cells{one.column,
+                                 number_cell(one.estimate),
+                                 number_cell(one.standard_error),
+                                 number_cell(statistic(one.test)),
+                                 p_cell(p_value(one.test)),
+                                 low_cell(one.wald),
+                                 high_cell(one.wald)};
+    append_profile(limits_of(one.profile), cells);
+    cells.push_back(ratio_cell(one.estimate));
+    append_ratios(one.wald, cells);
+    append_ratios(one.profile, cells);
+    cells.emplace_back(std::string(reason_without_estimate(one.kind)));
+    table.add_row(std::move(cells));
   }
   table.footnotes = {
       "chi-squared and p: penalised likelihood ratio, the coefficient at 0 under the penalty of "

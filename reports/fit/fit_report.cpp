@@ -41,7 +41,7 @@ Table conditions_table(const Conditions& conditions) {
                    std::string(words(condition.kind)),
                    condition.column,
                    condition.detail,
-                   std::string(advice(condition.kind))});
+                   std::string(advice(condition))});
   }
   return table;
 }
@@ -58,15 +58,16 @@ Json json_of(const Conditions& conditions) {
   return list;
 }
 
+bool is_number(const TableCell& cell) {
+  return std::holds_alternative<Number>(cell) || std::holds_alternative<Estimate>(cell) ||
+         std::holds_alternative<PValue>(cell);
+}
+
 /// False if there is nothing but NA in the main table.
 bool has_number(const FitReport& report) {
   if (report.tables.empty()) {
     return false;
   }
-  const auto is_number = [](const TableCell& cell) {
-    return std::holds_alternative<Number>(cell) || std::holds_alternative<Estimate>(cell) ||
-           std::holds_alternative<PValue>(cell);
-  };
   const auto& rows = report.tables.front().rows;
   return std::any_of(rows.begin(), rows.end(), [&](const std::vector<TableCell>& cells) {
     return std::any_of(cells.begin(), cells.end(), is_number);
@@ -123,6 +124,37 @@ std::vector<std::string> FitReport::table_names() const {
     }
   }
   return names;
+}
+
+bool has_estimate(const FitReport& report) {
+  if (report.tables.empty()) {
+    return !has_error(report.conditions);
+  }
+  const Table& main = report.tables.front();
+  const auto column_of = [&](std::string_view name) {
+    return std::find_if(main.columns.begin(),
+                        main.columns.end(),
+                        [&](const Column& column) { return column.name == name; }) -
+           main.columns.begin();
+  };
+  const auto columns = static_cast<std::ptrdiff_t>(main.columns.size());
+  const std::ptrdiff_t estimate = column_of("estimate");
+  const std::ptrdiff_t effect = column_of("effect");
+  const bool found = std::any_of(main.rows.begin(), main.rows.end(), [&](const auto& cells) {
+    const auto* const kind =
+        effect == columns ? nullptr
+                          : std::get_if<std::string>(&cells[static_cast<std::size_t>(effect)]);
+    const bool counts = kind == nullptr || *kind == "fixed";
+    return counts && estimate < columns && is_number(cells[static_cast<std::size_t>(estimate)]);
+  });
+  if (found || estimate == columns || main.rows.empty()) {
+    return true;
+  }
+  const Table* const brier = report.find("brier");
+  return brier != nullptr &&
+         std::any_of(brier->rows.begin(), brier->rows.end(), [](const auto& row) {
+           return std::any_of(row.begin(), row.end(), is_number);
+         });
 }
 
 std::string render(const FitReport& report, TableFormat format, std::string_view table) {

@@ -27,6 +27,11 @@ struct FitReport {
   [[nodiscard]] std::vector<std::string> table_names() const;
 };
 
+/// Whether there is what the fit is for: a number in the column `estimate` of the main table (of a
+/// fixed effect, where there are random ones), or a Brier score. True without such a column, and
+/// without a row: a model without coefficients lacks none.
+[[nodiscard]] bool has_estimate(const FitReport& report);
+
 /// Text, Markdown and LaTeX: the summary and `tables`. JSON: one document with everything; the
 /// summary is an object, every table a list of objects, each condition an object with name,
 /// severity, column, detail. CSV and JSON Lines: the main table. With `table` only the table of

@@ -4,6 +4,7 @@
 
 #include "reports/fit/cells.hpp"
 #include "reports/fit/coefficient_words.hpp"
+#include "reports/fit/interval_columns.hpp"
 
 namespace tcert {
 namespace {
@@ -21,20 +22,24 @@ std::string title_of(const GlmmFit& fit) {
 void add_fixed_rows(const GlmmFit& fit, const GlmmProfile& profile, Table& table) {
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
     const LogisticCoefficient& one = fit.coefficients[k];
-    const std::optional<Interval> by_profile = at(profile.coefficients, k);
-    table.add_row({std::string("fixed"),
-                   TableCell{},
-                   one.column,
-                   number_cell(one.estimate),
-                   number_cell(one.standard_error),
-                   number_cell(one.z),
-                   p_cell(one.p_value),
-                   low_cell(one.interval),
-                   high_cell(one.interval),
-                   low_cell(by_profile),
-                   high_cell(by_profile),
-                   number_cell(odds(one.estimate)),
-                   std::string(reason_without_estimate(one.kind))});
+    const std::optional<Interval> by_profile =
+        one.kind == CoefficientKind::finite ? at(profile.coefficients, k) : std::nullopt;
+    std::vector<TableCell> cells{std::string("fixed"),
+                                 TableCell{},
+                                 one.column,
+                                 number_cell(one.estimate),
+                                 number_cell(one.standard_error),
+                                 number_cell(one.z),
+                                 p_cell(one.p_value),
+                                 low_cell(one.interval),
+                                 high_cell(one.interval),
+                                 low_cell(by_profile),
+                                 high_cell(by_profile),
+                                 ratio_cell(one.estimate)};
+    append_ratios(one.interval, cells);
+    append_ratios(by_profile, cells);
+    cells.emplace_back(std::string(reason_without_estimate(one.kind)));
+    table.add_row(std::move(cells));
   }
 }
 
@@ -51,7 +56,7 @@ void add_parameter_row(const std::string& group,
   row[3] = number_cell(value);
   row[9] = low_cell(profile);
   row[10] = high_cell(profile);
-  row[12] = std::string();
+  row.back() = std::string();
   table.add_row(std::move(row));
 }
 
@@ -90,9 +95,9 @@ Table coefficient_table(const GlmmFit& fit, const GlmmProfile& profile) {
                    number_column("conf.low", "Wald low"),
                    number_column("conf.high", "Wald high"),
                    number_column("profile.low", "profile low"),
-                   number_column("profile.high", "profile high"),
-                   number_column("odds.ratio", "odds ratio"),
-                   text_column("kind", "")};
+                   number_column("profile.high", "profile high")};
+  append_columns(ratio_columns(odds_ratio_name(), {"profile"}), table.columns);
+  table.columns.push_back(text_column("kind", ""));
   add_fixed_rows(fit, profile, table);
   add_random_rows(fit, profile, table);
   return table;

@@ -2,35 +2,40 @@
 
 #include "reports/fit/cells.hpp"
 #include "reports/fit/coefficient_words.hpp"
+#include "reports/fit/interval_columns.hpp"
 
 namespace tcert {
 namespace {
 
-Table coefficient_table(const LogisticFit& fit,
-                        const std::vector<std::optional<Interval>>& profiles) {
+bool is_robust(const LogisticFit& fit) { return fit.variance == CoefficientVariance::robust; }
+
+Table coefficient_table(const LogisticFit& fit, const std::vector<ProfileLimits>& profiles) {
   Table table;
   table.name = "coefficients";
   table.title = "Logistic regression: log odds of success";
   table.n = static_cast<std::int64_t>(fit.rows);
   table.columns = {text_column("term", "term"),
                    number_column("estimate", "estimate"),
-                   number_column("std.error", "SE"),
+                   number_column("std.error", is_robust(fit) ? "robust SE" : "SE"),
                    number_column("statistic", "z"),
                    p_column(),
                    number_column("conf.low", "Wald low"),
                    number_column("conf.high", "Wald high")};
-  const bool robust = fit.variance == CoefficientVariance::robust;
-  if (robust) {
-    table.columns[2].heading = "robust SE";
-  } else {
-    table.columns.push_back(number_column("profile.low", "profile low"));
-    table.columns.push_back(number_column("profile.high", "profile high"));
+  std::vector<std::string> others;
+  if (!is_robust(fit)) {
+    append_columns(profile_columns(), table.columns);
+    others = {"profile"};
+  } else if (fit.clustered) {
+    append_columns(t_columns(), table.columns);
+    others = {"t"};
   }
-  table.columns.push_back(number_column("odds.ratio", "odds ratio"));
+  append_columns(ratio_columns(odds_ratio_name(), others), table.columns);
   table.columns.push_back(text_column("kind", ""));
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
     const LogisticCoefficient& one = fit.coefficients[k];
-    const std::optional<Interval> profile = k < profiles.size() ? profiles[k] : std::nullopt;
+    const ProfileLimits profile = k < profiles.size() ? profiles[k] : ProfileLimits{};
+    const ClusterT by_t =
+        by_cluster_t(one.estimate, one.standard_error, one.z, fit.clusters, fit.options.level);
     std::vector<TableCell> cells{one.column,
                                  number_cell(one.estimate),
                                  number_cell(one.standard_error),
@@ -38,11 +43,19 @@ Table coefficient_table(const LogisticFit& fit,
                                  p_cell(one.p_value),
                                  low_cell(one.interval),
                                  high_cell(one.interval)};
-    if (!robust) {
-      cells.push_back(low_cell(profile));
-      cells.push_back(high_cell(profile));
+    if (!is_robust(fit)) {
+      append_profile(profile, cells);
+    } else if (fit.clustered) {
+      append_t(by_t, cells);
     }
-    cells.push_back(number_cell(odds(one.estimate)));
+    cells.push_back(ratio_cell(one.estimate));
+    append_ratios(one.interval, cells);
+    if (!is_robust(fit)) {
+      cells.push_back(ratio_cell(profile.low));
+      cells.push_back(ratio_cell(profile.high));
+    } else if (fit.clustered) {
+      append_ratios(by_t.interval, cells);
+    }
     cells.emplace_back(std::string(reason_without_estimate(one.kind)));
     table.add_row(std::move(cells));
   }
@@ -59,15 +72,19 @@ std::optional<double> df_null(const LogisticFit& fit) {
 }  // namespace
 
 FitReport logistic_report(const LogisticFit& fit,
-                          const std::vector<std::optional<Interval>>& profiles,
+                          const std::vector<ProfileLimits>& profiles,
                           const std::vector<DroppedTerm>& dropped) {
   FitReport report;
   report.model = "glm";
   report.tables = {coefficient_table(fit, profiles)};
-  if (fit.variance == CoefficientVariance::robust) {
-    report.tables.front().footnotes.push_back(
+  if (is_robust(fit)) {
+    std::vector<std::string>& notes = report.tables.front().footnotes;
+    notes.emplace_back(
         "Robust variance: no profile intervals and no likelihood-ratio tests, which take the rows "
         "to be independent.");
+    if (fit.clustered) {
+      notes.push_back(t_footnote(fit.clusters));
+    }
   } else {
     report.tables.push_back(drop_table(dropped, "deviance without"));
   }
@@ -81,8 +98,7 @@ FitReport logistic_report(const LogisticFit& fit,
       .number("df.null", "null df", df_null(fit))
       .number("AIC", "AIC", fit.aic)
       .number("BIC", "BIC", fit.bic)
-      .text(
-          "variance", "variance", fit.variance == CoefficientVariance::robust ? "robust" : "model")
+      .text("variance", "variance", is_robust(fit) ? "robust" : "model")
       .text("termination",
             "termination",
             has_error(fit.conditions) && !fit.log_likelihood && fit.iterations == 0
@@ -101,6 +117,7 @@ FitReport logistic_report(const LogisticFit& fit,
         matrix_table("vcov", "Covariance of the coefficients", names, fit.covariance));
   }
   report.conditions = fit.conditions;
+  point_to_t(report.conditions);
   return report;
 }
 

@@ -2,19 +2,20 @@
 /// \file
 /// A logistic regression as tables, with broom's column names.
 
-#include <optional>
 #include <vector>
 
 #include "analysis/logistic/logistic.hpp"
 #include "analysis/logistic/logistic_drop.hpp"
+#include "analysis/logistic/logistic_profile.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {
 
-/// `profiles` holds one interval a coefficient, or is empty if none was asked for. With a robust
-/// variance there is no table of likelihood-ratio tests: they take the rows to be independent.
+/// `profiles` holds the limits of each coefficient, or is empty if none was asked for. With a
+/// robust variance there is no table of likelihood-ratio tests: they take the rows to be
+/// independent.
 [[nodiscard]] FitReport logistic_report(const LogisticFit& fit,
-                                        const std::vector<std::optional<Interval>>& profiles,
+                                        const std::vector<ProfileLimits>& profiles,
                                         const std::vector<DroppedTerm>& dropped);
 
 }  // namespace tcert

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reports/fit/cells.hpp"
+#include "reports/fit/interval_columns.hpp"
 
 namespace tcert {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 std::optional<double> root(const std::optional<double>& variance) {
   return variance ? std::optional(std::sqrt(*variance)) : std::nullopt;
 }
+
+bool is_clustered(const JointAuc& joint) { return joint.markers.front().clusters > 0; }
 
 Table auc_table(const std::vector<std::string>& names,
                 const JointAuc& joint,
@@ -26,6 +29,10 @@ Table auc_table(const std::vector<std::string>& names,
                    number_column("conf.low", "low"),
                    number_column("conf.high", "high"),
                    number_column("variance", "variance")};
+  if (is_clustered(joint)) {
+    append_columns(t_columns(false), table.columns);
+    table.footnotes.push_back(t_footnote(joint.markers.front().clusters));
+  }
   if (partial) {
     table.columns.push_back(number_column("partial.area", "partial area"));
     table.columns.push_back(number_column("partial.corrected", "corrected"));
@@ -38,6 +45,11 @@ Table auc_table(const std::vector<std::string>& names,
                                  low_cell(one.interval),
                                  high_cell(one.interval),
                                  number_cell(one.variance)};
+    if (is_clustered(joint)) {
+      append_t(clipped(by_cluster_t(one.auc, root(one.variance), {}, one.clusters, joint.level)),
+               cells,
+               false);
+    }
     if (partial) {
       const PartialAuc area = partial_auc(curves[k], partial->low, partial->high, partial->focus);
       cells.push_back(number_cell(area.area));
@@ -63,17 +75,25 @@ Table difference_table(const std::vector<std::string>& names,
                    p_column(),
                    number_column("conf.low", "low"),
                    number_column("conf.high", "high")};
+  if (is_clustered(joint)) {
+    append_columns(t_columns(), table.columns);
+  }
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = i + 1; j < names.size(); ++j) {
       const AucDifference one = auc_contrast(joint, i, j);
-      table.add_row({names[i],
-                     names[j],
-                     number_cell(one.difference),
-                     number_cell(root(one.variance)),
-                     number_cell(one.z),
-                     p_cell(one.p_value),
-                     low_cell(one.interval),
-                     high_cell(one.interval)});
+      std::vector<TableCell> cells{names[i],
+                                   names[j],
+                                   number_cell(one.difference),
+                                   number_cell(root(one.variance)),
+                                   number_cell(one.z),
+                                   p_cell(one.p_value),
+                                   low_cell(one.interval),
+                                   high_cell(one.interval)};
+      if (is_clustered(joint)) {
+        append_t(by_cluster_t(one.difference, root(one.variance), one.z, one.clusters, joint.level),
+                 cells);
+      }
+      table.add_row(std::move(cells));
       for (Condition condition : one.conditions) {
         if (condition.kind == ConditionKind::same_ranking ||
             condition.kind == ConditionKind::zero_variance) {
@@ -158,6 +178,7 @@ FitReport roc_report(const std::vector<std::string>& names,
     report.tables.push_back(difference_table(names, joint, report.conditions));
   }
   report.tables.push_back(threshold_table(names, curves));
+  point_to_t(report.conditions);
   const AucEstimate& first = joint.markers.front();
   Record summary("summary", "Rows");
   summary.integer("nobs", "rows", first.successes + first.failures)

@@ -89,12 +89,12 @@ Table group_table(const std::vector<SurvivalCurve>& curves, const SurvivalReport
   table.columns = {text_column("strata", "group"),
                    integer_column("records", "rows"),
                    number_column("events", "events"),
-                   number_column("median", "median"),
-                   number_column("median.low", "low"),
-                   number_column("median.high", "high"),
+                   time_column("median", "median"),
+                   time_column("median.low", "low"),
+                   time_column("median.high", "high"),
                    number_column("rmean", "restricted mean"),
                    number_column("rmean.std.error", "SE"),
-                   number_column("rmean.limit", "up to")};
+                   time_column("rmean.limit", "up to")};
   const double limit = common_limit(curves);
   for (const SurvivalCurve& curve : curves) {
     double events = 0.0;
@@ -118,7 +118,7 @@ Table group_table(const std::vector<SurvivalCurve>& curves, const SurvivalReport
 
 std::vector<Column> curve_columns() {
   return {text_column("strata", "group"),
-          number_column("time", "time"),
+          time_column("time", "time"),
           number_column("n.risk", "at risk"),
           number_column("n.event", "events"),
           number_column("n.censor", "censored"),
@@ -158,7 +158,8 @@ Table times_table(const std::vector<SurvivalCurve>& curves, const SurvivalReport
   table.columns = curve_columns();
   const std::vector<double> times = shown_times(options, event_times(curves));
   for (const SurvivalCurve& curve : curves) {
-    for (const double time : times) {
+    for (const double shown : times) {
+      const double time = curve.time_near(shown);
       SurvivalPoint point;
       if (const SurvivalPoint* const last = curve.at(time)) {
         point = *last;
@@ -172,7 +173,7 @@ Table times_table(const std::vector<SurvivalCurve>& curves, const SurvivalReport
                                      curve.points.end(),
                                      [&](const SurvivalPoint& one) { return one.time >= time; });
       point.at_risk = next == curve.points.end() ? 0.0 : next->at_risk;
-      add_point(curve.group, time, point, options, table);
+      add_point(curve.group, shown, point, options, table);
     }
   }
   table.footnotes = {
@@ -213,7 +214,7 @@ Table test_table(const LogRankTest& test) {
 std::vector<Column> incidence_columns() {
   return {text_column("strata", "group"),
           text_column("state", "cause"),
-          number_column("time", "time"),
+          time_column("time", "time"),
           number_column("n.risk", "at risk"),
           number_column("estimate", "incidence"),
           number_column("std.error", "SE"),
@@ -223,7 +224,8 @@ std::vector<Column> incidence_columns() {
 
 /// Weight at risk just before `time`.
 double at_risk_before(const IncidenceCurves& curves, double time) {
-  const auto next = std::lower_bound(curves.time.begin(), curves.time.end(), time);
+  const auto next =
+      std::lower_bound(curves.time.begin(), curves.time.end(), curves.time_near(time));
   return next == curves.time.end()
              ? 0.0
              : curves.at_risk[static_cast<std::size_t>(next - curves.time.begin())];

@@ -65,7 +65,7 @@ std::vector<double> page_column(const NumberTable& series, std::string_view name
   if (name == "time_s") {
     std::vector<double> values;
     for (const std::int64_t time_ns : series.time_ns) {
-      values.push_back(seconds(time_ns));
+      values.push_back(seconds(time_ns - series.time_ns.front()));  // A log may count from 1970.
     }
     return values;
   }

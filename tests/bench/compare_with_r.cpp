@@ -41,6 +41,7 @@
 #include "analysis/roc/auc_statistic.hpp"
 #include "analysis/survival/log_rank.hpp"
 #include "analysis/survival/survival_curve.hpp"
+#include "analysis/survival/time_rounding.hpp"
 #include "datasets/random.hpp"
 #include "support/data_table.hpp"
 
@@ -221,7 +222,7 @@ Numbers bca_of_auc_difference(const DataTable& table, std::size_t replicates) {
 Numbers bca_of_c_difference(const DataTable& table, std::size_t replicates) {
   const std::span<const double> time = column(table, "time");
   SurvivalOutcome outcome{{}, {time.begin(), time.end()}, successes(table)};
-  snap_times(outcome);
+  round_times(outcome);
   const std::vector<Predictor> predictors{{"x1", column(table, "x1"), LargerMeans::shorter_time},
                                           {"x2", column(table, "x2"), LargerMeans::shorter_time}};
   return bca(concordance_statistic(outcome, predictors, {{0, 1}}), table.rows, replicates);

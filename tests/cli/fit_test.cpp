@@ -228,7 +228,8 @@ TEST_F(Fit, OtherFormatsShowTheMainTableOrTheChosenOne) {
   const ProcessResult csv = fit("glm", "success ~ x", {"--format", "csv"});
   EXPECT_EQ(csv.out.substr(0, csv.out.find('\n')),
             "term,estimate,std.error,statistic,p.value,conf.low,conf.high,profile.low,profile.high,"
-            "odds.ratio,kind");
+            "profile.open,odds.ratio,odds.ratio.low,odds.ratio.high,odds.ratio.profile.low,"
+            "odds.ratio.profile.high,kind");
   const ProcessResult tex = fit("glm", "success ~ x", {"--format", "tex", "--table", "drop1"});
   EXPECT_NE(tex.out.find("\\toprule"), std::string::npos);
   const ProcessResult wrong = fit("glm", "success ~ x", {"--table", "zph"});

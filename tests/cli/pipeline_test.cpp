@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "support/temporary_folder.hpp"
 #include "support/workdir.hpp"
@@ -105,6 +106,31 @@ TEST(Pipeline, CheckEndsWithOneWhereSomethingIsWrong) {
   const ProcessResult run = work.run({"check", "run.csv", "--format", "json"});
   EXPECT_EQ(run.exit_code, 1) << to_string(run);
   EXPECT_TRUE(nlohmann::json::accept(run.out)) << run.out;
+}
+
+// A tip whose force sensor hangs, beside two healthy ones.
+TEST(Pipeline, CheckNamesAContactThatNeverEnds) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "2", "--output", "corpus"}));
+  std::istringstream log(work.read("corpus/logs/t0000001/tactile.csv"));
+  std::string spoilt;
+  bool is_header = true;
+  for (std::string line; std::getline(log, line); spoilt += line + '\n') {
+    if (line.empty() || line[0] == '#' || std::exchange(is_header, false)) {
+      continue;  // time_s,left_bend_rad,left_fsr_n,...
+    }
+    const std::size_t second = line.find(',', line.find(',') + 1) + 1;
+    line.replace(second, line.find(',', second) - second, "0.8");
+  }
+  work.write("corpus/logs/t0000001/tactile.csv", spoilt);
+  const ProcessResult run = work.run({"check", "corpus"});
+  EXPECT_EQ(run.exit_code, 1) << to_string(run);
+  EXPECT_NE(run.out.find("contact from 0.0 s to the end at"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("left_fsr_n"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("right_fsr_n"), std::string::npos) << run.out;
+  EXPECT_EQ(work.run({"check", "corpus", "--trials", "t0000000"}).exit_code, 0);
+  // A force that counts as contact only above what the sensor hangs at.
+  EXPECT_EQ(work.run({"check", "corpus", "--set", "contact_on_n=0.9"}).exit_code, 0);
 }
 
 TEST(Pipeline, AKilledRunLeavesNothingUnderTheFinalName) {

@@ -136,6 +136,15 @@ TEST(ReplayCommand, WrongLawsAreUsageErrors) {
   EXPECT_EQ(work.run({"replay", "corpus", "--betas", "0"}).exit_code, 2);
   EXPECT_EQ(work.run({"replay", "corpus", "--series"}).exit_code, 2);
   EXPECT_EQ(work.run({"hypotheses", "h3"}).exit_code, 2);
+  for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{
+           {"--within", "lighting"}, {"--success", "success"}, {"--no-time-rounding"}}) {
+    std::vector<std::string> arguments{"hypotheses", "h3", "corpus", "--replicates", "10"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const ProcessResult run = work.run(arguments);
+    EXPECT_EQ(run.exit_code, 2) << to_string(run);
+    EXPECT_NE(run.err.find(option.front() + " is for h1 and h2, not for h3"), std::string::npos)
+        << to_string(run);
+  }
   EXPECT_EQ(work.run({"hypotheses", "h9", "corpus"}).exit_code, 2);
 }
 

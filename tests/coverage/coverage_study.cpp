@@ -19,12 +19,14 @@
 namespace tcert::coverage {
 namespace {
 
-constexpr std::size_t kMethods = 6;
+constexpr std::size_t kMethods = 8;
 constexpr std::array<const char*, kMethods> kMethodNames{"analytic_plain",
                                                          "analytic_clustered",
                                                          "percentile_trials",
+                                                         "expanded_trials",
                                                          "bca_trials",
                                                          "percentile_days",
+                                                         "expanded_days",
                                                          "bca_days"};
 constexpr std::size_t kQuantities = 4;
 constexpr std::array<const char*, kQuantities> kQuantityNames{"auc", "delta_auc", "c", "delta_c"};
@@ -73,14 +75,11 @@ void add_bootstrap(const Statistic& statistic,
   const BootstrapResult boot = bootstrap(statistic, plan, options);
   for (std::size_t quantity = 0; quantity < kQuantities; ++quantity) {
     const std::size_t value = kValueOf[quantity];
-    const BootstrapDistribution distribution =
-        bootstrap_distribution(boot.replicates[value], boot.observed[value]);
     result.estimate[quantity] = boot.observed[value];
-    result.by_quantity[quantity][method] =
-        bootstrap_interval(distribution, BootstrapMethod::percentile, {}, level).interval;
-    result.by_quantity[quantity][method + 1] =
-        bootstrap_interval(distribution, BootstrapMethod::bca, boot.acceleration[value], level)
-            .interval;
+    const BootstrapIntervals intervals = bootstrap_intervals(boot, value, level);
+    result.by_quantity[quantity][method] = intervals.percentile;
+    result.by_quantity[quantity][method + 1] = intervals.expanded;
+    result.by_quantity[quantity][method + 2] = intervals.bca;
   }
 }
 
@@ -104,7 +103,7 @@ Intervals intervals_of(const Study& study, const Options& options, std::uint64_t
                   plan,
                   {options.replicates, options.seed + index, clustered ? 101U : 100U},
                   options.level,
-                  clustered ? 4 : 2,
+                  clustered ? 5 : 2,
                   result);
   }
   return result;

@@ -170,6 +170,30 @@ TEST(OpenBundle, ReadsTrialsAndCarriesFurtherColumnsThrough) {
   EXPECT_EQ(bundle.trials[1].time_s, std::nullopt);
 }
 
+TEST(OpenBundle, ReadsWordsAsEveryOtherTableDoes) {
+  const Opened opened = open_with_trials(
+      "trial_id,success,time_s,lighting,distance_m,end_reason\n"
+      "t1,s,-nan,NA,nan(ind),NA\nt2,fail,12,Dark,3,\nt3,OK,1e1,,0x8,goal\nt4,-nan,1,Dark,3,\n"
+      "t5,N/A,1,,,\nt6,1,null,,,\nt7,1,+inf,,,\n");
+  ASSERT_TRUE(opened.result.bundle);
+  const auto& trials = opened.result.bundle->trials;
+  ASSERT_EQ(trials.size(), 4U);
+  EXPECT_EQ(trials[0].success, true);
+  EXPECT_EQ(trials[0].time_s, std::nullopt);
+  EXPECT_EQ(trials[0].lighting, "");
+  EXPECT_EQ(trials[0].end_reason, EndReason::unknown);
+  EXPECT_EQ(trials[1].success, false);
+  EXPECT_EQ(trials[2].success, true);
+  EXPECT_EQ(trials[2].time_s, 10.0);
+  EXPECT_EQ(trials[2].distance_m, 8.0);
+  EXPECT_EQ(trials[3].success, std::nullopt);
+  ASSERT_EQ(opened.messages.size(), 2U);
+  EXPECT_EQ(opened.messages[0].find("trials.csv:6: error: column 'success': found 'N/A'"), 0U);
+  EXPECT_EQ(opened.messages[1],
+            "trials.csv:7: error: column 'time_s': found 'null', expected a finite number, 0 or "
+            "more (a missing cell is empty, NA or nan); the trial is rejected (and 1 more)");
+}
+
 TEST(OpenBundle, RejectsTrialsWithASuccessThatIsNeitherOrANegativeTime) {
   const Opened opened =
       open_with_trials("trial_id,success,time_s\nt1,maybe,1\nt2,1,-1\nt3,0,5\n../t4,1,1\nt5,1\n");
@@ -177,10 +201,11 @@ TEST(OpenBundle, RejectsTrialsWithASuccessThatIsNeitherOrANegativeTime) {
       opened.messages,
       (Messages{
           "trials.csv:6: error: found '2 fields', expected 3 fields",
-          "trials.csv:2: error: column 'success': found 'maybe', expected 0, 1, true, false or "
-          "nothing; the trial is rejected",
+          "trials.csv:2: error: column 'success': found 'maybe', expected 1 or 0, true or false, "
+          "success or failure, s or f, ok or fail, pass or fail, yes or no, in any case (a missing "
+          "cell is empty, NA or nan); the trial is rejected",
           "trials.csv:3: error: column 'time_s': found '-1', expected a finite number, 0 or "
-          "more; the trial is rejected",
+          "more (a missing cell is empty, NA or nan); the trial is rejected",
           "trials.csv:5: error: column 'trial_id': found '../t4', expected a name that "
           "can be that of a file: not empty, without / and \\ and control characters, no '.' at "
           "its "

@@ -158,6 +158,35 @@ TEST(TentacleSensors, ReadClearanceWithinTheDeclaredNoise) {
   EXPECT_NEAR(static_cast<double>(glitches) / kSamples, 0.005, 0.0035);
 }
 
+// A wall on the left for 2 m of way, which then is gone; on the right one that comes within reach
+// by 3 mm, which is too little to touch, then by 5 mm, then by 1 mm, then not at all.
+TEST(TentacleSensors, LetGoAtTheFirstSampleWithoutAWall) {
+  const double reach = corpus_robot().rays[0].reach_m;
+  const double mount_y = corpus_robot().rays[0].mount.y_m;
+  const auto wall = [&](double from, double to, double clearance) {
+    const double y = -(mount_y + clearance);
+    return Polygon{{{from, y - 1.0}, {to, y - 1.0}, {to, y}, {from, y}}};
+  };
+  World world;
+  world.bounds = {{-2.0, -4.0}, {8.0, 4.0}};
+  world.obstacles = {Polygon{{{-1.0, 0.4}, {2.0, 0.4}, {2.0, 2.0}, {-1.0, 2.0}}},
+                     wall(-1.0, 1.0, reach - 0.003),
+                     wall(1.0, 2.0, reach - 0.005),
+                     wall(2.0, 3.0, reach - 0.001)};
+  const WallIndex walls(world, 0.7);
+  TentacleSensors sensors(0.0, RandomStream(6, 1, 1));
+  constexpr double kAhead = 0.16;  // of both mounts
+  constexpr double kStep = 0.008;
+  for (int i = 0; i < 600; ++i) {
+    const double x = kStep * (i + 0.5);
+    SCOPED_TRACE(x);
+    const auto readings = sensors.read(walls, {{x - kAhead, 0.0}, 0.0}, 0.16);
+    EXPECT_EQ(readings[0].fsr_n > 0.3, x < 2.0);
+    EXPECT_EQ(readings[1].fsr_n > 0.3, x > 1.0 && x < 3.0);
+    EXPECT_LT(readings[2].fsr_n, 0.3);
+  }
+}
+
 TEST(SimulateGatePass, HoldsTwelvePassesOfEachGateHalfFromEachSide) {
   std::map<std::string, std::pair<int, int>> sides;
   int widest = 0;

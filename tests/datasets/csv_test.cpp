@@ -102,6 +102,17 @@ TEST(ReadNumbers, TakesAnEmptyCellForMissingOnlyWhereItMayBe) {
                       "rows"}));
 }
 
+TEST(ReadNumbers, TakesWhatPrintfWritesForMissingOnlyWhereItMayBe) {
+  const Read result = read("time_s,x_m,fsr_n\n0.1,1.5,-nan\n0.2,-2,NA\n0.3,4,nan(ind)\n");
+  ASSERT_TRUE(result.table);
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_TRUE(std::isnan(result.table->at(row, 1))) << row;
+  }
+  EXPECT_FALSE(read("time_s,x_m,fsr_n\n0.1,-nan,1\n0.2,-2,3\n").table);
+  EXPECT_FALSE(read("time_s,x_m,fsr_n\n0.1,1,N/A\n0.2,-2,3\n").table);
+  EXPECT_FALSE(read("time_s,x_m,fsr_n\n0.1,1,+inf\n0.2,-2,3\n").table);
+}
+
 TEST(ReadNumbers, LeavesAnAbsentOptionalColumnMissing) {
   const Read result = read("time_s,x_m\n0.1,1.5\n0.2,-2\n");
   ASSERT_TRUE(result.table);
@@ -120,8 +131,8 @@ TEST(ReadNumbers, NamesAllProblemsAtOnceAndGroupsTheRepeatedOnes) {
           "such rows (and 2 more)",
           "a.csv:3: error: column 'time_s': found 'soon', expected a time in seconds; --repair "
           "drops such rows",
-          "a.csv:3: error: column 'fsr_n': found 'inf', expected a finite number; --repair "
-          "drops such rows",
+          "a.csv:3: error: column 'fsr_n': found 'inf', expected a finite number (a missing cell "
+          "is empty, NA or nan); --repair drops such rows",
           "a.csv:4: error: found '2 fields', expected 3 fields; --repair drops such rows (and "
           "1 more)"}));
 }
@@ -164,10 +175,14 @@ TEST(ReadNumbers, RejectsAMissingColumnAndNamesTheNearest) {
 }
 
 TEST(ReadNumbers, RejectsNamesThatAreEqualWhenCaseIsFolded) {
+  CsvOptions of_a_bundle;
+  of_a_bundle.fold_names = true;
+  of_a_bundle.file = "a.csv";
   EXPECT_EQ(
-      read("time_s,x_m,T,t\n0.1,1.5,1,2\n").messages,
+      read("time_s,x_m,T,t\n0.1,1.5,1,2\n", of_a_bundle).messages,
       (Messages{"a.csv:1: error: column 't': found 'T', expected column names that differ when "
                 "case is folded"}));
+  EXPECT_TRUE(read("time_s,x_m,T,t\n0.1,1.5,1,2\n").table);
 }
 
 TEST(ReadNumbers, RejectsAFileWithoutRowsOrWithoutAnything) {

@@ -35,6 +35,18 @@ bool says(const BarnImportResult& result, const std::string& line) {
                      [&](const Diagnostic& diagnostic) { return to_string(diagnostic) == line; });
 }
 
+TEST(ImportBarn, ReadsTheOutcomeAsEveryOtherTableDoes) {
+  const BarnImportResult result = import_of(
+      "planner,world,success,collided,timeout,time_s\n"
+      "dwa,1,True,False,False,22\ndwa,1,f,TRUE,0,12\ndwa,0,None,1,0,12\ndwa,0,1,0,0,-nan\n");
+  EXPECT_EQ(result.csv,
+            "planner,world,success,collided,timeout,time_s,m1,m2,m3,m4,m5\n"
+            "dwa,1,1,0,0,22,2.25,5,4,3,1.5\n"
+            "dwa,1,0,1,0,12,2.25,5,4,3,1.5\n");
+  EXPECT_EQ(result.summary.bad, 2U);
+  EXPECT_EQ(result.summary.successes, 1U);
+}
+
 TEST(ImportBarn, JoinsTrialsAndWorlds) {
   const BarnImportResult result = import_of(
       "planner,repo,seq,world,success,collided,timeout,time_s,nav_metric\n"
@@ -93,7 +105,8 @@ TEST(ImportBarn, NamesBadRowsAndLeavesThemOut) {
                    "trials.csv:2: error: column 'time_s': found '0', expected a time above 0 s; "
                    "the row is left out (and 1 more)"));
   EXPECT_TRUE(says(result,
-                   "trials.csv:3: error: column 'success': found '2', expected 0 or 1; the row is "
+                   "trials.csv:3: error: column 'success': found '2', expected 0 or 1, true or "
+                   "false; the row is "
                    "left out"));
   EXPECT_TRUE(says(result,
                    "trials.csv:4: error: column 'success': found '1', expected exactly one of "

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/check_trial.hpp"
 #include "datasets/trial_reader.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -171,6 +172,8 @@ TEST(ImportCarmen, ReadsTheIntelResearchLabLog) {
   ASSERT_TRUE(trial.log);
   EXPECT_TRUE(trial.diagnostics.empty()) << to_string(trial.diagnostics.front());
   EXPECT_EQ(trial.log->merged->size(), 906U);
+  const TrialCheckResult checked = check_trial(*opened.bundle, opened.bundle->trials[0]);
+  EXPECT_TRUE(checked.diagnostics.empty()) << to_string(checked.diagnostics.front());
 }
 
 }  // namespace

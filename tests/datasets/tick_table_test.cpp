@@ -187,6 +187,25 @@ TEST(TickLineParser, StartsASegmentAfterAGapAsAFileDoes) {
   EXPECT_TRUE(parser.parse("1.1,0,0,0,1,1,1", 4)->tick.segment_start);
 }
 
+TEST(TickLineParser, ReadsMissingReadingsAndTruthValuesAsEveryTableDoes) {
+  DiagnosticGroups problems;
+  TickLineParser parser(robot_of_two(),
+                        "time_s,x_m,y_m,yaw_rad,left_bend_rad,b0_range_m,stale,segment_start\n",
+                        {},
+                        problems);
+  ASSERT_TRUE(parser.ready());
+  const auto line = parser.parse("0,0,0,0,-nan,NA,True,F", 2);
+  ASSERT_TRUE(line);
+  EXPECT_TRUE(std::isnan(line->tick.rays[0].value));
+  EXPECT_TRUE(std::isnan(line->tick.rays[1].value));
+  EXPECT_TRUE(line->tick.stale);
+  EXPECT_FALSE(line->tick.segment_start);
+  EXPECT_TRUE(parser.parse("0.1,0,0,0,1,1,False,nan", 3));
+  EXPECT_FALSE(parser.parse("0.2,0,0,0,True,1,0,0", 4)) << "a truth value is no reading";
+  EXPECT_FALSE(parser.parse("0.3,0,0,0,null,1,0,0", 5));
+  EXPECT_FALSE(parser.parse("0.4,0,0,0,1,1,yes,0", 6));
+}
+
 TEST(TickLineParser, IsNotReadyWithoutTheColumns) {
   DiagnosticGroups problems;
   const TickLineParser parser(

@@ -182,6 +182,21 @@ TEST(Proxies, WithoutForceAShortRayIsAContact) {
   EXPECT_EQ(felt.at(0.1, 0.0, clear(0.585)).contacts, 1U);
 }
 
+// Its calibration ends at 0.5 m of a reach of 0.6 m: free is 0.5 m, not what it never reads.
+TEST(Proxies, ARayIsFreeAtTheLongestClearanceThatItCanState) {
+  Robot robot = three_rays();
+  Ray& left = robot.rays[0];
+  left.kind = RayKind::bend;
+  left.calibration = {{0.0, 1.0}, {0.5, 0.0}};
+  Felt felt(robot);
+  const auto bent = [](double rad) {
+    return std::vector<RayReading>{{rad, kMissing}, {0.6, kMissing}, {0.6, kMissing}};
+  };
+  EXPECT_EQ(felt.at(0.0, 0.0, bent(0.0)).contacts, 0U);
+  EXPECT_EQ(felt.at(0.1, 0.0, bent(0.1)).new_contacts, 1U);
+  EXPECT_EQ(felt.at(0.2, 0.0, bent(0.0)).contacts, 0U);
+}
+
 TEST(Proxies, NoCurvatureReadingIsStraight) {
   CertificateParameters parameters;
   parameters.curvature = CurvatureReading::none;

@@ -27,6 +27,18 @@ TEST(Calibration, InvertsWhereItIsStrict) {
   }
 }
 
+TEST(Calibration, EndsTheReachOfItsRay) {
+  Ray ray{"left", {}, 1.57, 0.6, RayKind::bend, {{0.0, 0.5}, {0.4, 0.0}}};
+  EXPECT_EQ(longest_clearance(ray), 0.4);
+  ray.calibration = {{0.0, 0.5}, {0.0, 0.5}};
+  EXPECT_EQ(longest_clearance(ray), 0.5);
+  ray.reach_m = 0.3;
+  EXPECT_EQ(longest_clearance(ray), 0.3);
+  ray.kind = RayKind::range;
+  ray.calibration = {};
+  EXPECT_EQ(longest_clearance(ray), 0.3);
+}
+
 TEST(Robot, RefusesWhatNoRobotCanBe) {
   Robot robot;
   EXPECT_NO_THROW(validate(robot));

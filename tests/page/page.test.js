@@ -4,6 +4,7 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { drawn, launch, opened } from './browser.js';
+import { inkOf } from './ink.js';
 import { addFrames, attempt, csv, filesOf, hostile, records, run, smallStudy, study } from './results.js';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
@@ -94,6 +95,27 @@ describe('the page of a study', () => {
     await close();
   });
 
+  test('leaves ink of every series of every figure, and dashes where a line is a guide', async () => {
+    const { page, close } = await opened(browser, report);
+    await drawn(page);
+    const blank = await browser.newPage();
+    const { figures } = carried(report);
+    for (const figure of figures) {
+      const svg = await page.$eval(`#figure-${figure.id} .plot svg`, (element) => new XMLSerializer().serializeToString(element));
+      const layers = await blank.evaluate(inkOf, { svg, spec: figure.spec });
+      assert.ok(layers.some((layer) => layer.rows > 0), figure.name);
+      for (const layer of layers) {
+        const words = `${figure.name}: ${JSON.stringify(layer)}`;
+        if (layer.rows === 0) continue;
+        assert.ok(layer.count > 0, words);
+        if (['line', 'area'].includes(layer.kind) && layer.rows > 1) assert.ok(Math.max(layer.across, layer.up) > 20, words);
+        if (layer.guide) assert.ok(layer.columns < 0.95 * layer.across, words);
+      }
+    }
+    await blank.close();
+    await close();
+  });
+
   test('sorts and filters trials', async () => {
     const { page, close } = await opened(browser, report);
     const trials = records(join(certificates, 'features.csv'));
@@ -148,7 +170,7 @@ describe('the page of a study', () => {
       await page.fill('#tick', String(at));
       const shown = await readOut();
       const time = parseFloat(shown.time);
-      const near = ticks.filter((tick) => Math.abs(Number(tick.time_s) - time) < 0.0051);
+      const near = ticks.filter((tick) => Math.abs(Number(tick.time_s) - Number(ticks[0].time_s) - time) < 0.0051);
       assert.equal(near.length, 1, `${id} at ${time}`);
       for (const [heading, name] of Object.entries(names)) {
         if (near[0][name] === '') assert.equal(shown[heading], 'NA', `${heading} at ${time}`);

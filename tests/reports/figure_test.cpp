@@ -12,6 +12,8 @@
 
 #include "datasets/bytes.hpp"
 #include "datasets/data_table.hpp"
+#include "reports/figure/figure_parts.hpp"
+#include "reports/figure/figure_rows.hpp"
 #include "reports/figure/figure_table.hpp"
 #include "reports/figure/gnuplot.hpp"
 #include "reports/figure/gnuplot_layout.hpp"
@@ -240,10 +242,40 @@ TEST(PredictorLabel, KnowsBothPanels) {
   EXPECT_EQ(predictor_label("m1"), "m1");
 }
 
+TEST(SetFigures, TheCaptionHasTheIntervalOfTheTable) {
+  Table cells;
+  cells.columns = {{"cell", "cell", "", ColumnKind::text},
+                   {"panel", "panel", "", ColumnKind::text},
+                   {"auc", "AUC [90 % expanded]", "", ColumnKind::estimate}};
+  cells.add_row({std::string("full"), std::string("paper"), Estimate{0.8, 0.7, 0.9}});
+  const std::string sorted = cells_figure(cells, "ablation", "Parts left out").value().caption;
+  EXPECT_NE(sorted.find("with 90 % expanded intervals, sorted."), std::string::npos) << sorted;
+  EXPECT_EQ(sorted.find("BCa"), std::string::npos);
+
+  Table h3;
+  h3.columns = {{"lighting", "lighting", "", ColumnKind::text},
+                {"speed_law", "law", "", ColumnKind::text},
+                {"beta_per_m", "beta", "1/m", ColumnKind::number},
+                {"gain_share", "relative gain [95 % percentile]", "", ColumnKind::estimate},
+                {"retained", "retained", "", ColumnKind::estimate},
+                {"on_front", "front", "", ColumnKind::text}};
+  h3.add_row({std::string("all"),
+              std::string("squash"),
+              Number{20.0},
+              Estimate{0.2, 0.1, 0.3},
+              Estimate{0.9, 0.8, 0.95},
+              std::string("yes")});
+  const std::string gain = pareto_figure(h3).value().caption;
+  EXPECT_NE(gain.find("rate of advance (95 % percentile intervals)"), std::string::npos) << gain;
+  EXPECT_EQ(gain.find("BCa"), std::string::npos);
+  h3.columns[3].heading = "relative gain";
+  EXPECT_NE(pareto_figure(h3).value().caption.find("(intervals)"), std::string::npos);
+}
+
 TEST(SetFigures, AreEmptyWithoutData) {
   const Table none;
   EXPECT_FALSE(roc_figure(none));
-  EXPECT_FALSE(incidence_figure(none));
+  EXPECT_FALSE(incidence_figure(none, ""));
   EXPECT_FALSE(calibration_figure(none));
   EXPECT_FALSE(forest_figure(none, none));
   EXPECT_FALSE(equivalence_figure(none, none));
@@ -264,14 +296,147 @@ TEST(TruthFigure, TakesTheProvenIntervalAndLeavesOutWhatIsNotKnown) {
       "trial_id,success,certificate_m,truth_lower_m,truth_upper_m\n"
       "t1,1,0.05,0.06,0.07\n"
       "t2,0,,0.01,0.02\n"
-      "t3,1,0.1,,\n");
+      "t3,1,0.1,,\n"
+      "t4,,0.02,0.01,0.03\n");
   const Figure figure = *truth_figure(features, SyntheticLabel{1});
   std::size_t trials = 0;
   for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
     trials += text_at(figure.data, row, "part") == "trial" ? 1 : 0;
   }
-  EXPECT_EQ(trials, 1U);
+  EXPECT_EQ(trials, 2U);
+  EXPECT_EQ(drawn_classes(figure),
+            (std::vector<std::string>{"success (dot: upper bound of T)",
+                                      "outcome not known (dot: upper bound of T)"}));
   expect_same_data(figure);
+}
+
+/// T_t claims to be a lower bound of T, of which only an interval is known: it is refuted above the
+/// interval alone.
+TEST(TruthFigure, JudgesByTheUpperBound) {
+  const DataTable features = table_of(
+      "trial_id,success,certificate_m,truth_lower_m,truth_upper_m\n"
+      "below,1,0.05,0.06,0.07\n"
+      "within,1,0.065,0.06,0.07\n"
+      "equal,0,0.07,0.06,0.07\n"
+      "above,0,0.075,0.06,0.07\n");
+  const Figure figure = *truth_figure(features, std::nullopt);
+  std::vector<std::string> refuted;
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    if (text_at(figure.data, row, "part") == "refuted") {
+      refuted.push_back(text_at(figure.data, row, "trial_id"));
+    }
+  }
+  EXPECT_EQ(refuted, std::vector<std::string>{"above"});
+  for (const Layer& layer : figure.panels[0].layers) {
+    if (layer.mark == Mark::point) {
+      EXPECT_EQ(layer.y, "truth_upper_m") << "a dot below the diagonal is a refuted certificate";
+    }
+  }
+  EXPECT_EQ(drawn_classes(figure).back(), "T_t above the upper bound: refuted");
+}
+
+TEST(TruthFigure, IsNotDrawnOfTrialsWithoutATruth) {
+  EXPECT_FALSE(truth_figure(table_of("trial_id,success,certificate_m,truth_lower_m,truth_upper_m\n"
+                                     "t1,1,0.05,,\n"),
+                            std::nullopt));
+}
+
+Table incidence_table() {
+  Table table;
+  table.name = "h1_incidence_curve";
+  for (const char* const name : {"panel", "strata", "state"}) {
+    table.columns.push_back({name, "", "", ColumnKind::text});
+  }
+  for (const char* const name : {"time", "n.risk", "estimate", "conf.low", "conf.high"}) {
+    table.columns.push_back({name, "", "", ColumnKind::number});
+  }
+  for (const char* const group : {"Q1", "Q2"}) {
+    for (int i = 1; i <= 4; ++i) {
+      table.add_row({std::string("paper"),
+                     std::string(group),
+                     std::string("egress"),
+                     Number{10.0 * i},
+                     Number{5.0 - i},
+                     Number{0.2 * i},
+                     Number{0.2 * i - 0.1},
+                     Number{0.2 * i + 0.1}});
+    }
+  }
+  return table;
+}
+
+TEST(IncidenceFigure, HasEachCurveAndEachBandInOnePiece) {
+  const Figure figure = *incidence_figure(incidence_table(), "m3");
+  EXPECT_EQ(figure.title, "Reaching the goal, by quartile of m3");
+  std::vector<std::string> pieces;
+  for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
+    const std::string piece =
+        text_at(figure.data, row, "part") + " " + text_at(figure.data, row, "quartile");
+    if (pieces.empty() || pieces.back() != piece) {
+      pieces.push_back(piece);
+    }
+  }
+  EXPECT_EQ(std::count(pieces.begin(), pieces.end(), "curve Q1"), 1);
+  EXPECT_EQ(std::count(pieces.begin(), pieces.end(), "band Q2"), 1);
+  expect_same_data(figure);
+}
+
+TEST(Figure, RefusesALineTornByRowsOfAnother) {
+  Figure torn = small_figure();
+  torn.data.rows.clear();
+  for (const char* const who : {"a", "b", "a", "b"}) {
+    add_figure_row(torn.data, "curve", {who}, {0.1, 0.2});
+  }
+  EXPECT_THROW(check(torn), std::invalid_argument);
+  EXPECT_NO_THROW(check(*finished(torn)));
+}
+
+TEST(FinishedFigure, NamesOnlyWhatIsDrawnAndDrawsNothingFromNothing) {
+  Figure figure = small_figure();
+  figure.key.classes = {"a", "b", "c"};
+  const std::string script = gnuplot_script(*finished(figure));
+  EXPECT_EQ(script.find("title 'c'"), std::string::npos) << "a legend of what is not there";
+  EXPECT_EQ(vega_lite(*finished(figure))["layer"][0]["encoding"]["color"]["legend"]["values"],
+            (std::vector<std::string>{"a", "b"}));
+  Figure alone = small_figure();
+  alone.panels[0].layers[0].guide = true;
+  EXPECT_FALSE(finished(alone)) << "guides are no data";
+  for (auto& row : figure.data.rows) {
+    row.back() = TableCell{};
+  }
+  EXPECT_FALSE(finished(figure));
+}
+
+TEST(Figure, DrawsGuidesDashed) {
+  Figure figure = small_figure();
+  Layer ideal = guide("curve", "x_m", "y_m");
+  figure.panels[0].layers.push_back(ideal);
+  EXPECT_NE(gnuplot_script(figure).find("dt (7,8)"), std::string::npos);
+  EXPECT_EQ(vega_lite(figure)["layer"][1]["mark"]["strokeDash"], (std::vector<int>{5, 4}));
+}
+
+TEST(RoundTicks, AreEvenAndAsLongAsTheirLabels) {
+  EXPECT_EQ(round_ticks(0.83, 1.01, 4), (std::vector<double>{0.85, 0.9, 0.95, 1.0}));
+  EXPECT_EQ(tick_decimals({0.85, 0.9, 0.95, 1.0}), 2);
+  EXPECT_EQ(round_ticks(-0.2, 0.65, 5), (std::vector<double>{-0.2, 0.0, 0.2, 0.4, 0.6}));
+  EXPECT_EQ(tick_decimals({0.0, 50.0, 100.0}), 0);
+  EXPECT_EQ(round_ticks(0.0, 1e6, 5).back(), 1e6);
+  EXPECT_TRUE(round_ticks(1.0, 1.0, 5).empty());
+  Axis share = share_axis("share");
+  Figure figure = small_figure();
+  figure.panels[0].y = share;
+  EXPECT_NE(gnuplot_script(figure).find("set ytics ('0.0' 0, '0.2' 0.2"), std::string::npos);
+  EXPECT_EQ(vega_lite(figure)["layer"][0]["encoding"]["y"]["axis"]["format"], ".1f");
+}
+
+TEST(RatioTicks, AreAFewForAnySpan) {
+  const double spans[][2] = {
+      {0.95, 1.02}, {0.9, 1.9}, {0.9, 2.5}, {0.7, 19}, {0.01, 40}, {1e-4, 1e5}};
+  for (const auto& span : spans) {
+    const std::vector<double> ticks = ratio_ticks(span[0], span[1]);
+    EXPECT_GE(ticks.size(), 2U) << span[0];
+    EXPECT_LE(ticks.size(), 12U) << span[0];
+  }
 }
 
 TrialPicture small_trial() {
@@ -298,7 +463,7 @@ std::map<std::string, std::size_t> parts_of(const Figure& figure) {
 }
 
 TEST(TrialMap, HasThePathTheGraphTheBottleneckAndThePlaceOfIssuance) {
-  const Figure figure = trial_map_figure(small_trial());
+  const Figure figure = *trial_map_figure(small_trial());
   auto parts = parts_of(figure);
   EXPECT_EQ(parts["felt"], 5U);
   EXPECT_EQ(parts["path"], 4U) << "three ticks and a break";
@@ -315,7 +480,7 @@ TEST(TrialMap, DrawsTheKnownWorldInPlaceOfWhatWasFelt) {
   world.obstacles = {Polygon{{{0, 1}, {1, 1}, {1, 2}}}, Disc{{0, -1}, 0.2}};
   world.start = Disc{{0, 0}, 0.1};
   trial.world = world;
-  const Figure figure = trial_map_figure(trial);
+  const Figure figure = *trial_map_figure(trial);
   auto parts = parts_of(figure);
   EXPECT_EQ(parts["felt"], 0U);
   EXPECT_EQ(parts["wall"], 3U + 36U);
@@ -324,7 +489,7 @@ TEST(TrialMap, DrawsTheKnownWorldInPlaceOfWhatWasFelt) {
 }
 
 TEST(TrialSeries, MeasuresSpeedOverTheLastSecondAndLeavesTheBeginningOut) {
-  const Figure figure = trial_series_figure(small_trial());
+  const Figure figure = *trial_series_figure(small_trial());
   std::vector<double> speeds;
   for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
     if (text_at(figure.data, row, "quantity") == "measured speed") {
@@ -336,6 +501,31 @@ TEST(TrialSeries, MeasuresSpeedOverTheLastSecondAndLeavesTheBeginningOut) {
   EXPECT_DOUBLE_EQ(speeds[1], 0.2);
   EXPECT_DOUBLE_EQ(speeds[2], 0.2);
   expect_same_data(figure);
+}
+
+TEST(TrialFigures, CountTimeFromTheFirstTick) {
+  TrialPicture trial = small_trial();
+  const Figure from_zero = *trial_series_figure(trial);
+  for (double& time : trial.series.columns[0].numbers) {
+    time += 1.7e9;  // Since 1970: a span of a second would be a vertical line.
+  }
+  const Figure since_1970 = *trial_series_figure(trial);
+  EXPECT_EQ(figure_csv(since_1970), figure_csv(from_zero));
+  EXPECT_EQ(vega_lite(since_1970), vega_lite(from_zero));
+  EXPECT_EQ(since_1970.panels[0].x.low, 0.0);
+  EXPECT_EQ(since_1970.panels[0].x.high, 1.0);
+  const Figure map = *trial_map_figure(trial);
+  for (std::size_t row = 0; row < map.data.rows.size(); ++row) {
+    EXPECT_FALSE(number_at(map.data, row, "time_s") > 1.0);
+  }
+}
+
+TEST(TrialFigures, AreNotDrawnWithoutAValue) {
+  TrialPicture trial;
+  trial.trial_id = "t1";
+  trial.series = table_of("time_s,x_m,y_m,margin_m,flags,issued\n0,,,,,0\n1,,,,,0\n");
+  EXPECT_FALSE(trial_series_figure(trial));
+  EXPECT_FALSE(trial_map_figure(trial));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ export function takeKey(spec) {
   const classes = new Map();
   for (const { mark, encoding = {} } of layersOf(spec)) {
     const { color } = encoding;
+    const drawn = color?.legend?.values;
     for (const channel of ['color', 'strokeDash', 'shape']) {
       if (encoding[channel]?.scale?.domain && encoding[channel].type === 'nominal') encoding[channel].legend = null;
     }
@@ -24,7 +25,7 @@ export function takeKey(spec) {
     const { domain, range } = color.scale;
     const kind = mark.type ?? mark;
     domain.forEach((name, i) => {
-      if (color.datum !== undefined && color.datum !== name) return;
+      if ((color.datum !== undefined && color.datum !== name) || (drawn && !drawn.includes(name))) return;
       const entry = classes.get(name) ?? { name, colour: range[i], order: i };
       if (paths.includes(kind)) {
         entry.line = true;

@@ -21,7 +21,7 @@ function theme() {
     axis: {
       labelColor: ink, titleColor: ink, gridColor: grid, domainColor: muted, tickColor: muted,
       labelFontSize: 12, titleFontSize: 12, titleFontWeight: 'normal', labelLimit: 220,
-      labelOverlap: 'greedy', labelSeparation: 8, titleLimit: 320,
+      labelOverlap: 'parity', labelSeparation: 8, titleLimit: 320,
     },
     axisDiscrete: { labelOverlap: false },
     axisPoint: { labelOverlap: false },

@@ -72,8 +72,8 @@ void compare(const ModelCalibration& mine, const json& expected) {
     EXPECT_EQ(mine.bins[k].events, bin["events"].get<std::size_t>());
     expect_equal("bin predicted", mine.bins[k].predicted, bin["predicted"]);
     expect_equal("bin observed", mine.bins[k].observed, bin["observed"]);
-    expect_equal("Wilson low", mine.bins[k].wilson.low, bin["low"]);
-    expect_equal("Wilson high", mine.bins[k].wilson.high, bin["high"]);
+    expect_equal("Wilson low", mine.bins[k].wilson.value().low, bin["low"]);
+    expect_equal("Wilson high", mine.bins[k].wilson.value().high, bin["high"]);
   }
 }
 

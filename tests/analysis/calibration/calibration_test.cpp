@@ -141,7 +141,7 @@ TEST(Calibration, NamesWhatIsWrong) {
   };
   const ModelCalibration outside = calibration(y, std::vector<double>{0.1, 1.0, 0.3, 1.2});
   ASSERT_TRUE(has(outside.conditions, ConditionKind::bad_probability));
-  EXPECT_EQ(outside.conditions[0].detail, "2, the first is row 2");
+  EXPECT_EQ(outside.conditions[0].detail, "1 row, row 4 with 1.2");
   EXPECT_FALSE(outside.brier.has_value());
   EXPECT_TRUE(has(conditions({1, 1, 1}, {0.2, 0.3, 0.4}), ConditionKind::one_class));
   EXPECT_TRUE(has(conditions({kNaN}, {0.2}), ConditionKind::no_rows));
@@ -154,6 +154,36 @@ TEST(Calibration, NamesWhatIsWrong) {
   EXPECT_FALSE(constant.hosmer_lemeshow.has_value());
   EXPECT_THROW(static_cast<void>(conditions({0, 2}, {0.5, 0.5})), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(conditions({0, 1}, {0.5})), std::invalid_argument);
+}
+
+TEST(Calibration, ProbabilitiesOfNoughtAndOneKeepTheirBrierScore) {
+  const std::vector<double> y{1, 0, 1, 0, 1, 0};
+  const std::vector<double> p{0.9, 0.2, 1, 0.4, 0.7, 0};
+  CalibrationOptions options;
+  options.column = "p";
+  options.place = [](std::size_t row) { return "line " + std::to_string(row + 2); };
+  const ModelCalibration certain = calibration(y, p, nullptr, options);
+  ASSERT_TRUE(has(certain.conditions, ConditionKind::certain_probability));
+  EXPECT_EQ(certain.conditions[0].column, "p");
+  EXPECT_EQ(certain.conditions[0].severity, ConditionSeverity::warning);
+  EXPECT_EQ(certain.conditions[0].detail, "2 rows, the first is line 4 with 1");
+  EXPECT_NEAR(certain.brier->score, (0.01 + 0.04 + 0.0 + 0.16 + 0.09 + 0.0) / 6.0, 1e-15);
+  EXPECT_FALSE(certain.slope.estimate.has_value());
+  EXPECT_FALSE(certain.in_the_large.estimate.has_value());
+  EXPECT_FALSE(certain.hosmer_lemeshow.has_value()) << "a bin expects exactly none";
+  EXPECT_EQ(certain.bins.size(), 6U) << "six predictions, all different";
+  EXPECT_NEAR(certain.expected_to_observed.value(), 3.2 / 3.0, 1e-15);
+  // One that is wrong for sure still has a score.
+  EXPECT_NEAR(calibration(std::vector<double>{0, 1}, std::vector<double>{1, 0.5}).brier->score,
+              1.25 / 2.0,
+              1e-15);
+}
+
+TEST(Calibration, WithoutAnyPredictionNothingIsMissing) {
+  const ModelCalibration none =
+      calibration(std::vector<double>{0, 1, 0}, std::vector<double>(3, kNaN));
+  EXPECT_TRUE(has(none.conditions, ConditionKind::no_prediction));
+  EXPECT_FALSE(has(none.conditions, ConditionKind::no_rows));
 }
 
 LogisticInput input_of(const std::vector<double>& x, const std::vector<double>& y) {

@@ -362,7 +362,7 @@ TEST_F(CoxGolden, ProportionalityTestsEqualR) {
     ASSERT_EQ(tests.parts.size() + 1, expected["rows"].size());
     for (std::size_t k = 0; k <= tests.parts.size(); ++k) {
       const bool last = k == tests.parts.size();
-      const ChiSquareTest& test = last ? tests.global : tests.parts[k].test;
+      const ChiSquareTest& test = (last ? tests.global : tests.parts[k].test).value();
       EXPECT_EQ(last ? "GLOBAL" : tests.parts[k].name, expected["rows"][k].get<std::string>());
       expect_equal("zph chisq", test.statistic, expected["values"][k][0]);
       EXPECT_EQ(test.df, expected["values"][k][1].get<std::size_t>());

@@ -10,6 +10,7 @@
 #include "analysis/concordance/concordance_statistic.hpp"
 #include "analysis/equivalence/statistic_by_group.hpp"
 #include "analysis/roc/auc_statistic.hpp"
+#include "analysis/survival/time_rounding.hpp"
 #include "datasets/random.hpp"
 
 namespace tcert {
@@ -43,7 +44,7 @@ Trials trials(std::size_t n, std::uint32_t groups, std::uint32_t days, bool nest
     made.time.stop.push_back(std::round(20.0 * random.uniform() + 5.0 - x));
     made.time.event.push_back(made.success.back());
   }
-  snap_times(made.time);
+  round_times(made.time);
   return made;
 }
 

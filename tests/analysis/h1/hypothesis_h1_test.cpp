@@ -94,8 +94,8 @@ TEST(HypothesisH1, ScoresEveryRowByClusters) {
   ASSERT_EQ(panel.rows.size(), 4U);
   const H1Row& tc = panel.rows[0];
   EXPECT_GT(tc.auc.value.value(), 0.65);
-  EXPECT_LT(tc.auc.bca.value().low, *tc.auc.value);
-  EXPECT_GT(tc.auc.bca.value().high, *tc.auc.value);
+  EXPECT_LT(tc.auc.interval.value().low, *tc.auc.value);
+  EXPECT_GT(tc.auc.interval.value().high, *tc.auc.value);
   EXPECT_GT(tc.censored.ratio.value(), 1.0);
   EXPECT_GT(tc.at_limit.ratio.value(), 1.0);
   EXPECT_GT(tc.stratified.ratio.value(), 1.0);
@@ -108,7 +108,8 @@ TEST(HypothesisH1, ScoresEveryRowByClusters) {
   EXPECT_EQ(panel.rows[2].kind, H1RowKind::together);
   EXPECT_FALSE(panel.rows[2].censored.ratio.has_value());
   EXPECT_EQ(panel.rows[3].kind, H1RowKind::added);
-  EXPECT_LT(panel.rows[3].auc_p.value(), 0.001);
+  // By t with 11 degrees of freedom.
+  EXPECT_LT(panel.rows[3].auc_p.value(), 0.01);
   EXPECT_GT(panel.rows[3].auc_gain.value.value(), 0.0);
   EXPECT_EQ(panel.folds.size(), 12U);
 }
@@ -286,6 +287,125 @@ TEST(HypothesisH1, ALandmarkPanelNeedsNoLandmarkColumns) {
   ASSERT_EQ(h1.panels.size(), 2U);
   EXPECT_EQ(h1.panels[1].rows[0].name, "tc_early");
   EXPECT_TRUE(h1.panels[1].rows[0].c.value.has_value());
+}
+
+TEST(HypothesisH1, ATimeOfTheLandmarkButForRoundingHasEndedByIt) {
+  H1Options options = options_for();
+  options.always_landmark = true;
+  options.models = false;
+  const DataTable table = table_of(changed_csv([](int row, auto& cells) {
+    if (row == 0) {
+      cells["time_s"] = "15.0000002";
+    }
+  }));
+  const H1Panel rounded = hypothesis_h1(table, options).panels[1];
+  EXPECT_EQ(rounded.ended_by_landmark, 1U);
+  EXPECT_EQ(rounded.trials, 119U);
+  EXPECT_TRUE(rounded.has_time);
+  EXPECT_TRUE(rounded.rows[0].censored.ratio);
+  // Times as they are: the trial ends after the landmark.
+  options.round_times = false;
+  const H1Panel as_they_are = hypothesis_h1(table, options).panels[1];
+  EXPECT_EQ(as_they_are.ended_by_landmark, 0U);
+  EXPECT_EQ(as_they_are.trials, 120U);
+  EXPECT_TRUE(as_they_are.rows[0].censored.ratio);
+}
+
+TEST(HypothesisH1, ALimitAtTheLandmarkButForRoundingIsRefused) {
+  H1Options options = options_for();
+  options.always_landmark = true;
+  options.models = false;
+  options.limit_s = 15.0000002;
+  EXPECT_THROW(static_cast<void>(hypothesis_h1(table_of(changed_csv([](int, auto&) {})), options)),
+               FormulaError);
+}
+
+TEST(HypothesisH1, ATimeBeyondTheLimitByAHairIsCutOnlyWhereTimesAreLeftAsTheyAre) {
+  H1Options options = options_for();
+  options.models = false;
+  options.limit_s = 100.0;
+  const DataTable table = table_of(changed_csv([](int row, auto& cells) {
+    if (row == 0) {
+      cells["success"] = "1";
+      cells["time_s"] = "100.0000002";
+    }
+  }));
+  EXPECT_FALSE(
+      has(hypothesis_h1(table, options).panels[0].conditions, ConditionKind::beyond_limit));
+  options.round_times = false;
+  EXPECT_TRUE(has(hypothesis_h1(table, options).panels[0].conditions, ConditionKind::beyond_limit));
+}
+
+TEST(HypothesisH1, ALandmarkWithoutTimesIsRefused) {
+  H1Options options = options_for();
+  options.always_landmark = true;
+  std::string csv = changed_csv([](int, auto& cells) { cells["time_s"] = ""; });
+  try {
+    static_cast<void>(hypothesis_h1(table_of(csv), options));
+    FAIL();
+  } catch (const FormulaError& error) {
+    EXPECT_NE(std::string(error.what()).find("--landmark: test.csv has no times"),
+              std::string::npos)
+        << error.what();
+  }
+  options.always_landmark = false;
+  EXPECT_EQ(hypothesis_h1(table_of(csv), options).panels.size(), 1U);
+}
+
+TEST(HypothesisH1, SaysWhichColumnsAreNotOfTheWindow) {
+  H1Options options = options_for();
+  options.always_landmark = true;
+  const H1Panel landmark = hypothesis_h1(table_of(trials_csv(12, 20)), options).panels[1];
+  EXPECT_EQ(landmark.not_of_window, std::vector<std::string>{"noise"});
+  EXPECT_TRUE(landmark.ends_known);
+}
+
+TEST(HypothesisH1, KeepsEveryIntervalAndReadsTheOneAskedFor) {
+  H1Options options = options_for();
+  options.models = false;
+  const DataTable table = table_of(trials_csv(12, 20));
+  for (const BootstrapMethod method :
+       {BootstrapMethod::expanded, BootstrapMethod::percentile, BootstrapMethod::bca}) {
+    options.interval = method;
+    const H1Score& auc = hypothesis_h1(table, options).panels[0].rows[0].auc;
+    EXPECT_EQ(auc.interval.value().low, auc.intervals.of(method)->low);
+    EXPECT_LT(auc.intervals.expanded->low, auc.intervals.percentile->low);
+    EXPECT_GT(auc.intervals.expanded->high, auc.intervals.percentile->high);
+    EXPECT_NE(auc.intervals.bca->low, auc.intervals.percentile->low);
+  }
+}
+
+TEST(HypothesisH1, WithholdsInferenceFromFewClustersOrOutcomes) {
+  const auto panel_of = [](const std::string& csv) {
+    return hypothesis_h1(table_of(csv), options_for()).panels[0];
+  };
+  const auto expect_withheld = [](const H1Panel& panel, const std::string& reason) {
+    EXPECT_EQ(panel.withheld, reason);
+    ASSERT_TRUE(has(panel.conditions, ConditionKind::withheld));
+    for (const H1Row& row : panel.rows) {
+      EXPECT_TRUE(row.auc.value.has_value());
+      EXPECT_TRUE(row.c.value.has_value());
+      for (const H1Score* score : {&row.auc, &row.auc_gain, &row.c, &row.c_gain}) {
+        EXPECT_FALSE(score->interval || score->intervals.bca || score->closed_form ||
+                     score->std_error);
+      }
+      EXPECT_FALSE(row.auc_p || row.auc_lr_p || row.auc_holm || row.c_p || row.c_lr_p ||
+                   row.c_holm);
+      EXPECT_FALSE(row.censored.p_value || row.censored.interval || row.stratified.interval);
+      EXPECT_FALSE(row.mixed.p_value || row.mixed.lr_p_value || row.mixed.per_sd.interval);
+    }
+    EXPECT_TRUE(panel.rows[0].censored.ratio.has_value());
+    EXPECT_FALSE(panel.case_level[1].auc_gain_p || panel.case_level[0].auc.closed_form);
+  };
+  expect_withheld(panel_of(trials_csv(9, 20)), "9 clusters of 'day', fewer than 10");
+  EXPECT_EQ(panel_of(trials_csv(10, 20)).withheld, "");
+  EXPECT_TRUE(panel_of(trials_csv(10, 20)).rows[1].auc_p.has_value());
+  int failures = 0;
+  const std::string rare = changed_csv([&](int, auto& cells) {
+    failures += cells["success"] == "0" ? 1 : 0;
+    cells["success"] = cells["success"] == "0" && failures <= 9 ? "0" : "1";
+  });
+  expect_withheld(panel_of(rare), "9 failures, fewer than 10");
 }
 
 TEST(HypothesisH1, BadTimesAreNamedWithTheirRow) {

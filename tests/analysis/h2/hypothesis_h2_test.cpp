@@ -52,13 +52,16 @@ TEST(HypothesisH2, ScoresEveryGroupAndTestsTheirEquality) {
     trials += level.trials;
     EXPECT_EQ(level.clusters, 20U);
     EXPECT_GT(level.auc.value.value(), 0.6);
-    EXPECT_LT(level.auc.bca.value().low, *level.auc.value);
+    EXPECT_LT(level.auc.interval.value().low, *level.auc.value);
     EXPECT_GT(level.c.value.value(), 0.5);
     EXPECT_GT(level.odds.ratio.value(), 1.0);
     EXPECT_GT(level.censored.ratio.value(), 1.0);
     EXPECT_TRUE(level.at_limit.interval.has_value());
     EXPECT_TRUE(level.stratified.interval.has_value());
+    EXPECT_GT(level.auc_within.value.value(), 0.55) << "the algorithm does nothing here";
+    EXPECT_LT(level.c_within.interval.value().low, *level.c_within.value);
   }
+  EXPECT_EQ(panel.trials.within.levels, 6U);
   EXPECT_EQ(trials, 600U);
   const H2Equality& auc = panel.auc.value();
   EXPECT_EQ(auc.tests.pairs.size(), 3U);
@@ -72,6 +75,30 @@ TEST(HypothesisH2, ScoresEveryGroupAndTestsTheirEquality) {
   }
   EXPECT_EQ(panel.mixed_interaction.value().test.value().df, 2U);
   EXPECT_GT(panel.mixed_interaction->test->p_value, 0.001);
+}
+
+TEST(HypothesisH2, AnIntervalIsExpandedForTheClustersOfItsGroup) {
+  // Outdoor on 12 of 22 days alone.
+  std::string csv = trials_csv(22, 30, 1.0);
+  for (int day = 12; day < 22; ++day) {
+    const std::string from = "\nd" + std::to_string(day) + ",Outdoor";
+    for (std::size_t at = csv.find(from); at != std::string::npos; at = csv.find(from)) {
+      csv.replace(at, from.size(), "\nd" + std::to_string(day) + ",Indoor");
+    }
+  }
+  const DataTable table = table_of(csv);
+  H2Options options = options_for();
+  options.trials.replicates = 999;
+  const H2Level found = hypothesis_h2(table, options).panels[0].levels[2];
+  ASSERT_EQ(found.name, "Outdoor");
+  EXPECT_EQ(found.clusters, 12U);
+  // Expanded percentiles of G units are percentiles of a higher level, of the same resamples.
+  options.trials.level = 1.0 - 2.0 * expanded_tail(options.trials.level, 12);
+  const H2Level wider = hypothesis_h2(table, options).panels[0].levels[2];
+  EXPECT_NEAR(found.auc.intervals.expanded->low, wider.auc.intervals.percentile->low, 1e-9);
+  EXPECT_NEAR(found.auc.interval->high, wider.auc.intervals.percentile->high, 1e-9);
+  EXPECT_NEAR(
+      found.c_within.intervals.expanded->low, wider.c_within.intervals.percentile->low, 1e-9);
 }
 
 TEST(HypothesisH2, SeesADifferenceThatIsThere) {
@@ -118,6 +145,30 @@ TEST(HypothesisH2, NamesGroupsWithoutAnEstimate) {
   EXPECT_FALSE(fog.auc.value.has_value());
   EXPECT_FALSE(panel.auc.has_value());
   EXPECT_TRUE(panel.levels[0].auc.value.has_value());
+}
+
+TEST(HypothesisH2, WithholdsWhatRestsOnASmallGroup) {
+  std::string csv = trials_csv(12, 30, 1.0);
+  for (int i = 0; i < 24; ++i) {
+    const std::string tc = std::to_string(std::sin(1.7 * i));
+    csv += "d" + std::to_string(i % 12) + ",Fog,A," + (i % 6 == 0 ? "0," : "1,") +
+           std::to_string(30 + i) + "," + tc + "," + tc + "," + std::to_string(30 + i) + "\n";
+  }
+  const H2Panel panel = hypothesis_h2(table_of(csv), options_for()).panels[0];
+  ASSERT_EQ(panel.levels.size(), 4U);
+  const H2Level& fog = panel.levels[1];
+  EXPECT_EQ(fog.withheld, "4 failures, fewer than 10");
+  EXPECT_TRUE(fog.auc.value.has_value());
+  EXPECT_FALSE(fog.auc.interval || fog.odds.p_value || fog.c_within.interval);
+  EXPECT_FALSE(has(fog.conditions, ConditionKind::failed_replicates))
+      << "resamples without days 0 and 6 have no failure, but there is no interval to speak of";
+  EXPECT_TRUE(panel.levels[0].auc.interval.has_value());
+  ASSERT_TRUE(panel.auc.has_value());
+  EXPECT_FALSE(panel.auc->tests.equivalent || panel.auc->tests.heterogeneity ||
+               panel.auc->range.p_value);
+  EXPECT_TRUE(panel.auc->tests.range.has_value());
+  EXPECT_FALSE(panel.interactions[0].test.has_value());
+  EXPECT_TRUE(has(panel.conditions, ConditionKind::withheld));
 }
 
 TEST(HypothesisH2, NamesASingleGroupAndRefusesMisuse) {

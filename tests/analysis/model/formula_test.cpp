@@ -101,6 +101,21 @@ TEST(Formula, ReadsNumbersByRsPrecedence) {
   EXPECT_EQ(parse_expression("light == 'Dark'").arguments[1].name, "Dark");
 }
 
+TEST(Formula, StrataLeaveTheTermsAndStayInProducts) {
+  const Formula formula = parse_formula("Surv(t, s) ~ x * strata(a, b) + strata(c) - 1");
+  EXPECT_TRUE(formula.intercept) << "a Cox model has none to drop";
+  EXPECT_FALSE(parse_formula("y ~ x - 1").intercept);
+  ASSERT_EQ(formula.terms.size(), 2U);
+  EXPECT_EQ(formula.terms[1].name(), "x:strata(a, b)");
+  EXPECT_EQ(formula.strata.size(), 3U);
+  EXPECT_EQ(formula.strata_effects.size(), 2U);
+  EXPECT_EQ(formula.columns(), (std::vector<std::string>{"t", "s", "x", "a", "b", "c"}));
+  EXPECT_TRUE(parse_formula("Surv(t, s) ~ x + strata(a) - strata(a)").strata.empty());
+  EXPECT_EQ(problem_of("y ~ (1 + strata(a) | g)"),
+            "formula 'y ~ (1 + strata(a) | g)': '1 + strata(a)' are no random effects: write (1 | "
+            "group) or (1 + x | group)");
+}
+
 TEST(Formula, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(problem_of("success"),
             "formula 'success': expected outcome ~ terms, for instance success ~ x1 + x2");

@@ -247,9 +247,11 @@ TEST(ModelFrame, AStatusOfTextKeepsItsMeaningWhenRowsAreLeftOut) {
 
 TEST(ModelFrame, ASingleStrayTextMakesNoFactor) {
   const std::string csv = "gap_mm,y\n1,0\n2,1\n3.5,0\nwide,1\n4,1\nNA,0\n";
-  EXPECT_EQ(problem_of(csv, "y ~ gap_mm", {}),
-            "'wide' in row 4 of column gap_mm of test.csv is not a number; write factor(gap_mm) if "
-            "it is a name");
+  EXPECT_EQ(
+      problem_of(csv, "y ~ gap_mm", {}),
+      "'wide' in row 4 of column gap_mm of test.csv (line 5; 1 such cell beside 4 numbers) is "
+      "not a number; a missing cell is empty, NA or nan; write factor(gap_mm) if it is a "
+      "name");
   EXPECT_EQ(problem_of(csv, "y ~ factor(gap_mm)", {}), "no problem");
   EXPECT_EQ(problem_of("g,y\n1,0\n2,1\nA,0\nB,1\n", "y ~ g", {}), "no problem");
 }

@@ -197,6 +197,28 @@ TEST(BootstrapInterval, ReadsOrderStatisticsByHand) {
   EXPECT_NEAR(between.interval->low, 2.0 + part, 1e-12);
 }
 
+TEST(BootstrapInterval, ExpandedPercentilesAreHesterbergs) {
+  // R: pnorm(-sqrt(G / (G - 1)) * qt(0.975, G - 1)).
+  EXPECT_NEAR(expanded_tail(0.95, 10), 8.550639024406370e-03, 1e-14);
+  EXPECT_NEAR(expanded_tail(0.95, 22), 1.664564557193027e-02, 1e-14);
+  EXPECT_NEAR(expanded_tail(0.95, 660), 2.470367319624876e-02, 1e-14);
+  EXPECT_NEAR(expanded_tail(0.90, 22), 0.03909919036433189, 1e-14);
+  // R: boot:::norm.inter(sin(1:999) + (1:999) / 500, c(tail, 1 - tail)), 22 units.
+  std::vector<double> t;
+  for (int k = 1; k <= 999; ++k) {
+    t.push_back(std::sin(k) + k / 500.0);
+  }
+  const BootstrapDistribution d = bootstrap_distribution(t, 1.0);
+  const auto expanded = bootstrap_interval(d, BootstrapMethod::expanded, {}, 0.95, 22).interval;
+  EXPECT_NEAR(expanded->low, -0.7610204666454972, 1e-12);
+  EXPECT_NEAR(expanded->high, 2.7608718869630646, 1e-12);
+  const auto percentile = bootstrap_interval(d, BootstrapMethod::percentile).interval;
+  EXPECT_LT(expanded->low, percentile->low);
+  EXPECT_GT(expanded->high, percentile->high);
+  EXPECT_THROW(static_cast<void>(bootstrap_interval(d, BootstrapMethod::expanded, {}, 0.95, 1)),
+               std::invalid_argument);
+}
+
 TEST(BootstrapInterval, OfUnbiasedAndUnskewedReplicatesIsThePercentileOne) {
   std::vector<double> t;
   for (int k = 1; k <= 100; ++k) {
@@ -242,6 +264,45 @@ TEST(BootstrapInterval, NamesWhatIsWrongWithTheReplicates) {
                   ConditionKind::no_acceleration));
   EXPECT_THROW(static_cast<void>(bootstrap_interval(d, BootstrapMethod::basic, {}, 1.0)),
                std::invalid_argument);
+}
+
+TEST(Bootstrap, UnitsOfAValueMayBeFewerThanThoseDrawn) {
+  std::vector<double> values;
+  RandomStream random(3, 1, 0);
+  for (int i = 0; i < 22; ++i) {
+    values.push_back(random.normal());
+  }
+  BootstrapOptions options;
+  options.replicates = 999;
+  const BootstrapResult result = bootstrap(mean_of(values), ResamplingPlan::of_rows(22), options);
+  // Expanded percentiles of G units are percentiles of a higher level.
+  EXPECT_NEAR(expanded_tail(0.95, 10), 0.00855, 1e-4);
+  EXPECT_NEAR(expanded_tail(0.95, 22), 0.0166, 1e-4);
+  const BootstrapIntervals of_ten = bootstrap_intervals(result, 0, 0.95, 10);
+  const BootstrapIntervals wider =
+      bootstrap_intervals(result, 0, 1.0 - 2.0 * expanded_tail(0.95, 10));
+  EXPECT_NEAR(of_ten.expanded->low, wider.percentile->low, 1e-9);
+  EXPECT_NEAR(of_ten.expanded->high, wider.percentile->high, 1e-9);
+  EXPECT_FALSE(bootstrap_intervals(result, 0, 0.95, 1).expanded);
+  EXPECT_TRUE(bootstrap_intervals(result, 0, 0.95, 1).percentile);
+}
+
+TEST(Bootstrap, SaysWhyBcaAloneHasNoInterval) {
+  BootstrapResult result;
+  result.units = 12;
+  result.observed = {0.0, 5.0};
+  result.replicates = {{}, {}};
+  for (int r = 1; r <= 199; ++r) {
+    result.replicates[0].push_back(r);  // all above what was observed
+    result.replicates[1].push_back(r % 11);
+  }
+  result.acceleration = {0.01, 0.01};
+  const BootstrapIntervals none = bootstrap_intervals(result, 0);
+  EXPECT_TRUE(none.expanded && none.percentile);
+  EXPECT_FALSE(none.bca);
+  EXPECT_EQ(none.no_bca.value().kind, ConditionKind::infinite_bias);
+  EXPECT_FALSE(bootstrap_intervals(result, 1).no_bca);
+  EXPECT_TRUE(bootstrap_intervals(result, 1).bca);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(CoverageStudy, SeesThatTrialsOfADayAreNotIndependent) {
   options.data_sets = 60;
   options.replicates = 199;
   const std::vector<coverage::Coverage> rows = coverage::run({"icc", 22, 30, 0.5}, 2, options);
-  ASSERT_EQ(rows.size(), 24U);
+  ASSERT_EQ(rows.size(), 32U);
   for (const coverage::Coverage& row : rows) {
     EXPECT_EQ(row.intervals + row.missing, 60U);
     EXPECT_EQ(row.missing, 0U) << row.method;
@@ -53,9 +53,15 @@ TEST(CoverageStudy, SeesThatTrialsOfADayAreNotIndependent) {
   }
   // The clustered intervals are wider and cover more.
   EXPECT_GT(rows[1].mean_width, 1.2 * rows[0].mean_width);
-  EXPECT_GT(rows[5].mean_width, 1.2 * rows[3].mean_width);
+  ASSERT_EQ(rows[7].method, "bca_days");
+  EXPECT_GT(rows[7].mean_width, 1.2 * rows[4].mean_width);
   EXPECT_GE(rows[1].covered, rows[0].covered);
   EXPECT_GE(rows[1].covered, 0.8);
+  // Expanded percentiles of 22 days are wider than plain ones by 6 to 8 %; of 660 trials, hardly.
+  ASSERT_EQ(rows[6].method, "expanded_days");
+  EXPECT_NEAR(rows[6].mean_width / rows[5].mean_width, 1.07, 0.03);
+  EXPECT_GE(rows[6].covered, rows[5].covered);
+  EXPECT_NEAR(rows[3].mean_width / rows[2].mean_width, 1.0, 0.03);
 }
 
 }  // namespace

@@ -17,23 +17,23 @@ namespace {
 using Json = nlohmann::json;
 
 /// 300 ticks of 0.1 s at 0.2 m/s along x; T_t of 0.05 m from tick 200 on.
-std::string series_csv() {
+std::string series_csv(double start_s = 0.0) {
   std::string text =
       "time_s,x_m,y_m,yaw_rad,travel_m,left_m,right_m,width_m,margin_m,edge_margin_m,memory,"
       "corridor_value_m,certificate_m,speed_law_mps,contacts,issued\n";
   for (int i = 0; i < 300; ++i) {
     const std::string x = std::to_string(0.02 * i);
     const std::string margin = i == 77 ? "-0.31" : "0.2";
-    text += std::to_string(0.1 * i) + "," + x + ",1.5,0," + x + ",0.4,0.3,0.7," + margin +
+    text += std::to_string(start_s + 0.1 * i) + "," + x + ",1.5,0," + x + ",0.4,0.3,0.7," + margin +
             ",0.2,0," + "0.1," + (i >= 200 ? "0.05" : "") + ",0.18,0," + (i >= 200 ? "1" : "0") +
             "\n";
   }
   return text;
 }
 
-NumberTable series() {
+NumberTable series(double start_s = 0.0) {
   std::string problem;
-  auto table = read_page_series(Bytes::copy_of(series_csv()), "t.csv", problem);
+  auto table = read_page_series(Bytes::copy_of(series_csv(start_s)), "t.csv", problem);
   EXPECT_TRUE(table) << problem;
   return std::move(table.value());
 }
@@ -70,6 +70,14 @@ TEST(TrialBlock, CarriesEveryTickOfAShortTrial) {
   EXPECT_FALSE(speed[0]);  // Nothing to compare with.
   EXPECT_NEAR(speed[299].value(), 0.2, 0.0005);
   EXPECT_FALSE(json["series"].contains("gated_speed_mps"));
+}
+
+TEST(TrialBlock, CountsTimeFromTheFirstTick) {
+  const Json json = Json::parse(unpacked(trial_block(series(1.7e9), {}, "facts", 300)));
+  const auto time = decoded(json["series"]["time_s"]);
+  ASSERT_EQ(time.size(), 300U);
+  EXPECT_EQ(time[0], 0.0);
+  EXPECT_NEAR(time[299].value(), 29.9, 0.0015);
 }
 
 TEST(TrialBlock, OfALongTrialTheDipAndTheIssuanceStay) {

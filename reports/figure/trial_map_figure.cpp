@@ -6,67 +6,15 @@
 #include <utility>
 #include <variant>
 
+#include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_table.hpp"
 
 namespace tcert {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSpeedWindow = 1.0;  // Seconds.
 constexpr int kDiscCorners = 36;
 constexpr double kGradientHigh = 0.3;  // Metres; wider edges are as bright.
-
-struct Line {
-  const char* column;
-  const char* label;
-};
-
-/// What is drawn last lies on top.
-constexpr Line kMargins[] = {{"margin_m", "tick margin m_t"},
-                             {"edge_margin_m", "edge margin"},
-                             {"corridor_value_m", "corridor value V_t"},
-                             {"certificate_m", "certificate T_t"}};
-
-/// Speed over the window that ends at `row`.
-double measured_speed(const DataTable& series, std::size_t row) {
-  const double now = number_at(series, row, "time_s");
-  double way = 0.0;
-  std::size_t i = row;
-  while (i > 0 && now - number_at(series, i - 1, "time_s") <= kSpeedWindow + 1e-9) {
-    way += std::hypot(number_at(series, i, "x_m") - number_at(series, i - 1, "x_m"),
-                      number_at(series, i, "y_m") - number_at(series, i - 1, "y_m"));
-    --i;
-  }
-  const double duration = now - number_at(series, i, "time_s");
-  return duration >= 0.5 * kSpeedWindow ? way / duration : kNaN;
-}
-
-/// A line over time as rows; the value is held, so rows that repeat it are left out.
-void add_series(const DataTable& series, const Line& line, Table& data) {
-  double last = kNaN;
-  bool first = true;
-  for (std::size_t row = 0; row < series.rows; ++row) {
-    const double value = number_at(series, row, line.column);
-    const bool same = value == last || (std::isnan(value) && std::isnan(last));
-    if (first || !same || row + 1 == series.rows) {
-      if (!(first && std::isnan(value))) {
-        add_figure_row(
-            data, "margin", {"margin", line.label}, {number_at(series, row, "time_s"), value});
-      }
-    }
-    first = first && std::isnan(value);
-    last = value;
-  }
-}
-
-Layer layer(Mark mark, const char* part, const char* x, const char* y) {
-  Layer one;
-  one.mark = mark;
-  one.part = part;
-  one.x = x;
-  one.y = y;
-  return one;
-}
 
 /// Corners of a region.
 std::vector<Point> outline(const Region& region) {
@@ -135,13 +83,13 @@ void add_world(const World& world, MapData& data) {
       continue;
     }
     std::vector<Point> points = outline(*region);
-    points.push_back(points.front());
     Point centre{0.0, 0.0};
     for (const Point p : points) {
       data.add("region", name, p);
       centre.x_m += p.x_m / static_cast<double>(points.size());
       centre.y_m += p.y_m / static_cast<double>(points.size());
     }
+    data.add("region", name, points.front());
     data.add("region", name, {kNaN, kNaN});  // The next outline is another line.
     data.add("name", name, centre);
   }
@@ -166,16 +114,16 @@ void add_sides(const DataTable& series, MapData& data) {
 
 void add_path(const TrialPicture& trial, MapData& data) {
   const DataTable& series = trial.series;
+  const std::vector<double> times = trial_times(series);
   bool issued = false;
   for (std::size_t row = 0; row < series.rows; ++row) {
     const Point p{number_at(series, row, "x_m"), number_at(series, row, "y_m")};
-    const double time = number_at(series, row, "time_s");
     if (text_at(series, row, "flags").find("break") != std::string::npos) {
       data.add("path", "", {kNaN, kNaN});
     }
-    data.add("path", "", p, {kNaN, kNaN}, kNaN, time);
+    data.add("path", "", p, {kNaN, kNaN}, kNaN, times[row]);
     if (!issued && number_at(series, row, "issued") == 1.0) {
-      data.add("issued", "", p, {kNaN, kNaN}, number_at(series, row, "certificate_m"), time);
+      data.add("issued", "", p, {kNaN, kNaN}, number_at(series, row, "certificate_m"), times[row]);
       issued = true;
     }
   }
@@ -228,81 +176,14 @@ std::vector<Layer> map_layers(bool walls) {
 
 }  // namespace
 
-Figure trial_series_figure(const TrialPicture& trial) {
-  Figure figure;
-  figure.name = "trial_" + trial.trial_id + "_series";
-  figure.title = "Trial " + trial.trial_id + ": margins and speed";
-  figure.caption =
-      "The tick margin recovers behind each gate; V_t keeps the narrowest place on the best way "
-      "back "
-      "to S; T_t is issued when G is reached by a way that is wide enough.";
-  figure.synthetic = trial.synthetic;
-  figure.data = figure_table(figure.name, {"panel", "quantity"}, {"time_s", "value"});
-  figure.key.classes = {"certificate T_t",
-                        "corridor value V_t",
-                        "edge margin",
-                        "tick margin m_t",
-                        "measured speed",
-                        "speed that the law allows"};
-  for (const Line& line : kMargins) {
-    add_series(trial.series, line, figure.data);
-  }
-  for (std::size_t row = 0; row < trial.series.rows; ++row) {
-    add_figure_row(figure.data,
-                   "speed",
-                   {"speed", "measured speed"},
-                   {number_at(trial.series, row, "time_s"), measured_speed(trial.series, row)});
-  }
-  for (std::size_t row = 0; row < trial.series.rows; ++row) {
-    add_figure_row(
-        figure.data,
-        "speed",
-        {"speed", "speed that the law allows"},
-        {number_at(trial.series, row, "time_s"), number_at(trial.series, row, "speed_law_mps")});
-  }
-  const double end =
-      trial.series.rows == 0 ? 1.0 : number_at(trial.series, trial.series.rows - 1, "time_s");
-  Panel margins;
-  margins.name = "margin";
-  margins.x.title = "time";
-  margins.x.unit = "s";
-  margins.x.low = 0.0;
-  margins.x.high = end;
-  margins.y.title = "margin";
-  margins.y.unit = "m";
-  margins.references = {{false, 0.0, false}};
-  if (trial.issued_s) {
-    margins.references.push_back({true, *trial.issued_s, true});
-  }
-  Panel speed = margins;
-  speed.name = "speed";
-  speed.y.title = "speed";
-  speed.y.unit = "m/s";
-  speed.y.low = 0.0;
-  speed.height = 0.6;
-  Layer held = layer(Mark::step, "margin", "time_s", "value");
-  held.colour = "quantity";
-  held.width = 1.6;
-  margins.layers = {held};
-  Layer one = layer(Mark::line, "speed", "time_s", "value");
-  one.colour = "quantity";
-  one.width = 1.4;
-  speed.layers = {one};
-  figure.panels = {std::move(margins), std::move(speed)};
-  make_plain(figure);
-  return figure;
-}
-
-Figure trial_map_figure(const TrialPicture& trial) {
-  Figure figure;
-  figure.name = "trial_" + trial.trial_id + "_map";
-  figure.title = "Trial " + trial.trial_id + ": map";
+std::optional<Figure> trial_map_figure(const TrialPicture& trial) {
+  Figure figure = named(
+      "trial_" + trial.trial_id + "_map", "Trial " + trial.trial_id + ": map", trial.synthetic);
   figure.caption = std::string(trial.world ? "Walls of the known world"
                                            : "What the rays prove free on both sides") +
                    ", odometry (thin line), and the corridor graph by the margin of its edges. The "
                    "hollow mark is "
                    "the bottleneck that decides T_t.";
-  figure.synthetic = trial.synthetic;
   MapData data;
   if (trial.world) {
     add_world(*trial.world, data);
@@ -317,19 +198,16 @@ Figure trial_map_figure(const TrialPicture& trial) {
     data.add("bottleneck", "", {*trial.bottleneck_x_m, *trial.bottleneck_y_m});
   }
   figure.key.classes = {"issued here", "bottleneck of T_t"};
-  figure.gradient = Gradient{"edge margin", "m", 0.0, kGradientHigh};
+  figure.gradient = Gradient{"edge margin", "m", 0.0, kGradientHigh, {}};
   Panel map;
-  map.x.title = "x";
-  map.x.unit = "m";
-  map.y.title = "y";
-  map.y.unit = "m";
+  map.x = axis("x", "m");
+  map.y = axis("y", "m");
   map.equal_scale = true;
   data.apply(map);
   map.layers = map_layers(trial.world.has_value());
   figure.data = std::move(data).table();
   figure.panels = {std::move(map)};
-  make_plain(figure);
-  return figure;
+  return finished(std::move(figure));
 }
 
 }  // namespace tcert

@@ -1,0 +1,29 @@
+#include "analysis/basics/few_clusters.hpp"
+
+namespace tcert {
+
+std::optional<Condition> few_clusters(std::size_t clusters,
+                                      std::size_t coefficients,
+                                      const std::string& of) {
+  const bool lacks_rank = coefficients > 0 && clusters <= coefficients;
+  if (clusters < 2 || (clusters >= kFewClusters && !lacks_rank)) {
+    return std::nullopt;
+  }
+  const bool too_few = clusters < kTooFewClusters;
+  std::string detail = of.empty() ? "" : of + ": ";
+  detail += std::to_string(clusters) + " clusters";
+  if (clusters < kFewClusters) {
+    detail += ", fewer than " + std::to_string(too_few ? kTooFewClusters : kFewClusters);
+  }
+  if (lacks_rank) {
+    detail += " and no more than the " + std::to_string(coefficients) +
+              (coefficients == 1 ? " coefficient" : " coefficients") +
+              ", so that their covariance has no full rank";
+  }
+  return Condition{ConditionKind::few_clusters,
+                   too_few || lacks_rank ? ConditionSeverity::warning : ConditionSeverity::note,
+                   "",
+                   detail};
+}
+
+}  // namespace tcert

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// From how many clusters on a cluster-robust variance is to be believed: the one place that says.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "analysis/basics/condition.hpp"
+
+namespace tcert {
+
+/// Below so many clusters it is said that intervals tend to be too narrow.
+inline constexpr std::size_t kFewClusters = 30;
+
+/// Below so many they are not to be believed: a warning.
+inline constexpr std::size_t kTooFewClusters = 10;
+
+/// The condition few_clusters where it holds, for 2 clusters and more: a note below kFewClusters; a
+/// warning below kTooFewClusters, and if there are no more clusters than `coefficients`, whose
+/// covariance then has no full rank (their scores add up to 0). `of` stands before the number:
+/// "dark". Empty for 0 and 1 cluster: that is one_cluster.
+[[nodiscard]] std::optional<Condition> few_clusters(std::size_t clusters,
+                                                    std::size_t coefficients = 0,
+                                                    const std::string& of = {});
+
+}  // namespace tcert

@@ -1,0 +1,44 @@
+#include "analysis/basics/student_t.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace tcert {
+
+double t_factor(double level, double df) {
+  return boost::math::quantile(
+      boost::math::complement(boost::math::students_t(df), (1.0 - level) / 2.0));
+}
+
+double t_p_value(double t, double df, Alternative alternative) {
+  const boost::math::students_t student(df);
+  switch (alternative) {
+    case Alternative::less:
+      return boost::math::cdf(student, t);
+    case Alternative::greater:
+      return boost::math::cdf(boost::math::complement(student, t));
+    case Alternative::two_sided:
+      break;
+  }
+  return 2.0 * boost::math::cdf(boost::math::complement(student, std::abs(t)));
+}
+
+ClusterT by_cluster_t(const std::optional<double>& estimate,
+                      const std::optional<double>& standard_error,
+                      const std::optional<double>& statistic,
+                      std::size_t clusters,
+                      double level) {
+  ClusterT result;
+  if (!estimate || !standard_error || !(*standard_error > 0.0) || clusters < 2) {
+    return result;
+  }
+  const double df = static_cast<double>(clusters) - 1.0;
+  if (statistic && std::isfinite(*statistic)) {
+    result.p_value = t_p_value(*statistic, df, Alternative::two_sided);
+  }
+  const double half = t_factor(level, df) * *standard_error;
+  result.interval = Interval{*estimate - half, *estimate + half, level};
+  return result;
+}
+
+}  // namespace tcert

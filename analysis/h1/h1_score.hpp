@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// How a bootstrapped value becomes a score of H1 or H2.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/resampling/bootstrap.hpp"
+
+namespace tcert {
+
+/// Sets the intervals of `score` to those of value number `value`, and its value if it has none.
+/// `units` is of how many clusters the value is made, where that is not all of them. What the
+/// interval that is read met is added to `conditions`, `quantity` before its detail.
+void take_score(const BootstrapResult& result,
+                std::size_t value,
+                const H1Options& options,
+                const std::string& quantity,
+                H1Score& score,
+                Conditions& conditions,
+                std::optional<std::size_t> units = {});
+
+}  // namespace tcert

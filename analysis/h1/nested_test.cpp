@@ -1,0 +1,117 @@
+#include "analysis/h1/nested_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/basics/chi_square.hpp"
+#include "analysis/basics/student_t.hpp"
+#include "analysis/resampling/jackknife.hpp"
+
+namespace tcert {
+namespace {
+
+using Coefficient = double (H1Model::*)(std::span<const std::uint32_t>) const;
+
+/// The coefficient with each cluster left out in turn.
+std::vector<double> without_clusters(const H1Data& data,
+                                     const H1Model& model,
+                                     Coefficient coefficient) {
+  const Statistic statistic = scalar_statistic(data.rows(), [&model, coefficient] {
+    return [&model, coefficient](std::span<const std::uint32_t> multiplicity) {
+      return (model.*coefficient)(multiplicity);
+    };
+  });
+  return leave_one_out(statistic, ResamplingPlan::of_clusters(data.cluster.codes)).front();
+}
+
+std::optional<double> test_of(const H1Data& data,
+                              const H1Model& model,
+                              Coefficient coefficient,
+                              const char* name,
+                              H1Row& row) {
+  const std::vector<std::uint32_t> once(data.rows(), 1);
+  const std::vector<double> without = without_clusters(data, model, coefficient);
+  const auto failed =
+      std::count_if(without.begin(), without.end(), [](double b) { return std::isnan(b); });
+  if (failed > 0) {
+    row.conditions.push_back({ConditionKind::no_jackknife,
+                              ConditionSeverity::warning,
+                              "",
+                              std::string(name) + ": " + std::to_string(failed) + " of " +
+                                  std::to_string(without.size()) + " clusters"});
+  }
+  return cluster_jackknife_p((model.*coefficient)(once), without);
+}
+
+std::optional<double> likelihood_ratio_p(const std::optional<double>& smaller,
+                                         const std::optional<double>& larger,
+                                         std::size_t df) {
+  return !smaller || !larger || df == 0
+             ? std::nullopt
+             : std::optional(chi_square_test(2.0 * (*larger - *smaller), df).p_value);
+}
+
+/// A coefficient that has run away is finite in name only: a hair decides on it.
+bool is_finite(const LogisticFit& fit) {
+  return fit.separation == Separation::none && fit.log_likelihood.has_value() &&
+         std::none_of(
+             fit.coefficients.begin(), fit.coefficients.end(), [](const LogisticCoefficient& one) {
+               return one.kind == CoefficientKind::ran_away;
+             });
+}
+
+bool is_finite(const CoxFit& fit) {
+  return fit.summary.termination == CoxTermination::converged &&
+         !has(fit.conditions, ConditionKind::near_separation);
+}
+
+void test_success(const H1Data& data, const H1Models& models, H1Row& added) {
+  const LogisticFit small = fit_logistic(models.models[0].logistic());
+  const LogisticFit large = fit_logistic(models.models[1].logistic());
+  added.conditions.insert(added.conditions.end(), large.conditions.begin(), large.conditions.end());
+  if (is_finite(small) && is_finite(large) && large.rank > small.rank) {
+    added.auc_lr_p =
+        likelihood_ratio_p(small.log_likelihood, large.log_likelihood, large.rank - small.rank);
+    added.auc_p = test_of(
+        data, models.models[1], &H1Model::added_logistic_coefficient, "logistic model", added);
+  }
+}
+
+void test_time(const H1Data& data, const H1Models& models, H1Row& added) {
+  const CoxFit small = fit_cox(models.models[0].cox());
+  const CoxFit large = fit_cox(models.models[1].cox());
+  if (is_finite(small) && is_finite(large) && large.df > small.df) {
+    added.c_lr_p = likelihood_ratio_p(small.loglik, large.loglik, large.df - small.df);
+    added.c_p =
+        test_of(data, models.models[1], &H1Model::added_cox_coefficient, "Cox model", added);
+  }
+}
+
+}  // namespace
+
+std::optional<double> cluster_jackknife_p(double estimate,
+                                          std::span<const double> without_cluster) {
+  const auto clusters = static_cast<double>(without_cluster.size());
+  double squares = 0.0;
+  for (const double one : without_cluster) {
+    squares += (one - estimate) * (one - estimate);
+  }
+  const double variance = (clusters - 1.0) / clusters * squares;
+  if (!(variance > 0.0) || !std::isfinite(estimate)) {
+    return std::nullopt;
+  }
+  return t_p_value(estimate / std::sqrt(variance), clusters - 1.0, Alternative::two_sided);
+}
+
+void add_nested_tests(const H1Data& data, const H1Models& models, H1Panel& panel) {
+  if (models.models.empty()) {
+    return;
+  }
+  test_success(data, models, panel.rows.back());
+  if (data.censored) {
+    test_time(data, models, panel.rows.back());
+  }
+}
+
+}  // namespace tcert

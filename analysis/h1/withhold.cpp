@@ -1,0 +1,138 @@
+#include "analysis/h1/withhold.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "analysis/basics/few_clusters.hpp"
+
+namespace tcert {
+namespace {
+
+std::string fewer_than(std::size_t count, const std::string& what, std::size_t least) {
+  return std::to_string(count) + " " + what + ", fewer than " + std::to_string(least);
+}
+
+void withhold(H1OddsRatio& ratio) { ratio.interval.reset(); }
+
+void withhold(CalibrationCoefficient& coefficient) {
+  coefficient.standard_error.reset();
+  coefficient.interval.reset();
+}
+
+void withhold(H1Row& row) {
+  for (H1Score* const score : {&row.auc,
+                               &row.auc_gain,
+                               &row.c,
+                               &row.c_gain,
+                               &row.within.auc,
+                               &row.within.auc_gain,
+                               &row.within.c,
+                               &row.within.c_gain}) {
+    withhold(*score);
+  }
+  for (std::optional<double>* const p : {&row.auc_p,
+                                         &row.auc_lr_p,
+                                         &row.auc_holm,
+                                         &row.c_p,
+                                         &row.c_lr_p,
+                                         &row.c_holm,
+                                         &row.within.auc_gain_p,
+                                         &row.within.c_gain_p,
+                                         &row.mixed.p_value,
+                                         &row.mixed.lr_p_value}) {
+    p->reset();
+  }
+  withhold(row.censored);
+  withhold(row.at_limit);
+  withhold(row.stratified);
+  withhold(row.mixed.per_sd);
+  withhold(row.mixed.per_cm);
+}
+
+void withhold(H1CaseRow& row) {
+  withhold(row.auc);
+  withhold(row.c);
+  row.auc_gain_p.reset();
+  row.c_gain_p.reset();
+}
+
+void withhold(IncidenceCurves& curves) {
+  const auto none = [](IncidenceCurve& curve) {
+    std::fill(
+        curve.std_error.begin(), curve.std_error.end(), std::numeric_limits<double>::quiet_NaN());
+  };
+  std::for_each(curves.causes.begin(), curves.causes.end(), none);
+  none(curves.event_free);
+}
+
+}  // namespace
+
+std::string too_few(const std::string& cluster,
+                    std::size_t clusters,
+                    std::size_t successes,
+                    std::size_t failures) {
+  if (clusters < kTooFewClusters) {
+    return fewer_than(
+        clusters, cluster.empty() ? "trials" : "clusters of '" + cluster + "'", kTooFewClusters);
+  }
+  if (std::min(successes, failures) < kTooFewOutcomes) {
+    return failures < successes ? fewer_than(failures, "failures", kTooFewOutcomes)
+                                : fewer_than(successes, "successes", kTooFewOutcomes);
+  }
+  return "";
+}
+
+Condition withheld(const std::string& reason) {
+  return {ConditionKind::withheld, ConditionSeverity::warning, "", reason};
+}
+
+void erase_resampling_conditions(Conditions& conditions) {
+  std::erase_if(conditions, [](const Condition& condition) {
+    return condition.kind == ConditionKind::endpoint_out_of_range ||
+           condition.kind == ConditionKind::failed_replicates ||
+           condition.kind == ConditionKind::constant_replicates ||
+           condition.kind == ConditionKind::infinite_bias ||
+           condition.kind == ConditionKind::no_acceleration;
+  });
+}
+
+void withhold(H1Score& score) {
+  score.interval.reset();
+  score.intervals = {};
+  score.closed_form.reset();
+  score.std_error.reset();
+}
+
+void withhold(H1HazardRatio& ratio) {
+  ratio.interval.reset();
+  ratio.p_value.reset();
+}
+
+void withhold_if_few(const H1Options& options, H1Panel& panel) {
+  panel.withheld = too_few(
+      panel.has_clusters ? options.cluster : "", panel.clusters, panel.successes, panel.failures);
+  if (panel.withheld.empty()) {
+    return;
+  }
+  panel.conditions.push_back(withheld(panel.withheld));
+  for (H1Row& row : panel.rows) {
+    withhold(row);
+    erase_resampling_conditions(row.conditions);
+  }
+  for (H1CaseRow& row : panel.case_level) {
+    withhold(row);
+  }
+  for (IncidenceCurves& curves : panel.incidence) {
+    withhold(curves);
+  }
+  for (H1Calibration& one : panel.calibration) {
+    withhold(one.calibration.slope);
+    withhold(one.calibration.intercept);
+    withhold(one.calibration.in_the_large);
+    for (CalibrationBin& bin : one.calibration.bins) {
+      bin.wilson.reset();  // It takes trials as independent.
+    }
+  }
+}
+
+}  // namespace tcert

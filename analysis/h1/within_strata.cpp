@@ -1,0 +1,181 @@
+#include "analysis/h1/within_strata.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "analysis/concordance/concordance_statistic.hpp"
+#include "analysis/equivalence/scores_by_group.hpp"
+#include "analysis/model/variable.hpp"
+
+namespace tcert {
+namespace {
+
+/// The rows whose stratum is known, with everything that pairs are made of.
+struct StrataRows {
+  std::vector<std::size_t> rows;
+  Factor strata;
+  Factor cluster;
+  SurvivalOutcome success;  ///< 0 and 1 as times, so that C is the AUC.
+  std::optional<SurvivalOutcome> censored;
+  std::vector<std::vector<double>> values;  ///< Of each predictor.
+};
+
+StrataRows strata_rows(const H1Data& data, const std::vector<std::size_t>& rows) {
+  StrataRows chosen;
+  for (const std::size_t row : rows) {
+    if (data.within->codes[row] != Factor::kMissing) {
+      chosen.rows.push_back(row);
+    }
+  }
+  chosen.strata = on_rows(*data.within, chosen.rows);
+  chosen.cluster = on_rows(data.cluster, chosen.rows);
+  std::vector<double> success;
+  for (const std::size_t row : chosen.rows) {
+    success.push_back(data.success[row]);
+  }
+  chosen.success = uncensored(success);
+  if (data.censored) {
+    chosen.censored = on_rows(*data.censored, chosen.rows);
+  }
+  for (const std::vector<double>& predictor : data.predictors) {
+    chosen.values.emplace_back();
+    for (const std::size_t row : chosen.rows) {
+      chosen.values.back().push_back(predictor[row]);
+    }
+  }
+  return chosen;
+}
+
+/// For the AUC a larger outcome is the better one, for C a shorter time.
+std::vector<Predictor> predictors_of(const H1Data& data, const StrataRows& chosen, bool timed) {
+  std::vector<Predictor> predictors;
+  for (std::size_t k = 0; k < chosen.values.size(); ++k) {
+    const bool larger_is_better = data.higher[k] == HigherMeans::success;
+    predictors.push_back(
+        {data.names[k],
+         chosen.values[k],
+         larger_is_better == timed ? LargerMeans::shorter_time : LargerMeans::longer_time});
+  }
+  return predictors;
+}
+
+/// A statistic of these rows alone, as one of all of them.
+Statistic of_rows(const Statistic& part, std::vector<std::size_t> rows, std::size_t all) {
+  Statistic statistic;
+  statistic.rows = all;
+  statistic.values = part.values;
+  const auto shared = std::make_shared<const std::vector<std::size_t>>(std::move(rows));
+  statistic.make_kernel = [part, shared]() -> StatisticKernel {
+    return
+        [kernel = part.make_kernel(), shared, chosen = std::vector<std::uint32_t>(shared->size())](
+            std::span<const std::uint32_t> multiplicity, std::span<double> values) mutable {
+          for (std::size_t i = 0; i < chosen.size(); ++i) {
+            chosen[i] = multiplicity[(*shared)[i]];
+          }
+          kernel(chosen, values);
+        };
+  };
+  return statistic;
+}
+
+std::vector<std::size_t> all_rows(const H1Data& data) {
+  std::vector<std::size_t> rows(data.rows());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return rows;
+}
+
+std::size_t pairs_of(const ConcordanceEstimate& estimate) {
+  return static_cast<std::size_t>(estimate.counts.comparable());
+}
+
+/// Predictor `k`, and what the predictor under test gains over it.
+void take(const ConcordanceResult& result,
+          std::size_t k,
+          H1Score& score,
+          H1Score& gain,
+          std::optional<double>& gain_p) {
+  const ConcordanceEstimate& one = result.estimates[k];
+  score.value = one.c;
+  score.closed_form = one.interval;
+  score.std_error = one.std_error;
+  if (k > 0) {
+    const ConcordanceDifference& difference = result.differences[k - 1];  // 0 less k
+    gain.value = difference.difference;
+    gain.closed_form = difference.interval;
+    gain.std_error = difference.std_error;
+    gain_p = difference.p_value;
+  }
+}
+
+/// Pairs that C compares whatever the strata.
+std::size_t all_c_pairs(const H1Data& data) {
+  const Predictor first = data.timed(0);
+  return pairs_of(concordance(*data.censored, {&first, 1}).estimates.front());
+}
+
+}  // namespace
+
+std::optional<WithinScores> within_scores(const H1Data& data,
+                                          const std::vector<std::size_t>& rows,
+                                          double level) {
+  if (!data.within) {
+    return std::nullopt;
+  }
+  const StrataRows chosen = strata_rows(data, rows);
+  if (chosen.rows.empty()) {
+    return std::nullopt;
+  }
+  ConcordanceOptions options;
+  options.level = level;
+  options.strata = &chosen.strata;
+  options.cluster = &chosen.cluster;
+  WithinScores scores;
+  scores.auc = concordance(chosen.success, predictors_of(data, chosen, false), options);
+  if (chosen.censored) {
+    scores.c = concordance(*chosen.censored, predictors_of(data, chosen, true), options);
+  }
+  return scores;
+}
+
+Statistic within_statistic(const H1Data& data) {
+  StrataRows chosen = strata_rows(data, all_rows(data));
+  std::vector<Statistic> parts{concordance_statistic(
+      chosen.success, predictors_of(data, chosen, false), {}, &chosen.strata)};
+  if (chosen.censored) {
+    parts.push_back(concordance_statistic(
+        *chosen.censored, predictors_of(data, chosen, true), {}, &chosen.strata));
+  }
+  const Statistic part = joined(std::move(parts));
+  return chosen.rows.size() == data.rows() ? part
+                                           : of_rows(part, std::move(chosen.rows), data.rows());
+}
+
+void add_within_strata(const H1Data& data, double level, H1Panel& panel) {
+  const std::optional<WithinScores> scores = within_scores(data, all_rows(data), level);
+  if (!scores) {
+    return;
+  }
+  H1Strata& strata = panel.within;
+  strata.columns = data.within_columns;
+  strata.levels = data.within->levels.size();
+  strata.missing = static_cast<std::size_t>(
+      std::count(data.within->codes.begin(), data.within->codes.end(), Factor::kMissing));
+  strata.auc_pairs = pairs_of(scores->auc.estimates.front());
+  strata.all_auc_pairs = panel.successes * panel.failures;
+  if (scores->c) {
+    strata.c_pairs = pairs_of(scores->c->estimates.front());
+    strata.all_c_pairs = all_c_pairs(data);
+  }
+  for (std::size_t k = 0; k < data.predictors.size() && k < panel.rows.size(); ++k) {
+    H1WithinScores& within = panel.rows[k].within;
+    take(scores->auc, k, within.auc, within.auc_gain, within.auc_gain_p);
+    if (scores->c) {
+      take(*scores->c, k, within.c, within.c_gain, within.c_gain_p);
+    }
+  }
+}
+
+}  // namespace tcert

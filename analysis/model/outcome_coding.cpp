@@ -1,0 +1,181 @@
+#include "analysis/model/outcome_coding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "analysis/model/expression.hpp"
+#include "datasets/cell_reading.hpp"
+#include "datasets/csv_write.hpp"
+#include "datasets/diagnostic.hpp"
+#include "datasets/nearest_name.hpp"
+#include "datasets/outcome_word.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::string column_of(const DataTable& table, const std::string& column) {
+  return "column '" + column + "' of " + table.file;
+}
+
+[[noreturn]] void refuse(const DataTable& table,
+                         const std::string& column,
+                         std::size_t row,
+                         const std::string& found,
+                         const std::string& expectation) {
+  std::string place = column_of(table, column) + ", row " + std::to_string(row + 1);
+  if (row < table.lines.size()) {
+    place += " (line " + std::to_string(table.lines[row]) + ")";
+  }
+  throw FormulaError(place + ": found '" + shortened(found) + "', expected " + expectation + "; " +
+                     std::string(kHowMissingIsWritten));
+}
+
+void add_word(std::string& list, const std::string& word) {
+  list += (list.empty() ? "" : ", ") + word;
+}
+
+/// The values of the rows from those of the levels; a level that is NaN is not to occur.
+OutcomeCoding coding_of(const Factor& text, const std::vector<double>& value_of) {
+  OutcomeCoding coding;
+  coding.values.reserve(text.codes.size());
+  for (const std::uint32_t code : text.codes) {
+    coding.values.push_back(code == Factor::kMissing ? kNaN : value_of[code]);
+  }
+  for (std::size_t level = 0; level < value_of.size(); ++level) {
+    add_word(value_of[level] == 1.0 ? coding.success : coding.failure, text.levels[level]);
+  }
+  return coding;
+}
+
+/// NaN for a level that is no outcome.
+std::vector<double> values_by_words(const Factor& text) {
+  std::vector<double> values;
+  for (const std::string& level : text.levels) {
+    const OutcomeWord word = outcome_of_cell(level);
+    values.push_back(word == OutcomeWord::success   ? 1.0
+                     : word == OutcomeWord::failure ? 0.0
+                                                    : kNaN);
+  }
+  return values;
+}
+
+/// \throws FormulaError at the first row whose level has no value.
+void require_values(const DataTable& table,
+                    const DataColumn& column,
+                    const std::vector<double>& value_of,
+                    const std::string& expectation) {
+  const auto& codes = column.text.codes;
+  const auto bad = std::find_if(codes.begin(), codes.end(), [&](std::uint32_t code) {
+    return code != Factor::kMissing && std::isnan(value_of[code]);
+  });
+  if (bad != codes.end()) {
+    refuse(table,
+           column.name,
+           static_cast<std::size_t>(bad - codes.begin()),
+           column.text.levels[*bad],
+           expectation);
+  }
+}
+
+[[noreturn]] void refuse_word(const DataTable& table,
+                              const std::string& column,
+                              const std::string& word,
+                              const std::string& known) {
+  throw FormulaError(column_of(table, column) + " holds no '" + word + "'" +
+                     (known.empty() ? "" : ", only " + known));
+}
+
+OutcomeCoding texts_by_name(const DataTable& table,
+                            const DataColumn& column,
+                            const std::vector<std::string>& success) {
+  constexpr std::size_t kMostListed = 12;
+  const auto& levels = column.text.levels;
+  std::string known;
+  for (std::size_t level = 0; level < std::min(levels.size(), kMostListed); ++level) {
+    add_word(known, levels[level]);
+  }
+  known += levels.size() > kMostListed ? ", ..." : "";
+  std::vector<double> value_of(levels.size(), 0.0);
+  for (const std::string& word : success) {
+    const auto found = std::find(levels.begin(), levels.end(), word);
+    if (found == levels.end()) {
+      refuse_word(table, column.name, word, known);
+    }
+    value_of[static_cast<std::size_t>(found - levels.begin())] = 1.0;
+  }
+  std::vector<double> checked = value_of;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const bool is_missing_word = read_cell(levels[level]).meaning == CellMeaning::missing_word;
+    checked[level] = is_missing_word && value_of[level] == 0.0 ? kNaN : value_of[level];
+  }
+  require_values(table, column, checked, "an outcome");
+  return coding_of(column.text, value_of);
+}
+
+OutcomeCoding numbers_by_name(const DataTable& table,
+                              const DataColumn& column,
+                              const std::vector<std::string>& success) {
+  OutcomeCoding coding;
+  coding.values = column.numbers;
+  std::vector<double> wanted;
+  for (const std::string& word : success) {
+    const CellReading reading = read_cell(word);
+    const auto& x = column.numbers;
+    if (std::isnan(reading.value) || (reading.meaning == CellMeaning::truth) != column.is_truth ||
+        std::find(x.begin(), x.end(), reading.value) == x.end()) {
+      refuse_word(table, column.name, word, column.is_truth ? "TRUE and FALSE" : "");
+    }
+    wanted.push_back(reading.value);
+  }
+  for (double& x : coding.values) {
+    const bool is_success = std::find(wanted.begin(), wanted.end(), x) != wanted.end();
+    x = std::isnan(x) ? kNaN : is_success ? 1.0 : 0.0;
+  }
+  return coding;
+}
+
+}  // namespace
+
+std::optional<OutcomeCoding> coded_by_words(const Factor& text) {
+  const std::vector<double> value_of = values_by_words(text);
+  if (std::any_of(value_of.begin(), value_of.end(), [](double x) { return std::isnan(x); })) {
+    return std::nullopt;
+  }
+  return coding_of(text, value_of);
+}
+
+OutcomeCoding code_outcome(const DataTable& table,
+                           const std::string& column,
+                           const std::vector<std::string>& success) {
+  const DataColumn* const data = table.find(column);
+  if (data == nullptr) {
+    const auto nearest = nearest_name(column, table.header);
+    throw FormulaError("no column '" + column + "' in " + table.file +
+                       (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+  }
+  if (!success.empty()) {
+    return data->is_text ? texts_by_name(table, *data, success)
+                         : numbers_by_name(table, *data, success);
+  }
+  const std::string expectation = "an outcome: " + std::string(kOutcomeWords);
+  if (data->is_text) {
+    const std::vector<double> value_of = values_by_words(data->text);
+    require_values(table, *data, value_of, expectation);
+    return coding_of(data->text, value_of);
+  }
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    const double x = data->numbers[row];
+    if (!std::isnan(x) && x != 0.0 && x != 1.0) {
+      std::string found;
+      append_number(found, x);
+      refuse(table, column, row, found, expectation);
+    }
+  }
+  return {data->numbers, "", ""};
+}
+
+}  // namespace tcert

@@ -1,0 +1,63 @@
+#include "analysis/survival/time_conditions.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "datasets/csv_write.hpp"
+#include "datasets/unlike_times.hpp"
+
+namespace tcert {
+namespace {
+
+/// Of a time: what a few additions lose is no more.
+constexpr double kLastDigits = 1e-12;
+
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+}  // namespace
+
+void add_rounding_conditions(const TimeRounding& rounding,
+                             const std::string& column,
+                             Conditions& conditions) {
+  if (rounding.by_timefix < rounding.kept) {
+    conditions.push_back({ConditionKind::near_times,
+                          ConditionSeverity::note,
+                          column,
+                          std::to_string(rounding.kept) +
+                              " distinct times, of which those within " +
+                              short_number(rounding.timefix_step) + " of a neighbour would leave " +
+                              std::to_string(rounding.by_timefix)});
+  }
+  if (rounding.merged_share > kLastDigits) {
+    conditions.push_back({ConditionKind::merged_times,
+                          ConditionSeverity::note,
+                          column,
+                          std::to_string(rounding.distinct) + " distinct times, some within " +
+                              short_number(rounding.merged_step) + " of each other, were made " +
+                              std::to_string(rounding.kept)});
+  }
+}
+
+void add_unlike_times(std::span<const double> times,
+                      const std::string& column,
+                      const std::function<std::string(std::size_t)>& place,
+                      Conditions& conditions) {
+  const auto unlike = unlike_times(times);
+  if (!unlike) {
+    return;
+  }
+  std::string found = "found ";
+  append_number(found, unlike->time);
+  found += ", " + distance_in_words(*unlike) + "; the first in " + place(unlike->first);
+  if (unlike->count > 1) {
+    found += " (and " + std::to_string(unlike->count - 1) + " more)";
+  }
+  conditions.push_back(
+      {ConditionKind::unlike_times, ConditionSeverity::warning, column, std::move(found)});
+}
+
+}  // namespace tcert

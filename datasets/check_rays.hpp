@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Rays that say what no working ray would: a contact that outlives its wall, a reading that never
+/// moves, two rays that are one.
+
+#include <string>
+#include <tcert/parameters.hpp>
+#include <tcert/robot.hpp>
+#include <vector>
+
+#include "datasets/diagnostic.hpp"
+#include "datasets/ticks.hpp"
+
+namespace tcert {
+
+/// A warning per ray and fault, in the order of the rays; `file` is what they name. Fresh ticks
+/// alone count, and a trial with fewer than 50 of them or less than 1 m of way says nothing.
+///
+/// - *Never releases*: a tip force that, once at contact_on_n, does not fall below contact_off_n
+///   before the log ends, while the ray's own reading is free (within contact_slack_m of the
+///   longest clearance that it can state) at half or more of the ticks since, and on 1 m and a
+///   third of the trial's way. A robot that is held in a gate, or drives along a wall, reads the
+///   wall; one that grazes a wall at the end of its reach does not do so for long.
+/// - *Never moves*: one reading at all ticks. A `range` ray may state its reach all along: nothing
+///   is there. A tentacle's sensor is never that still, bent or not.
+/// - *Identical*: a ray whose readings are those of an earlier ray at every tick, the missing ones
+///   too. Rays that never move are left out.
+///
+/// O(ticks x rays), and O(rays^2) comparisons that end at the first difference.
+/// \pre ticks.rays is the number of rays of `robot`.
+[[nodiscard]] std::vector<Diagnostic> check_rays(const Robot& robot,
+                                                 const CertificateParameters& parameters,
+                                                 const TickTable& ticks,
+                                                 const std::string& file);
+
+}  // namespace tcert

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// The intervals of coefficients in tables, declared once for every fit.
+///
+/// `conf.low`, `conf.high`: Wald's, estimate -+ z SE, by the SE that stands beside it; broom's
+/// conf.low of a `glm` is the profile's, here in `profile.low`, `profile.high`.
+/// `t.low`, `t.high`, `t.p.value`: the same by Student's t with clusters - 1 degrees of freedom,
+/// where clusters are named; NA for a single one.
+/// RATIO, RATIO.low, RATIO.high; RATIO.profile.low ...; RATIO.t.low ...: exp of each of them, with
+/// RATIO odds.ratio or hazard.ratio.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/basics/condition.hpp"
+#include "analysis/basics/interval.hpp"
+#include "analysis/basics/student_t.hpp"
+#include "analysis/logistic/logistic_profile.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+struct RatioName {
+  std::string name;          ///< "odds.ratio".
+  std::string heading;       ///< "odds ratio".
+  std::string abbreviation;  ///< "OR".
+};
+
+[[nodiscard]] RatioName odds_ratio_name();
+[[nodiscard]] RatioName hazard_ratio_name();
+
+/// The ratio and its Wald interval; then one more interval each for `others`: "profile", "t".
+[[nodiscard]] std::vector<Column> ratio_columns(const RatioName& ratio,
+                                                const std::vector<std::string>& others);
+
+/// exp of an end; missing if it is, or if it is too large to be a number.
+[[nodiscard]] TableCell ratio_cell(const std::optional<double>& log_ratio);
+/// exp of both ends.
+void append_ratios(const std::optional<Interval>& log_ratio, std::vector<TableCell>& cells);
+
+/// profile.low, profile.high, profile.open.
+[[nodiscard]] std::vector<Column> profile_columns();
+void append_profile(const ProfileLimits& limits, std::vector<TableCell>& cells);
+[[nodiscard]] ProfileLimits limits_of(const std::optional<Interval>& profile);
+
+/// t.p.value, t.low, t.high; without the p for what has no test.
+[[nodiscard]] std::vector<Column> t_columns(bool with_p = true);
+void append_t(const ClusterT& by_t, std::vector<TableCell>& cells, bool with_p = true);
+
+/// The interval within [0, 1], as that of a probability.
+[[nodiscard]] ClusterT clipped(ClusterT by_t);
+
+/// What the t columns are.
+[[nodiscard]] std::string t_footnote(std::size_t clusters);
+
+/// Few clusters are pointed to the t columns.
+void point_to_t(Conditions& conditions);
+
+void append_columns(const std::vector<Column>& more, std::vector<Column>& columns);
+
+}  // namespace tcert

@@ -1,0 +1,29 @@
+#include "reports/h1_intervals.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reports/table.hpp"
+
+namespace tcert {
+namespace {
+
+TEST(IntervalTable, SaysWhyACellOfBcaIsMissing) {
+  H1Score score;
+  score.value = 0.7;
+  score.intervals.expanded = Interval{0.6, 0.8, 0.95};
+  score.intervals.percentile = Interval{0.61, 0.79, 0.95};
+  score.intervals.no_bca =
+      Condition{ConditionKind::infinite_bias, ConditionSeverity::warning, "", "no replicate below"};
+  Table table = h1_interval_columns("h1_intervals", "predictor", "predictor");
+  add_intervals("paper", "tc_early", "AUC", score, table);
+  ASSERT_EQ(table.rows.size(), 1U);
+  ASSERT_EQ(table.footnotes.size(), 1U);
+  EXPECT_EQ(table.footnotes[0],
+            "paper, tc_early, AUC, no BCa interval: " + to_string(*score.intervals.no_bca) + ".");
+  score.intervals.no_bca.reset();
+  add_intervals("paper", "dwell", "AUC", score, table);
+  EXPECT_EQ(table.footnotes.size(), 1U);
+}
+
+}  // namespace
+}  // namespace tcert
