@@ -20,6 +20,7 @@ enum ExitCode : int {
   exit_bad_data = 65,
   exit_no_input = 66,
   exit_internal = 70,
+  exit_system = 71,  ///< Memory, descriptors or another thing that the system has too little of.
   exit_cannot_write = 73,
 };
 

@@ -135,6 +135,7 @@ int import_barn_command(Arguments arguments) {
   if (common.output.empty()) {
     throw UsageError("needs --output FILE");
   }
+  require_own_file(common.output);
   const TextTable trials = table_of("trials", options.trials);
   const TextTable metrics = table_of("metrics", options.metrics);
   BarnImportOptions barn;

@@ -10,6 +10,8 @@
 #include "cli/import.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "datasets/diagnostic.hpp"
+#include "datasets/path_name.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -70,6 +72,10 @@ CommandLine command_line(ImportOptions& o) {
 
 CarmenImportOptions carmen_options(const ImportOptions& options) {
   CarmenImportOptions carmen = options.carmen;
+  if (!is_file_name(carmen.trial_id)) {
+    throw UsageError("--trial-id: found '" + shortened(carmen.trial_id) + "', expected " +
+                     std::string(kFileNameRule));
+  }
   require_range("start-radius", carmen.start_radius_m, 1e-3, 1e3);
   require_range("body-width", carmen.body_width_m, 1e-3, 1e3);
   require_range("reach", carmen.reach_m, 1e-3, 1e4);

@@ -1,6 +1,8 @@
 #include <csignal>
 #include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -8,7 +10,9 @@
 #include "cli/interrupt.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/standard_streams.hpp"
 #include "datasets/atomic_file.hpp"
+#include "datasets/regular_file.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -55,6 +59,17 @@ int exit_code_of_current_exception(const std::string& who) {
   } catch (const WriteError& error) {
     say(who + ": " + error.what());
     return exit_cannot_write;
+  } catch (const OutOfResources& error) {
+    say(who + ": " + error.what());
+    return exit_system;
+  } catch (const std::bad_alloc&) {
+    say(who +
+        ": there is not enough memory; fewer trials at a time (--trials), fewer --threads, or "
+        "smaller bounds (max_nodes, max_edges, max_memory_cells, max_swept_cells) take less");
+    return exit_system;
+  } catch (const std::system_error& error) {
+    say(who + ": the system refused: " + error.what());
+    return exit_system;
   } catch (const std::exception& error) {
     say(who + ": internal error: " + error.what());
     return exit_internal;
@@ -75,8 +90,10 @@ std::string name_of(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
   using namespace tcert::cli;
-  // A reader that has gone shows as a failed write, not as a signal.
+  open_standard_streams();
+  // A reader that has gone, and a file that may not grow, show as a failed write, not as a signal.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   std::string who = "tcert";
   try {
     watch_interrupts();

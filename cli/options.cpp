@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "analysis/trials/parameters.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
+#include "datasets/atomic_file.hpp"
+#include "datasets/bytes.hpp"
 #include "datasets/csv_write.hpp"
 #include "datasets/nearest_name.hpp"
 
@@ -122,10 +123,11 @@ void read_config(const std::string& path,
                  const po::options_description& all,
                  po::variables_map& values,
                  CommonOptions& common) {
-  std::ifstream file(path);
-  if (!file) {
-    throw NoInput("cannot read the config file '" + path + "'");
+  const BytesResult bytes = read_raw_file(path);
+  if (!bytes.bytes) {
+    throw NoInput("cannot read the config file '" + path + "': " + bytes.problem);
   }
+  std::istringstream file{std::string(bytes.bytes->view())};
   const auto parsed = po::parse_config_file(file, all, true);
   for (const auto& option : parsed.options) {
     const std::string& key = option.string_key;
@@ -223,8 +225,13 @@ std::vector<ManifestArgument> arguments_of(const CommandLine& line,
   for (const Positional& one : line.positional) {
     if (!one.value->empty()) {
       const bool input = one.name == "BUNDLE" || one.name == "LOG" || one.name == "RESULTS" ||
-                         one.name == "TERRAIN";
+                         one.name == "TERRAIN" || one.name == "FILE";
       arguments.push_back({input ? name_of(*one.value) : *one.value, input});
+    }
+  }
+  if (line.rest != nullptr) {
+    for (const std::string& one : *line.rest) {
+      arguments.push_back({name_of(one), true});
     }
   }
   for (const std::string& name : names_of(shown)) {
@@ -356,6 +363,7 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
   }
   take_positional(line, values);
   check_common(common);
+  require_output_place(common.output);
   common.effective = effective_options(values, shown);
   common.arguments = arguments_of(line, values, shown, common);
   for (const auto& [name, value] : values) {

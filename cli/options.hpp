@@ -70,7 +70,8 @@ struct CommandLine {
 
 /// Reads flags, then the config file for what the flags leave open. False if help was asked for and
 /// has been printed. \throws UsageError with the nearest known name for an unknown one; NoInput if
-/// the config file cannot be read.
+/// the config file cannot be read; WriteError if nothing can appear at --output
+/// (require_output_place).
 [[nodiscard]] bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments);
 
 /// Options and arguments, into the manifest.

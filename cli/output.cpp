@@ -1,5 +1,7 @@
 #include "cli/output.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -7,6 +9,7 @@
 
 #include "cli/errors.hpp"
 #include "datasets/atomic_file.hpp"
+#include "datasets/printable.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -23,6 +26,11 @@ void print(std::string_view text) {
   if (silences > 0) {
     return;
   }
+  std::string escaped;
+  if (::isatty(STDOUT_FILENO) == 1) {
+    escaped = printable_lines(text);
+    text = escaped;
+  }
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
     return;
   }
@@ -33,16 +41,8 @@ void print(std::string_view text) {
 }
 
 void say(std::string_view lines) {
-  // Messages quote what files hold: none of it may steer the terminal.
-  while (true) {
-    const std::size_t end = std::min(lines.find('\n'), lines.size());
-    const std::string text = printable(lines.substr(0, end)) + '\n';
-    std::fwrite(text.data(), 1, text.size(), stderr);
-    if (end == lines.size()) {
-      return;
-    }
-    lines.remove_prefix(end + 1);
-  }
+  const std::string text = printable_lines(lines) + '\n';
+  std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 void say(std::span<const Diagnostic> diagnostics) {

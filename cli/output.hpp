@@ -11,7 +11,8 @@
 
 namespace tcert::cli {
 
-/// Writes to stdout and flushes. \throws BrokenPipe if nobody reads it any more, WriteError.
+/// Writes to stdout and flushes; to a terminal printable_lines(). \throws BrokenPipe if nobody
+/// reads it any more, WriteError.
 void print(std::string_view text);
 
 /// While one lives print() writes nothing: a command is run for what it leaves in a folder.
@@ -23,7 +24,7 @@ class SilentPrint {
   SilentPrint& operator=(const SilentPrint&) = delete;
 };
 
-/// A line on stderr, or several with line feeds between, each as printable() makes it.
+/// A line on stderr, or several with line feeds between: printable_lines().
 void say(std::string_view lines);
 
 /// One line each on stderr.

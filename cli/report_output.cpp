@@ -26,6 +26,8 @@ ReportOutput::ReportOutput(const CommonOptions& common, const std::string& comma
     : common_(common) {
   if (names_folder(common.output)) {
     folder_.emplace((std::filesystem::path(common.output) / "").parent_path(), command);
+  } else {
+    require_own_file(common.output);
   }
 }
 

@@ -1,27 +1,35 @@
 #include "cli/result_folder.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "cli/output.hpp"
+#include "datasets/bytes.hpp"
+#include "datasets/path_name.hpp"
+#include "datasets/temporary_name.hpp"
+#include "reports/manifest_checks.hpp"
 #include "reports/manifest_read.hpp"
 
 namespace tcert::cli {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
   throw WriteError("cannot write '" + path.string() +
                    "': " + std::generic_category().message(error));
 }
 
 /// True if there is something to replace and it may be. \throws WriteError if it may not.
-bool may_replace(const std::filesystem::path& folder, const std::string& command) {
+bool may_replace(const fs::path& folder, const std::string& command) {
+  require_output_place(folder);
   std::error_code error;
-  if (!std::filesystem::is_directory(folder, error) || std::filesystem::is_empty(folder, error)) {
+  if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) {
     return false;
   }
   const auto refuse = [&](const std::string& reason) {
@@ -39,10 +47,67 @@ bool may_replace(const std::filesystem::path& folder, const std::string& command
   return true;
 }
 
+/// Opens it for writing; what it is called must not be a link. Empty, with errno, if it cannot be.
+std::FILE* open_for_writing(const fs::path& path) {
+  const int descriptor = ::open(
+      path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  std::FILE* const file = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
+  if (file == nullptr && descriptor >= 0) {
+    const int error = errno;
+    ::close(descriptor);
+    errno = error;
+  }
+  return file;
+}
+
+/// \throws WriteError unless `name` leads to a place within `folder`, through folders that are none
+/// of them a link.
+void require_within(const fs::path& folder, const fs::path& name) {
+  if (!leads_below(name)) {
+    throw WriteError("cannot write '" + name.string() + "': it does not lie in the output folder");
+  }
+  fs::path place = folder;
+  for (const fs::path& part : name.parent_path()) {
+    place /= part;
+    std::error_code error;
+    if (fs::is_symlink(place, error)) {
+      throw WriteError("cannot write '" + name.string() + "': '" + part.string() + "' is a link");
+    }
+  }
+}
+
+fs::path manifest_of(const fs::path& path) { return path.string() + ".manifest.json"; }
+
+/// A manifest that lies beside a file, complete, whose process was killed before it got its name:
+/// it gets it now if it is that of the file.
+void finish_interrupted(const fs::path& path) {
+  std::error_code error;
+  const std::string wanted = name_in_temporary(manifest_of(path));
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_regular_file(path, error)) {
+    return;
+  }
+  std::vector<fs::path> leftovers;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const auto temporary = swept_name_from(at->path().filename().native());
+    if (temporary && temporary->name == wanted && is_forsaken(at->path(), *temporary)) {
+      leftovers.push_back(at->path());
+    }
+  }
+  for (const fs::path& leftover : leftovers) {
+    const auto written = read_manifest(leftover);
+    if (written && written->outputs.size() == 1 && written->outputs[0].path == name_of(path) &&
+        written->outputs[0].digest.sha256 == digest_file(path).sha256) {
+      fs::rename(leftover, manifest_of(path), error);
+      return;
+    }
+  }
+}
+
 }  // namespace
 
-ResultFile::ResultFile(std::filesystem::path path)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "wb"), std::fclose) {
+ResultFile::ResultFile(fs::path path)
+    : path_(std::move(path)), file_(open_for_writing(path_), std::fclose) {
   if (!file_) {
     fail(path_, errno);
   }
@@ -66,13 +131,17 @@ void ResultFile::close() {
   }
 }
 
-ResultFolder::ResultFolder(const std::filesystem::path& path, const std::string& command)
-    : folder_(path, may_replace(path, command)) {}
+ResultFolder::ResultFolder(const fs::path& path, const std::string& command)
+    : path_((path / "").parent_path()),
+      command_(command),
+      before_(state_of(path_)),
+      folder_(path_, may_replace(path_, command_)) {}
 
-void ResultFolder::write(const std::filesystem::path& name, std::string_view bytes) const {
-  const std::filesystem::path path = staging() / name;
+void ResultFolder::write(const fs::path& name, std::string_view bytes) const {
+  require_within(staging(), name);
+  const fs::path path = staging() / name;
   std::error_code error;
-  std::filesystem::create_directories(path.parent_path(), error);
+  fs::create_directories(path.parent_path(), error);
   if (error) {
     fail(path.parent_path(), error.value());
   }
@@ -84,25 +153,53 @@ void ResultFolder::write(const std::filesystem::path& name, std::string_view byt
 void ResultFolder::commit(Manifest manifest) {
   manifest.outputs = folder_outputs(staging());
   write("manifest.json", to_json(manifest));
-  folder_.commit();
+  const auto refuse = [&](const std::string& reason) {
+    throw WriteError(reason +
+                     "; that happened while this command ran, and its results are dropped");
+  };
+  FolderState now = state_of(path_);
+  if (now != before_) {
+    try {
+      may_replace(path_, command_);
+    } catch (const WriteError& error) {
+      refuse(error.what());
+    }
+    now = state_of(path_);
+  }
+  folder_.commit([&](const fs::path& old) {
+    if (state_of(old) != now) {
+      refuse("cannot replace the folder '" + path_.string() +
+             "': something in it was added or changed");
+    }
+  });
 }
 
-bool is_current(const std::filesystem::path& folder, Manifest expected) {
+bool is_current(const fs::path& folder, Manifest expected) {
   std::error_code error;
-  if (!std::filesystem::is_directory(folder, error)) {
+  if (!fs::is_directory(folder, error)) {
     return false;
   }
-  std::ifstream file(folder / "manifest.json", std::ios::binary);
-  const std::string found{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const BytesResult found = read_raw_file(folder / "manifest.json");
+  if (!found.bytes || !strange_entries(folder).empty()) {
+    return false;
+  }
   expected.outputs = folder_outputs(folder);
   std::erase_if(expected.outputs,
                 [](const ManifestFile& output) { return output.path == "manifest.json"; });
-  return to_json(expected) == found;
+  return to_json(expected) == found.bytes->view();
 }
 
-void require_own_file(const std::filesystem::path& path) {
+void require_own_file(const fs::path& path) {
+  if (path.empty()) {
+    return;
+  }
+  require_output_place(path);
+  require_output_place(manifest_of(path));
+  finish_interrupted(path);
+  sweep_leftovers(path);
+  sweep_leftovers(manifest_of(path));
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
+  if (!fs::is_regular_file(path, error)) {
     return;
   }
   const auto written = read_manifest(path.string() + ".manifest.json");
@@ -116,34 +213,51 @@ void require_own_file(const std::filesystem::path& path) {
   }
 }
 
-void remove_own_folder(const std::filesystem::path& path, const std::string& command) {
-  std::error_code error;
-  if (may_replace(path, command)) {
-    std::filesystem::remove_all(path, error);
+void remove_own_folder(const fs::path& path, const std::string& command) {
+  const FolderState before = state_of(path);
+  if (!may_replace(path, command)) {
+    return;
   }
+  // Out of everybody's way first, so that what is looked at is what is removed.
+  const fs::path aside = temporary_name((path / "").parent_path(), Leftover::swept);
+  std::error_code error;
+  fs::rename(path, aside, error);
+  if (error) {
+    fail(path, error.value());
+  }
+  if (state_of(aside) != before) {
+    fs::rename(aside, path, error);
+    throw WriteError("cannot remove the folder '" + path.string() +
+                     "': something in it was added or changed just now");
+  }
+  fs::remove_all(aside, error);
   if (error) {
     fail(path, error.value());
   }
 }
 
-void remove_own_file(const std::filesystem::path& path) {
+void remove_own_file(const fs::path& path) {
   require_own_file(path);
   for (const std::string& name : {path.string(), path.string() + ".manifest.json"}) {
     std::error_code error;
-    std::filesystem::remove(name, error);
+    fs::remove(name, error);
     if (error) {
       fail(name, error.value());
     }
   }
 }
 
-void write_with_manifest(const std::filesystem::path& path,
-                         std::string_view text,
-                         Manifest manifest) {
+void write_with_manifest(const fs::path& path, std::string_view text, Manifest manifest) {
+  AtomicFile file(path);
+  file.write(text);
+  file.sync();
+  manifest.outputs = {{name_of(path), {1, text.size(), sha256(text)}}};
+  AtomicFile beside(manifest_of(path));
+  beside.write(to_json(manifest));
+  beside.sync();
   require_own_file(path);
-  write_file_atomically(path, text);
-  manifest.outputs = {{name_of(path), digest_file(path)}};
-  write_file_atomically(path.string() + ".manifest.json", to_json(manifest));
+  file.commit();
+  beside.commit();
 }
 
 }  // namespace tcert::cli

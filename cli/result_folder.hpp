@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/folder_state.hpp"
 #include "datasets/atomic_file.hpp"
 #include "reports/manifest.hpp"
 
@@ -37,21 +38,27 @@ class ResultFolder {
 
   [[nodiscard]] const std::filesystem::path& staging() const noexcept { return folder_.staging(); }
 
-  /// A whole file; its folders are made. Thread-safe for different names. \throws WriteError.
+  /// A whole file; its folders are made. Thread-safe for different names. \throws WriteError; also
+  /// for a name that does not lead into the folder, or leads through a link.
   void write(const std::filesystem::path& name, std::string_view bytes) const;
 
-  /// Lists the files in the manifest, writes it, and gives the folder its name. \throws WriteError.
+  /// Lists the files in the manifest, writes it, and gives the folder its name. What was edited in
+  /// the old folder meanwhile stays: the new results are then dropped. \throws WriteError.
   void commit(Manifest manifest);
 
  private:
+  std::filesystem::path path_;
+  std::string command_;
+  FolderState before_;  ///< Of the folder that is to be replaced, when it was looked through.
   AtomicFolder folder_;
 };
 
 /// True if `folder` holds what this manifest, made again, would list, every file with its bytes.
 [[nodiscard]] bool is_current(const std::filesystem::path& folder, Manifest expected);
 
-/// \throws WriteError if a file of that name is there which this tool did not write or which was
-/// changed since.
+/// For use before any work is done. Finishes what a killed process had all but finished, and sweeps
+/// what it left; an empty path is not looked at. \throws WriteError if a file of that name is there
+/// which this tool did not write or which was changed since; see require_output_place.
 void require_own_file(const std::filesystem::path& path);
 
 /// Removes what ResultFolder(path, command) would replace, if it is there. \throws WriteError if it
@@ -62,8 +69,9 @@ void remove_own_folder(const std::filesystem::path& path, const std::string& com
 /// \throws WriteError; see require_own_file.
 void remove_own_file(const std::filesystem::path& path);
 
-/// One file of results and, beside it, <file>.manifest.json. \throws WriteError; see
-/// require_own_file.
+/// One file of results and, beside it, <file>.manifest.json. The manifest is on disk before the
+/// file gets its name, so that of a process that is killed in between the next one can tell whose
+/// the file is. \throws WriteError; see require_own_file.
 void write_with_manifest(const std::filesystem::path& path,
                          std::string_view text,
                          Manifest manifest);

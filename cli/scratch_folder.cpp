@@ -1,26 +1,62 @@
 #include "cli/scratch_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
-#include <cstdlib>
-#include <string>
 #include <system_error>
 
 #include "datasets/atomic_file.hpp"
+#include "datasets/temporary_name.hpp"
 
 namespace tcert::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// TMPDIR, or /tmp.
+fs::path place() {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (error) {
+    throw WriteError("cannot make a scratch folder in '" + folder.string() +
+                     "': " + error.message() + "; TMPDIR must name a folder");
+  }
+  return folder / "tcert";
+}
+
+}  // namespace
 
 ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "tcert-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw WriteError("cannot make a scratch folder '" + name +
-                     "': " + std::generic_category().message(errno));
+  const fs::path beside = place();
+  sweep_leftovers(beside);
+  for (bool made = false; !made;) {
+    path_ = temporary_name(beside, Leftover::swept);
+    remove_when_interrupted(path_);
+    made = ::mkdir(path_.c_str(), 0700) == 0;
+    if (const int error = errno; !made) {
+      forget_interrupted(path_);
+      if (error != EEXIST) {
+        throw WriteError("cannot make a scratch folder '" + path_.string() +
+                         "': " + std::generic_category().message(error));
+      }
+    }
   }
-  path_ = name;
+  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ >= 0) {
+    ::flock(lock_, LOCK_SH | LOCK_NB);
+  }
 }
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
+  fs::remove_all(path_, ignored);
+  forget_interrupted(path_);
+  if (lock_ >= 0) {
+    ::close(lock_);
+  }
 }
 
 }  // namespace tcert::cli

@@ -6,8 +6,9 @@
 
 namespace tcert::cli {
 
-/// Made by the constructor in the system's folder for temporary files, removed with all that it
-/// holds by the destructor.
+/// Made by the constructor in the system's folder for temporary files, for our eyes only; removed
+/// with all that it holds by the destructor, by an interrupt, or if the process is killed by the
+/// next one that makes one.
 class ScratchFolder {
  public:
   /// \throws WriteError.
@@ -20,6 +21,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
+  int lock_ = -1;
 };
 
 }  // namespace tcert::cli

@@ -55,6 +55,7 @@ int simulate_terrain(Arguments arguments) {
   if (common.output.empty()) {
     throw UsageError("needs --output FILE");
   }
+  require_own_file(common.output);
   field.rows = static_cast<int>(rows);
   field.columns = static_cast<int>(columns);
   field.seed = static_cast<std::uint64_t>(common.seed);
@@ -64,6 +65,7 @@ int simulate_terrain(Arguments arguments) {
   Manifest manifest;
   manifest.command = "simulate";
   record(common, manifest);
+  manifest.arguments.insert(manifest.arguments.begin(), {"terrain"});
   manifest.seed = field.seed;
   manifest.synthetic = label;
   write_with_manifest(common.output, terrain_text(terrain), std::move(manifest));

@@ -5,13 +5,14 @@
 #include <boost/program_options.hpp>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <set>
+#include <sstream>
 #include <terrain/limits.hpp>
 #include <vector>
 
 #include "cli/errors.hpp"
 #include "cli/options.hpp"
+#include "datasets/bytes.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -124,10 +125,11 @@ void take(TerrainConfig& config,
 }  // namespace
 
 TerrainConfig read_terrain_config(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    throw NoInput("cannot read the config file '" + path + "'");
+  const BytesResult bytes = read_raw_file(path);
+  if (!bytes.bytes) {
+    throw NoInput("cannot read the config file '" + path + "': " + bytes.problem);
   }
+  std::istringstream file{std::string(bytes.bytes->view())};
   TerrainConfig config;
   std::set<std::string> seen;
   try {

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "analysis/truth/truth.hpp"
@@ -13,6 +14,7 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/result_folder.hpp"
+#include "datasets/path_name.hpp"
 #include "datasets/worlds/world_files.hpp"
 #include "reports/world_picture.hpp"
 #include "reports/world_table.hpp"
@@ -157,11 +159,22 @@ Answer answer(const World& world, const Robot& robot, const TruthOptions& option
   return result;
 }
 
-std::string file_name(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '/' || c == '\0'; }, '_');
-  return name + ".svg";
-}
+/// Names of pictures: each world's own, as far as it can be that of a file; of several that would
+/// be the same all but the first are numbered.
+class PictureNames {
+ public:
+  std::string of(const World& world) {
+    const std::string name = as_file_name(world.name);
+    std::string free = name;
+    for (int number = 2; !taken_.insert(free).second; ++number) {
+      free = name + "_" + std::to_string(number);
+    }
+    return free + ".svg";
+  }
+
+ private:
+  std::set<std::string> taken_;
+};
 
 int run(Arguments arguments) {
   WorldOptions options;
@@ -169,6 +182,7 @@ int run(Arguments arguments) {
   if (!parse(command_line(options), common, arguments)) {
     return exit_done;
   }
+  require_own_file(common.output);
   const TruthOptions truth = truth_options(options);
   const WorldFrame frame = frame_of(options);
   Robot robot;
@@ -188,12 +202,18 @@ int run(Arguments arguments) {
     say(read.diagnostics);
     rejected = rejected || has_error(read.diagnostics);
     std::move(read.worlds.begin(), read.worlds.end(), std::back_inserter(worlds));
-    manifest.inputs.push_back({name_of(file), digest_file(file)});
+    if (std::filesystem::is_regular_file(file)) {
+      manifest.inputs.push_back({name_of(file), digest_file(file)});
+    }
   }
   if (worlds.empty()) {
     throw BadData("there is no world that can be used");
   }
 
+  std::optional<ResultFolder> pictures;
+  if (!options.picture.empty()) {
+    pictures.emplace(options.picture, "world");
+  }
   const ThreadLimit threads(common.threads);
   std::vector<Answer> answers(worlds.size());
   Progress progress("worlds", worlds.size(), common.quiet);
@@ -220,16 +240,16 @@ int run(Arguments arguments) {
     throw BadData("there is no world that can be used");
   }
   manifest.command = "world";
-  manifest.options = common.effective;
+  record(common, manifest);
   manifest.synthetic = table.synthetic;
-  if (!options.picture.empty()) {
-    ResultFolder pictures(options.picture, "world");
+  if (pictures) {
+    PictureNames names;
     for (std::size_t i = 0; i < worlds.size(); ++i) {
       if (answers[i].problem.empty()) {
-        pictures.write(file_name(worlds[i].name), answers[i].picture);
+        pictures->write(names.of(worlds[i]), answers[i].picture);
       }
     }
-    pictures.commit(manifest);
+    pictures->commit(manifest);
   }
   const std::string text = render(table, common.table_format());
   if (common.output.empty()) {

@@ -1,6 +1,7 @@
 #include "datasets/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +12,8 @@
 #include <set>
 #include <system_error>
 #include <utility>
+
+#include "datasets/temporary_name.hpp"
 
 namespace tcert {
 
@@ -29,18 +32,6 @@ Unfinished& unfinished() {
   return *all;
 }
 
-void begin(const fs::path& temporary) {
-  Unfinished& all = unfinished();
-  const std::lock_guard lock(all.mutex);
-  all.paths.insert(temporary);
-}
-
-void forget(const fs::path& temporary) noexcept {
-  Unfinished& all = unfinished();
-  const std::lock_guard lock(all.mutex);
-  all.paths.erase(temporary);
-}
-
 [[noreturn]] void fail(const char* action, const fs::path& path, int error) {
   throw WriteError(std::string(action) + " '" + path.string() +
                    "': " + std::generic_category().message(error));
@@ -52,19 +43,6 @@ fs::path folder_of(const fs::path& path) {
 
 fs::path without_trailing_slash(const fs::path& path) {
   return path.has_filename() ? path : path.parent_path();
-}
-
-/// Hidden, beside `path`, and not used by another thread or process.
-fs::path temporary_name(const fs::path& path) {
-  static std::atomic<unsigned> next{0};
-  std::string name(1, '.');
-  name += path.filename().string();
-  name += '.';
-  name += std::to_string(::getpid());
-  name += '-';
-  name += std::to_string(next++);
-  name += ".tmp";
-  return folder_of(path) / name;
 }
 
 void create_folders(const fs::path& folder) {
@@ -101,11 +79,17 @@ void sync_file_system_of(const fs::path& folder) {
   }
 }
 
-/// A pipe or a device is written to as it is: renaming over it would replace it.
-bool takes_writes_directly(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  return fs::is_character_file(status) || fs::is_fifo(status) || fs::is_socket(status);
+/// Holds a temporary as that of a living process; -1 if the file system knows no locks.
+int hold(const fs::path& temporary) noexcept {
+  const int descriptor = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor >= 0) {
+    ::flock(descriptor, LOCK_SH | LOCK_NB);
+  }
+  return descriptor;
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
+  throw WriteError("cannot write '" + path.string() + "': " + reason);
 }
 
 /// Puts `fresh` in the place of `old` in one step; afterwards `fresh` names the old folder.
@@ -116,28 +100,26 @@ bool exchange(const fs::path& fresh, const fs::path& old) noexcept {
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
-  if (takes_writes_directly(path_)) {
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-  } else {
-    std::error_code ignored;
-    if (fs::is_directory(path_, ignored)) {
-      fail("cannot write", path_, EISDIR);
-    }
-    create_folders(folder_of(path_));
-    do {
-      temporary_ = temporary_name(path_);
-      begin(temporary_);
-      descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor_ < 0) {
-        const int error = errno;
-        forget(temporary_);
-        errno = error;
-      }
-    } while (descriptor_ < 0 && errno == EEXIST);
+  require_output_place(path_);
+  std::error_code ignored;
+  if (fs::is_directory(path_, ignored)) {
+    fail("cannot write", path_, EISDIR);
   }
+  create_folders(folder_of(path_));
+  do {
+    temporary_ = temporary_name(path_, Leftover::swept);
+    remove_when_interrupted(temporary_);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      const int error = errno;
+      forget_interrupted(temporary_);
+      errno = error;
+    }
+  } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) {
     fail("cannot write", path_, errno);
   }
+  ::flock(descriptor_, LOCK_SH | LOCK_NB);
 }
 
 AtomicFile::~AtomicFile() {
@@ -146,7 +128,7 @@ AtomicFile::~AtomicFile() {
   }
   if (!temporary_.empty()) {
     ::unlink(temporary_.c_str());
-    forget(temporary_);
+    forget_interrupted(temporary_);
   }
 }
 
@@ -161,24 +143,57 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
-void AtomicFile::commit(Durable durable) {
-  const bool direct = temporary_.empty();
-  if (durable == Durable::yes && !direct && ::fsync(descriptor_) != 0) {
+void AtomicFile::sync() {
+  if (::fsync(descriptor_) != 0) {
     fail("cannot sync", path_, errno);
+  }
+}
+
+void AtomicFile::commit(Durable durable) {
+  if (durable == Durable::yes) {
+    sync();
   }
   if (::close(std::exchange(descriptor_, -1)) != 0) {
     fail("cannot write", path_, errno);
   }
-  if (direct) {
-    return;
-  }
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
     fail("cannot rename to", path_, errno);
   }
-  forget(temporary_);
+  forget_interrupted(temporary_);
   temporary_.clear();
   if (durable == Durable::yes) {
     sync_folder(folder_of(path_));
+  }
+}
+
+void require_output_place(const fs::path& path) {
+  if (path.empty()) {
+    return;
+  }
+  const fs::path place = without_trailing_slash(path);
+  struct stat status {};
+  if (::lstat(place.c_str(), &status) == 0) {
+    if (S_ISLNK(status.st_mode)) {
+      refuse(place, "it is a link; name what it leads to, or remove it");
+    }
+    if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
+      refuse(place, "it is a pipe, a socket or a device; name a file or a folder");
+    }
+  } else if (errno == ENAMETOOLONG) {
+    fail("cannot write", place, errno);
+  }
+  fs::path folder = folder_of(place);
+  while (::stat(folder.c_str(), &status) != 0) {
+    if (errno != ENOENT || folder == folder_of(folder)) {
+      fail("cannot write into the folder", folder, errno);
+    }
+    folder = folder_of(without_trailing_slash(folder));
+  }
+  if (!S_ISDIR(status.st_mode)) {
+    fail("cannot write into", folder, ENOTDIR);
+  }
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    fail("cannot write into the folder", folder, errno);
   }
 }
 
@@ -188,8 +203,10 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
   file.commit();
 }
 
-AtomicFolder::AtomicFolder(const fs::path& path, bool replace)
+AtomicFolder::AtomicFolder(const fs::path& path, bool replace, Leftover leftover)
     : path_(without_trailing_slash(path)), replace_(replace) {
+  require_output_place(path_);
+  sweep_leftovers(path_);
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
   if (fs::exists(status) && !fs::is_directory(status)) {
@@ -202,47 +219,81 @@ AtomicFolder::AtomicFolder(const fs::path& path, bool replace)
   create_folders(folder_of(path_));
   bool created = false;
   while (!created) {
-    staging_ = temporary_name(path_);
-    begin(staging_);
+    staging_ = temporary_name(path_, leftover);
+    remove_when_interrupted(staging_);
     created = fs::create_directory(staging_, error);
     if (!created) {
-      forget(staging_);
+      forget_interrupted(staging_);
     }
     if (error) {
       fail("cannot create the folder", path_, error.value());
     }
   }
+  lock_ = hold(staging_);
 }
 
 AtomicFolder::~AtomicFolder() {
   if (!staging_.empty()) {
     std::error_code ignored;
     fs::remove_all(staging_, ignored);
-    forget(staging_);
+    forget_interrupted(staging_);
+  }
+  if (lock_ >= 0) {
+    ::close(lock_);
   }
 }
 
 void AtomicFolder::abandon() noexcept {
-  forget(staging_);
+  forget_interrupted(staging_);
   staging_.clear();
 }
 
-void AtomicFolder::commit() {
+void AtomicFolder::commit(const std::function<void(const fs::path&)>& still_ours) {
   sync_file_system_of(staging_);
   // rename(2) replaces an empty folder by itself; a full one is exchanged and then removed.
   if (::rename(staging_.c_str(), path_.c_str()) == 0) {
-    forget(staging_);
+    forget_interrupted(staging_);
     staging_.clear();
   } else if (const int error = errno; !replace_ || !exchange(staging_, path_)) {
     fail("cannot rename to", path_, error);
+  } else if (still_ours) {
+    // Until it is known to be ours an interrupt must not remove it.
+    forget_interrupted(staging_);
+    try {
+      still_ours(staging_);
+    } catch (const WriteError&) {
+      if (!exchange(staging_, path_)) {
+        const std::string old = staging_.string();
+        staging_.clear();
+        throw WriteError("cannot give '" + path_.string() +
+                         "' its old contents back, which were changed while they were made again; "
+                         "they lie in '" +
+                         old + "'");
+      }
+      remove_when_interrupted(staging_);
+      throw;
+    }
+    remove_when_interrupted(staging_);
   }
   sync_folder(folder_of(path_));
   if (!staging_.empty()) {
     std::error_code ignored;
     fs::remove_all(staging_, ignored);
-    forget(staging_);
+    forget_interrupted(staging_);
     staging_.clear();
   }
+}
+
+void remove_when_interrupted(const fs::path& path) {
+  Unfinished& all = unfinished();
+  const std::lock_guard lock(all.mutex);
+  all.paths.insert(path);
+}
+
+void forget_interrupted(const fs::path& path) noexcept {
+  Unfinished& all = unfinished();
+  const std::lock_guard lock(all.mutex);
+  all.paths.erase(path);
 }
 
 // Whoever still writes into a folder may make a file behind us, so it is tried more than once.

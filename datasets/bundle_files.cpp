@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "datasets/regular_file.hpp"
+
 namespace tcert {
 
 namespace {
@@ -55,8 +57,16 @@ BundleFiles::BundleFiles(std::filesystem::path path) : path_(std::move(path)) {
   if (std::filesystem::is_directory(status)) {
     return;
   }
+  if (!std::filesystem::is_regular_file(status)) {
+    problem_ = "it is a pipe, a socket or a device, not a file";
+    return;
+  }
   int code = 0;
+  errno = 0;
   archive_.reset(zip_open(path_.c_str(), ZIP_RDONLY, &code));
+  if (!archive_) {
+    require_resources(path_, errno);
+  }
   if (archive_) {
     prefix_ = common_prefix(archive_.get());
   } else if (path_.filename() == kDescription) {
@@ -95,6 +105,9 @@ BytesResult BundleFiles::read_from_archive(const std::string& name) const {
   constexpr zip_uint64_t kLongestFile = zip_uint64_t{4} << 30U;
   if (status.size > kLongestFile) {
     return {std::nullopt, "its contents are longer than 4 GiB"};
+  }
+  if (!is_plausible_expansion(status.comp_size, status.size)) {
+    return {std::nullopt, "its contents are more than 200 times as long as in the .zip"};
   }
   zip_file_t* file = zip_fopen_index(archive_.get(), status.index, 0);
   if (file == nullptr) {

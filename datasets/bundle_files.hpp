@@ -17,7 +17,7 @@ namespace tcert {
 /// in one folder, as zip programs make it. One thread at a time; open it once per thread.
 class BundleFiles {
  public:
-  /// Never throws on what it finds: see problem().
+  /// Never throws on what it finds: see problem(). \throws OutOfResources.
   explicit BundleFiles(std::filesystem::path path);
   ~BundleFiles();
   BundleFiles(const BundleFiles&) = delete;

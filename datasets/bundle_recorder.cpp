@@ -29,7 +29,7 @@ std::string first_line(const BundleInfo& info) {
 BundleRecorder::BundleRecorder(const fs::path& folder, BundleInfo info, std::string trial_id)
     : info_(std::move(info)),
       trial_id_(std::move(trial_id)),
-      folder_(folder),
+      folder_(folder, false, Leftover::kept),
       format_(info_.robot),
       file_(nullptr, std::fclose) {
   info_.columns.clear();

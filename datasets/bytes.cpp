@@ -1,6 +1,5 @@
 #include "datasets/bytes.hpp"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -10,8 +9,11 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <system_error>
 #include <utility>
+
+#include "datasets/regular_file.hpp"
 
 namespace tcert {
 
@@ -22,13 +24,30 @@ constexpr std::size_t kLargestStep = std::size_t{1} << 30U;  // fits zlib's 32-b
 
 BytesResult failure(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
-/// Makes room for more output; false once the contents are too long.
-bool grow(Bytes& out) {
-  if (out.size() >= kLongestFile) {
-    return false;
+/// Room for `size` bytes that come from `source`. \throws OutOfResources.
+Bytes room_for(std::size_t size) {
+  try {
+    return Bytes(size);
+  } catch (const std::bad_alloc&) {
+    throw OutOfResources("there is not enough memory for a file of " + std::to_string(size) +
+                         " bytes");
   }
-  out.resize(std::min(kLongestFile, std::max<std::size_t>(out.size() * 2, 1U << 16U)));
-  return true;
+}
+
+/// Makes room for more output of `packed` bytes; the reason why not, or nothing.
+std::string grow(Bytes& out, std::size_t packed) {
+  if (out.size() >= kLongestFile) {
+    return "its contents are longer than 4 GiB";
+  }
+  if (!is_plausible_expansion(packed, out.size())) {
+    return "its contents are more than 200 times as long as the file, as those of no log are; "
+           "expand "
+           "it to look into it";
+  }
+  Bytes larger = room_for(std::min(kLongestFile, std::max<std::size_t>(out.size() * 2, 1U << 16U)));
+  std::copy_n(out.data(), out.size(), larger.data());
+  out = std::move(larger);
+  return {};
 }
 
 /// z_stream that is always ended.
@@ -52,13 +71,15 @@ BytesResult expand_gzip(Bytes packed) {
   if (!inflater.ready()) {
     return failure("zlib cannot start");
   }
-  Bytes out(std::min(kLongestFile, packed.size() * 4));
+  Bytes out = room_for(std::min(kLongestFile, packed.size() * 4));
   std::size_t taken = 0;
   std::size_t written = 0;
   int state = Z_OK;
   while (taken < packed.size() || state == Z_OK) {
-    if (written == out.size() && !grow(out)) {
-      return failure("its contents are longer than 4 GiB");
+    if (written == out.size()) {
+      if (std::string problem = grow(out, packed.size()); !problem.empty()) {
+        return failure(std::move(problem));
+      }
     }
     if (state == Z_STREAM_END) {
       inflateReset(&z);
@@ -84,14 +105,14 @@ BytesResult expand_gzip(Bytes packed) {
 BytesResult expand_zstd(Bytes packed) {
   const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(),
                                                                           &ZSTD_freeDStream);
-  Bytes out(std::min(kLongestFile, packed.size() * 4));
+  Bytes out = room_for(std::min(kLongestFile, packed.size() * 4));
   ZSTD_inBuffer input{packed.data(), packed.size(), 0};
   ZSTD_outBuffer output{out.data(), out.size(), 0};
   std::size_t state = 1;
   while (input.pos < input.size || state != 0) {
     if (output.pos == output.size) {
-      if (!grow(out)) {
-        return failure("its contents are longer than 4 GiB");
+      if (std::string problem = grow(out, packed.size()); !problem.empty()) {
+        return failure(std::move(problem));
       }
       output.dst = out.data();
       output.size = out.size();
@@ -170,28 +191,34 @@ BytesResult decompress(Bytes packed, Compression compression) {
 }
 
 BytesResult read_raw_file(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  std::string problem;
+  const int descriptor = open_regular_file(path, problem);
   if (descriptor < 0) {
-    return failure(std::generic_category().message(errno));
+    return failure(std::move(problem));
   }
+  struct Close {
+    int descriptor;
+    ~Close() { ::close(descriptor); }
+  };
+  const Close close{descriptor};
   struct stat status {};
-  const bool regular = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-  Bytes bytes(regular ? static_cast<std::size_t>(status.st_size) : std::size_t{1} << 16U);
+  ::fstat(descriptor, &status);
+  const auto length = static_cast<std::size_t>(status.st_size);
+  if (length > kLongestFile) {
+    return failure("it is longer than 4 GiB");
+  }
+  Bytes bytes = room_for(length);
   std::size_t size = 0;
-  ssize_t taken = 1;
-  while (taken != 0) {
-    if (size == bytes.size() && !regular && !grow(bytes)) {
-      break;
-    }
-    taken = ::read(descriptor, bytes.data() + size, bytes.size() - size);
+  while (size < length) {
+    const ssize_t taken = ::read(descriptor, bytes.data() + size, length - size);
     if (taken < 0 && errno != EINTR) {
-      const int error = errno;
-      ::close(descriptor);
-      return failure(std::generic_category().message(error));
+      return failure(std::generic_category().message(errno));
+    }
+    if (taken == 0) {
+      break;
     }
     size += taken > 0 ? static_cast<std::size_t>(taken) : 0;
   }
-  ::close(descriptor);
   bytes.resize(size);
   return {std::move(bytes), {}};
 }

@@ -53,10 +53,12 @@ enum class Compression { none, gzip, zstd };
 [[nodiscard]] Compression compression_of(std::string_view name) noexcept;
 
 /// Expands gzip (several members too) or zstd (several frames too). Cut or damaged input and
-/// contents of more than 4 GiB are a problem, not a partial result.
+/// contents of more than 4 GiB, or that are not is_plausible_expansion(), are a problem, not a
+/// partial result. \throws OutOfResources.
 [[nodiscard]] BytesResult decompress(Bytes packed, Compression compression);
 
-/// Reads a file as it is on disk. Never throws on what it finds.
+/// Reads a regular file as it is on disk; a pipe or a device is a problem and not waited for. Never
+/// throws on what it finds. \throws OutOfResources.
 [[nodiscard]] BytesResult read_raw_file(const std::filesystem::path& path);
 
 /// Reads a file and expands it according to its name.

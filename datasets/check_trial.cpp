@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "datasets/check_rays.hpp"
+#include "datasets/tick_limit.hpp"
 #include "datasets/travelled_way.hpp"
 
 namespace tcert {
@@ -59,6 +60,7 @@ TrialCheckResult check_trial(const Bundle& bundle,
   TrialResult log = read_trial(bundle, trial, read);
   TrialCheckResult result;
   result.diagnostics = std::move(log.diagnostics);
+  reject_too_many_ticks(log.log, grid.tick_s, trial.trial_id, result.diagnostics);
   result.check.rejected = !log.log;
   if (!log.log) {
     return result;

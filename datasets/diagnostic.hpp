@@ -35,10 +35,6 @@ struct Diagnostic {
 
 [[nodiscard]] bool has_error(std::span<const Diagnostic> diagnostics) noexcept;
 
-/// `text` fit to print on one line of a terminal, whatever it holds: control characters (those of
-/// Unicode that turn the line round too) and bytes that are not UTF-8 as \n, \r, \t or \xNN.
-[[nodiscard]] std::string printable(std::string_view text);
-
 /// printable(), of at most 40 bytes of the text, cut between characters and then ended by "...".
 [[nodiscard]] std::string shortened(std::string_view text);
 

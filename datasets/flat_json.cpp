@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 #include <utility>
 
 namespace tcert {
@@ -33,9 +34,7 @@ class FlatHandler final : public nlohmann::json_sax<json> {
 
   bool key(string_t& name) override {
     members.push_back({name, FlatMember::Kind::null, {}});
-    return std::none_of(members.begin(), members.end() - 1, [&name](const FlatMember& earlier) {
-      return earlier.key == name;
-    });
+    return is_new(name);
   }
 
   bool parse_error(std::size_t /*position*/,
@@ -56,7 +55,24 @@ class FlatHandler final : public nlohmann::json_sax<json> {
     return true;
   }
 
+  /// Few keys, as a tick has, are compared one by one; many are looked up.
+  bool is_new(const std::string& name) {
+    constexpr std::size_t kFew = 128;
+    if (members.size() <= kFew) {
+      return std::none_of(members.begin(), members.end() - 1, [&name](const FlatMember& earlier) {
+        return earlier.key == name;
+      });
+    }
+    if (known_.empty()) {
+      for (auto member = members.begin(); member != members.end() - 1; ++member) {
+        known_.insert(member->key);
+      }
+    }
+    return known_.insert(name).second;
+  }
+
   bool open_ = false;
+  std::unordered_set<std::string> known_;
 };
 
 }  // namespace

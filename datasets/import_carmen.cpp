@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "datasets/bundle_json.hpp"
+#include "datasets/path_name.hpp"
 #include "datasets/tick_table.hpp"
 #include "datasets/trial_table.hpp"
 
@@ -22,7 +23,7 @@ void require(bool holds, const char* what) {
 }
 
 void validate(const CarmenImportOptions& options) {
-  require(is_trial_folder_name(options.trial_id), "trial_id must be the name of a folder");
+  require(is_file_name(options.trial_id), "trial_id must be the name of a folder");
   require(options.body_width_m > 0.0, "body_width_m must be above 0");
   require(options.start_radius_m > 0.0, "start_radius_m must be above 0");
   require(options.reach_m > 0.0, "reach_m must be above 0");

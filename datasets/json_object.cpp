@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "datasets/json_depth.hpp"
 #include "datasets/nearest_name.hpp"
 
 namespace tcert {
@@ -56,6 +57,11 @@ std::optional<json> parse_json(std::string_view text,
                                DiagnosticGroups& problems) {
   KeyWatch watch;
   std::optional<json> value;
+  if (is_nested_too_deeply(text)) {
+    problems.add(
+        {Severity::error, file, 0, "", std::string(kNestedTooDeeply), "a JSON document", 1});
+    return value;
+  }
   try {
     value = json::parse(text, std::ref(watch));
   } catch (const json::parse_error& error) {

@@ -73,19 +73,6 @@ class StreamPosition {
   std::size_t passed_ = 0;
 };
 
-void validate(const ResampleOptions& options) {
-  if (!(options.tick_s >= 1e-6 && options.tick_s <= 1e6)) {
-    throw std::invalid_argument("tick_s must lie within 1e-6 and 1e6");
-  }
-  if (!(options.max_hold_s > 0.0 && options.max_hold_s <= 1e6)) {
-    throw std::invalid_argument("max_hold_s must be above 0 and at most 1e6");
-  }
-  if (options.median_samples < 1 || options.median_samples > kMostMedianSamples ||
-      options.median_samples % 2 == 0) {
-    throw std::invalid_argument("median_samples must be odd, 1 to 9");
-  }
-}
-
 /// One forward pass over the streams of a trial.
 class Resampler {
  public:
@@ -187,6 +174,14 @@ class Resampler {
 };
 
 }  // namespace
+
+void validate(const ResampleOptions& options) {
+  require_fields(options);
+  if (options.median_samples % 2 == 0) {
+    throw std::invalid_argument("median_samples is " + std::to_string(options.median_samples) +
+                                "; it must be odd");
+  }
+}
 
 TickTable resample(const TrialLog& log, const ResampleOptions& options) {
   validate(options);

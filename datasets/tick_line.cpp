@@ -108,6 +108,13 @@ bool TickLineParser::parse_json(std::string_view text) {
     reject("", text, "one JSON object without nesting, each key once");
     return false;
   }
+  const std::size_t most = 2 * names_.size() + 16;
+  if (members->size() > most) {
+    reject("",
+           std::to_string(members->size()) + " keys",
+           "the keys of a tick, at most " + std::to_string(names_.size()));
+    return false;
+  }
   std::ranges::fill(row_, kMissing);
   std::vector<bool> given(names_.size(), false);
   for (const FlatMember& member : *members) {

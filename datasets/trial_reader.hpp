@@ -58,11 +58,22 @@ struct TrialResult {
                                      const TrialRow& trial,
                                      const ReadOptions& options = {});
 
+/// See resample.def.
 struct ResampleOptions {
-  double tick_s = 0.1;      ///< Period of the tick grid; > 0.
-  double max_hold_s = 0.5;  ///< A tick whose newest sample is older is stale.
-  int median_samples = 3;   ///< Raw samples under the causal median; odd, 1..9.
+#define TCERT_NUMBER TCERT_MEMBER_NUMBER
+#include "datasets/resample.def"
 };
+
+/// See <tcert/parameter_fields.hpp>; the first argument only names the list.
+template <class Visit>
+void visit_fields(const ResampleOptions&, Visit&& visit) {
+  using Group = ResampleOptions;
+#define TCERT_NUMBER TCERT_VISIT_NUMBER
+#include "datasets/resample.def"
+}
+
+/// \throws std::invalid_argument naming the option and what it must be.
+void validate(const ResampleOptions& options);
 
 /// Ticks t_k = t_0 + k tick_s, t_0 = the first instant at which pose and tactile have a sample,
 /// until the first of them ends. Pose and command by zero-order hold; bend, range and force by the

@@ -13,6 +13,7 @@
 #include "datasets/csv_write.hpp"
 #include "datasets/nearest_name.hpp"
 #include "datasets/outcome_word.hpp"
+#include "datasets/path_name.hpp"
 
 namespace tcert {
 
@@ -43,8 +44,8 @@ class TrialRowReader {
     good_ = true;
     TrialRow trial;
     trial.trial_id = cell("trial_id");
-    if (!is_trial_folder_name(trial.trial_id)) {
-      reject("trial_id", "the name of its folder in logs: not empty, without / and \\");
+    if (!is_file_name(trial.trial_id)) {
+      reject("trial_id", std::string(kFileNameRule));
     }
     trial.algorithm = name_in("algorithm");
     trial.lighting = name_in("lighting");
@@ -171,11 +172,6 @@ std::map<std::string, std::vector<std::size_t>> repeated_ids(const TextTable& ta
 
 std::string_view to_string(EndReason reason) noexcept {
   return kEndReasons[static_cast<std::size_t>(reason)];
-}
-
-bool is_trial_folder_name(std::string_view id) noexcept {
-  return !id.empty() && id != "." && id != ".." &&
-         id.find_first_of(std::string_view("/\\\0", 3)) == std::string_view::npos;
 }
 
 void read_trial_table(const Bytes& bytes, Bundle& bundle, DiagnosticGroups& problems) {

@@ -15,9 +15,6 @@ namespace tcert {
 /// The words of trials.csv: "goal", "collision", ...; empty for unknown.
 [[nodiscard]] std::string_view to_string(EndReason reason) noexcept;
 
-/// True if a trial may be called so: its log lies in the folder of that name.
-[[nodiscard]] bool is_trial_folder_name(std::string_view id) noexcept;
-
 /// Fills `bundle.trials` and `bundle.extra_columns` from the bytes of trials.csv; `bundle.info`
 /// says the lighting tiers, the trial limit and the renames. Rows with an error are left out, and
 /// so are all rows of a trial_id that is given twice.

@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "datasets/json_depth.hpp"
+
 namespace tcert {
 namespace {
 
@@ -188,6 +190,9 @@ std::string to_json(const World& world) {
 }
 
 World world_from_json(std::string_view text) {
+  if (is_nested_too_deeply(text)) {
+    throw WorldFormatError(std::string(kNestedTooDeeply));
+  }
   try {
     return read_world(Json::parse(text));
   } catch (const Json::exception& error) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "datasets/nearest_name.hpp"
@@ -114,12 +116,15 @@ Table features_table(const Bundle& bundle) {
   for (const Described& one : control_columns()) {
     table.columns.push_back(one.column);
   }
+  std::set<std::string> taken;
+  for (const Column& column : table.columns) {
+    taken.insert(case_folded(column.name));
+  }
   for (const std::string& name : bundle.extra_columns) {
     // A column of the log that is called like a feature must not shadow it.
-    const bool taken = std::any_of(table.columns.begin(), table.columns.end(), [&](const auto& c) {
-      return case_folded(c.name) == case_folded(name);
-    });
-    table.columns.push_back(text_column(taken ? "trials_" + name : name, name));
+    const bool is_taken = taken.count(case_folded(name)) != 0;
+    table.columns.push_back(text_column(is_taken ? "trials_" + name : name, name));
+    taken.insert(case_folded(table.columns.back().name));
   }
   return table;
 }

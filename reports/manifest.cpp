@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/manifest_checks.hpp"
 #include "reports/table_json.hpp"
 #include "reports/version.hpp"
 
@@ -45,6 +46,10 @@ Json json_arguments(const std::vector<ManifestArgument>& arguments) {
 }  // namespace
 
 std::string to_json(const Manifest& manifest) {
+  return to_json(manifest, tool_version(), tool_commit());
+}
+
+std::string to_json(const Manifest& manifest, std::string_view version, std::string_view commit) {
   Json json;
   json["format"] = "tcert-manifest";
   json["version"] = 1;
@@ -53,7 +58,7 @@ std::string to_json(const Manifest& manifest) {
     json["synthetic_seed"] =
         manifest.synthetic->seed ? Json(*manifest.synthetic->seed) : Json(nullptr);
   }
-  json["tool"] = {{"name", "tcert"}, {"version", tool_version()}, {"commit", tool_commit()}};
+  json["tool"] = {{"name", "tcert"}, {"version", version}, {"commit", commit}};
   json["command"] = manifest.command;
   json["arguments"] = json_arguments(manifest.arguments);
   json["seed"] = manifest.seed ? Json(*manifest.seed) : Json(nullptr);
@@ -78,6 +83,9 @@ std::string name_of(const std::filesystem::path& path) {
 std::vector<ManifestFile> folder_outputs(const std::filesystem::path& folder) {
   std::vector<ManifestFile> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_symlink() || !(entry.is_directory() || entry.is_regular_file())) {
+      continue;
+    }
     const std::string name = entry.path().filename().generic_string();
     files.push_back({entry.is_directory() ? name + "/" : name, digest_path(entry.path())});
   }

@@ -53,7 +53,8 @@ struct Manifest {
 [[nodiscard]] std::string name_of(const std::filesystem::path& path);
 
 /// The files of `folder` as outputs: each file on its own; a folder in it as one entry with its
-/// count, bytes and digest (digest_folder), ended by '/'. Sorted by path.
+/// count, bytes and digest (digest_folder), ended by '/'. Sorted by path. Links, pipes, sockets and
+/// devices are left out.
 [[nodiscard]] std::vector<ManifestFile> folder_outputs(const std::filesystem::path& folder);
 
 }  // namespace tcert

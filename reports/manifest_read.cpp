@@ -1,9 +1,12 @@
 #include "reports/manifest_read.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+
+#include "datasets/bytes.hpp"
+#include "datasets/json_depth.hpp"
+#include "reports/manifest_checks.hpp"
 
 namespace tcert {
 namespace {
@@ -89,8 +92,11 @@ std::string_view to_string(FileChange change) noexcept {
 }
 
 std::optional<WrittenResult> read_manifest(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const Json json = Json::parse(file, nullptr, false);
+  const BytesResult file = read_raw_file(path);
+  if (!file.bytes || is_nested_too_deeply(file.bytes->view())) {
+    return std::nullopt;
+  }
+  const Json json = Json::parse(file.bytes->view(), nullptr, false);
   try {
     if (!json.is_object() || json.at("format") != "tcert-manifest") {
       return std::nullopt;
@@ -101,6 +107,47 @@ std::optional<WrittenResult> read_manifest(const std::filesystem::path& path) {
   }
 }
 
+std::string why_no_manifest(const std::filesystem::path& path) {
+  const BytesResult file = read_raw_file(path);
+  std::string words = "'" + path.string() + "' is not a manifest of this tool";
+  if (!file.bytes) {
+    words += ": " + file.problem;
+  } else if (is_nested_too_deeply(file.bytes->view())) {
+    words += ": ";
+    words += kNestedTooDeeply;
+  }
+  return words;
+}
+
+bool is_as_written(const std::filesystem::path& path, const WrittenResult& written) {
+  if (!written.arguments) {
+    return true;
+  }
+  Manifest manifest;
+  manifest.command = written.command;
+  manifest.arguments = *written.arguments;
+  manifest.options = written.options;
+  manifest.parameters = written.parameters;
+  manifest.seed = written.seed;
+  manifest.synthetic = written.synthetic;
+  manifest.inputs = written.inputs;
+  manifest.outputs = written.outputs;
+  const BytesResult file = read_raw_file(path);
+  return file.bytes &&
+         file.bytes->view() == to_json(manifest, written.tool_version, written.tool_commit);
+}
+
+std::vector<std::string> strange_entries(const std::filesystem::path& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_symlink() || !(entry.is_directory() || entry.is_regular_file())) {
+      found.push_back(entry.path().lexically_relative(folder).generic_string());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 std::vector<FileDifference> differences(const std::filesystem::path& folder,
                                         const WrittenResult& written) {
   std::map<std::string, FileDigest> listed;
@@ -108,6 +155,9 @@ std::vector<FileDifference> differences(const std::filesystem::path& folder,
     listed.emplace(file.path, file.digest);
   }
   std::vector<FileDifference> found;
+  for (std::string& entry : strange_entries(folder)) {
+    found.push_back({std::move(entry), FileChange::added});
+  }
   for (const ManifestFile& file : folder_outputs(folder)) {
     if (file.path == "manifest.json") {
       continue;

@@ -40,7 +40,8 @@ struct FileDifference {
 /// Empty if there is no manifest of ours at `path`.
 [[nodiscard]] std::optional<WrittenResult> read_manifest(const std::filesystem::path& path);
 
-/// Every file of `folder` that is not as `written` lists it, by path. Reads every file.
+/// Every file of `folder` that is not as `written` lists it, by path; strange_entries() were added.
+/// Reads every file.
 /// \throws std::system_error if one cannot be read.
 [[nodiscard]] std::vector<FileDifference> differences(const std::filesystem::path& folder,
                                                       const WrittenResult& written);

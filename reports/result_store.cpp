@@ -1,11 +1,10 @@
 #include "reports/result_store.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "datasets/atomic_file.hpp"
+#include "datasets/bytes.hpp"
 #include "reports/sha256.hpp"
 
 namespace tcert {
@@ -18,6 +17,10 @@ ResultStore::ResultStore(fs::path folder) : folder_(std::move(folder)) {
   if (error) {
     throw WriteError("cannot create the folder '" + folder_.string() + "': " + error.message());
   }
+  for (fs::directory_iterator part(folder_, error), end; !error && part != end;
+       part.increment(error)) {
+    sweep_leftovers_in(part->path());
+  }
 }
 
 fs::path ResultStore::path_of(std::string_view key) const {
@@ -25,13 +28,14 @@ fs::path ResultStore::path_of(std::string_view key) const {
 }
 
 std::optional<std::string> ResultStore::get(std::string_view key) const {
-  std::ifstream file(path_of(key), std::ios::binary);
-  std::string digest;
-  if (!file || !std::getline(file, digest)) {
+  const BytesResult file = read_raw_file(path_of(key));
+  const std::string_view text = file.bytes ? file.bytes->view() : std::string_view();
+  const std::size_t line = text.find('\n');
+  if (line == std::string_view::npos) {
     return std::nullopt;
   }
-  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  return sha256(bytes) == digest ? std::optional(std::move(bytes)) : std::nullopt;
+  const std::string_view bytes = text.substr(line + 1);
+  return sha256(bytes) == text.substr(0, line) ? std::optional(std::string(bytes)) : std::nullopt;
 }
 
 void ResultStore::put(std::string_view key, std::string_view bytes) const {

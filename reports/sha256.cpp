@@ -1,6 +1,7 @@
 #include "reports/sha256.hpp"
 
 #include <openssl/evp.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,8 @@
 #include <new>
 #include <system_error>
 #include <vector>
+
+#include "datasets/regular_file.hpp"
 
 namespace tcert {
 namespace {
@@ -79,9 +82,15 @@ FileDigest ListDigest::finish() {
 }
 
 FileDigest digest_file(const std::filesystem::path& path) {
-  const FileHandle file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) {
+  std::string problem;
+  const int descriptor = open_regular_file(path, problem);
+  if (descriptor < 0) {
     throw std::system_error(errno, std::generic_category(), path.string());
+  }
+  const FileHandle file(::fdopen(descriptor, "rb"), std::fclose);
+  if (!file) {
+    ::close(descriptor);
+    throw std::bad_alloc();
   }
   FileDigest result{1, 0, {}};
   Sha256 digest;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "datasets/json_depth.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -106,6 +107,9 @@ Table table_of(const Json& json) {
 }  // namespace
 
 Table table_from_json(std::string_view text) {
+  if (is_nested_too_deeply(text)) {
+    throw std::invalid_argument("not a table: " + std::string(kNestedTooDeeply));
+  }
   try {
     return table_of(Json::parse(text));
   } catch (const Json::exception& error) {

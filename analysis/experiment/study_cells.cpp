@@ -2,6 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "analysis/experiment/fingerprint.hpp"
+#include "datasets/tick_limit.hpp"
 
 namespace tcert {
 namespace {
@@ -112,13 +114,19 @@ CellReuse study_cells(const Bundle& bundle,
   if (steps.empty()) {
     return {};
   }
+  // A trial is read for all cells or for none.
+  double finest_s = sets.front().resample.tick_s;
+  for (const ParameterSet& set : sets) {
+    finest_s = std::min(finest_s, set.resample.tick_s);
+  }
   tbb::enumerable_thread_specific<Certifiers> certifiers(
       [&] { return Certifiers(bundle, steps.back().certifier + 1); });
   CellReuse total;
   in_order(trials.size(), options.threads, [&](std::size_t i) {
     StudiedTrial trial;
-    const std::optional<TrialLog> log =
-        read_studied(bundle, bundle.trials[trials[i]], options, trial);
+    std::optional<TrialLog> log = read_studied(bundle, bundle.trials[trials[i]], options, trial);
+    reject_too_many_ticks(log, finest_s, trial.row->trial_id, trial.diagnostics);
+    trial.rejected = !log;
     auto done = std::make_shared<CellTrial>();
     auto reuse = std::make_shared<CellReuse>();
     done->row = trial.row;

@@ -105,17 +105,7 @@ void count_trips(std::span<const GuardedTick> guarded, std::size_t last, Replay&
 
 }  // namespace
 
-void validate(const ReplayOptions& options) {
-  const auto require = [](bool good, const char* message) {
-    if (!good) {
-      throw std::invalid_argument(message);
-    }
-  };
-  require(options.slow_speed_mps > 0.0, "replay_slow_speed_mps must be above 0");
-  require(options.slow_window_s >= 0.001 && options.slow_window_s <= 1e9,
-          "replay_slow_window_s must be from 0.001 to 1e9");
-  require(options.stall_m > 0.0, "replay_stall_m must be above 0");
-}
+void validate(const ReplayOptions& options) { require_fields(options); }
 
 std::optional<double> rate_of_advance(double length_m, double time_s) {
   return time_s > 0.0 ? std::optional(60.0 * length_m / time_s) : std::nullopt;

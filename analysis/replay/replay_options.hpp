@@ -2,13 +2,23 @@
 /// \file
 /// Parameters of a replay.
 
+#include <tcert/parameter_fields.hpp>
+
 namespace tcert {
 
+/// See replay.def.
 struct ReplayOptions {
-  double slow_speed_mps = 0.02;  ///< Slower is standing still: it keeps its time; > 0.
-  double slow_window_s = 0.5;    ///< Trailing time over which that speed is measured; >= 0.001.
-  double stall_m = 0.05;         ///< Path without forward speed that makes a stall; > 0.
+#define TCERT_NUMBER TCERT_MEMBER_NUMBER
+#include "analysis/replay/replay.def"
 };
+
+/// See <tcert/parameter_fields.hpp>; the first argument only names the list.
+template <class Visit>
+void visit_fields(const ReplayOptions&, Visit&& visit) {
+  using Group = ReplayOptions;
+#define TCERT_NUMBER TCERT_VISIT_NUMBER
+#include "analysis/replay/replay.def"
+}
 
 /// \throws std::invalid_argument naming the option and the range it must lie in.
 void validate(const ReplayOptions& options);

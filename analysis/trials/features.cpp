@@ -170,18 +170,7 @@ void require(bool holds, const char* what) {
 
 }  // namespace
 
-void validate(const EarlyWindowOptions& options) {
-  require(options.time_s > 0.0, "early window: time_s must be above 0");
-  require(options.distance_m > 0.0, "early window: distance_m must be above 0");
-  require(options.distance_cap_s > 0.0, "early window: distance_cap_s must be above 0");
-  require(options.min_ticks >= 1, "early window: min_ticks must be 1 or more");
-  require(options.quantile >= 0.0 && options.quantile <= 1.0,
-          "early window: quantile must lie in [0, 1]");
-  require(options.fraction > 0.0 && options.fraction <= 1.0,
-          "early window: fraction must be above 0 and at most 1");
-  require(options.dwell_speed_mps > 0.0, "early window: dwell_speed_mps must be above 0");
-  require(options.dwell_window_s >= 1e-3, "early window: dwell_window_s must be 0.001 or more");
-}
+void validate(const EarlyWindowOptions& options) { require_fields(options); }
 
 Features early_features(const Robot& robot,
                         const TickTable& ticks,

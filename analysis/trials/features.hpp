@@ -19,17 +19,21 @@ enum class EarlyWindowKind {
   fraction,  ///< Shares of the final time and of the final travel. Uses the outcome: leaks.
 };
 
+/// See early_window.def.
 struct EarlyWindowOptions {
-  double time_s = 15.0;          ///< Time window and landmark; > 0.
-  double distance_m = 5.0;       ///< Distance window; > 0.
-  double distance_cap_s = 60.0;  ///< Ends the distance window of a robot that is stuck; > 0.
-  int min_ticks = 10;            ///< Fewer usable ticks in a window make its values missing; >= 1.
-  double quantile = 0.10;        ///< Of the certificate series within a window; in [0, 1].
-  EarlyWindowKind kind = EarlyWindowKind::both;
-  double fraction = 0.1;          ///< Of final time and travel, for `fraction`; in (0, 1].
-  double dwell_speed_mps = 0.02;  ///< Slower than this is dwelling; > 0.
-  double dwell_window_s = 0.5;    ///< Trailing time over which speed is measured; >= 0.001.
+#define TCERT_WORD TCERT_MEMBER_WORD
+#define TCERT_NUMBER TCERT_MEMBER_NUMBER
+#include "analysis/trials/early_window.def"
 };
+
+/// See <tcert/parameter_fields.hpp>; the first argument only names the list.
+template <class Visit>
+void visit_fields(const EarlyWindowOptions&, Visit&& visit) {
+  using Group = EarlyWindowOptions;
+#define TCERT_WORD TCERT_VISIT_WORD
+#define TCERT_NUMBER TCERT_VISIT_NUMBER
+#include "analysis/trials/early_window.def"
+}
 
 /// \throws std::invalid_argument naming the option and the range it must lie in.
 void validate(const EarlyWindowOptions& options);

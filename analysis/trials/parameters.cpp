@@ -41,19 +41,12 @@ void validate(const ParameterSet& parameters) {
   validate(parameters.guards);
   validate(parameters.route);
   validate(parameters.replay);
-  if (parameters.resample.median_samples % 2 == 0) {
-    throw std::invalid_argument("median_samples is " +
-                                std::to_string(parameters.resample.median_samples) +
-                                "; it must be odd");
-  }
+  validate(parameters.resample);
 }
 
 Robot with_overrides(Robot robot, const RobotOverrides& overrides) {
-  robot.body_width_m = overrides.body_width_m.value_or(robot.body_width_m);
-  robot.min_turn_radius_m = overrides.min_turn_radius_m.value_or(robot.min_turn_radius_m);
-  robot.tracking_buffer_m = overrides.tracking_buffer_m.value_or(robot.tracking_buffer_m);
-  robot.curvature_buffer_per_m =
-      overrides.curvature_buffer_per_m.value_or(robot.curvature_buffer_per_m);
+#define TCERT_NUMBER(type, member, ...) robot.member = overrides.member.value_or(robot.member);
+#include <tcert/parameters/robot.def>
   return robot;
 }
 

@@ -22,10 +22,8 @@ namespace tcert {
 
 /// Values that take the place of those in a bundle's robot.
 struct RobotOverrides {
-  std::optional<double> body_width_m;
-  std::optional<double> min_turn_radius_m;
-  std::optional<double> tracking_buffer_m;
-  std::optional<double> curvature_buffer_per_m;
+#define TCERT_NUMBER(type, member, ...) std::optional<type> member;
+#include <tcert/parameters/robot.def>
 };
 
 struct ParameterSet {

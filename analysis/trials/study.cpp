@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "datasets/tick_limit.hpp"
+
 namespace tcert {
 namespace {
 
@@ -57,8 +59,9 @@ void study_trials(const Bundle& bundle,
   tbb::enumerable_thread_specific<Certifier> certifiers(make);
   in_order(trials.size(), options.threads, [&](std::size_t i) {
     StudiedTrial trial;
-    const std::optional<TrialLog> log =
-        read_studied(bundle, bundle.trials[trials[i]], options, trial);
+    std::optional<TrialLog> log = read_studied(bundle, bundle.trials[trials[i]], options, trial);
+    reject_too_many_ticks(log, parameters.resample.tick_s, trial.row->trial_id, trial.diagnostics);
+    trial.rejected = !log;
     if (log) {
       trial.ticks = resample(*log, parameters.resample);
       Certifier& certifier = certifiers.local();

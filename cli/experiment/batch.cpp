@@ -1,7 +1,6 @@
 #include "cli/experiment/batch.hpp"
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -11,6 +10,7 @@
 #include "analysis/model/expression.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
+#include "cli/experiment/cache.hpp"
 #include "cli/experiment/cell_files.hpp"
 #include "cli/experiment/cell_scorer.hpp"
 #include "cli/inputs.hpp"
@@ -26,30 +26,13 @@ namespace {
 
 constexpr const char* kFull = "full";
 
-/// $XDG_CACHE_HOME/tcert, ~/.cache/tcert, or none.
-std::optional<std::filesystem::path> user_cache() {
-  const auto variable = [](const char* name) -> std::filesystem::path {
-    const char* const value = std::getenv(name);
-    return value != nullptr ? value : "";
-  };
-  if (const auto cache = variable("XDG_CACHE_HOME"); cache.is_absolute()) {
-    return cache / "tcert";
-  }
-  if (const auto home = variable("HOME"); home.is_absolute()) {
-    return home / ".cache" / "tcert";
-  }
-  return std::nullopt;
-}
-
-std::optional<ResultStore> store_of(const BatchOptions& options) {
+/// Where the batch keeps its results, if anywhere.
+std::optional<std::filesystem::path> cache_folder(const BatchOptions& options) {
   if (options.no_cache) {
     return std::nullopt;
   }
-  if (!options.cache.empty()) {
-    return ResultStore(options.cache);
-  }
-  const auto folder = user_cache();
-  return folder ? std::optional(ResultStore(*folder)) : std::nullopt;
+  return options.cache.empty() ? Cache::folder_of_user()
+                               : std::optional<std::filesystem::path>(options.cache);
 }
 
 H3Options h3_of(const BatchOptions& options, const CommonOptions& common) {
@@ -273,8 +256,11 @@ int run_batch(const std::string& command,
     folder.emplace(common.output, command);
   }
   const ThreadLimit threads(common.threads);
-  const std::optional<ResultStore> store = store_of(options);
-  const ResultStore* const kept = store ? &*store : nullptr;
+  std::optional<Cache> cache;
+  if (const auto kept = cache_folder(options)) {
+    cache.emplace(*kept);
+  }
+  Cache* const kept = cache ? &*cache : nullptr;
   const CellFiles files = files_of_cells(opened, common, batch, kept);
   BatchTables tables;
   try {

@@ -82,7 +82,8 @@ std::string common_key(const Bundle& bundle, const CommonOptions& common) {
   return text;
 }
 
-/// Rows of one job for one chunk: its rejected trials, an empty line, its rows of CSV.
+/// Rows of one job for one chunk. As text: its rejected trials, whose ids hold no line feed
+/// (is_file_name), an empty line, its rows of CSV.
 struct Entry {
   std::vector<std::string> rejected;
   std::string rows;
@@ -137,7 +138,7 @@ class Maker {
   Maker(const OpenedBundle& opened,
         const CommonOptions& common,
         const std::vector<Job>& jobs,
-        const ResultStore* store,
+        Cache* store,
         CellFiles& files)
       : opened_(opened),
         common_(common),
@@ -255,7 +256,7 @@ class Maker {
   const OpenedBundle& opened_;
   const CommonOptions& common_;
   const std::vector<Job>& jobs_;
-  const ResultStore* store_;
+  Cache* store_;
   CellFiles& files_;
   Table features_;
   Table replays_;
@@ -271,7 +272,7 @@ class Maker {
 CellFiles files_of_cells(const OpenedBundle& opened,
                          const CommonOptions& common,
                          std::span<const PlannedCell> cells,
-                         const ResultStore* store) {
+                         Cache* store) {
   const Jobs jobs = jobs_of(cells);
   CellFiles files;
   Maker maker(opened, common, jobs.jobs, store, files);

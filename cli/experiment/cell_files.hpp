@@ -9,10 +9,10 @@
 
 #include "analysis/experiment/cell.hpp"
 #include "analysis/experiment/study_cells.hpp"
+#include "cli/experiment/cache.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "reports/manifest.hpp"
-#include "reports/result_store.hpp"
 
 namespace tcert::cli {
 
@@ -37,7 +37,7 @@ struct CellFiles {
 [[nodiscard]] CellFiles files_of_cells(const OpenedBundle& opened,
                                        const CommonOptions& common,
                                        std::span<const PlannedCell> cells,
-                                       const ResultStore* store);
+                                       Cache* store);
 
 /// Digest of this program: results of another build are not used.
 [[nodiscard]] const std::string& program_digest();

@@ -28,7 +28,11 @@ DataTable table_of(const std::string& csv, const char* name) {
 CellRows Scoring::kept(const std::string& key, const std::function<CellRows()>& make) const {
   const std::string digest = sha256("program " + program_digest() + '\n' + key);
   if (const auto stored = store != nullptr ? store->get(digest) : std::nullopt) {
-    return cell_rows_from(*stored);
+    try {
+      return cell_rows_from(*stored);
+    } catch (const std::invalid_argument&) {
+      // An entry that cannot be read is none.
+    }
   }
   CellRows rows = make();
   if (store != nullptr) {

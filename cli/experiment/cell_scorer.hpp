@@ -10,10 +10,10 @@
 
 #include "analysis/h1/hypothesis_h1.hpp"
 #include "analysis/h3/hypothesis_h3.hpp"
+#include "cli/experiment/cache.hpp"
 #include "cli/experiment/cell_files.hpp"
 #include "datasets/data_table.hpp"
 #include "reports/experiment/cells_text.hpp"
-#include "reports/result_store.hpp"
 
 namespace tcert::cli {
 
@@ -22,7 +22,7 @@ struct Scoring {
   const CellFiles& files;
   H1Options h1;
   H3Options h3;
-  const ResultStore* store;  ///< May be null.
+  Cache* store;  ///< May be null.
 
   /// The rows kept under the digest of `key`, or those that `make` makes.
   [[nodiscard]] CellRows kept(const std::string& key, const std::function<CellRows()>& make) const;

@@ -2,11 +2,15 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string_view>
 
 #include "cli/figures/gnuplot_program.hpp"
+#include "datasets/diagnostic.hpp"
+#include "datasets/path_name.hpp"
 #include "reports/figure/gnuplot.hpp"
 #include "reports/figure/vega_lite.hpp"
+#include "reports/table_json.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -29,7 +33,7 @@ void fix_date(const std::filesystem::path& path) {
 }  // namespace
 
 void write_figure(const Figure& figure, const ResultFolder& folder, bool draw) {
-  folder.write(figure.name + ".vl.json", vega_lite(figure).dump(1) + "\n");
+  folder.write(figure.name + ".vl.json", dumped(vega_lite(figure), 1));
   folder.write(figure.name + ".csv", figure_csv(figure));
   folder.write(figure.name + ".gp", gnuplot_script(figure));
   if (draw) {
@@ -47,7 +51,16 @@ FigureFiles write_figures(const Results& results,
   files.drawn = has_gnuplot();
   StudyFigures study = study_figures(results);
   files.missing = std::move(study.missing);
+  std::set<std::string> drawn;
   for (const std::string& trial : trials) {
+    if (!drawn.insert(trial).second) {
+      continue;
+    }
+    if (!is_file_name(trial)) {
+      files.missing.push_back(
+          {"trial_" + shortened(trial), "its id is not " + std::string(kFileNameRule)});
+      continue;
+    }
     const std::optional<TrialPicture> picture = trial_picture(results, trial);
     if (!picture) {
       files.missing.push_back({"trial_" + trial, "no series of this trial"});

@@ -17,6 +17,7 @@
 #include "cli/inputs.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/live/line_buffer.hpp"
+#include "cli/live/live_audit.hpp"
 #include "cli/live/live_record.hpp"
 #include "cli/live/patient_output.hpp"
 #include "cli/live/producer.hpp"
@@ -24,12 +25,10 @@
 #include "cli/live/tick_source.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/result_folder.hpp"
 #include "datasets/bundle_files.hpp"
 #include "datasets/bundle_json.hpp"
 #include "datasets/bytes.hpp"
 #include "datasets/tick_line.hpp"
-#include "reports/audit.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"
 
@@ -53,6 +52,8 @@ series. It appears when the run ends, by the end of the input, SIGINT or SIGTERM
 if the process is killed, it is the hidden folder .DIR.*.tmp beside it, which can be read as well.
 
 --audit FILE writes one row for every guard that began or ceased to trip, with its cause, at once.
+FILE must not be there, or be an audit log of an earlier run. When the disk is full the run goes on:
+that is said once, what is lost is counted, and the exit code is 73.
 
 Usage: tcert live --bundle BUNDLE [options] < ticks
 
@@ -123,32 +124,6 @@ void require_known(const LiveOptions& o) {
   }
   require_range("stale-after", o.stale_after_s, 0.0, 1e6);
 }
-
-/// Rows that are on disk, as far as the system goes, before the next tick is looked at.
-class AuditLog {
- public:
-  AuditLog(const std::string& path, const GuardParameters& parameters)
-      : file_(path), parameters_(parameters) {
-    file_.write(audit_header());
-    file_.flush();
-  }
-
-  void add(const Tick& tick, const CertifiedTick& certified, const GuardedTick& guarded) {
-    rows_.clear();
-    append_audit_rows(rows_, tick, certified, guarded, parameters_);
-    if (!rows_.empty()) {
-      file_.write(rows_);
-      file_.flush();
-    }
-  }
-
-  void close() { file_.close(); }
-
- private:
-  ResultFile file_;
-  const GuardParameters& parameters_;
-  std::string rows_;
-};
 
 BundleInfo describe(const std::string& path) {
   if (path.empty()) {
@@ -270,8 +245,9 @@ int run(Arguments arguments) {
                 tracking_error_table(options.tracking_error, common));
   const SeriesFormat format{
       parameters.speed_law, options.ray_margins, synthetic_label(info), options.guards};
-  std::optional<AuditLog> audit;
+  std::optional<LiveAudit> audit;
   if (!options.audit.empty()) {
+    require_apart(options.bundle, options.audit);
     audit.emplace(options.audit, parameters.guards);
   }
   std::optional<LiveRecord> record;
@@ -306,7 +282,7 @@ int run(Arguments arguments) {
         row, line.tick, certified, certifier.ray_margins(), format, guarded, line.yaw_rate_cmd_rps);
     const bool go_on = rows.put(row);
     if (audit) {
-      audit->add(line.tick, certified, guarded);
+      audit->add(line.tick, certified, guarded, status);
     }
     return go_on;
   };
@@ -319,12 +295,10 @@ int run(Arguments arguments) {
   } catch (const BrokenPipe&) {
     has_reader = false;  // whoever read the rows has had enough: the run ends as by a signal
   }
-  if (audit) {
-    audit->close();
-  }
+  const bool audited = !audit || audit->close(status);
   const bool recorded = !record || record->close(status);
   report(source, *producer, rows, status, has_reader);
-  if (!recorded) {
+  if (!recorded || !audited) {
     return exit_cannot_write;
   }
   return source.bad_lines() > 0 ? exit_rejected : exit_done;

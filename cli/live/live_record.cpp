@@ -23,6 +23,7 @@ LiveRecord::LiveRecord(const std::string& folder, BundleInfo info)
 
 void LiveRecord::add(const TickLine& line, const CertifiedTick& certified, StatusLines& status) {
   if (!recorder_) {
+    ++lost_;
     return;
   }
   first_ns_ = first_ns_.value_or(line.tick.time_ns);
@@ -34,11 +35,13 @@ void LiveRecord::add(const TickLine& line, const CertifiedTick& certified, Statu
     recorder_->add(line.tick, line.speed_cmd_mps, line.yaw_rate_cmd_rps);
   } catch (const WriteError& error) {
     give_up(error, status);
+    ++lost_;
   }
 }
 
 bool LiveRecord::close(StatusLines& status) {
   if (!recorder_) {
+    status.say("tcert live: " + std::to_string(lost_) + " ticks were not recorded.");
     return false;
   }
   if (recorder_->ticks() == 0) {
@@ -63,7 +66,7 @@ bool LiveRecord::close(StatusLines& status) {
 }
 
 void LiveRecord::give_up(const WriteError& error, StatusLines& status) {
-  status.say(std::string("tcert live: recording ended: ") + error.what() +
+  status.say(std::string("tcert live: recording ended, the run goes on: ") + error.what() +
              "; what there is lies in '" + recorder_->staging().string() + "'");
   recorder_.reset();
 }

@@ -39,6 +39,7 @@ class LiveRecord {
   std::optional<BundleRecorder> recorder_;
   std::optional<std::int64_t> first_ns_;
   std::optional<std::int64_t> goal_ns_;
+  std::size_t lost_ = 0;  ///< Ticks since recording ended.
   std::int64_t last_ns_ = 0;
 };
 

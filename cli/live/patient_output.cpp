@@ -14,6 +14,7 @@
 
 #include "cli/errors.hpp"
 #include "datasets/atomic_file.hpp"
+#include "datasets/printable.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -104,7 +105,8 @@ void RowSink::finish(int patience_ms) {
 }
 
 void StatusLines::say(std::string_view line) {
-  std::string text(line.substr(0, PIPE_BUF - 1));
+  std::string text = printable(line);
+  text.resize(std::min<std::size_t>(text.size(), PIPE_BUF - 1));
   text += '\n';
   if (!takes_more(STDERR_FILENO) ||
       write_without_waiting(STDERR_FILENO, text.data(), text.size()) < 0) {

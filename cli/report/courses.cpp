@@ -7,6 +7,7 @@
 
 #include "cli/errors.hpp"
 #include "datasets/bundle_files.hpp"
+#include "datasets/path_name.hpp"
 #include "datasets/world.hpp"
 #include "reports/html/trial_block.hpp"
 
@@ -14,6 +15,11 @@ namespace tcert::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A file of the bundle; none for a name that leads elsewhere.
+std::optional<std::string> find(const BundleFiles& files, const std::string& name) {
+  return files.problem().empty() && leads_below(name) ? files.find(name) : std::nullopt;
+}
 
 /// True unless the manifest names a trials.csv with another digest; of a .zip, results made of the
 /// archive list the archive, those made of its folder the trials.csv in it.
@@ -29,7 +35,7 @@ bool is_input_of(const Bundle& bundle, const Result& certified) {
     if (!input.path.starts_with("trials.csv")) {
       return true;
     }
-    const auto found = files.problem().empty() ? files.find(input.path) : std::nullopt;
+    const auto found = find(files, input.path);
     if (!found) {
       return false;
     }
@@ -92,11 +98,7 @@ std::string Courses::file_of(std::string_view trial_id) const {
 }
 
 bool Courses::has_walls(std::string_view trial_id) const {
-  if (!bundle_) {
-    return false;
-  }
-  const BundleFiles files(bundle_->path);
-  return files.problem().empty() && files.find(file_of(trial_id)).has_value();
+  return bundle_ && find(BundleFiles(bundle_->path), file_of(trial_id)).has_value();
 }
 
 std::optional<std::string> Courses::block(std::string_view trial_id) const {
@@ -106,7 +108,7 @@ std::optional<std::string> Courses::block(std::string_view trial_id) const {
   const std::string name = file_of(trial_id);
   const BundleFiles files(bundle_->path);
   World world;
-  if (const auto found = files.problem().empty() ? files.find(name) : std::nullopt) {
+  if (const auto found = find(files, name)) {
     const BytesResult bytes = files.read(*found);
     if (!bytes.bytes) {
       throw BadData(name + ": " + bytes.problem);

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 
 #include "cli/errors.hpp"
 #include "datasets/bytes.hpp"
+#include "datasets/json_depth.hpp"
 #include "reports/html/packed.hpp"
 
 namespace tcert::cli {
@@ -47,8 +46,14 @@ std::vector<fs::path> files_of(const fs::path& folder) {
 
 /// A table of ours by its format word; other documents are not for the page.
 bool is_table(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const BytesResult file = read_raw_file(path);
+  if (!file.bytes) {
+    throw BadData("'" + path.string() + "': " + file.problem);
+  }
+  if (is_nested_too_deeply(file.bytes->view())) {
+    throw BadData("'" + path.string() + "': " + std::string(kNestedTooDeeply));
+  }
+  const auto json = nlohmann::json::parse(file.bytes->view(), nullptr, false);
   return json.is_object() && json.contains("columns") && json.contains("rows") &&
          json.contains("table");
 }

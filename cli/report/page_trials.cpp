@@ -13,6 +13,8 @@
 #include "cli/progress.hpp"
 #include "cli/report/courses.hpp"
 #include "datasets/csv.hpp"
+#include "datasets/diagnostic.hpp"
+#include "datasets/path_name.hpp"
 #include "reports/html/trial_block.hpp"
 #include "reports/html/trial_list.hpp"
 
@@ -158,6 +160,10 @@ std::size_t add_trials(const Results& results,
   WorldBlocks worlds(page.worlds);
   Progress progress("packing trials", trials.size(), options.quiet);
   in_order(trials.size(), options.threads, [&](std::size_t i) -> std::function<bool()> {
+    if (!is_file_name(trials.id(i))) {
+      throw BadData("'" + result->name + "': the trial_id '" + shortened(trials.id(i)) +
+                    "' is not " + std::string(kFileNameRule));
+    }
     const std::string file = trials.id(i) + ".csv";
     const NumberTable series = series_of(result->folder / "series" / file);
     TrialMap map;

@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 
+#include "reports/manifest_checks.hpp"
+
 namespace tcert::cli {
 namespace {
 
@@ -12,7 +14,7 @@ namespace fs = std::filesystem;
 std::set<std::string> files_in(const fs::path& folder) {
   std::set<std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) {
+    if (entry.is_regular_file() && !entry.is_symlink()) {
       files.insert(entry.path().lexically_relative(folder).generic_string());
     }
   }
@@ -112,6 +114,9 @@ std::vector<std::string> compare_folders(const fs::path& found, const fs::path& 
   const std::set<std::string> first = files_in(found);
   const std::set<std::string> second = files_in(again);
   std::vector<std::string> differences;
+  for (const std::string& entry : strange_entries(found)) {
+    differences.push_back("'" + entry + "' is a link or another thing that no result holds");
+  }
   for (const std::string& file : second) {
     if (first.count(file) == 0) {
       differences.push_back("'" + file + "' is missing");

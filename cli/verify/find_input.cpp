@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "datasets/path_name.hpp"
+
 namespace tcert::cli {
 namespace {
 
@@ -28,7 +30,7 @@ std::vector<fs::path> candidates_of(const std::string& name,
     if (beside == folder || target.result.name == ".") {
       std::vector<fs::path> parts;
       for (const auto& entry : fs::directory_iterator(beside)) {
-        if (entry.is_directory()) {
+        if (entry.is_directory() && !is_temporary_name(entry.path().filename().native())) {
           parts.push_back(entry.path() / name);
         }
       }
@@ -36,7 +38,10 @@ std::vector<fs::path> candidates_of(const std::string& name,
       candidates.insert(candidates.end(), parts.begin(), parts.end());
     }
   }
-  add(fs::current_path());
+  std::error_code error;
+  if (const fs::path here = fs::current_path(error); !error) {
+    add(here);
+  }
   return candidates;
 }
 

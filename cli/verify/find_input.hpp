@@ -13,7 +13,7 @@ namespace tcert::cli {
 
 /// The file or folder of an input's name: what `given` (--inputs) names or holds, beside the
 /// results, here. Of several the one with the digest that `target` lists; else the first. Empty if
-/// there is none.
+/// there is none. \pre is_path_step(name).
 [[nodiscard]] std::optional<std::filesystem::path> find_input(
     const std::string& name,
     const VerifyTarget& target,

@@ -8,22 +8,16 @@
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
 #include "cli/scratch_folder.hpp"
+#include "cli/verify/command_words.hpp"
 #include "cli/verify/compare.hpp"
 #include "cli/verify/find_input.hpp"
+#include "datasets/path_name.hpp"
+#include "reports/manifest_checks.hpp"
 
 namespace tcert::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-const Command* command_called(const std::string& name) {
-  for (const Command* command : commands()) {
-    if (command->name == name) {
-      return command;
-    }
-  }
-  return nullptr;
-}
 
 /// True if the tree holds every manifest that a page, or figures, of results list: whatever it was
 /// called when they were made.
@@ -34,45 +28,42 @@ bool is_drawn_of(const VerifyTarget& target, const fs::path& results) {
          !manifest.inputs.empty() &&
          std::all_of(
              manifest.inputs.begin(), manifest.inputs.end(), [&](const ManifestFile& input) {
-               return fs::is_regular_file(results / input.path, error);
+               return leads_below(input.path) && fs::is_regular_file(results / input.path, error);
              });
 }
 
-/// The command line that makes the result again; names what cannot be found.
-std::vector<std::string> words_of(const VerifyTarget& target,
-                                  const fs::path& results,
-                                  const std::vector<std::string>& inputs,
-                                  Finding& finding) {
-  std::vector<std::string> words;
-  for (const ManifestArgument& argument : *target.result.manifest.arguments) {
-    if (!argument.is_input) {
-      words.push_back(argument.text);
-    } else if (words.empty() && is_drawn_of(target, results)) {
-      words.push_back(results.string());
-    } else if (const auto path = find_input(argument.text, target, results, inputs)) {
-      words.push_back(path->string());
-    } else {
-      finding.obstacles.push_back("its input '" + argument.text +
-                                  "' cannot be found; name its place with --inputs");
+/// The command line that makes the result again; names what cannot be found. \throws
+/// NotReproducible.
+CommandWords words_of(const VerifyTarget& target,
+                      const fs::path& results,
+                      const std::vector<std::string>& inputs,
+                      Finding& finding) {
+  const auto find = [&](const std::string& name, bool first) -> std::optional<std::string> {
+    if (first && is_drawn_of(target, results)) {
+      return results.string();
     }
-  }
-  words.emplace_back("--quiet");
-  const std::string& command = target.result.manifest.command;
-  if (command == "ablate" || command == "sweep") {
-    words.emplace_back("--no-cache");
+    const auto path = find_input(name, target, results, inputs);
+    if (!path) {
+      finding.obstacles.push_back("its input '" + name +
+                                  "' cannot be found; name its place with --inputs");
+      return std::nullopt;
+    }
+    return path->string();
+  };
+  CommandWords words = command_words(target.result.manifest, find);
+  words.words.emplace_back("--quiet");
+  if (words.command == &kAblate || words.command == &kSweep) {
+    words.words.emplace_back("--no-cache");
   }
   return words;
 }
 
 /// Runs it; false, with the reason in the finding, if nothing came of it.
-bool run_into(const VerifyTarget& target,
-              std::vector<std::string> words,
-              const fs::path& output,
-              Finding& finding) {
-  words.insert(words.end(), {"--output", output.string()});
+bool run_into(CommandWords words, const fs::path& output, Finding& finding) {
+  words.words.insert(words.words.end(), {"--output", output.string()});
   const SilentPrint silent;
   try {
-    command_called(target.result.manifest.command)->run(words);
+    words.command->run(words.words);
     return true;
   } catch (const NoInput& error) {
     finding.obstacles.push_back(std::string("it cannot be made again here: ") + error.what());
@@ -85,7 +76,7 @@ bool run_into(const VerifyTarget& target,
 void compare_file(const VerifyTarget& target, const fs::path& again, Finding& finding) {
   const fs::path found = target.result.folder / target.file;
   std::error_code error;
-  if (!fs::is_regular_file(found, error)) {
+  if (!fs::is_regular_file(fs::symlink_status(found, error))) {
     finding.differences.push_back("'" + target.file + "' is missing");
   } else if (digest_file(found).sha256 != digest_file(again).sha256) {
     finding.differences.push_back("'" + target.file + "' is not what is made again");
@@ -97,12 +88,18 @@ void make_and_compare(const VerifyTarget& target,
                       const std::vector<std::string>& inputs,
                       Finding& finding) {
   const WrittenResult& manifest = target.result.manifest;
-  if (command_called(manifest.command) == nullptr || !manifest.arguments) {
+  if (!manifest.arguments) {
     finding.differences.push_back("it was written by another version (" + manifest.tool_version +
                                   ") and cannot be made again");
     return;
   }
-  const std::vector<std::string> words = words_of(target, results, inputs, finding);
+  CommandWords words;
+  try {
+    words = words_of(target, results, inputs, finding);
+  } catch (const NotReproducible& error) {
+    finding.differences.emplace_back(error.what());
+    return;
+  }
   if (!finding.obstacles.empty()) {
     return;
   }
@@ -112,7 +109,7 @@ void make_and_compare(const VerifyTarget& target,
   if (is_file) {
     fs::create_directory(again);
   }
-  if (!run_into(target, words, again / target.file, finding)) {
+  if (!run_into(std::move(words), again / target.file, finding)) {
     return;
   }
   const auto now = read_manifest(is_file ? (again / target.file).string() + ".manifest.json"
@@ -129,6 +126,11 @@ void make_and_compare(const VerifyTarget& target,
   }
   for (std::string& difference : compare_manifests(manifest, *now)) {
     finding.differences.push_back(std::move(difference));
+  }
+  const fs::path written = manifest_path(target);
+  if (!is_as_written(written, manifest)) {
+    finding.differences.push_back("'" + written.filename().string() +
+                                  "' holds more than what is read of it, or in another form");
   }
 }
 

@@ -18,8 +18,9 @@ struct Finding {
 };
 
 /// Runs the target's command with the arguments of its manifest, the inputs found by find_input(),
-/// into a scratch folder, and compares. Where it cannot be run, the files are compared with the
-/// manifest. \throws std::system_error if a file cannot be read.
+/// into a scratch folder, and compares. Where it cannot be run, or its arguments are none that this
+/// tool writes (command_words()), the files are compared with the manifest. \throws
+/// std::system_error if a file cannot be read.
 [[nodiscard]] Finding made_again(const VerifyTarget& target,
                                  const std::filesystem::path& results,
                                  const std::vector<std::string>& inputs);

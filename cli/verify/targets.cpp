@@ -5,6 +5,9 @@
 #include <system_error>
 #include <utility>
 
+#include "datasets/path_name.hpp"
+#include "reports/manifest_checks.hpp"
+
 namespace tcert::cli {
 namespace {
 
@@ -16,8 +19,7 @@ constexpr std::string_view kFileManifest = ".manifest.json";
 VerifyTarget file_target(const fs::path& file) {
   auto manifest = read_manifest(file.string() + std::string(kFileManifest));
   if (!manifest) {
-    throw MissingResult("'" + file.string() + std::string(kFileManifest) +
-                        "' is not a manifest of this tool");
+    throw MissingResult(why_no_manifest(file.string() + std::string(kFileManifest)));
   }
   const std::string name = file.filename().string();
   return {{ResultKind::other, file.parent_path(), name, std::move(*manifest)}, name};
@@ -31,6 +33,9 @@ struct Entries {
 Entries entries_of(const fs::path& folder) {
   Entries entries;
   for (const auto& entry : fs::directory_iterator(folder)) {
+    if (is_temporary_name(entry.path().filename().native())) {
+      continue;
+    }
     (entry.is_directory() ? entries.folders : entries.files)
         .push_back(entry.path().filename().string());
   }
@@ -113,11 +118,20 @@ VerifyTree verify_tree(const fs::path& path) {
   return tree;
 }
 
+fs::path manifest_path(const VerifyTarget& target) {
+  return target.file.empty() ? target.result.folder / kManifest
+                             : target.result.folder / (target.file + std::string(kFileManifest));
+}
+
 std::vector<std::string> file_differences(const VerifyTarget& target) {
   std::vector<std::string> found;
   const auto say = [&](const std::string& path, FileChange change) {
     found.push_back("'" + path + "' " + std::string(to_string(change)));
   };
+  const fs::path manifest = manifest_path(target);
+  if (!is_as_written(manifest, target.result.manifest)) {
+    say(manifest.filename().string(), FileChange::changed);
+  }
   if (target.file.empty()) {
     for (const FileDifference& one : differences(target.result.folder, target.result.manifest)) {
       say(one.path, one.change);
@@ -126,7 +140,7 @@ std::vector<std::string> file_differences(const VerifyTarget& target) {
   }
   const std::vector<ManifestFile>& outputs = target.result.manifest.outputs;
   std::error_code error;
-  if (!fs::is_regular_file(target.result.folder / target.file, error)) {
+  if (!fs::is_regular_file(fs::symlink_status(target.result.folder / target.file, error))) {
     say(target.file, FileChange::missing);
   } else if (outputs.size() != 1 || outputs[0].path != target.file ||
              outputs[0].digest.sha256 != digest_file(target.result.folder / target.file).sha256) {

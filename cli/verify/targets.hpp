@@ -28,6 +28,9 @@ struct VerifyTree {
 /// \throws MissingResult if there is no manifest, or one that is not of this tool.
 [[nodiscard]] VerifyTree verify_tree(const std::filesystem::path& path);
 
+/// Where the target's manifest lies.
+[[nodiscard]] std::filesystem::path manifest_path(const VerifyTarget& target);
+
 /// Everything in the target that is not as its manifest lists it, in words.
 [[nodiscard]] std::vector<std::string> file_differences(const VerifyTarget& target);
 

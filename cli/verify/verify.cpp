@@ -22,7 +22,9 @@ RESULTS is a folder with a manifest.json, a folder of such folders, as 'tcert re
 file with a FILE.manifest.json beside it. Each command is run again with the arguments that its
 manifest keeps, into a scratch folder; every file it writes, and what the manifest says of parameters,
 options, seed, origin and digests, is compared. With --files-only every file is compared with the digest
-in its manifest, no more. What no manifest covers and no result has as its input is named. Inputs are
+in its manifest, no more. A command line is run only if it is one that this tool writes into a
+manifest, so results of strangers can be verified: nothing is written but below the scratch folder.
+What no manifest covers and no result has as its input is named. Inputs are
 looked for beside the results, in the current folder, and where --inputs says.
 
 Exit code: 0 if all stands, 1 if something does not, 66 if something cannot be made

@@ -51,74 +51,58 @@ void assign(const From& from, To& to) noexcept {
   to = static_cast<To>(from);
 }
 
-template <typename From, typename To>
-void copy_certificate(const From& from, To& to) noexcept {
-  assign(from.clearance, to.clearance);
-  assign(from.curvature, to.curvature);
-  assign(from.unknown, to.unknown);
-  assign(from.side_angle_rad, to.side_angle_rad);
-  assign(from.side_window_m, to.side_window_m);
-  assign(from.travel_deadband_m, to.travel_deadband_m);
-  assign(from.swept_cell_m, to.swept_cell_m);
-  assign(from.least_obstacle_m, to.least_obstacle_m);
-  assign(from.sharpest_corner_rad, to.sharpest_corner_rad);
-  assign(from.swept_lag_m, to.swept_lag_m);
-  assign(from.curvature_window_m, to.curvature_window_m);
-  assign(from.curvature_min_travel_m, to.curvature_min_travel_m);
-  assign(from.min_curvature_per_m, to.min_curvature_per_m);
-  assign(from.contact_spacing_m, to.contact_spacing_m);
-  assign(from.contact_literal_spacing_m, to.contact_literal_spacing_m);
-  assign(from.contact_window_m, to.contact_window_m);
-  assign(from.contact_flatness, to.contact_flatness);
-  assign(from.sigma_contact_m, to.sigma_contact_m);
-  assign(from.contact_on_n, to.contact_on_n);
-  assign(from.contact_off_n, to.contact_off_n);
-  assign(from.contact_slack_m, to.contact_slack_m);
-  assign(from.edge_length_m, to.edge_length_m);
-  assign(from.merge_radius_m, to.merge_radius_m);
-  assign(from.merge_angle_rad, to.merge_angle_rad);
-  assign(from.reversal_m, to.reversal_m);
-  assign(from.max_step_m, to.max_step_m);
-  assign(from.memory_weight_m, to.memory_weight_m);
-  assign(from.memory_cell_m, to.memory_cell_m);
-  assign(from.memory_gain, to.memory_gain);
-  assign(from.force_cap_n, to.force_cap_n);
-  assign(from.memory_sigma_m, to.memory_sigma_m);
-  assign(from.memory_half_life_s, to.memory_half_life_s);
-  assign(from.max_nodes, to.max_nodes);
-  assign(from.max_edges, to.max_edges);
-  assign(from.max_memory_cells, to.max_memory_cells);
-  assign(from.max_swept_cells, to.max_swept_cells);
+// The members of the C struct are named by the keys of the lists. A word is looked at before it
+// becomes an enumerator, which may be narrower.
+#define TCERT_IN_WORD(type, member, key, value, words, text) \
+  require_known(WordField{#key, words, text}, c.key);        \
+  assign(c.key, known.member);
+#define TCERT_IN_NUMBER(type, member, key, ...) assign(c.key, known.member);
+#define TCERT_OUT(type, member, key, ...) assign(known.member, c.key);
+
+void copy_in(const tcert_parameters& c, CertificateParameters& known) {
+#define TCERT_WORD TCERT_IN_WORD
+#define TCERT_NUMBER TCERT_IN_NUMBER
+#include <tcert/parameters/certificate.def>
+}
+void copy_in(const tcert_parameters& c, SpeedLaw& known) {
+#define TCERT_WORD TCERT_IN_WORD
+#define TCERT_NUMBER TCERT_IN_NUMBER
+#include <tcert/parameters/speed_law.def>
+}
+void copy_in(const tcert_parameters& c, GuardParameters& known) {
+#define TCERT_WORD TCERT_IN_WORD
+#define TCERT_NUMBER TCERT_IN_NUMBER
+#include <tcert/parameters/guards.def>
+}
+void copy_out(const CertificateParameters& known, tcert_parameters& c) noexcept {
+#define TCERT_WORD TCERT_OUT
+#define TCERT_NUMBER TCERT_OUT
+#include <tcert/parameters/certificate.def>
+}
+void copy_out(const SpeedLaw& known, tcert_parameters& c) noexcept {
+#define TCERT_WORD TCERT_OUT
+#define TCERT_NUMBER TCERT_OUT
+#include <tcert/parameters/speed_law.def>
+}
+void copy_out(const GuardParameters& known, tcert_parameters& c) noexcept {
+#define TCERT_WORD TCERT_OUT
+#define TCERT_NUMBER TCERT_OUT
+#include <tcert/parameters/guards.def>
 }
 
-template <typename From, typename To>
-void copy_speed_law(const From& from, To& to) noexcept {
-  assign(from.min_speed_mps, to.min_speed_mps);
-  assign(from.max_speed_mps, to.max_speed_mps);
-  assign(from.beta_per_m, to.beta_per_m);
-}
-
-GuardParameters to_guard_parameters(const tcert_parameters& c) noexcept {
-  return {static_cast<GuardMode>(c.guard_mode),
-          c.replan_margin_m,
-          c.guard_min_force_n,
-          c.guard_force_per_m,
-          c.guard_disturbance};
+template <typename Group>
+Group known_from(const tcert_parameters& c) {
+  Group known;
+  copy_in(c, known);
+  return known;
 }
 
 tcert_parameters defaults() noexcept {
   tcert_parameters c{};
   c.struct_size = sizeof c;
-  copy_certificate(CertificateParameters{}, c);
-  const SpeedLaw law;
-  copy_speed_law(law, c);
-  c.speed_law = static_cast<std::int32_t>(law.kind);
-  const GuardParameters guards;
-  c.guard_mode = static_cast<std::int32_t>(guards.mode);
-  c.replan_margin_m = guards.replan_margin_m;
-  c.guard_min_force_n = guards.min_force_n;
-  c.guard_force_per_m = guards.force_per_m;
-  c.guard_disturbance = guards.disturbance;
+  copy_out(CertificateParameters{}, c);
+  copy_out(SpeedLaw{}, c);
+  copy_out(GuardParameters{}, c);
   return c;
 }
 
@@ -197,21 +181,7 @@ TrackingErrorTable to_table(const tcert_parameters& c) {
 }
 
 Guards to_guards(const tcert_parameters& c) {
-  require_word("speed_law", c.speed_law, TCERT_CLIP);
-  require_word("guard_mode", c.guard_mode, TCERT_GUARDS_WATCH);
-  SpeedLaw law;
-  copy_speed_law(c, law);
-  law.kind = static_cast<SpeedLawKind>(c.speed_law);
-  return {law, to_guard_parameters(c), to_table(c)};
-}
-
-CertificateParameters to_certificate(const tcert_parameters& c) {
-  require_word("clearance", c.clearance, TCERT_CLEARANCE_SWEPT);
-  require_word("curvature", c.curvature, TCERT_CURVATURE_NONE);
-  require_word("unknown", c.unknown, TCERT_UNKNOWN_FREE);
-  CertificateParameters parameters;
-  copy_certificate(c, parameters);
-  return parameters;
+  return {known_from<SpeedLaw>(c), known_from<GuardParameters>(c), to_table(c)};
 }
 
 void say(char* message, std::size_t size, const char* text) noexcept {
@@ -314,10 +284,10 @@ tcert_status tcert_create(const tcert_robot* robot,
   try {
     require_size(*parameters, "parameters");
     const Robot known = to_robot(*robot);
-    *certifier =
-        new tcert_certifier{Certifier(known, to_course(*course), to_certificate(*parameters)),
-                            to_guards(*parameters),
-                            std::vector<RayReading>(known.rays.size() + 1)};
+    *certifier = new tcert_certifier{
+        Certifier(known, to_course(*course), known_from<CertificateParameters>(*parameters)),
+        to_guards(*parameters),
+        std::vector<RayReading>(known.rays.size() + 1)};
     say(message, message_size, "");
     return TCERT_OK;
   } catch (const WrongSize& error) {

@@ -108,7 +108,7 @@ void Certifier::State::count_travel(Point position, bool broken) noexcept {
 
 Evidence Certifier::State::weigh(const Tick& tick) noexcept {
   const Point position = tick.pose.position;
-  const double time_s = 1e-9 * static_cast<double>(tick.time_ns - first_ns);
+  const double time_s = elapsed_s(first_ns, tick.time_ns);
   const bool in_start =
       course.start.has_value() ? lies_in(course.start, position) : lies_in(first_node, position);
   const LocalGeometry local = proxies.update(tick, travel_m, time_s, in_start, memory);
@@ -209,9 +209,8 @@ void Certifier::State::certify(const Tick& tick) noexcept {
 Certifier::Certifier(const Robot& robot,
                      const Course& course,
                      const CertificateParameters& parameters) {
-  validate(robot);
+  validate(robot, parameters);
   validate(course);
-  validate(parameters);
   state_ = std::make_unique<State>(robot, course, parameters);
   reset();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 #include <tcert/contact_memory.hpp>
+#include <tcert/elementary.hpp>
 
 namespace tcert {
 namespace {
@@ -98,13 +99,13 @@ void gaussian_row(Offset offset_m,
   const double nearest = std::clamp(std::round(-offset_m(0) / step_m), 0.0, last);
   const double off_m = offset_m(static_cast<std::int32_t>(nearest));
   const auto middle = static_cast<std::size_t>(nearest);
-  weights[middle] = factor * std::exp(per_square * off_m * off_m);
-  double ratio = std::exp(per_square * (step_m + 2.0 * off_m) * step_m);
+  weights[middle] = factor * elementary::exp(per_square * off_m * off_m);
+  double ratio = elementary::exp(per_square * (step_m + 2.0 * off_m) * step_m);
   for (std::size_t i = middle + 1; i < weights.size(); ++i) {
     weights[i] = weights[i - 1] * ratio;
     ratio *= ratio_fall;
   }
-  ratio = std::exp(per_square * (step_m - 2.0 * off_m) * step_m);
+  ratio = elementary::exp(per_square * (step_m - 2.0 * off_m) * step_m);
   for (std::size_t i = middle; i-- > 0;) {
     weights[i] = weights[i + 1] * ratio;
     ratio *= ratio_fall;
@@ -120,7 +121,7 @@ ContactMemory::ContactMemory(const CertificateParameters& parameters)
   const double blocks = 6.0 * parameters.memory_sigma_m / (kSide * parameters.memory_cell_m);
   const std::size_t most = (static_cast<std::size_t>(blocks) + 3) * kSide;
   const double steps = parameters.memory_cell_m / parameters.memory_sigma_m;
-  ratio_fall_ = std::exp(-steps * steps);
+  ratio_fall_ = elementary::exp(-steps * steps);
   column_weights_.resize(most);
   row_weights_.resize(most);
 }
@@ -170,7 +171,7 @@ ContactMemory::Block& ContactMemory::claim(std::int32_t bx,
       break;
     }
     const double strongest = *std::max_element(block.values.begin(), block.values.end()) *
-                             std::exp2(block.halvings - halvings);
+                             elementary::exp2(block.halvings - halvings);
     if (strongest < least) {
       least = strongest;
       faintest = slot;
@@ -187,7 +188,7 @@ ContactMemory::Block& ContactMemory::claim(std::int32_t bx,
   if (const double since = block.halvings - halvings; since != 0.0) {
     if (since != faded_since_) {
       faded_since_ = since;
-      fading_ = std::exp2(since);
+      fading_ = elementary::exp2(since);
     }
     for (double& value : block.values) {
       value *= fading_;
@@ -270,7 +271,7 @@ double ContactMemory::largest_within(Point centre, double radius_m, double time_
       }
     }
     if (largest_here > largest) {
-      largest = std::max(largest, largest_here * std::exp2(block->halvings - halvings));
+      largest = std::max(largest, largest_here * elementary::exp2(block->halvings - halvings));
     }
   });
   return largest;

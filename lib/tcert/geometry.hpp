@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 namespace tcert {
 
@@ -39,7 +40,8 @@ struct Pose {
 
 /// Unit vector of a yaw.
 [[nodiscard]] inline Point direction(double yaw_rad) noexcept {
-  return {std::cos(yaw_rad), std::sin(yaw_rad)};
+  const auto [sine, cosine] = elementary::sine_cosine(yaw_rad);
+  return {cosine, sine};
 }
 
 /// Signed difference of two angles in [-pi, pi]; exactly antisymmetric in its arguments.

@@ -8,12 +8,6 @@
 namespace tcert {
 namespace {
 
-void require(bool good, const char* message) {
-  if (!good) {
-    throw std::invalid_argument(message);
-  }
-}
-
 double largest_force(std::span<const RayReading> rays) noexcept {
   double largest = kMissing;
   for (const RayReading& ray : rays) {
@@ -24,12 +18,7 @@ double largest_force(std::span<const RayReading> rays) noexcept {
 
 }  // namespace
 
-void validate(const GuardParameters& p) {
-  require(std::isfinite(p.replan_margin_m), "replan_margin_m must be finite");
-  require(p.min_force_n > 0.0 && std::isfinite(p.min_force_n), "min_force_n must be above 0");
-  require(p.force_per_m >= 0.0 && std::isfinite(p.force_per_m), "force_per_m must not be negative");
-  require(p.disturbance >= 0.0 && std::isfinite(p.disturbance), "disturbance must not be negative");
-}
+void validate(const GuardParameters& p) { require_fields(p); }
 
 Guards::Guards(const SpeedLaw& law, const GuardParameters& parameters, TrackingErrorTable table)
     : law_(law), parameters_(parameters), table_(std::move(table)) {
@@ -77,7 +66,7 @@ GuardedTick Guards::update(const Tick& tick, const CertifiedTick& certified) noe
 void Guards::command(GuardedTick& now, std::int64_t time_ns) noexcept {
   now.began = now.triggers & ~last_triggers_;
   now.ended = last_triggers_ & ~now.triggers;
-  const double elapsed_s = 1e-9 * static_cast<double>(time_ns - last_ns_);
+  const double elapsed_s = tcert::elapsed_s(last_ns_, time_ns);
   const double change_mps = std::abs(now.speed_mps - last_speed_mps_);
   if (!began_ || change_mps == 0.0) {
     last_change_mps2_ = 0.0;

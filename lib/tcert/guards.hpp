@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <tcert/certifier.hpp>
+#include <tcert/parameter_fields.hpp>
 #include <tcert/speed_law.hpp>
 #include <tcert/tick.hpp>
 #include <tcert/tracking_error.hpp>
@@ -18,13 +19,21 @@ enum class GuardMode : std::uint8_t {
   watch,   ///< They are stated and nothing else: the speed is the speed law's.
 };
 
+/// See parameters/guards.def.
 struct GuardParameters {
-  GuardMode mode = GuardMode::by_law;
-  double replan_margin_m = 0.005;  ///< epsilon_replan of G3.
-  double min_force_n = 5.0;        ///< F_min of G2: allowed without any margin; > 0.
-  double force_per_m = 50.0;       ///< k_F of G2; >= 0.
-  double disturbance = 0.0;        ///< Level in the tracking-error table; >= 0.
+#define TCERT_WORD TCERT_MEMBER_WORD
+#define TCERT_NUMBER TCERT_MEMBER_NUMBER
+#include <tcert/parameters/guards.def>
 };
+
+/// See parameter_fields.hpp; the first argument only names the list.
+template <class Visit>
+void visit_fields(const GuardParameters&, Visit&& visit) {
+  using Group = GuardParameters;
+#define TCERT_WORD TCERT_VISIT_WORD
+#define TCERT_NUMBER TCERT_VISIT_NUMBER
+#include <tcert/parameters/guards.def>
+}
 
 /// \throws std::invalid_argument naming the member that is out of range.
 void validate(const GuardParameters& parameters);

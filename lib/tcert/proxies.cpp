@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 #include <tcert/proxies.hpp>
 
 namespace tcert {
@@ -35,7 +36,7 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
     const double within = parameters.side_angle_rad + kAngleRounding;
     state.side = from_left <= within ? 1 : from_right <= within ? -1 : 0;
     state.offset_m = state.side < 0 ? -ray.mount.y_m : ray.mount.y_m;
-    state.across = std::abs(std::sin(ray.bearing_rad));
+    state.across = std::abs(elementary::sin(ray.bearing_rad));
     state.ahead = direction(ray.bearing_rad);
     double& reach_m = state.side > 0 ? left_m : right_m;
     if (state.side != 0) {

@@ -2,9 +2,13 @@
 #include <cmath>
 #include <stdexcept>
 #include <tcert/robot.hpp>
+#include <tcert/tick.hpp>
 
 namespace tcert {
 namespace {
+
+constexpr double kFurthest = 1e5;  // m, of a mount and of what a ray reaches
+constexpr double kMostTurn = 1e3;  // rad
 
 double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) noexcept {
   const auto above = std::upper_bound(x.begin(), x.end(), at);
@@ -31,10 +35,11 @@ bool is_monotone(const std::vector<double>& y) {
 
 void validate(const Ray& ray) {
   const std::string name = "ray '" + ray.name + "': ";
-  require(std::isfinite(ray.mount.x_m) && std::isfinite(ray.mount.y_m),
-          name + "mount must be finite");
-  require(std::isfinite(ray.bearing_rad), name + "bearing_rad must be finite");
-  require(ray.reach_m > 0.0 && std::isfinite(ray.reach_m), name + "reach_m must be above 0");
+  require_in_bounds({name + "mount.x_m", "m", from(-kFurthest, kFurthest), {}}, ray.mount.x_m);
+  require_in_bounds({name + "mount.y_m", "m", from(-kFurthest, kFurthest), {}}, ray.mount.y_m);
+  require_in_bounds({name + "bearing_rad", "rad", from(-kMostTurn, kMostTurn), {}},
+                    ray.bearing_rad);
+  require_in_bounds({name + "reach_m", "m", above(0.0, kFurthest), {}}, ray.reach_m);
   if (ray.kind != RayKind::bend) {
     return;
   }
@@ -50,17 +55,23 @@ void validate(const Ray& ray) {
   require(is_monotone(clearance), name + "calibration clearance_m must be monotone");
 }
 
-bool is_finite(Point p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
+void require_point(Point p, const std::string& name) {
+  constexpr FieldBounds kPlace = from(-kLargestPose, kLargestPose);
+  require_in_bounds({name + ".x_m", "m", kPlace, {}}, p.x_m);
+  require_in_bounds({name + ".y_m", "m", kPlace, {}}, p.y_m);
+}
 
 void validate(const Region& region, const std::string& name) {
   if (const auto* disc = std::get_if<Disc>(&region)) {
-    require(is_finite(disc->centre) && std::isfinite(disc->radius_m), name + " must be finite");
-    require(disc->radius_m > 0.0, name + ": the radius of the disc must be above 0");
+    require_point(disc->centre, name + ".centre");
+    require_in_bounds({name + ".radius_m", "m", above(0.0, kLargestPose), {}}, disc->radius_m);
     return;
   }
   const auto& vertices = std::get_if<Polygon>(&region)->vertices;
   require(vertices.size() >= 3, name + ": a polygon needs at least three vertices");
-  require(std::all_of(vertices.begin(), vertices.end(), is_finite), name + " must be finite");
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    require_point(vertices[i], name + ".vertices[" + std::to_string(i) + "]");
+  }
 }
 
 }  // namespace
@@ -100,14 +111,7 @@ double calibrated_bend(const Calibration& calibration, double clearance_m) noexc
 }
 
 void validate(const Robot& robot) {
-  require(robot.body_width_m > 0.0 && std::isfinite(robot.body_width_m),
-          "body_width_m must be above 0");
-  require(robot.min_turn_radius_m >= 0.0 && std::isfinite(robot.min_turn_radius_m),
-          "min_turn_radius_m must not be negative");
-  require(robot.tracking_buffer_m >= 0.0 && std::isfinite(robot.tracking_buffer_m),
-          "tracking_buffer_m must not be negative");
-  require(robot.curvature_buffer_per_m >= 0.0 && std::isfinite(robot.curvature_buffer_per_m),
-          "curvature_buffer_per_m must not be negative");
+  require_fields(robot);
   for (const Ray& ray : robot.rays) {
     validate(ray);
   }

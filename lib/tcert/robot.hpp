@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tcert/geometry.hpp>
+#include <tcert/parameter_fields.hpp>
 #include <tcert/region.hpp>
 #include <vector>
 
@@ -32,13 +33,20 @@ struct Ray {
   Calibration calibration;  ///< Used by bend rays only.
 };
 
+/// The body half-width r_B is half of body_width_m. See parameters/robot.def.
 struct Robot {
-  double body_width_m = 0.45;           ///< w_B > 0; the body half-width r_B is half of it.
-  double min_turn_radius_m = 0.35;      ///< R_min >= 0.
-  double tracking_buffer_m = 0.0;       ///< epsilon_trk >= 0.
-  double curvature_buffer_per_m = 0.0;  ///< epsilon_kappa >= 0.
+#define TCERT_NUMBER TCERT_MEMBER_NUMBER
+#include <tcert/parameters/robot.def>
   std::vector<Ray> rays;
 };
+
+/// See parameter_fields.hpp; the first argument only names the list.
+template <class Visit>
+void visit_fields(const Robot&, Visit&& visit) {
+  using Group = Robot;
+#define TCERT_NUMBER TCERT_VISIT_NUMBER
+#include <tcert/parameters/robot.def>
+}
 
 /// Access and egress regions. Without a start, S is the disc of half the body width round the
 /// first node; without a goal there is no certificate T_t, only the on-policy corridor value V_t.

@@ -28,17 +28,7 @@ Point centre_of(const Region& region) {
 
 }  // namespace
 
-void validate(const RouteParameters& p) {
-  const auto require = [](bool good, const char* message) {
-    if (!good) {
-      throw std::invalid_argument(message);
-    }
-  };
-  require(p.inflation_m >= 0.0 && std::isfinite(p.inflation_m),
-          "route_inflation_m must not be negative");
-  require(p.unknown_margin_m > 0.0, "route_unknown_margin_m must be above 0");
-  require(p.block_s > 0.0 && p.block_s <= 1e9, "route_block_s must be above 0, at most 1e9");
-}
+void validate(const RouteParameters& p) { require_fields(p); }
 
 RoutePlanner::RoutePlanner(std::uint32_t max_nodes,
                            std::uint32_t max_edges,

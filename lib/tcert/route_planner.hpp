@@ -7,16 +7,25 @@
 #include <tcert/corridor_graph.hpp>
 #include <tcert/dstar_lite.hpp>
 #include <tcert/geometry.hpp>
+#include <tcert/parameter_fields.hpp>
 #include <tcert/region.hpp>
 #include <vector>
 
 namespace tcert {
 
+/// See parameters/route.def.
 struct RouteParameters {
-  double inflation_m = 0.05;       ///< A metre of robust margin M costs 1 + this / M; >= 0.
-  double unknown_margin_m = 0.02;  ///< M of space not explored yet; > 0.
-  double block_s = 20.0;           ///< How long a blocked edge stays so; > 0.
+#define TCERT_NUMBER TCERT_MEMBER_NUMBER
+#include <tcert/parameters/route.def>
 };
+
+/// See parameter_fields.hpp; the first argument only names the list.
+template <class Visit>
+void visit_fields(const RouteParameters&, Visit&& visit) {
+  using Group = RouteParameters;
+#define TCERT_NUMBER TCERT_VISIT_NUMBER
+#include <tcert/parameters/route.def>
+}
 
 /// \throws std::invalid_argument naming the member that is out of range.
 void validate(const RouteParameters& parameters);

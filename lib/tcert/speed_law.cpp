@@ -21,14 +21,9 @@ double gated_speed(const SpeedLaw& law, double margin_m) noexcept {
 }
 
 void validate(const SpeedLaw& law) {
-  if (!(law.min_speed_mps > 0.0 && std::isfinite(law.min_speed_mps))) {
-    throw std::invalid_argument("min_speed_mps must be above 0");
-  }
-  if (!(law.max_speed_mps >= law.min_speed_mps && std::isfinite(law.max_speed_mps))) {
+  require_fields(law);
+  if (law.max_speed_mps < law.min_speed_mps) {
     throw std::invalid_argument("max_speed_mps must not be below min_speed_mps");
-  }
-  if (!(law.beta_per_m > 0.0 && std::isfinite(law.beta_per_m))) {
-    throw std::invalid_argument("beta_per_m must be above 0");
   }
 }
 

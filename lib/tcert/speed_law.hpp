@@ -3,6 +3,7 @@
 /// Speed gated by a margin: the two laws of the paper, by name.
 
 #include <cstdint>
+#include <tcert/parameter_fields.hpp>
 
 namespace tcert {
 
@@ -11,12 +12,21 @@ enum class SpeedLawKind : std::uint8_t {
   clip,    ///< Paper 4.4 and guard G1: piecewise linear, clipped to [v_min, v_max]; never 0.
 };
 
+/// v_max >= v_min. See parameters/speed_law.def.
 struct SpeedLaw {
-  double min_speed_mps = 0.08;  ///< v_min > 0.
-  double max_speed_mps = 0.22;  ///< v_max >= v_min.
-  double beta_per_m = 10.0;     ///< Sensitivity; > 0.
-  SpeedLawKind kind = SpeedLawKind::squash;
+#define TCERT_WORD TCERT_MEMBER_WORD
+#define TCERT_NUMBER TCERT_MEMBER_NUMBER
+#include <tcert/parameters/speed_law.def>
 };
+
+/// See parameter_fields.hpp; the first argument only names the list.
+template <class Visit>
+void visit_fields(const SpeedLaw&, Visit&& visit) {
+  using Group = SpeedLaw;
+#define TCERT_WORD TCERT_VISIT_WORD
+#define TCERT_NUMBER TCERT_VISIT_NUMBER
+#include <tcert/parameters/speed_law.def>
+}
 
 /// With s = beta * margin:
 /// - squash: 0 for margin <= 0, else v_min + (v_max - v_min) s/(1 + s);

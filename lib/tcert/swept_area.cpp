@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tcert/elementary.hpp>
 #include <tcert/swept_area.hpp>
 
 namespace tcert {
@@ -104,7 +105,7 @@ SweptArea::SweptArea(const Robot& robot,
     : rule_{parameters.swept_cell_m,
             parameters.travel_deadband_m,
             parameters.least_obstacle_m,
-            0.5 / std::tan(0.5 * parameters.sharpest_corner_rad)},
+            0.5 / elementary::tan(0.5 * parameters.sharpest_corner_rad)},
       body_radius_m_(0.5 * robot.body_width_m),
       reach_m_(body_radius_m_),
       rays_(robot.rays),

@@ -14,6 +14,14 @@ inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 /// The largest coordinate in m and yaw in rad of a pose: no lengths then overflow.
 inline constexpr double kLargestPose = 1e9;
 
+/// Seconds from one time stamp to another, whatever the two are.
+[[nodiscard]] constexpr double elapsed_s(std::int64_t from_ns, std::int64_t to_ns) noexcept {
+  const auto from = static_cast<std::uint64_t>(from_ns);
+  const auto to = static_cast<std::uint64_t>(to_ns);
+  return to_ns >= from_ns ? 1e-9 * static_cast<double>(to - from)
+                          : -1e-9 * static_cast<double>(from - to);
+}
+
 /// Reading of one ray: filtered (median of three raw samples), not calibrated.
 struct RayReading {
   double value = kMissing;  ///< Bend in rad or range in m, by the ray's kind; NaN is missing.

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "datasets/json_depth.hpp"
+
 namespace tcert {
 namespace {
 
@@ -74,6 +76,9 @@ std::string to_text(const CellRows& rows) {
 }
 
 CellRows cell_rows_from(const std::string& text) {
+  if (is_nested_too_deeply(text)) {
+    throw std::invalid_argument(std::string(kNestedTooDeeply));
+  }
   try {
     CellRows rows;
     for (const Json& row : Json::parse(text)) {

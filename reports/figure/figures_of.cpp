@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <system_error>
 #include <utility>
 
+#include "datasets/bytes.hpp"
+#include "datasets/path_name.hpp"
 #include "reports/figure/figure_table.hpp"
 #include "reports/figure/h1_figures.hpp"
 #include "reports/figure/set_figures.hpp"
@@ -84,13 +83,12 @@ std::optional<World> world_of(const Results& results, const std::string& trial_i
     return std::nullopt;
   }
   const auto path = corpus->folder / "worlds" / (trial_id + ".json");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
+  const BytesResult file = read_raw_file(path);
+  if (!file.bytes) {
     return std::nullopt;
   }
   try {
-    return world_from_json(
-        std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
+    return world_from_json(file.bytes->view());
   } catch (const WorldFormatError& error) {
     throw MissingResult("'" + path.string() + "': " + error.what());
   }
@@ -149,7 +147,7 @@ StudyFigures study_figures(const Results& results) {
 
 std::optional<TrialPicture> trial_picture(const Results& results, const std::string& trial_id) {
   const Result* const certificates = results.find(ResultKind::certificates);
-  if (certificates == nullptr) {
+  if (certificates == nullptr || !is_file_name(trial_id)) {
     return std::nullopt;
   }
   std::optional<DataTable> series = result_data(*certificates, "series/" + trial_id + ".csv");

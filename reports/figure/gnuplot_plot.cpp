@@ -198,12 +198,17 @@ struct Polygon {
 
 }  // namespace
 
+// gnuplot reads '' as a quote within quotes, but not '''x': quotes are strings of their own. Double
+// quotes round everything would let a back quote run a program.
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
-    out += is_control(c) ? std::string(" ") : c == '\'' ? std::string("''") : std::string(1, c);
+    out += is_control(c) ? std::string(" ")
+           : c == '\''   ? std::string("'.\"'\".'")
+                         : std::string(1, c);
   }
-  return out + "'";
+  out += "'";
+  return text.find('\'') == std::string::npos ? out : "(" + out + ")";
 }
 
 std::string number(double value) {

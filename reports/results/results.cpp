@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <system_error>
+
+#include "datasets/bytes.hpp"
+#include "datasets/path_name.hpp"
+#include "reports/manifest_checks.hpp"
 
 namespace tcert {
 namespace {
@@ -47,8 +49,7 @@ void add_result(const fs::path& folder, std::string name, Results& results) {
   }
   std::optional<WrittenResult> written = read_manifest(folder / "manifest.json");
   if (!written) {
-    throw MissingResult("'" + (folder / "manifest.json").string() +
-                        "' is not a manifest of this tool");
+    throw MissingResult(why_no_manifest(folder / "manifest.json"));
   }
   if (written->synthetic && !results.synthetic) {
     results.synthetic = written->synthetic;
@@ -107,12 +108,12 @@ bool feeds(const Result& writer, const Result& reader) {
          (writer.kind == ResultKind::replays && reader.kind == ResultKind::h3);
 }
 
-std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw MissingResult("cannot read '" + path.string() + "'");
+Bytes bytes_of_file(const fs::path& path) {
+  BytesResult file = read_raw_file(path);
+  if (!file.bytes) {
+    throw MissingResult("cannot read '" + path.string() + "': " + file.problem);
   }
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return std::move(*file.bytes);
 }
 
 }  // namespace
@@ -138,7 +139,7 @@ Results read_results(const fs::path& folder) {
   if (results.all.empty()) {
     std::vector<fs::path> parts;
     for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.is_directory()) {
+      if (entry.is_directory() && !is_temporary_name(entry.path().filename().native())) {
         parts.push_back(entry.path());
       }
     }
@@ -180,7 +181,7 @@ std::optional<Table> result_table(const Result& result, std::string_view name) {
     return std::nullopt;
   }
   try {
-    return table_from_json(text_of_file(path));
+    return table_from_json(bytes_of_file(path).view());
   } catch (const std::invalid_argument& cause) {
     throw MissingResult("'" + path.string() + "': " + cause.what());
   }

@@ -59,7 +59,8 @@ struct Results {
   [[nodiscard]] const Result* find(ResultKind kind) const noexcept;
 };
 
-/// The folder itself if it has a manifest.json, and each folder in it that has one.
+/// The folder itself if it has a manifest.json, and each folder in it that has one; what a killed
+/// process has left half written (is_temporary_name) is none.
 /// \throws MissingResult if there is none.
 [[nodiscard]] Results read_results(const std::filesystem::path& folder);
 

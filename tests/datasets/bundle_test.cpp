@@ -206,8 +206,10 @@ TEST(OpenBundle, RejectsTrialsWithASuccessThatIsNeitherOrANegativeTime) {
           "cell is empty, NA or nan); the trial is rejected",
           "trials.csv:3: error: column 'time_s': found '-1', expected a finite number, 0 or "
           "more (a missing cell is empty, NA or nan); the trial is rejected",
-          "trials.csv:5: error: column 'trial_id': found '../t4', expected the name of its "
-          "folder in logs: not empty, without / and \\; the trial is rejected"}));
+          "trials.csv:5: error: column 'trial_id': found '../t4', expected a name that "
+          "can be that of a file: not empty, without / and \\ and control characters, no '.' at "
+          "its "
+          "beginning, at most 230 bytes; the trial is rejected"}));
   ASSERT_TRUE(opened.result.bundle);
   ASSERT_EQ(opened.result.bundle->trials.size(), 1U);
   EXPECT_EQ(opened.result.bundle->trials[0].trial_id, "t3");

@@ -176,7 +176,7 @@ TEST(CApi, SaysWhatIsWrongWithWhatItIsMadeFrom) {
   expect_refused([](CSetup& c) { c.rays[0].kind = 7; }, TCERT_ERROR_PARAMETER, "ray kind");
   expect_refused([](CSetup& c) { c.robot.rays = nullptr; }, TCERT_ERROR_PARAMETER, "rays is null");
   expect_refused(
-      [](CSetup& c) { c.course.goal.radius_m = 0.0; }, TCERT_ERROR_PARAMETER, "radius of the disc");
+      [](CSetup& c) { c.course.goal.radius_m = 0.0; }, TCERT_ERROR_PARAMETER, "goal.radius_m is 0");
   expect_refused(
       [](CSetup& c) { c.course.start.centre.x_m = kNaN; }, TCERT_ERROR_PARAMETER, "start");
   expect_refused([](CSetup& c) { c.course.start.kind = TCERT_POLYGON; },
@@ -187,6 +187,30 @@ TEST(CApi, SaysWhatIsWrongWithWhatItIsMadeFrom) {
   expect_refused([](CSetup& c) { c.parameters.clearance = 9; }, TCERT_ERROR_PARAMETER, "clearance");
   expect_refused(
       [](CSetup& c) { c.parameters.guard_mode = -1; }, TCERT_ERROR_PARAMETER, "guard_mode");
+  // A word that would become a known one if it were cut to the width of the enumeration.
+  expect_refused(
+      [](CSetup& c) { c.parameters.guard_mode = 257; }, TCERT_ERROR_PARAMETER, "guard_mode is 257");
+  // What would size a table beyond any memory, or a tick beyond any time.
+  expect_refused([](CSetup& c) { c.parameters.memory_cell_m = 1e-300; },
+                 TCERT_ERROR_PARAMETER,
+                 "memory_cell_m is 1e-300; it must be from 0.0001 to 10000");
+  expect_refused([](CSetup& c) { c.parameters.memory_cell_m = 1e-4; },
+                 TCERT_ERROR_PARAMETER,
+                 "memory_sigma_m is 0.15; it must be at most 32 times memory_cell_m");
+  expect_refused([](CSetup& c) { c.parameters.side_window_m = 1e300; },
+                 TCERT_ERROR_PARAMETER,
+                 "side_window_m");
+  expect_refused([](CSetup& c) { c.parameters.side_window_m = 5000.0; },
+                 TCERT_ERROR_PARAMETER,
+                 "at most 100000 times travel_deadband_m");
+  expect_refused([](CSetup& c) { c.robot.body_width_m = 1e300; }, TCERT_ERROR_PARAMETER, "body");
+  expect_refused(
+      [](CSetup& c) {
+        c.parameters.clearance = TCERT_CLEARANCE_SWEPT;
+        c.rays[1].reach_m = 1e4;
+      },
+      TCERT_ERROR_PARAMETER,
+      "ray 'right': mount and reach_m together");
   expect_refused(
       [](CSetup& c) { c.parameters.beta_per_m = 0.0; }, TCERT_ERROR_PARAMETER, "beta_per_m");
   expect_refused([](CSetup& c) { c.parameters.tracking_radius_m = &c.parameters.beta_per_m; },

@@ -10,8 +10,8 @@
 namespace tcert {
 namespace {
 
-constexpr SpeedLaw kSquash{0.08, 0.22, 10.0, SpeedLawKind::squash};
-constexpr SpeedLaw kClip{0.08, 0.22, 10.0, SpeedLawKind::clip};
+constexpr SpeedLaw kSquash{SpeedLawKind::squash, 0.08, 0.22, 10.0};
+constexpr SpeedLaw kClip{SpeedLawKind::clip, 0.08, 0.22, 10.0};
 
 // 0.1 m per m/s and 0.01 m per m/s^2, so that the algebra can be done by hand.
 TrackingErrorTable steep_table() {

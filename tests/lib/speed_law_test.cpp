@@ -17,7 +17,7 @@ TEST(GatedSpeed, FollowsTheSquashedMargin) {
   // beta m = 1: half way between 0.08 and 0.22.
   EXPECT_NEAR(gated_speed({}, 0.1), 0.15, 1e-15);
   // beta m = 0.25: a fifth of the way.
-  EXPECT_NEAR(gated_speed({0.08, 0.22, 5.0}, 0.05), 0.108, 1e-15);
+  EXPECT_NEAR(gated_speed({SpeedLawKind::squash, 0.08, 0.22, 5.0}, 0.05), 0.108, 1e-15);
   EXPECT_EQ(gated_speed({}, std::numeric_limits<double>::infinity()), 0.22);
 }
 
@@ -31,7 +31,7 @@ TEST(GatedSpeed, NeverFallsAsTheMarginGrows) {
 }
 
 TEST(GatedSpeed, ClipsAndNeverHalts) {
-  const SpeedLaw clip{0.08, 0.22, 10.0, SpeedLawKind::clip};
+  const SpeedLaw clip{SpeedLawKind::clip, 0.08, 0.22, 10.0};
   EXPECT_EQ(gated_speed(clip, -1.0), 0.08);
   EXPECT_EQ(gated_speed(clip, 0.0), 0.08);
   EXPECT_NEAR(gated_speed(clip, 0.05), 0.15, 1e-15);
@@ -42,9 +42,9 @@ TEST(GatedSpeed, ClipsAndNeverHalts) {
 }
 
 TEST(SpeedLaw, RefusesImpossibleValues) {
-  EXPECT_THROW(validate(SpeedLaw{0.3, 0.22, 10.0}), std::invalid_argument);
-  EXPECT_THROW(validate(SpeedLaw{0.0, 0.22, 10.0}), std::invalid_argument);
-  EXPECT_THROW(validate(SpeedLaw{0.08, 0.22, 0.0}), std::invalid_argument);
+  EXPECT_THROW(validate(SpeedLaw{SpeedLawKind::squash, 0.3, 0.22, 10.0}), std::invalid_argument);
+  EXPECT_THROW(validate(SpeedLaw{SpeedLawKind::squash, 0.0, 0.22, 10.0}), std::invalid_argument);
+  EXPECT_THROW(validate(SpeedLaw{SpeedLawKind::squash, 0.08, 0.22, 0.0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(Figure, HasUnitsOnItsAxes) {
 }
 
 TEST(Figure, QuotesWhatGnuplotWouldRead) {
-  EXPECT_NE(gnuplot_script(small_figure()).find("'It''s small'"), std::string::npos);
+  EXPECT_NE(gnuplot_script(small_figure()).find("('It'.\"'\".'s small')"), std::string::npos);
 }
 
 /// No line of the script begins with what a text of the figure says.

@@ -9,8 +9,8 @@ namespace tcert {
 namespace {
 
 constexpr std::int64_t kTickNs = 100'000'000;
-constexpr SpeedLaw kSquash{0.08, 0.22, 10.0, SpeedLawKind::squash};
-constexpr SpeedLaw kClip{0.08, 0.22, 10.0, SpeedLawKind::clip};
+constexpr SpeedLaw kSquash{SpeedLawKind::squash, 0.08, 0.22, 10.0};
+constexpr SpeedLaw kClip{SpeedLawKind::clip, 0.08, 0.22, 10.0};
 
 /// A run along +x, tick by tick; its margins are what the test says, not what rays felt.
 struct LoggedRun {
