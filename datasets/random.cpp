@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 namespace tcert {
 
@@ -47,11 +48,11 @@ double RandomStream::normal() noexcept {
     has_spare_ = false;
     return spare_;
   }
-  const double radius = std::sqrt(-2.0 * std::log(uniform()));
-  const double angle = 2.0 * std::numbers::pi * uniform();
-  spare_ = radius * std::sin(angle);
+  const double radius = std::sqrt(-2.0 * elementary::log(uniform()));
+  const auto [sine, cosine] = elementary::sine_cosine(2.0 * std::numbers::pi * uniform());
+  spare_ = radius * sine;
   has_spare_ = true;
-  return radius * std::cos(angle);
+  return radius * cosine;
 }
 
 // Rejection of the incomplete last interval (Lemire 2019).

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 #include "datasets/corpus/tentacles.hpp"
 
@@ -32,7 +33,7 @@ constexpr std::size_t kLateral = 2;
 class Wander {
  public:
   explicit Wander(double time_s)
-      : keep_(std::exp(-kDriveStep / time_s)), add_(std::sqrt(1.0 - keep_ * keep_)) {}
+      : keep_(elementary::exp(-kDriveStep / time_s)), add_(std::sqrt(1.0 - keep_ * keep_)) {}
   double next(RandomStream& random) noexcept {
     value_ = keep_ * value_ + add_ * random.normal();
     return value_;
@@ -89,7 +90,7 @@ class Driver {
  public:
   Driver(const DrivePlan& plan, const WallIndex& walls, RandomStream random)
       : plan_(plan), walls_(walls), random_(random), pose_(plan.start) {
-    trial_speed_ = std::exp(kTrialSpeedSd * random_.normal());
+    trial_speed_ = elementary::exp(kTrialSpeedSd * random_.normal());
     stand_until_ = random_.uniform(0.3, 1.0);
     patience_ = random_.uniform(5.0, 12.0);
   }
@@ -135,7 +136,7 @@ class Driver {
   }
 
   double commanded_speed() noexcept {
-    const double wander = std::exp(kSpeedWanderSd * speed_wander_.next(random_));
+    const double wander = elementary::exp(kSpeedWanderSd * speed_wander_.next(random_));
     if (now() < stand_until_ || arrived_) {
       return 0.0;
     }
@@ -160,7 +161,7 @@ class Driver {
   }
 
   void move(double speed, double curvature, bool reverse) noexcept {
-    speed_ += (speed - speed_) * (1.0 - std::exp(-kDriveStep / kSpeedLag));
+    speed_ += (speed - speed_) * (1.0 - elementary::exp(-kDriveStep / kSpeedLag));
     const double noise = plan_.policy.heading_noise_per_m * heading_wander_.next(random_);
     const double ds = speed_ * kDriveStep;
     const double turn = ds * (curvature + noise);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 namespace tcert {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kJawOverlap = 0.03;     // the jaws reach into the wall behind 
 constexpr Point kExtent{4.5, 2.2};
 
 double half_crossing_angle(const FigureEight& course) {
-  return std::asin(course.radius_m / kHalfPostDistance);
+  return elementary::asin(course.radius_m / kHalfPostDistance);
 }
 
 /// From the lane over the first post to the others, by reflection.
@@ -27,7 +28,7 @@ Point reflected(Point p, Lane lane) {
 
 Pose reflected(Pose pose, Lane lane) {
   const Point u = reflected(direction(pose.yaw_rad), lane);
-  return {reflected(pose.position, lane), std::atan2(u.y_m, u.x_m)};
+  return {reflected(pose.position, lane), elementary::atan2(u.y_m, u.x_m)};
 }
 
 Point rounded(Point p) { return {std::round(p.x_m * 1e4) / 1e4, std::round(p.y_m * 1e4) / 1e4}; }
@@ -53,14 +54,14 @@ void append_arc(std::vector<Point>& points, double radius, double from, double t
 Polygon island(const FigureEight& course) {
   const double radius = std::max(course.radius_m - 0.5 * course.lane_width_m, kLeastIslandRadius);
   const double apex =
-      kHalfPostDistance - 0.5 * course.lane_width_m / std::sin(half_crossing_angle(course));
+      kHalfPostDistance - 0.5 * course.lane_width_m / elementary::sin(half_crossing_angle(course));
   Polygon polygon;
   if (apex <= radius) {
     append_arc(polygon.vertices, radius, 0.0, 2.0 * kPi);
     polygon.vertices.pop_back();
     return polygon;
   }
-  const double tangent = std::acos(radius / apex);
+  const double tangent = elementary::acos(radius / apex);
   append_arc(polygon.vertices, radius, tangent, 2.0 * kPi - tangent);
   polygon.vertices.push_back({-kHalfPostDistance + apex, 0.0});
   return polygon;
@@ -74,7 +75,7 @@ Polygon upper_wall(const FigureEight& course) {
   Polygon polygon;
   polygon.vertices.push_back({-kExtent.x_m, 0.0});
   polygon.vertices.insert(polygon.vertices.end(), first.begin(), first.end());
-  polygon.vertices.push_back({0.0, 0.5 * course.lane_width_m / std::cos(angle)});
+  polygon.vertices.push_back({0.0, 0.5 * course.lane_width_m / elementary::cos(angle)});
   std::reverse(first.begin(), first.end());
   for (const Point p : first) {
     polygon.vertices.push_back({-p.x_m, p.y_m});
@@ -108,11 +109,12 @@ Region course_goal() { return Disc{{kRegionCentre, 0.0}, kRegionRadius}; }
 
 double lane_length(const FigureEight& course) {
   const double angle = half_crossing_angle(course);
-  return course.radius_m * (0.5 * kPi + angle) + kHalfPostDistance * std::cos(angle);
+  return course.radius_m * (0.5 * kPi + angle) + kHalfPostDistance * elementary::cos(angle);
 }
 
 double walled_length(const FigureEight& course) {
-  return lane_length(course) - 0.5 * course.lane_width_m / std::tan(half_crossing_angle(course));
+  return lane_length(course) -
+         0.5 * course.lane_width_m / elementary::tan(half_crossing_angle(course));
 }
 
 Pose lane_pose(const FigureEight& course, Lane lane, double along_m) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <tcert/elementary.hpp>
 #include <vector>
 
 #include "datasets/corpus/drive.hpp"
@@ -93,7 +93,7 @@ SimulatedTrial simulate_gate_pass(std::uint64_t seed, std::uint64_t index) {
   const Pass pass = pass_of(seed, index);
   RandomStream random(seed, draws::kMicroStudy, index);
   const double margin = pass.gate_width_m - corpus_robot().body_width_m;
-  const bool success = random.uniform() < 1.0 / (1.0 + std::exp(-margin / kScale));
+  const bool success = random.uniform() < 1.0 / (1.0 + elementary::exp(-margin / kScale));
 
   SimulatedTrial trial;
   trial.true_margin_m = margin;

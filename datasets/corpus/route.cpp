@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 namespace tcert {
 namespace {
@@ -21,7 +22,7 @@ double swerve(const TrialCourse& trial, Lane lane, double along) {
   for (const Gate& gate : trial.gates) {
     const double x = (along - gate.along_m) / kSwerve;
     if (same(gate.lane, lane) && std::abs(x) < 1.0) {
-      const double w = 0.5 * (1.0 + std::cos(kPi * x));
+      const double w = 0.5 * (1.0 + elementary::cos(kPi * x));
       offset += w * w * gate.offset_m;
       weight += w;
     }
@@ -44,9 +45,9 @@ std::vector<Point> lane_path(const TrialCourse& trial, Lane lane, double until) 
 /// The turn from the end of `before` onto the beginning of `after`, both on straight tangents that
 /// meet at the origin.
 std::vector<Point> crossing_turn(Point before, Point after) {
-  const double heading = std::atan2(-before.y_m, -before.x_m);
-  const double turn = angle_between(heading, std::atan2(after.y_m, after.x_m));
-  const double radius = norm(before) / std::tan(0.5 * std::abs(turn));
+  const double heading = elementary::atan2(-before.y_m, -before.x_m);
+  const double turn = angle_between(heading, elementary::atan2(after.y_m, after.x_m));
+  const double radius = norm(before) / elementary::tan(0.5 * std::abs(turn));
   const double side = turn < 0.0 ? -1.0 : 1.0;
   const Point centre = before + (side * radius) * direction(heading + 0.5 * kPi);
   const auto steps = static_cast<int>(std::ceil(radius * std::abs(turn) / kPathStep));
@@ -77,8 +78,8 @@ std::vector<Leg> plan_legs(const TrialCourse& trial, bool look_in, double look_i
   const Route& route = trial.route;
   const double length = lane_length(trial.course);
   const bool straight_on = route.first.upper != route.second.upper;
-  const double angle = std::asin(trial.course.radius_m / 2.4);
-  const double cut = straight_on ? 0.0 : kCrossingRadius * std::tan(angle);
+  const double angle = elementary::asin(trial.course.radius_m / 2.4);
+  const double cut = straight_on ? 0.0 : kCrossingRadius * elementary::tan(angle);
   std::vector<Point> first = lane_path(trial, route.first, length - cut);
   std::vector<Point> second = lane_path(trial, route.second, length - cut);
   std::reverse(second.begin(), second.end());
@@ -96,12 +97,12 @@ std::vector<Leg> plan_legs(const TrialCourse& trial, bool look_in, double look_i
   const Lane other{true, !route.second.upper};
   const Point towards = lane_pose(trial.course, other, length - look_in_m).position;
   std::vector<Leg> legs;
-  const double angle_cut = kCrossingRadius * std::tan(angle) + kBackOff;
+  const double angle_cut = kCrossingRadius * elementary::tan(angle) + kBackOff;
   const auto back_to = static_cast<std::size_t>((length - angle_cut) / kPathStep);
   std::vector<Point> into = first;
   if (straight_on) {
     // The lane that is not taken lies across the turn: approach it on the arc.
-    const double turn_cut = kCrossingRadius * std::tan(angle);
+    const double turn_cut = kCrossingRadius * elementary::tan(angle);
     into = lane_path(trial, route.first, length - turn_cut);
     const Point out = lane_pose(trial.course, other, length - turn_cut).position;
     append(into, crossing_turn(into.back(), out));

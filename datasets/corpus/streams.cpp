@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 #include "datasets/corpus/purpose.hpp"
 #include "datasets/corpus/tentacles.hpp"
@@ -113,7 +114,7 @@ ControlStream log_control(const Drive& drive, double end_s, const StreamOptions&
     stream.yaw_rate_cmd_rps.push_back(rounded(drive.yaw_rate_cmd_rps[i], 1e4));
     // Laplace about the median: short most of the time, with the odd late loop.
     const double u = random.uniform() - 0.5;
-    const double jitter = -std::copysign(std::log(1.0 - 2.0 * std::abs(u)), u);
+    const double jitter = -std::copysign(elementary::log(1.0 - 2.0 * std::abs(u)), u);
     stream.loop_latency_ms.push_back(rounded(kLatency + kLatencySpread * jitter, 1e2));
   }
   return stream;

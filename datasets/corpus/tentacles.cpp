@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 namespace tcert {
 namespace {
@@ -87,7 +88,7 @@ TentacleSensors::TentacleSensors(double calibration_bias_m, RandomStream random)
 double TentacleSensors::texture(std::size_t tentacle) const noexcept {
   double sum = 0.0;
   for (const Wave& wave : texture_[tentacle]) {
-    sum += std::sin(wave.per_metre * travelled_m_ + wave.phase);
+    sum += elementary::sin(wave.per_metre * travelled_m_ + wave.phase);
   }
   return sum * std::sqrt(2.0 / static_cast<double>(kWaves));
 }

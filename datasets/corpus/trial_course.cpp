@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tcert/elementary.hpp>
 
 #include "datasets/corpus/purpose.hpp"
 #include "datasets/corpus/tentacles.hpp"
@@ -36,8 +37,8 @@ constexpr double kWallClearance = 0.12;  // a gate's middle before the wall's en
 constexpr double kMostOffset = 0.02;
 
 /// log(1 + e^x) keeps order and is above 0: a floor without a heap of equal values on it.
-double above(double value, double floor) {
-  return floor + kSoftness * std::log1p(std::exp((value - floor) / kSoftness));
+double softly_above(double value, double floor) {
+  return floor + kSoftness * elementary::log(1.0 + elementary::exp((value - floor) / kSoftness));
 }
 
 void add_gates(TrialCourse& trial,
@@ -73,7 +74,8 @@ void add_wedge(TrialCourse& trial, double shift, RandomStream& random) {
   }
   trial.wedge = candidates[random.below(static_cast<std::uint32_t>(candidates.size()))];
   const double margin = kWedgeMargin + shift + kWedgeSd * random.normal();
-  trial.gates[*trial.wedge].width_m = corpus_robot().body_width_m - above(-margin, kLeastWedge);
+  trial.gates[*trial.wedge].width_m =
+      corpus_robot().body_width_m - softly_above(-margin, kLeastWedge);
 }
 
 double least_margin(const TrialCourse& trial) {
@@ -101,7 +103,7 @@ TrialCourse draw_course(const TrialDesign& design) {
   trial.route.second = {true, course_random.below(2) == 0};
   for (const bool at_goal : {false, true}) {
     for (const bool upper : {false, true}) {
-      const double margin = above(level + kGateSd * tightness_random.normal(), kLeastMargin);
+      const double margin = softly_above(level + kGateSd * tightness_random.normal(), kLeastMargin);
       add_gates(trial,
                 {at_goal, upper},
                 corpus_robot().body_width_m + margin,

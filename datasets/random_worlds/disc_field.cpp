@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/random_worlds/families.hpp"
@@ -17,8 +18,8 @@ std::vector<Point> winding_path(double length, double swing, double waves) {
   std::vector<Point> path = straight_path({0.0, 0.0}, {length + 0.2, 0.0});
   for (Point& p : path) {
     const double share = std::clamp(p.x_m / length, 0.0, 1.0);
-    const double envelope = std::sin(std::numbers::pi * share);
-    p.y_m = swing * envelope * envelope * std::sin(2.0 * std::numbers::pi * waves * share);
+    const double envelope = elementary::sin(std::numbers::pi * share);
+    p.y_m = swing * envelope * envelope * elementary::sin(2.0 * std::numbers::pi * waves * share);
   }
   return path;
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 #include "datasets/corpus/trial_course.hpp"
 #include "datasets/random_worlds/families.hpp"
@@ -35,7 +35,7 @@ constexpr int kSides = 72;
 
 /// A corner of the regular polygon whose sides touch the circle of `radius`.
 Point corner_about(double radius, int i) {
-  return radius / std::cos(kPi / kSides) * direction(2.0 * kPi * i / kSides);
+  return radius / elementary::cos(kPi / kSides) * direction(2.0 * kPi * i / kSides);
 }
 
 /// A wall of quadrilaterals round a circle, which they touch.

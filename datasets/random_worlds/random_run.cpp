@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 #include "datasets/corpus/streams.hpp"
 #include "datasets/corpus/tentacles.hpp"
@@ -30,8 +31,8 @@ struct Waves {
   std::array<double, 2> per_metre{};
   std::array<double, 2> phase{};
   [[nodiscard]] double at(double along) const noexcept {
-    return 0.6 * std::sin(per_metre[0] * along + phase[0]) +
-           0.4 * std::sin(per_metre[1] * along + phase[1]);
+    return 0.6 * elementary::sin(per_metre[0] * along + phase[0]) +
+           0.4 * elementary::sin(per_metre[1] * along + phase[1]);
   }
 };
 
@@ -66,7 +67,7 @@ std::vector<double> headings_of(const std::vector<Point>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point way =
         points[std::min(i + kSpan, points.size() - 1)] - points[i - std::min(i, kSpan)];
-    headings[i] = std::atan2(way.y_m, way.x_m);
+    headings[i] = elementary::atan2(way.y_m, way.x_m);
   }
   return headings;
 }

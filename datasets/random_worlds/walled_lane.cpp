@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tcert/elementary.hpp>
 
 #include "datasets/corpus/route.hpp"
 
@@ -17,7 +18,7 @@ constexpr double kJawOverlap = 0.05;  // the jaws reach into the wall behind the
 Pose advanced(const Pose& from, double length_m, double curvature_per_m) noexcept {
   const double turn = length_m * curvature_per_m;
   const double chord =
-      std::abs(turn) > 1e-12 ? 2.0 * std::sin(0.5 * turn) / curvature_per_m : length_m;
+      std::abs(turn) > 1e-12 ? 2.0 * elementary::sin(0.5 * turn) / curvature_per_m : length_m;
   return {from.position + chord * direction(from.yaw_rad + 0.5 * turn), from.yaw_rad + turn};
 }
 
@@ -27,7 +28,7 @@ double swerve(const WalledLane& lane, double along_m) noexcept {
   for (const LaneGate& gate : lane.gates) {
     const double x = (along_m - gate.along_m) / kSwerve;
     if (std::abs(x) < 1.0) {
-      const double w = 0.5 * (1.0 + std::cos(std::numbers::pi * x));
+      const double w = 0.5 * (1.0 + elementary::cos(std::numbers::pi * x));
       offset += w * w * gate.offset_m;
       weight += w;
     }

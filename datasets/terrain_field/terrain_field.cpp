@@ -1,8 +1,8 @@
 #include "datasets/terrain_field/terrain_field.hpp"
 
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <tcert/elementary.hpp>
 #include <terrain/lipschitz.hpp>
 
 #include "datasets/random.hpp"
@@ -20,8 +20,8 @@ struct Wave {
 
   Wave(int count, double frequency, double phase) {
     for (int i = 0; i < count; ++i) {
-      cosine.push_back(std::cos(frequency * i + phase));
-      sine.push_back(std::sin(frequency * i + phase));
+      cosine.push_back(elementary::cos(frequency * i + phase));
+      sine.push_back(elementary::sin(frequency * i + phase));
     }
   }
 };
