@@ -1,13 +1,18 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <tcert/parameter_fields.hpp>
 
 namespace tcert {
 std::string to_text(double value) {
   std::array<char, 32> text{};
-  const char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  char* const last = text.data() + text.size();
+  const bool plain = std::abs(value) >= 1e-6 && std::abs(value) < 1e9;
+  const char* const end =
+      plain ? std::to_chars(text.data(), last, value, std::chars_format::fixed).ptr
+            : std::to_chars(text.data(), last, value).ptr;
   return {text.data(), static_cast<std::size_t>(end - text.data())};
 }
 

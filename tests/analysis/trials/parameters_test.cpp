@@ -75,13 +75,13 @@ TEST(SetParameter, SuggestsTheNearestKey) {
 
 TEST(SetParameter, SaysWhatIsAccepted) {
   EXPECT_EQ(message_of("edge_length_m", "-1"),
-            "edge_length_m: found '-1', expected a number above 0");
+            "edge_length_m: found '-1', expected a number from 0.0001 to 100000");
   EXPECT_EQ(message_of("memory_gain", "1.5"),
             "memory_gain: found '1.5', expected a number from 0 to 1");
   EXPECT_EQ(message_of("curvature", "paht"),
             "curvature: found 'paht', expected path, contact, contact_literal or none");
   EXPECT_EQ(message_of("max_nodes", "64.5"),
-            "max_nodes: found '64.5', expected a whole number from 2 to 268435456");
+            "max_nodes: found '64.5', expected a whole number from 2 to 4194304");
   EXPECT_NE(message_of("edge_length_m", "nan"), "");
   EXPECT_NE(message_of("edge_length_m", "inf"), "");
   EXPECT_NE(message_of("edge_length_m", "1 "), "");
