@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "analysis/trials/study.hpp"
+#include "analysis/study/trials/study.hpp"
 #include "cli/bundle_digest.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"

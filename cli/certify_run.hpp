@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/trials/study_tables.hpp"
+#include "analysis/study/trials/study_tables.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/result_folder.hpp"

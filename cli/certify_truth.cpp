@@ -8,13 +8,13 @@
 #include <map>
 #include <mutex>
 #include <stdexcept>
+#include <table/csv_write.hpp>
 
-#include "analysis/truth/truth.hpp"
+#include "analysis/study/truth/truth.hpp"
 #include "cli/data_file.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "datasets/bundle_files.hpp"
-#include "datasets/csv_write.hpp"
 #include "datasets/worlds/world_problems.hpp"
 
 namespace tcert::cli {

@@ -2,7 +2,7 @@
 /// \file
 /// The truth of a bundle's worlds beside its certificates.
 
-#include "analysis/trials/study_tables.hpp"
+#include "analysis/study/trials/study_tables.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 

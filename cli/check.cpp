@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <table/check_csv.hpp>
 
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "datasets/check_csv.hpp"
 #include "datasets/check_trial.hpp"
 #include "reports/check_table.hpp"
 #include "reports/diagnostics_table.hpp"

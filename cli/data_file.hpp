@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <table/data_table.hpp>
 #include <vector>
 
 #include "cli/options.hpp"
-#include "datasets/data_table.hpp"
 #include "reports/fit/fit_report.hpp"
 #include "reports/manifest.hpp"
 #include "reports/table.hpp"

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <table/random.hpp>
 #include <terrain/lipschitz.hpp>
 
 #include "cli/errors.hpp"
 #include "cli/explore_flags.hpp"
 #include "cli/output.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert::cli {
 namespace {

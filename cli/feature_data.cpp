@@ -1,8 +1,8 @@
 #include "cli/feature_data.hpp"
 
 #include <stdexcept>
+#include <table/bytes.hpp>
 
-#include "datasets/bytes.hpp"
 #include "reports/features_table.hpp"
 
 namespace tcert::cli {

@@ -3,9 +3,10 @@
 /// Features of certified trials as the table that a hypothesis is tested on: what features.csv
 /// would read back as.
 
-#include "analysis/trials/study_tables.hpp"
+#include <table/data_table.hpp>
+
+#include "analysis/study/trials/study_tables.hpp"
 #include "datasets/bundle.hpp"
-#include "datasets/data_table.hpp"
 #include "reports/table.hpp"
 
 namespace tcert::cli {

@@ -1,4 +1,4 @@
-#include "analysis/gate/gate_study.hpp"
+#include "analysis/study/gate/gate_study.hpp"
 
 #include <memory>
 

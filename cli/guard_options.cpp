@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "analysis/replay/tracking_error_grid.hpp"
+#include "analysis/study/replay/tracking_error_grid.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"

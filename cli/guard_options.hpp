@@ -6,7 +6,7 @@
 #include <string>
 #include <tcert/guards.hpp>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 #include "cli/options.hpp"
 #include "reports/manifest.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "analysis/h2/hypothesis_h2.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
+#include "analysis/study/h2/hypothesis_h2.hpp"
 #include "cli/options.hpp"
 
 namespace tcert::cli {

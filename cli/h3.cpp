@@ -2,15 +2,15 @@
 
 #include <memory>
 #include <stdexcept>
+#include <table/bytes.hpp>
 
-#include "analysis/h3/hypothesis_h3.hpp"
+#include "analysis/study/h3/hypothesis_h3.hpp"
 #include "cli/certify_run.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/guard_options.hpp"
 #include "cli/h1_options.hpp"
 #include "cli/report_output.hpp"
-#include "datasets/bytes.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h3_table.hpp"
 #include "reports/replay_table.hpp"

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 #include "cli/command.hpp"
 #include "cli/errors.hpp"
 #include "cli/options.hpp"

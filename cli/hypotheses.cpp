@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <statistics/model/expression.hpp>
 #include <string_view>
 
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "analysis/h2/hypothesis_h2.hpp"
-#include "analysis/model/expression.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
+#include "analysis/study/h2/hypothesis_h2.hpp"
 #include "cli/certify_run.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <table/diagnostic.hpp>
+#include <table/path_name.hpp>
 
 #include "cli/errors.hpp"
 #include "cli/import.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "datasets/diagnostic.hpp"
-#include "datasets/path_name.hpp"
 
 namespace tcert::cli {
 namespace {

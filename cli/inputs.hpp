@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 #include "cli/options.hpp"
 #include "datasets/bundle.hpp"
 #include "reports/manifest.hpp"

@@ -8,9 +8,8 @@
 #include <cerrno>
 #include <csignal>
 #include <system_error>
+#include <table/atomic_file.hpp>
 #include <thread>
-
-#include "datasets/atomic_file.hpp"
 
 namespace tcert::cli {
 namespace {

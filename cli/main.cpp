@@ -3,6 +3,8 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <table/atomic_file.hpp>
+#include <table/regular_file.hpp>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -11,8 +13,6 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/standard_streams.hpp"
-#include "datasets/atomic_file.hpp"
-#include "datasets/regular_file.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <table/atomic_file.hpp>
+#include <table/bytes.hpp>
+#include <table/csv_write.hpp>
+#include <table/nearest_name.hpp>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"
-#include "datasets/atomic_file.hpp"
-#include "datasets/bytes.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/nearest_name.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -1,10 +1,10 @@
 #include "cli/outcome_column.hpp"
 
 #include <algorithm>
+#include <statistics/model/expression.hpp>
+#include <statistics/model/outcome_coding.hpp>
+#include <statistics/model/stray_text.hpp>
 
-#include "analysis/model/expression.hpp"
-#include "analysis/model/outcome_coding.hpp"
-#include "analysis/model/stray_text.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"

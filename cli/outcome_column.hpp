@@ -4,9 +4,9 @@
 
 #include <span>
 #include <string>
+#include <table/data_table.hpp>
 #include <vector>
 
-#include "datasets/data_table.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert::cli {

@@ -6,10 +6,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
+#include <table/atomic_file.hpp>
+#include <table/printable.hpp>
 
 #include "cli/errors.hpp"
-#include "datasets/atomic_file.hpp"
-#include "datasets/printable.hpp"
 
 namespace tcert::cli {
 namespace {

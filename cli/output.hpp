@@ -6,8 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-
-#include "datasets/diagnostic.hpp"
+#include <table/diagnostic.hpp>
 
 namespace tcert::cli {
 

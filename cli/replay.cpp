@@ -1,5 +1,6 @@
 #include <memory>
 #include <optional>
+#include <table/csv_write.hpp>
 
 #include "cli/certify_run.hpp"
 #include "cli/errors.hpp"
@@ -9,7 +10,6 @@
 #include "cli/output.hpp"
 #include "cli/replay_options.hpp"
 #include "cli/result_folder.hpp"
-#include "datasets/csv_write.hpp"
 #include "reports/audit.hpp"
 #include "reports/features_table.hpp"
 #include "reports/replay_table.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "analysis/replay/replay_trial.hpp"
+#include "analysis/study/replay/replay_trial.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 

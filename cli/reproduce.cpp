@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <table/csv_write.hpp>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,6 @@
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
 #include "cli/simulated.hpp"
-#include "datasets/csv_write.hpp"
 #include "reports/results/results.hpp"
 
 namespace tcert::cli {

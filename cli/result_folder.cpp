@@ -6,12 +6,12 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <table/bytes.hpp>
+#include <table/path_name.hpp>
+#include <table/temporary_name.hpp>
 #include <utility>
 
 #include "cli/output.hpp"
-#include "datasets/bytes.hpp"
-#include "datasets/path_name.hpp"
-#include "datasets/temporary_name.hpp"
 #include "reports/manifest_checks.hpp"
 #include "reports/manifest_read.hpp"
 

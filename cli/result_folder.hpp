@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <table/atomic_file.hpp>
 
 #include "cli/folder_state.hpp"
-#include "datasets/atomic_file.hpp"
 #include "reports/manifest.hpp"
 
 namespace tcert::cli {

@@ -7,9 +7,8 @@
 
 #include <cerrno>
 #include <system_error>
-
-#include "datasets/atomic_file.hpp"
-#include "datasets/temporary_name.hpp"
+#include <table/atomic_file.hpp>
+#include <table/temporary_name.hpp>
 
 namespace tcert::cli {
 namespace {

@@ -3,12 +3,12 @@
 #include <tbb/global_control.h>
 
 #include <optional>
+#include <table/csv_write.hpp>
 #include <utility>
 
 #include "cli/progress.hpp"
 #include "cli/result_folder.hpp"
 #include "datasets/corpus/micro_study.hpp"
-#include "datasets/csv_write.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <table/bytes.hpp>
 #include <terrain/limits.hpp>
 #include <vector>
 
 #include "cli/errors.hpp"
 #include "cli/options.hpp"
-#include "datasets/bytes.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -5,8 +5,9 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <table/path_name.hpp>
 
-#include "analysis/truth/truth.hpp"
+#include "analysis/study/truth/truth.hpp"
 #include "cli/command.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
@@ -14,7 +15,6 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/result_folder.hpp"
-#include "datasets/path_name.hpp"
 #include "datasets/worlds/world_files.hpp"
 #include "reports/world_picture.hpp"
 #include "reports/world_table.hpp"

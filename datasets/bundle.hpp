@@ -7,10 +7,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <table/diagnostic.hpp>
 #include <tcert/robot.hpp>
 #include <vector>
-
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

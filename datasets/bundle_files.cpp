@@ -5,9 +5,8 @@
 #include <cerrno>
 #include <string_view>
 #include <system_error>
+#include <table/regular_file.hpp>
 #include <utility>
-
-#include "datasets/regular_file.hpp"
 
 namespace tcert {
 

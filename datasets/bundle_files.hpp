@@ -6,8 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
-
-#include "datasets/bytes.hpp"
+#include <table/bytes.hpp>
 
 struct zip;
 

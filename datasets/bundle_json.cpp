@@ -1,9 +1,9 @@
 #include "datasets/bundle_json.hpp"
 
 #include <algorithm>
+#include <table/json_object.hpp>
 #include <utility>
 
-#include "datasets/json_object.hpp"
 #include "datasets/robot_json.hpp"
 
 namespace tcert {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <table/diagnostic.hpp>
 
 #include "datasets/bundle.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

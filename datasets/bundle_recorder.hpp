@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <table/atomic_file.hpp>
 #include <tcert/tick.hpp>
 
-#include "datasets/atomic_file.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/tick_table.hpp"
 

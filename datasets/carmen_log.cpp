@@ -5,10 +5,9 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <table/csv_write.hpp>
+#include <table/decimal.hpp>
 #include <utility>
-
-#include "datasets/csv_write.hpp"
-#include "datasets/decimal.hpp"
 
 namespace tcert {
 

@@ -5,11 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <table/bytes.hpp>
+#include <table/diagnostic.hpp>
 #include <tcert/geometry.hpp>
 #include <vector>
-
-#include "datasets/bytes.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

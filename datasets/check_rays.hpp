@@ -4,11 +4,11 @@
 /// moves, two rays that are one.
 
 #include <string>
+#include <table/diagnostic.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/robot.hpp>
 #include <vector>
 
-#include "datasets/diagnostic.hpp"
 #include "datasets/ticks.hpp"
 
 namespace tcert {

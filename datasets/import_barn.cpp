@@ -7,10 +7,9 @@
 #include <map>
 #include <set>
 #include <string_view>
-
-#include "datasets/cell_reading.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/outcome_word.hpp"
+#include <table/cell_reading.hpp>
+#include <table/csv_write.hpp>
+#include <table/outcome_word.hpp>
 
 namespace tcert {
 namespace {

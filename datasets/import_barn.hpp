@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <table/csv.hpp>
+#include <table/diagnostic.hpp>
 #include <utility>
 #include <vector>
-
-#include "datasets/csv.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

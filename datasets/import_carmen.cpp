@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <table/path_name.hpp>
 #include <utility>
 
 #include "datasets/bundle_json.hpp"
-#include "datasets/path_name.hpp"
 #include "datasets/tick_table.hpp"
 #include "datasets/trial_table.hpp"
 

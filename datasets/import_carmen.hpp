@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <table/atomic_file.hpp>
+#include <table/diagnostic.hpp>
 #include <tcert/region.hpp>
 #include <vector>
 
-#include "datasets/atomic_file.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/carmen_log.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

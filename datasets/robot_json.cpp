@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <table/nearest_name.hpp>
 #include <utility>
 #include <variant>
-
-#include "datasets/nearest_name.hpp"
 
 namespace tcert {
 

@@ -2,9 +2,8 @@
 /// \file
 /// The robot, its rays and the course in bundle.json.
 
+#include <table/json_object.hpp>
 #include <tcert/robot.hpp>
-
-#include "datasets/json_object.hpp"
 
 namespace tcert {
 

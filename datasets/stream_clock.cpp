@@ -4,9 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <table/csv_write.hpp>
 #include <utility>
-
-#include "datasets/csv_write.hpp"
 
 namespace tcert {
 

@@ -6,10 +6,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <table/csv.hpp>
+#include <table/diagnostic.hpp>
 #include <vector>
-
-#include "datasets/csv.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

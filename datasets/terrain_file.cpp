@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <table/csv_write.hpp>
+#include <table/file_kind.hpp>
 
-#include "datasets/csv_write.hpp"
-#include "datasets/file_kind.hpp"
 #include "datasets/terrain/cell_table.hpp"
 #include "datasets/terrain/esri_grid.hpp"
 #include "datasets/terrain/header_rule.hpp"

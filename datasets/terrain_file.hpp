@@ -6,10 +6,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <table/bytes.hpp>
+#include <table/diagnostic.hpp>
 #include <vector>
-
-#include "datasets/bytes.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

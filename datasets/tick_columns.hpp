@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <table/csv.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/tick.hpp>
 
-#include "datasets/csv.hpp"
 #include "datasets/ticks.hpp"
 
 namespace tcert {

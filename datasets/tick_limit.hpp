@@ -4,9 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <table/diagnostic.hpp>
 #include <vector>
 
-#include "datasets/diagnostic.hpp"
 #include "datasets/trial_reader.hpp"
 
 namespace tcert {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <table/csv_write.hpp>
+#include <table/decimal.hpp>
+#include <table/flat_json.hpp>
+#include <table/nearest_name.hpp>
 #include <utility>
-
-#include "datasets/csv_write.hpp"
-#include "datasets/decimal.hpp"
-#include "datasets/flat_json.hpp"
-#include "datasets/nearest_name.hpp"
 
 namespace tcert {
 

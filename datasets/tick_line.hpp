@@ -8,13 +8,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <table/csv.hpp>
+#include <table/diagnostic.hpp>
+#include <table/flat_json.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/tick.hpp>
 #include <vector>
 
-#include "datasets/csv.hpp"
-#include "datasets/diagnostic.hpp"
-#include "datasets/flat_json.hpp"
 #include "datasets/tick_columns.hpp"
 
 namespace tcert {

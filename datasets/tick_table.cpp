@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <table/csv_write.hpp>
 
-#include "datasets/csv_write.hpp"
 #include "datasets/stream_clock.hpp"
 #include "datasets/tick_columns.hpp"
 

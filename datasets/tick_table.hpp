@@ -5,11 +5,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <table/bytes.hpp>
+#include <table/csv.hpp>
+#include <table/diagnostic.hpp>
 #include <tcert/robot.hpp>
 
-#include "datasets/bytes.hpp"
-#include "datasets/csv.hpp"
-#include "datasets/diagnostic.hpp"
 #include "datasets/ticks.hpp"
 
 namespace tcert {

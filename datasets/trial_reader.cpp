@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <table/csv_write.hpp>
 #include <tuple>
 #include <utility>
 
 #include "datasets/bundle_files.hpp"
-#include "datasets/csv_write.hpp"
 #include "datasets/stream_clock.hpp"
 #include "datasets/tick_columns.hpp"
 #include "datasets/tick_table.hpp"

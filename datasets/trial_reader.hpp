@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <table/diagnostic.hpp>
 #include <vector>
 
 #include "datasets/bundle.hpp"
-#include "datasets/diagnostic.hpp"
 #include "datasets/ticks.hpp"
 
 namespace tcert {

@@ -5,15 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <table/cell_reading.hpp>
+#include <table/csv.hpp>
+#include <table/csv_write.hpp>
+#include <table/nearest_name.hpp>
+#include <table/outcome_word.hpp>
+#include <table/path_name.hpp>
 #include <tcert/tick.hpp>
 #include <utility>
-
-#include "datasets/cell_reading.hpp"
-#include "datasets/csv.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/nearest_name.hpp"
-#include "datasets/outcome_word.hpp"
-#include "datasets/path_name.hpp"
 
 namespace tcert {
 

@@ -4,11 +4,11 @@
 
 #include <string>
 #include <string_view>
+#include <table/bytes.hpp>
+#include <table/diagnostic.hpp>
 #include <vector>
 
 #include "datasets/bundle.hpp"
-#include "datasets/bytes.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

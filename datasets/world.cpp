@@ -5,8 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
-
-#include "datasets/json_depth.hpp"
+#include <table/json_depth.hpp>
 
 namespace tcert {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <table/csv_write.hpp>
 
-#include "datasets/csv_write.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

@@ -4,9 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <table/check_csv.hpp>
 #include <vector>
 
-#include "datasets/check_csv.hpp"
 #include "datasets/check_trial.hpp"
 #include "reports/table.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <table/diagnostic.hpp>
 #include <vector>
 
-#include "datasets/diagnostic.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

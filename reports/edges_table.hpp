@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/trials/certify_trial.hpp"
+#include "analysis/study/trials/certify_trial.hpp"
 #include "reports/column_doc.hpp"
 #include "reports/table.hpp"
 

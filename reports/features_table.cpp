@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <table/nearest_name.hpp>
 
-#include "datasets/nearest_name.hpp"
 #include "datasets/trial_table.hpp"
 #include "reports/series.hpp"
 

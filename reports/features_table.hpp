@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/trials/study.hpp"
-#include "analysis/trials/study_tables.hpp"
+#include "analysis/study/trials/study.hpp"
+#include "analysis/study/trials/study_tables.hpp"
 #include "datasets/bundle.hpp"
 #include "reports/column_doc.hpp"
 #include "reports/table.hpp"

@@ -2,7 +2,7 @@
 /// \file
 /// The micro-study as a document.
 
-#include "analysis/gate/gate_study.hpp"
+#include "analysis/study/gate/gate_study.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

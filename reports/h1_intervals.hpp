@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

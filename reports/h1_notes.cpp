@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <statistics/basics/condition_groups.hpp>
+#include <statistics/basics/few_clusters.hpp>
 #include <string_view>
 
-#include "analysis/basics/condition_groups.hpp"
-#include "analysis/basics/few_clusters.hpp"
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/table.hpp"

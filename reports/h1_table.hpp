@@ -2,7 +2,7 @@
 /// \file
 /// The tables of H1 and what goes with them: issuance and the spread of the early certificate.
 
-#include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 #include "reports/fit/fit_report.hpp"
 #include "reports/table.hpp"
 

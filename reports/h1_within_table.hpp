@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

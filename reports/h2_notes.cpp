@@ -1,9 +1,9 @@
 #include "reports/h2_notes.hpp"
 
 #include <algorithm>
+#include <statistics/basics/condition_groups.hpp>
+#include <statistics/basics/few_clusters.hpp>
 
-#include "analysis/basics/condition_groups.hpp"
-#include "analysis/basics/few_clusters.hpp"
 #include "reports/fit/cells.hpp"
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_notes.hpp"

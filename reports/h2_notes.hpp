@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/h2/hypothesis_h2.hpp"
+#include "analysis/study/h2/hypothesis_h2.hpp"
 
 namespace tcert {
 

@@ -2,7 +2,7 @@
 /// \file
 /// The tables of H2: every group, their pairs, the tests of equality and of interaction.
 
-#include "analysis/h2/hypothesis_h2.hpp"
+#include "analysis/study/h2/hypothesis_h2.hpp"
 #include "reports/fit/fit_report.hpp"
 #include "reports/table.hpp"
 

@@ -2,7 +2,7 @@
 /// \file
 /// The table of H3: speed gained and successes kept, by speed law, beta and lighting.
 
-#include "analysis/h3/hypothesis_h3.hpp"
+#include "analysis/study/h3/hypothesis_h3.hpp"
 #include "reports/fit/fit_report.hpp"
 #include "reports/table.hpp"
 

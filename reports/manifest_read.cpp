@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <table/bytes.hpp>
+#include <table/json_depth.hpp>
 
-#include "datasets/bytes.hpp"
-#include "datasets/json_depth.hpp"
 #include "reports/manifest_checks.hpp"
 
 namespace tcert {

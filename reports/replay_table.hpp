@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/replay/replay_record.hpp"
+#include "analysis/study/replay/replay_record.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

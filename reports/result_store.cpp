@@ -1,10 +1,10 @@
 #include "reports/result_store.hpp"
 
 #include <system_error>
+#include <table/atomic_file.hpp>
+#include <table/bytes.hpp>
 #include <utility>
 
-#include "datasets/atomic_file.hpp"
-#include "datasets/bytes.hpp"
 #include "reports/sha256.hpp"
 
 namespace tcert {

@@ -3,9 +3,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <table/csv_write.hpp>
 #include <tcert/flag_word.hpp>
 
-#include "datasets/csv_write.hpp"
 #include "reports/audit.hpp"
 
 namespace tcert {

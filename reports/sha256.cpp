@@ -10,9 +10,8 @@
 #include <cstdio>
 #include <new>
 #include <system_error>
+#include <table/regular_file.hpp>
 #include <vector>
-
-#include "datasets/regular_file.hpp"
 
 namespace tcert {
 namespace {

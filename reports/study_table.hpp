@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/trials/study_tables.hpp"
+#include "analysis/study/trials/study_tables.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <cstddef>
+#include <table/csv_write.hpp>
 #include <utility>
 
-#include "datasets/csv_write.hpp"
 #include "reports/table_formats.hpp"
 #include "reports/table_json.hpp"
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <table/json_depth.hpp>
 
-#include "datasets/json_depth.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

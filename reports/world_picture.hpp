@@ -6,7 +6,7 @@
 #include <tcert/geometry.hpp>
 #include <vector>
 
-#include "analysis/truth/truth.hpp"
+#include "analysis/study/truth/truth.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/truth/truth.hpp"
+#include "analysis/study/truth/truth.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <statistics/model/expression.hpp>
+#include <table/csv_write.hpp>
 #include <utility>
 
-#include "analysis/h3/hypothesis_h3.hpp"
-#include "analysis/model/expression.hpp"
+#include "analysis/study/h3/hypothesis_h3.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/experiment/cache.hpp"
@@ -17,7 +18,6 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_output.hpp"
-#include "datasets/csv_write.hpp"
 #include "reports/experiment/cells_table.hpp"
 #include "reports/features_table.hpp"
 

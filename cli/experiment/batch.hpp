@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/experiment/cell.hpp"
+#include "analysis/study/experiment/cell.hpp"
 #include "cli/options.hpp"
 
 namespace tcert::cli {

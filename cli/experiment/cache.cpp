@@ -1,9 +1,9 @@
 #include "cli/experiment/cache.hpp"
 
 #include <cstdlib>
+#include <table/atomic_file.hpp>
 
 #include "cli/output.hpp"
-#include "datasets/atomic_file.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <tuple>
 
-#include "analysis/experiment/fingerprint.hpp"
-#include "analysis/replay/replay_trial.hpp"
-#include "analysis/trials/study_tables.hpp"
+#include "analysis/study/experiment/fingerprint.hpp"
+#include "analysis/study/replay/replay_trial.hpp"
+#include "analysis/study/trials/study_tables.hpp"
 #include "cli/bundle_digest.hpp"
 #include "cli/errors.hpp"
 #include "cli/output.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/experiment/cell.hpp"
-#include "analysis/experiment/study_cells.hpp"
+#include "analysis/study/experiment/cell.hpp"
+#include "analysis/study/experiment/study_cells.hpp"
 #include "cli/experiment/cache.hpp"
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"

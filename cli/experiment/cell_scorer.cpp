@@ -1,11 +1,11 @@
 #include "cli/experiment/cell_scorer.hpp"
 
 #include <stdexcept>
+#include <table/bytes.hpp>
+#include <table/csv_write.hpp>
 #include <utility>
 
-#include "analysis/experiment/cell_scores.hpp"
-#include "datasets/bytes.hpp"
-#include "datasets/csv_write.hpp"
+#include "analysis/study/experiment/cell_scores.hpp"
 #include "reports/experiment/cells_table.hpp"
 #include "reports/sha256.hpp"
 

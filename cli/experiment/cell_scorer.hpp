@@ -6,13 +6,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <table/data_table.hpp>
 #include <vector>
 
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "analysis/h3/hypothesis_h3.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
+#include "analysis/study/h3/hypothesis_h3.hpp"
 #include "cli/experiment/cache.hpp"
 #include "cli/experiment/cell_files.hpp"
-#include "datasets/data_table.hpp"
 #include "reports/experiment/cells_text.hpp"
 
 namespace tcert::cli {

@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "analysis/experiment/paper_cells.hpp"
+#include "analysis/study/experiment/paper_cells.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/experiment/batch.hpp"

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <set>
 #include <string_view>
+#include <table/diagnostic.hpp>
+#include <table/path_name.hpp>
 
 #include "cli/figures/gnuplot_program.hpp"
-#include "datasets/diagnostic.hpp"
-#include "datasets/path_name.hpp"
 #include "reports/figure/gnuplot.hpp"
 #include "reports/figure/vega_lite.hpp"
 #include "reports/table_json.hpp"

@@ -1,6 +1,7 @@
 #include "cli/fit/bootstrap_of_rows.hpp"
 
-#include "analysis/resampling/bootstrap_difference.hpp"
+#include <statistics/resampling/bootstrap_difference.hpp>
+
 #include "cli/errors.hpp"
 #include "reports/fit/bootstrap_table.hpp"
 

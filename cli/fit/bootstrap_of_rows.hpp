@@ -3,10 +3,10 @@
 /// The predictors of a frame one by one, and bootstrap intervals of a number for each of them and
 /// for their differences.
 
+#include <statistics/resampling/statistic.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/resampling/statistic.hpp"
 #include "cli/fit/fit.hpp"
 
 namespace tcert::cli {

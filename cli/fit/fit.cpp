@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <statistics/basics/condition_groups.hpp>
+#include <table/csv_write.hpp>
 
-#include "analysis/basics/condition_groups.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/kind_options.hpp"
@@ -12,7 +13,6 @@
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
 #include "cli/time_rounding_option.hpp"
-#include "datasets/csv_write.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 #include <map>
+#include <statistics/model/formula.hpp>
+#include <statistics/model/model_frame.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/model/formula.hpp"
-#include "analysis/model/model_frame.hpp"
 #include "cli/options.hpp"
 #include "reports/fit/fit_report.hpp"
 

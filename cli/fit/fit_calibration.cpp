@@ -1,9 +1,9 @@
 #include <limits>
 #include <numeric>
+#include <statistics/calibration/calibration.hpp>
+#include <statistics/calibration/out_of_fold.hpp>
+#include <statistics/model/frame_checks.hpp>
 
-#include "analysis/calibration/calibration.hpp"
-#include "analysis/calibration/out_of_fold.hpp"
-#include "analysis/model/frame_checks.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/calibration_report.hpp"

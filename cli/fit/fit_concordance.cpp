@@ -1,8 +1,9 @@
 #include <array>
 
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/concordance/concordance_statistic.hpp"
-#include "analysis/survival/time_conditions.hpp"
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/concordance/concordance_statistic.hpp>
+#include <statistics/survival/time_conditions.hpp>
+
 #include "cli/errors.hpp"
 #include "cli/fit/bootstrap_of_rows.hpp"
 #include "cli/fit/fit.hpp"

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_baseline.hpp>
+#include <statistics/cox/cox_residuals.hpp>
+#include <statistics/cox/cox_terms.hpp>
+#include <statistics/cox/cox_zph.hpp>
 
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/cox/cox.hpp"
-#include "analysis/cox/cox_baseline.hpp"
-#include "analysis/cox/cox_residuals.hpp"
-#include "analysis/cox/cox_terms.hpp"
-#include "analysis/cox/cox_zph.hpp"
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"

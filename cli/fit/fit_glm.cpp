@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
-#include "analysis/logistic/firth.hpp"
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_drop.hpp"
-#include "analysis/logistic/logistic_profile.hpp"
+#include <statistics/logistic/firth.hpp>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_drop.hpp>
+#include <statistics/logistic/logistic_profile.hpp>
+
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"
 #include "cli/output.hpp"

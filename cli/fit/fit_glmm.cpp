@@ -1,8 +1,9 @@
 #include <optional>
 
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/glmm/glmm_comparison.hpp"
-#include "analysis/glmm/glmm_profile.hpp"
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/glmm/glmm_comparison.hpp>
+#include <statistics/glmm/glmm_profile.hpp>
+
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"
 #include "cli/progress.hpp"

@@ -1,10 +1,11 @@
 #include <array>
 
-#include "analysis/model/stray_text.hpp"
-#include "analysis/model/variable.hpp"
-#include "analysis/survival/cumulative_incidence.hpp"
-#include "analysis/survival/log_rank.hpp"
-#include "analysis/survival/survival_curve.hpp"
+#include <statistics/model/stray_text.hpp>
+#include <statistics/model/variable.hpp>
+#include <statistics/survival/cumulative_incidence.hpp>
+#include <statistics/survival/log_rank.hpp>
+#include <statistics/survival/survival_curve.hpp>
+
 #include "cli/errors.hpp"
 #include "cli/fit/fit.hpp"
 #include "reports/fit/survival_report.hpp"

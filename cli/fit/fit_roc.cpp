@@ -1,6 +1,7 @@
-#include "analysis/roc/auc_statistic.hpp"
-#include "analysis/roc/roc.hpp"
-#include "analysis/roc/roc_curve.hpp"
+#include <statistics/roc/auc_statistic.hpp>
+#include <statistics/roc/roc.hpp>
+#include <statistics/roc/roc_curve.hpp>
+
 #include "cli/data_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/fit/bootstrap_of_rows.hpp"

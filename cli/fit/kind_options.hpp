@@ -2,11 +2,11 @@
 /// \file
 /// What each kind of fit takes: options, parts of a formula, and the tables that it gives.
 
+#include <statistics/model/formula.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "analysis/model/formula.hpp"
 #include "cli/options.hpp"
 
 namespace tcert::cli {

@@ -2,8 +2,9 @@
 /// \file
 /// What counts as an event or a success, said in a fit's report.
 
-#include "analysis/model/formula.hpp"
-#include "analysis/model/model_frame.hpp"
+#include <statistics/model/formula.hpp>
+#include <statistics/model/model_frame.hpp>
+
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert::cli {

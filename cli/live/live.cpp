@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <table/bytes.hpp>
 #include <tcert/certifier.hpp>
 #include <tcert/guards.hpp>
 #include <utility>
@@ -27,7 +28,6 @@
 #include "cli/output.hpp"
 #include "datasets/bundle_files.hpp"
 #include "datasets/bundle_json.hpp"
-#include "datasets/bytes.hpp"
 #include "datasets/tick_line.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
+#include <table/atomic_file.hpp>
 #include <utility>
 
-#include "datasets/atomic_file.hpp"
 #include "reports/audit.hpp"
 
 namespace tcert::cli {

@@ -8,7 +8,7 @@
 #include <tcert/certifier.hpp>
 #include <tcert/robot.hpp>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 #include "cli/live/patient_output.hpp"
 #include "datasets/bundle_recorder.hpp"
 #include "datasets/tick_line.hpp"

@@ -11,10 +11,10 @@
 #include <chrono>
 #include <climits>
 #include <system_error>
+#include <table/atomic_file.hpp>
+#include <table/printable.hpp>
 
 #include "cli/errors.hpp"
-#include "datasets/atomic_file.hpp"
-#include "datasets/printable.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <table/path_name.hpp>
 #include <utility>
 
 #include "cli/errors.hpp"
 #include "datasets/bundle_files.hpp"
-#include "datasets/path_name.hpp"
 #include "datasets/world.hpp"
 #include "reports/html/trial_block.hpp"
 

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
+#include <table/bytes.hpp>
+#include <table/json_depth.hpp>
 
 #include "cli/errors.hpp"
-#include "datasets/bytes.hpp"
-#include "datasets/json_depth.hpp"
 #include "reports/html/packed.hpp"
 
 namespace tcert::cli {

@@ -6,15 +6,15 @@
 #include <functional>
 #include <map>
 #include <system_error>
+#include <table/csv.hpp>
+#include <table/diagnostic.hpp>
+#include <table/path_name.hpp>
 #include <utility>
 
-#include "analysis/trials/study.hpp"
+#include "analysis/study/trials/study.hpp"
 #include "cli/errors.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/courses.hpp"
-#include "datasets/csv.hpp"
-#include "datasets/diagnostic.hpp"
-#include "datasets/path_name.hpp"
 #include "reports/html/trial_block.hpp"
 #include "reports/html/trial_list.hpp"
 

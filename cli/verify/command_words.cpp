@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <table/path_name.hpp>
 #include <utility>
-
-#include "datasets/path_name.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <system_error>
-
-#include "datasets/path_name.hpp"
+#include <table/path_name.hpp>
 
 namespace tcert::cli {
 namespace {

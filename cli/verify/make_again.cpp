@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <table/path_name.hpp>
 #include <utility>
 
 #include "cli/command.hpp"
@@ -11,7 +12,6 @@
 #include "cli/verify/command_words.hpp"
 #include "cli/verify/compare.hpp"
 #include "cli/verify/find_input.hpp"
-#include "datasets/path_name.hpp"
 #include "reports/manifest_checks.hpp"
 
 namespace tcert::cli {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string_view>
 #include <system_error>
+#include <table/path_name.hpp>
 #include <utility>
 
-#include "datasets/path_name.hpp"
 #include "reports/manifest_checks.hpp"
 
 namespace tcert::cli {

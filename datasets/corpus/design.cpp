@@ -7,11 +7,11 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <tcert/elementary.hpp>
 #include <utility>
 
 #include "datasets/corpus/purpose.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -3,6 +3,7 @@
 /// A unicycle with a round body that follows its legs, slides along walls and wedges in gaps.
 
 #include <cstdint>
+#include <table/random.hpp>
 #include <tcert/region.hpp>
 #include <vector>
 
@@ -10,7 +11,6 @@
 #include "datasets/corpus/policy.hpp"
 #include "datasets/corpus/route.hpp"
 #include "datasets/corpus/wall_index.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 

@@ -5,11 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <table/random.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/tick.hpp>
 
 #include "datasets/corpus/wall_index.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 

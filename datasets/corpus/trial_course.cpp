@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <table/random.hpp>
 #include <tcert/elementary.hpp>
 
 #include "datasets/corpus/purpose.hpp"
 #include "datasets/corpus/tentacles.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -9,10 +9,10 @@
 #include <mutex>
 #include <string_view>
 #include <system_error>
+#include <table/atomic_file.hpp>
+#include <table/csv_write.hpp>
 
-#include "datasets/atomic_file.hpp"
 #include "datasets/bundle_json.hpp"
-#include "datasets/csv_write.hpp"
 #include "datasets/trial_table.hpp"
 
 namespace tcert {

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <table/random.hpp>
 #include <vector>
 
 #include "datasets/corpus/route.hpp"
-#include "datasets/random.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert {

@@ -1,4 +1,4 @@
-#include "datasets/atomic_file.hpp"
+#include <table/atomic_file.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -11,9 +11,8 @@
 #include <mutex>
 #include <set>
 #include <system_error>
+#include <table/temporary_name.hpp>
 #include <utility>
-
-#include "datasets/temporary_name.hpp"
 
 namespace tcert {
 

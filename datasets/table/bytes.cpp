@@ -1,4 +1,4 @@
-#include "datasets/bytes.hpp"
+#include <table/bytes.hpp>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,9 +11,8 @@
 #include <cstring>
 #include <new>
 #include <system_error>
+#include <table/regular_file.hpp>
 #include <utility>
-
-#include "datasets/regular_file.hpp"
 
 namespace tcert {
 

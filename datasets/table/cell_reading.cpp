@@ -1,4 +1,4 @@
-#include "datasets/cell_reading.hpp"
+#include <table/cell_reading.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,9 @@
 #include <limits>
 #include <optional>
 #include <string>
-
-#include "datasets/decimal.hpp"
-#include "datasets/nearest_name.hpp"
-#include "datasets/trimmed.hpp"
+#include <table/decimal.hpp>
+#include <table/nearest_name.hpp>
+#include <table/trimmed.hpp>
 
 namespace tcert {
 namespace {

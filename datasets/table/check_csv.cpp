@@ -1,16 +1,15 @@
-#include "datasets/check_csv.hpp"
+#include <table/check_csv.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <table/bytes.hpp>
+#include <table/cell_reading.hpp>
+#include <table/csv_write.hpp>
+#include <table/mixture_check.hpp>
+#include <table/unlike_times.hpp>
 #include <utility>
-
-#include "datasets/bytes.hpp"
-#include "datasets/cell_reading.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/mixture_check.hpp"
-#include "datasets/unlike_times.hpp"
 
 namespace tcert {
 

@@ -6,10 +6,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <table/csv_header.hpp>
+#include <table/diagnostic.hpp>
 #include <vector>
-
-#include "datasets/csv_header.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

@@ -1,10 +1,9 @@
-#include "datasets/csv.hpp"
+#include <table/csv.hpp>
 
 #include <algorithm>
 #include <limits>
+#include <table/cell_reading.hpp>
 #include <utility>
-
-#include "datasets/cell_reading.hpp"
 
 namespace tcert {
 

@@ -7,12 +7,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <table/bytes.hpp>
+#include <table/csv_header.hpp>
+#include <table/csv_row.hpp>
+#include <table/diagnostic.hpp>
 #include <vector>
-
-#include "datasets/bytes.hpp"
-#include "datasets/csv_header.hpp"
-#include "datasets/csv_row.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "datasets/csv_dialect.hpp"
+#include <table/csv_dialect.hpp>
 
 #include <algorithm>
 #include <cstring>

@@ -1,10 +1,9 @@
-#include "datasets/csv_header.hpp"
+#include <table/csv_header.hpp>
 
 #include <algorithm>
+#include <table/cell_reading.hpp>
+#include <table/nearest_name.hpp>
 #include <utility>
-
-#include "datasets/cell_reading.hpp"
-#include "datasets/nearest_name.hpp"
 
 namespace tcert {
 

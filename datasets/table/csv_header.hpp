@@ -8,10 +8,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <table/csv_dialect.hpp>
+#include <table/diagnostic.hpp>
 #include <vector>
-
-#include "datasets/csv_dialect.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

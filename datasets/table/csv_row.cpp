@@ -1,13 +1,12 @@
-#include "datasets/csv_row.hpp"
+#include <table/csv_row.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
-
-#include "datasets/bytes.hpp"
-#include "datasets/cell_reading.hpp"
-#include "datasets/decimal.hpp"
+#include <table/bytes.hpp>
+#include <table/cell_reading.hpp>
+#include <table/decimal.hpp>
 
 namespace tcert {
 

@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <table/csv_dialect.hpp>
 #include <vector>
-
-#include "datasets/csv_dialect.hpp"
 
 namespace tcert {
 

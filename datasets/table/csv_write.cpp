@@ -1,4 +1,4 @@
-#include "datasets/csv_write.hpp"
+#include <table/csv_write.hpp>
 
 #include <array>
 #include <charconv>

@@ -1,12 +1,11 @@
-#include "datasets/data_table.hpp"
+#include <table/data_table.hpp>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <table/cell_reading.hpp>
+#include <table/decimal.hpp>
 #include <unordered_map>
-
-#include "datasets/cell_reading.hpp"
-#include "datasets/decimal.hpp"
 
 namespace tcert {
 namespace {

@@ -8,13 +8,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <table/bytes.hpp>
+#include <table/csv_header.hpp>
+#include <table/diagnostic.hpp>
+#include <table/factor.hpp>
+#include <table/mixed_cells.hpp>
 #include <vector>
-
-#include "datasets/bytes.hpp"
-#include "datasets/csv_header.hpp"
-#include "datasets/diagnostic.hpp"
-#include "datasets/factor.hpp"
-#include "datasets/mixed_cells.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "datasets/decimal.hpp"
+#include <table/decimal.hpp>
 
 #include <algorithm>
 #include <charconv>

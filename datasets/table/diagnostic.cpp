@@ -1,10 +1,9 @@
-#include "datasets/diagnostic.hpp"
+#include <table/diagnostic.hpp>
 
 #include <algorithm>
 #include <array>
+#include <table/printable.hpp>
 #include <utility>
-
-#include "datasets/printable.hpp"
 
 namespace tcert {
 

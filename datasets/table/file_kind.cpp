@@ -1,4 +1,4 @@
-#include "datasets/file_kind.hpp"
+#include <table/file_kind.hpp>
 
 #include <algorithm>
 #include <array>

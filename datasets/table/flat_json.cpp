@@ -1,4 +1,4 @@
-#include "datasets/flat_json.hpp"
+#include <table/flat_json.hpp>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "datasets/json_depth.hpp"
+#include <table/json_depth.hpp>
 
 namespace tcert {
 

@@ -1,12 +1,11 @@
-#include "datasets/json_object.hpp"
+#include <table/json_object.hpp>
 
 #include <algorithm>
 #include <set>
+#include <table/json_depth.hpp>
+#include <table/nearest_name.hpp>
 #include <utility>
 #include <vector>
-
-#include "datasets/json_depth.hpp"
-#include "datasets/nearest_name.hpp"
 
 namespace tcert {
 

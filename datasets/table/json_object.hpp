@@ -7,9 +7,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <table/diagnostic.hpp>
 #include <vector>
-
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "datasets/mixed_cells.hpp"
+#include <table/mixed_cells.hpp>
 
 namespace tcert {
 

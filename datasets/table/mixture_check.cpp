@@ -1,4 +1,4 @@
-#include "datasets/mixture_check.hpp"
+#include <table/mixture_check.hpp>
 
 #include <utility>
 

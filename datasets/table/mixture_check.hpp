@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <set>
 #include <string>
-
-#include "datasets/cell_reading.hpp"
-#include "datasets/check_csv.hpp"
-#include "datasets/diagnostic.hpp"
-#include "datasets/mixed_cells.hpp"
+#include <table/cell_reading.hpp>
+#include <table/check_csv.hpp>
+#include <table/diagnostic.hpp>
+#include <table/mixed_cells.hpp>
 
 namespace tcert {
 

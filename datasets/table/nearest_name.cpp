@@ -1,4 +1,4 @@
-#include "datasets/nearest_name.hpp"
+#include <table/nearest_name.hpp>
 
 #include <algorithm>
 #include <cstddef>

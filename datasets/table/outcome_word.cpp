@@ -1,12 +1,11 @@
-#include "datasets/outcome_word.hpp"
+#include <table/outcome_word.hpp>
 
 #include <algorithm>
 #include <array>
 #include <string>
-
-#include "datasets/cell_reading.hpp"
-#include "datasets/nearest_name.hpp"
-#include "datasets/trimmed.hpp"
+#include <table/cell_reading.hpp>
+#include <table/nearest_name.hpp>
+#include <table/trimmed.hpp>
 
 namespace tcert {
 namespace {

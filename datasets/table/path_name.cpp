@@ -1,4 +1,4 @@
-#include "datasets/path_name.hpp"
+#include <table/path_name.hpp>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "datasets/printable.hpp"
+#include <table/printable.hpp>
 
 #include <algorithm>
 

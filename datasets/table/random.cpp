@@ -1,4 +1,4 @@
-#include "datasets/random.hpp"
+#include <table/random.hpp>
 
 #include <Random123/philox.h>
 

@@ -1,4 +1,4 @@
-#include "datasets/regular_file.hpp"
+#include <table/regular_file.hpp>
 
 #include <fcntl.h>
 #include <sys/stat.h>

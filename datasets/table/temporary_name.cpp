@@ -1,4 +1,4 @@
-#include "datasets/temporary_name.hpp"
+#include <table/temporary_name.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -11,8 +11,7 @@
 #include <csignal>
 #include <ctime>
 #include <system_error>
-
-#include "datasets/path_name.hpp"
+#include <table/path_name.hpp>
 
 namespace tcert {
 namespace {

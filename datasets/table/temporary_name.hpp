@@ -8,8 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "datasets/atomic_file.hpp"
+#include <table/atomic_file.hpp>
 
 namespace tcert {
 

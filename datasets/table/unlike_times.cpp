@@ -1,11 +1,10 @@
-#include "datasets/unlike_times.hpp"
+#include <table/unlike_times.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <table/csv_write.hpp>
 #include <vector>
-
-#include "datasets/csv_write.hpp"
 
 namespace tcert {
 namespace {

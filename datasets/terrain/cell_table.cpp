@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <table/cell_reading.hpp>
+#include <table/decimal.hpp>
 
-#include "datasets/cell_reading.hpp"
-#include "datasets/decimal.hpp"
 #include "datasets/terrain_file.hpp"
 
 namespace tcert::terrain_reading {

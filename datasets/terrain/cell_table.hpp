@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <table/diagnostic.hpp>
 #include <vector>
-
-#include "datasets/diagnostic.hpp"
 
 namespace tcert::terrain_reading {
 

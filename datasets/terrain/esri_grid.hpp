@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <table/diagnostic.hpp>
 #include <vector>
 
-#include "datasets/diagnostic.hpp"
 #include "datasets/terrain_file.hpp"
 
 namespace tcert::terrain_reading {

@@ -2,10 +2,9 @@
 
 #include <numbers>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <tcert/elementary.hpp>
 #include <terrain/lipschitz.hpp>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -2,8 +2,8 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <table/file_kind.hpp>
 
-#include "datasets/file_kind.hpp"
 #include "datasets/worlds/raster_world.hpp"
 #include "datasets/worlds/world_files.hpp"
 

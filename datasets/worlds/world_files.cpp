@@ -1,8 +1,8 @@
 #include "datasets/worlds/world_files.hpp"
 
 #include <set>
+#include <table/file_kind.hpp>
 
-#include "datasets/file_kind.hpp"
 #include "datasets/worlds/world_problems.hpp"
 
 namespace tcert {

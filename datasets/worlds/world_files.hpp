@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <table/bytes.hpp>
+#include <table/diagnostic.hpp>
 #include <vector>
 
-#include "datasets/bytes.hpp"
-#include "datasets/diagnostic.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <table/cell_reading.hpp>
+#include <table/csv.hpp>
 
-#include "datasets/cell_reading.hpp"
-#include "datasets/csv.hpp"
 #include "datasets/worlds/region_distance.hpp"
 #include "datasets/worlds/world_files.hpp"
 

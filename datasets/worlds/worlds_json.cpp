@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <table/json_depth.hpp>
 
-#include "datasets/json_depth.hpp"
 #include "datasets/worlds/world_files.hpp"
 
 namespace tcert {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/experiment/cell.hpp"
-#include "analysis/experiment/cell_scores.hpp"
-#include "analysis/h3/hypothesis_h3.hpp"
+#include "analysis/study/experiment/cell.hpp"
+#include "analysis/study/experiment/cell_scores.hpp"
+#include "analysis/study/h3/hypothesis_h3.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-
-#include "datasets/json_depth.hpp"
+#include <table/json_depth.hpp>
 
 namespace tcert {
 namespace {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <table/csv_write.hpp>
 #include <utility>
-
-#include "datasets/csv_write.hpp"
 
 namespace tcert {
 namespace {

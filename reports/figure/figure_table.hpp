@@ -7,9 +7,9 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <table/data_table.hpp>
 #include <vector>
 
-#include "datasets/data_table.hpp"
 #include "reports/figure/figure.hpp"
 #include "reports/table.hpp"
 

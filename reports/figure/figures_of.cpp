@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <table/bytes.hpp>
+#include <table/path_name.hpp>
 #include <utility>
 
-#include "datasets/bytes.hpp"
-#include "datasets/path_name.hpp"
 #include "reports/figure/figure_table.hpp"
 #include "reports/figure/h1_figures.hpp"
 #include "reports/figure/set_figures.hpp"

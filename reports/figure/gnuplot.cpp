@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <table/csv_write.hpp>
 
-#include "datasets/csv_write.hpp"
 #include "reports/figure/figure_table.hpp"
 #include "reports/figure/gnuplot_layout.hpp"
 #include "reports/figure/gnuplot_plot.hpp"

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <map>
 #include <string_view>
+#include <table/csv_write.hpp>
 #include <vector>
 
-#include "datasets/csv_write.hpp"
 #include "reports/figure/figure_rows.hpp"
 #include "reports/figure/figure_table.hpp"
 

@@ -4,8 +4,8 @@
 /// the tables have nothing to draw.
 
 #include <optional>
+#include <table/data_table.hpp>
 
-#include "datasets/data_table.hpp"
 #include "reports/figure/figure.hpp"
 #include "reports/table.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <statistics/basics/quantile.hpp>
 #include <utility>
 
-#include "analysis/basics/quantile.hpp"
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_table.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <table/data_table.hpp>
 #include <vector>
 
-#include "datasets/data_table.hpp"
 #include "datasets/world.hpp"
 #include "reports/figure/figure.hpp"
 

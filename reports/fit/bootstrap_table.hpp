@@ -3,9 +3,9 @@
 /// Bootstrap intervals as a table.
 
 #include <cstddef>
+#include <statistics/resampling/bootstrap.hpp>
 #include <string>
 
-#include "analysis/resampling/bootstrap.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

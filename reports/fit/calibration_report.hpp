@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <statistics/calibration/calibration.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/calibration/calibration.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

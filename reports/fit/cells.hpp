@@ -5,11 +5,11 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <statistics/basics/interval.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "analysis/basics/interval.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

@@ -2,11 +2,11 @@
 /// \file
 /// Words and tables that logistic models with and without random effects have in common.
 
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_drop.hpp>
 #include <string_view>
 #include <vector>
 
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_drop.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

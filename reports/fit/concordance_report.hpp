@@ -2,10 +2,10 @@
 /// \file
 /// Concordances of predictors and their differences as tables.
 
+#include <statistics/concordance/concordance.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/concordance/concordance.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

@@ -3,15 +3,15 @@
 /// A Cox model as tables, with broom's column names.
 
 #include <optional>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_baseline.hpp>
+#include <statistics/cox/cox_residuals.hpp>
+#include <statistics/cox/cox_terms.hpp>
+#include <statistics/cox/cox_zph.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/cox/cox.hpp"
-#include "analysis/cox/cox_baseline.hpp"
-#include "analysis/cox/cox_residuals.hpp"
-#include "analysis/cox/cox_terms.hpp"
-#include "analysis/cox/cox_zph.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

@@ -2,7 +2,8 @@
 /// \file
 /// A penalised logistic regression as tables, shaped as those of the plain one.
 
-#include "analysis/logistic/firth.hpp"
+#include <statistics/logistic/firth.hpp>
+
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

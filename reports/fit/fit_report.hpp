@@ -3,11 +3,11 @@
 /// What a fit gives, in every format: its summary, its tables, the conditions it met.
 
 #include <optional>
+#include <statistics/basics/condition.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "analysis/basics/condition.hpp"
 #include "reports/manifest.hpp"
 #include "reports/table.hpp"
 

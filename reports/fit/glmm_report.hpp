@@ -2,11 +2,11 @@
 /// \file
 /// A logistic mixed model as tables, with broom.mixed's column names.
 
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/glmm/glmm_profile.hpp>
+#include <statistics/logistic/logistic_drop.hpp>
 #include <vector>
 
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/glmm/glmm_profile.hpp"
-#include "analysis/logistic/logistic_drop.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

@@ -10,13 +10,13 @@
 /// RATIO odds.ratio or hazard.ratio.
 
 #include <optional>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/basics/student_t.hpp>
+#include <statistics/logistic/logistic_profile.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/basics/student_t.hpp"
-#include "analysis/logistic/logistic_profile.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

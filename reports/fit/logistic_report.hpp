@@ -2,11 +2,11 @@
 /// \file
 /// A logistic regression as tables, with broom's column names.
 
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_drop.hpp>
+#include <statistics/logistic/logistic_profile.hpp>
 #include <vector>
 
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_drop.hpp"
-#include "analysis/logistic/logistic_profile.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

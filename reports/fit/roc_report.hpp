@@ -3,11 +3,11 @@
 /// Areas under ROC curves, their differences, thresholds and points as tables.
 
 #include <optional>
+#include <statistics/roc/roc.hpp>
+#include <statistics/roc/roc_curve.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/roc/roc.hpp"
-#include "analysis/roc/roc_curve.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

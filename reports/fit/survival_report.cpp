@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-
-#include "analysis/basics/quantile.hpp"
+#include <statistics/basics/quantile.hpp>
 
 #include "reports/fit/cells.hpp"
 

@@ -3,11 +3,11 @@
 /// Kaplan-Meier curves, log-rank test and cumulative incidence as tables.
 
 #include <optional>
+#include <statistics/survival/cumulative_incidence.hpp>
+#include <statistics/survival/log_rank.hpp>
+#include <statistics/survival/survival_curve.hpp>
 #include <vector>
 
-#include "analysis/survival/cumulative_incidence.hpp"
-#include "analysis/survival/log_rank.hpp"
-#include "analysis/survival/survival_curve.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 #include "reports/figure/vega_lite.hpp"
 #include "reports/html/trial_block.hpp"
 #include "reports/table_json.hpp"

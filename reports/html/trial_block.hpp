@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <table/bytes.hpp>
+#include <table/csv.hpp>
 #include <tcert/geometry.hpp>
 #include <vector>
 
-#include "datasets/bytes.hpp"
-#include "datasets/csv.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert {

@@ -6,9 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <table/csv.hpp>
 #include <vector>
-
-#include "datasets/csv.hpp"
 
 namespace tcert {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <map>
 #include <system_error>
+#include <table/bytes.hpp>
+#include <table/path_name.hpp>
 
-#include "datasets/bytes.hpp"
-#include "datasets/path_name.hpp"
 #include "reports/manifest_checks.hpp"
 
 namespace tcert {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <table/data_table.hpp>
 #include <vector>
 
-#include "datasets/data_table.hpp"
 #include "reports/manifest_read.hpp"
 #include "reports/table.hpp"
 

@@ -4,11 +4,10 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <cstdint>
+#include <statistics/resampling/bootstrap.hpp>
+#include <statistics/roc/auc_statistic.hpp>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/resampling/bootstrap.hpp"
-#include "analysis/roc/auc_statistic.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -4,11 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/concordance/concordance_replicates.hpp>
+#include <table/random.hpp>
 #include <vector>
 
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/concordance/concordance_replicates.hpp"
-#include "datasets/random.hpp"
 #include "support/allocations.hpp"
 
 namespace {

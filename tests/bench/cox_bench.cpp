@@ -6,10 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
-
-#include "analysis/cox/cox.hpp"
-#include "analysis/cox/cox_residuals.hpp"
-#include "analysis/cox/cox_zph.hpp"
+#include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_residuals.hpp>
+#include <statistics/cox/cox_zph.hpp>
 
 namespace tcert {
 namespace {

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-
-#include "datasets/bytes.hpp"
-#include "datasets/csv.hpp"
-#include "datasets/csv_write.hpp"
+#include <table/bytes.hpp>
+#include <table/csv.hpp>
+#include <table/csv_write.hpp>
 
 namespace tcert {
 namespace {

@@ -4,11 +4,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_refit.hpp>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_refit.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -4,12 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <statistics/survival/cumulative_incidence.hpp>
+#include <statistics/survival/log_rank.hpp>
+#include <statistics/survival/survival_curve.hpp>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/survival/cumulative_incidence.hpp"
-#include "analysis/survival/log_rank.hpp"
-#include "analysis/survival/survival_curve.hpp"
-#include "datasets/random.hpp"
 
 namespace {
 

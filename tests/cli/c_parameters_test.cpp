@@ -4,7 +4,7 @@
 #include <iterator>
 #include <string>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 
 namespace tcert {
 namespace {
@@ -15,7 +15,7 @@ bool begins_with(std::string_view text, std::string_view prefix) {
 
 // Whoever adds a parameter adds it to the C interface too, under the same name.
 TEST(CParameters, AreAllThatTheLiveLoopHas) {
-  std::ifstream file(TCERT_GOLDEN "/../../lib/tcert/tcert.h");
+  std::ifstream file(TCERT_GOLDEN "/../../lib/control/tcert/tcert.h");
   const std::string header{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   ASSERT_FALSE(header.empty());
   int found = 0;

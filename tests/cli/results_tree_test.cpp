@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <table/data_table.hpp>
 
-#include "datasets/data_table.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/workdir.hpp"
 

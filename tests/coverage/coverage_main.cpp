@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "coverage/coverage_study.hpp"
+#include "analysis/study/coverage/coverage_study.hpp"
 
 int main(int argc, char** argv) {
   using tcert::coverage::Coverage;

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "coverage/equivalence_study.hpp"
+#include "analysis/study/coverage/equivalence_study.hpp"
 
 int main(int argc, char** argv) {
   using tcert::coverage::EquivalenceRates;

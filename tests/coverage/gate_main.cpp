@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "coverage/gate_study.hpp"
+#include "analysis/study/coverage/gate_study.hpp"
 
 int main(int argc, char** argv) {
   tcert::coverage::GateOptions options;

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "analysis/soundness/soundness.hpp"
+#include "analysis/study/soundness/soundness.hpp"
 
 namespace {
 

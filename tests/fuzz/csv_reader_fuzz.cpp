@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <table/csv.hpp>
+#include <table/csv_write.hpp>
 
-#include "datasets/csv.hpp"
-#include "datasets/csv_write.hpp"
 #include "datasets/stream_clock.hpp"
 #include "fuzz/check.hpp"
 

@@ -9,9 +9,9 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <table/bytes.hpp>
+#include <table/data_table.hpp>
 
-#include "datasets/bytes.hpp"
-#include "datasets/data_table.hpp"
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_rows.hpp"
 #include "reports/figure/figure_table.hpp"

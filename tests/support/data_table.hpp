@@ -3,13 +3,12 @@
 /// Tables and model frames in one line, for tests.
 
 #include <filesystem>
+#include <statistics/model/model_frame.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <table/data_table.hpp>
 #include <utility>
-
-#include "analysis/model/model_frame.hpp"
-#include "datasets/data_table.hpp"
 
 namespace tcert::test_support {
 

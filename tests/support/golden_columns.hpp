@@ -6,9 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <table/csv.hpp>
 #include <vector>
-
-#include "datasets/csv.hpp"
 
 namespace tcert::test_support {
 

@@ -2,12 +2,12 @@
 
 #include <limits>
 #include <set>
+#include <table/random.hpp>
 #include <terrain/components.hpp>
 #include <terrain/explore.hpp>
 
-#include "datasets/random.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
-#include "terrain_study/scenarios.hpp"
+#include "analysis/study/terrain/scenarios.hpp"
 
 namespace tcert::terrain {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "datasets/terrain_file.hpp"
 #include "terrain/vectors.hpp"
-#include "terrain_study/scenarios.hpp"
+#include "analysis/study/terrain/scenarios.hpp"
 
 namespace tcert::terrain {
 namespace {

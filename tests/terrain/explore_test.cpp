@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <terrain/baselines.hpp>
+#include <table/random.hpp>
+#include "analysis/study/terrain/baselines.hpp"
 #include <terrain/explore.hpp>
 #include <terrain/lipschitz.hpp>
 
-#include "datasets/random.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
 #include "datasets/terrain_file.hpp"
 #include "terrain/vectors.hpp"
-#include "terrain_study/scenarios.hpp"
+#include "analysis/study/terrain/scenarios.hpp"
 
 namespace tcert::terrain {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <table/random.hpp>
 #include <terrain/explore.hpp>
 #include <terrain/lipschitz.hpp>
 
-#include "datasets/random.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
 
 namespace tcert::terrain {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "terrain_study/soundness.hpp"
+#include "analysis/study/terrain/terrain_soundness.hpp"
 
 namespace tcert::terrain {
 namespace {

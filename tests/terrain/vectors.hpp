@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <table/bytes.hpp>
+#include <table/csv.hpp>
 #include <terrain/grid.hpp>
 #include <vector>
 
-#include "datasets/bytes.hpp"
-#include "datasets/csv.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert::terrain::test {

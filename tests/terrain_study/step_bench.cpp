@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <ctime>
 #include <string>
+#include <table/random.hpp>
 #include <terrain/planner.hpp>
 #include <vector>
 
-#include "datasets/random.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
 
 namespace tcert::terrain::study {

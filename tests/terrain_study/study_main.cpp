@@ -6,14 +6,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <terrain/baselines.hpp>
+#include <table/random.hpp>
+#include "analysis/study/terrain/baselines.hpp"
 #include <terrain/lipschitz.hpp>
 #include <vector>
 
-#include "datasets/random.hpp"
 #include "datasets/terrain_file.hpp"
-#include "terrain_study/scenarios.hpp"
-#include "terrain_study/soundness.hpp"
+#include "analysis/study/terrain/scenarios.hpp"
+#include "analysis/study/terrain/terrain_soundness.hpp"
 
 namespace tcert::terrain::study {
 namespace {

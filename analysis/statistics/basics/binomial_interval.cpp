@@ -1,10 +1,9 @@
-#include "analysis/basics/binomial_interval.hpp"
+#include <statistics/basics/binomial_interval.hpp>
 
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
+#include <statistics/basics/normal.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/normal.hpp"
 
 namespace tcert {
 namespace {

@@ -5,8 +5,7 @@
 
 #include <cstddef>
 #include <optional>
-
-#include "analysis/basics/interval.hpp"
+#include <statistics/basics/interval.hpp>
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/basics/chi_square.hpp"
+#include <statistics/basics/chi_square.hpp>
 
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>

@@ -1,9 +1,8 @@
-#include "analysis/basics/compact_codes.hpp"
+#include <statistics/basics/compact_codes.hpp>
 
 #include <algorithm>
 #include <stdexcept>
-
-#include "datasets/factor.hpp"
+#include <table/factor.hpp>
 
 namespace tcert {
 

@@ -1,12 +1,11 @@
-#include "analysis/basics/complete_rows.hpp"
+#include <statistics/basics/complete_rows.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/compact_codes.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "analysis/basics/compact_codes.hpp"
-#include "datasets/factor.hpp"
+#include <table/factor.hpp>
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/basics/condition.hpp"
+#include <statistics/basics/condition.hpp>
 
 #include <algorithm>
 #include <array>

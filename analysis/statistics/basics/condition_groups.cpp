@@ -1,4 +1,4 @@
-#include "analysis/basics/condition_groups.hpp"
+#include <statistics/basics/condition_groups.hpp>
 
 #include <algorithm>
 

@@ -3,10 +3,9 @@
 /// Conditions that differ only by the level of one factor, as one.
 
 #include <functional>
+#include <statistics/basics/condition.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
 
 namespace tcert {
 

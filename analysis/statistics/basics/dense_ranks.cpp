@@ -1,8 +1,7 @@
-#include "analysis/basics/dense_ranks.hpp"
+#include <statistics/basics/dense_ranks.hpp>
 
+#include <statistics/basics/sort_order.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/sort_order.hpp"
 
 namespace tcert {
 namespace {

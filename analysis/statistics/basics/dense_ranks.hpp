@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <statistics/basics/time_order.hpp>
 #include <vector>
-
-#include "analysis/basics/time_order.hpp"
 
 namespace tcert {
 

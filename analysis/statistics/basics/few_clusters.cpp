@@ -1,4 +1,4 @@
-#include "analysis/basics/few_clusters.hpp"
+#include <statistics/basics/few_clusters.hpp>
 
 namespace tcert {
 

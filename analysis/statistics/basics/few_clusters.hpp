@@ -4,9 +4,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <statistics/basics/condition.hpp>
 #include <string>
-
-#include "analysis/basics/condition.hpp"
 
 namespace tcert {
 

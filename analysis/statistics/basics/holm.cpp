@@ -1,4 +1,4 @@
-#include "analysis/basics/holm.hpp"
+#include <statistics/basics/holm.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "analysis/basics/normal.hpp"
+#include <statistics/basics/normal.hpp>
 
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// \file
 /// The standard normal distribution, as tests and intervals need it.
 
-#include "analysis/basics/alternative.hpp"
+#include <statistics/basics/alternative.hpp>
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/basics/quantile.hpp"
+#include <statistics/basics/quantile.hpp>
 
 #include <algorithm>
 #include <cmath>

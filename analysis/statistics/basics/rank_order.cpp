@@ -1,4 +1,4 @@
-#include "analysis/basics/rank_order.hpp"
+#include <statistics/basics/rank_order.hpp>
 
 #include <algorithm>
 

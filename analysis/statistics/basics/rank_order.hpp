@@ -4,9 +4,8 @@
 
 #include <cstdint>
 #include <span>
+#include <statistics/roc/placements.hpp>
 #include <vector>
-
-#include "analysis/roc/placements.hpp"
 
 namespace tcert {
 

@@ -1,10 +1,9 @@
-#include "analysis/basics/runaway.hpp"
+#include <statistics/basics/runaway.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include "analysis/basics/quantile.hpp"
+#include <statistics/basics/quantile.hpp>
 
 namespace tcert {
 

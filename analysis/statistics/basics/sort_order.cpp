@@ -1,4 +1,4 @@
-#include "analysis/basics/sort_order.hpp"
+#include <statistics/basics/sort_order.hpp>
 
 #include <algorithm>
 #include <array>

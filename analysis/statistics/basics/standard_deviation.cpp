@@ -1,4 +1,4 @@
-#include "analysis/basics/standard_deviation.hpp"
+#include <statistics/basics/standard_deviation.hpp>
 
 #include <Eigen/Core>
 #include <cmath>

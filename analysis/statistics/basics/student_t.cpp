@@ -1,4 +1,4 @@
-#include "analysis/basics/student_t.hpp"
+#include <statistics/basics/student_t.hpp>
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>

@@ -4,9 +4,8 @@
 
 #include <cstddef>
 #include <optional>
-
-#include "analysis/basics/alternative.hpp"
-#include "analysis/basics/interval.hpp"
+#include <statistics/basics/alternative.hpp>
+#include <statistics/basics/interval.hpp>
 
 namespace tcert {
 

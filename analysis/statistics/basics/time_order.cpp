@@ -1,11 +1,10 @@
-#include "analysis/basics/time_order.hpp"
+#include <statistics/basics/time_order.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <statistics/basics/sort_order.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/sort_order.hpp"
 
 namespace tcert {
 namespace {

@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <statistics/survival/survival_outcome.hpp>
 #include <vector>
-
-#include "analysis/survival/survival_outcome.hpp"
 
 namespace tcert {
 

@@ -4,8 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
-
-#include "analysis/basics/chi_square.hpp"
+#include <statistics/basics/chi_square.hpp>
 
 namespace tcert {
 

@@ -1,14 +1,13 @@
-#include "analysis/calibration/calibration.hpp"
+#include <statistics/calibration/calibration.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/compact_codes.hpp>
+#include <statistics/calibration/calibration_bins.hpp>
+#include <statistics/logistic/logistic.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "analysis/basics/compact_codes.hpp"
-#include "analysis/calibration/calibration_bins.hpp"
-#include "analysis/logistic/logistic.hpp"
-#include "datasets/csv_write.hpp"
+#include <table/csv_write.hpp>
 
 namespace tcert {
 namespace {

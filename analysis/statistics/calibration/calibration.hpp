@@ -9,13 +9,12 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
 #include <string>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

@@ -1,9 +1,8 @@
-#include "analysis/calibration/calibration_bins.hpp"
+#include <statistics/calibration/calibration_bins.hpp>
 
 #include <algorithm>
-
-#include "analysis/basics/binomial_interval.hpp"
-#include "analysis/basics/quantile.hpp"
+#include <statistics/basics/binomial_interval.hpp>
+#include <statistics/basics/quantile.hpp>
 
 namespace tcert {
 namespace {

@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <statistics/calibration/calibration.hpp>
 #include <vector>
-
-#include "analysis/calibration/calibration.hpp"
 
 namespace tcert {
 

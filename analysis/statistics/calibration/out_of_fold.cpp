@@ -1,13 +1,12 @@
-#include "analysis/calibration/out_of_fold.hpp"
+#include <statistics/calibration/out_of_fold.hpp>
 
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <statistics/logistic/binomial_likelihood.hpp>
+#include <statistics/logistic/logistic_refit.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "analysis/logistic/binomial_likelihood.hpp"
-#include "analysis/logistic/logistic_refit.hpp"
 
 namespace tcert {
 namespace {

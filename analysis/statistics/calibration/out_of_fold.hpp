@@ -3,11 +3,10 @@
 /// Probabilities of a logistic model for clusters that its fit has not seen.
 
 #include <optional>
+#include <statistics/basics/condition.hpp>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/resampling/cross_validation.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/resampling/cross_validation.hpp"
 
 namespace tcert {
 

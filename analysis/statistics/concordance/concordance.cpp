@@ -1,17 +1,16 @@
-#include "analysis/concordance/concordance.hpp"
+#include <statistics/concordance/concordance.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <statistics/basics/compact_codes.hpp>
+#include <statistics/basics/few_clusters.hpp>
+#include <statistics/basics/normal.hpp>
+#include <statistics/concordance/concordance_columns.hpp>
 #include <stdexcept>
 #include <utility>
-
-#include "analysis/basics/compact_codes.hpp"
-#include "analysis/basics/few_clusters.hpp"
-#include "analysis/basics/normal.hpp"
-#include "analysis/concordance/concordance_columns.hpp"
 
 namespace tcert {
 namespace {

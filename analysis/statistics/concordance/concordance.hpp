@@ -9,13 +9,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/concordance/concordance_pairs.hpp>
 #include <string>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/concordance/concordance_pairs.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/concordance/concordance_columns.hpp"
+#include <statistics/concordance/concordance_columns.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <statistics/concordance/concordance.hpp>
 #include <vector>
-
-#include "analysis/concordance/concordance.hpp"
 
 namespace tcert {
 

@@ -1,14 +1,13 @@
-#include "analysis/concordance/concordance_pairs.hpp"
+#include <statistics/concordance/concordance_pairs.hpp>
 
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/dense_ranks.hpp>
+#include <statistics/concordance/concordance_stratum.hpp>
+#include <statistics/concordance/prefix_sums.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/dense_ranks.hpp"
-#include "analysis/concordance/concordance_stratum.hpp"
-#include "analysis/concordance/prefix_sums.hpp"
 
 namespace tcert {
 namespace {

@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <statistics/basics/time_order.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <vector>
-
-#include "analysis/basics/time_order.hpp"
-#include "analysis/survival/survival_outcome.hpp"
 
 namespace tcert {
 

@@ -1,11 +1,10 @@
-#include "analysis/concordance/concordance_replicates.hpp"
+#include <statistics/concordance/concordance_replicates.hpp>
 
 #include <algorithm>
+#include <statistics/basics/dense_ranks.hpp>
+#include <statistics/basics/time_order.hpp>
 #include <stdexcept>
 #include <utility>
-
-#include "analysis/basics/dense_ranks.hpp"
-#include "analysis/basics/time_order.hpp"
 
 namespace tcert {
 namespace {

@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/concordance/prefix_sums.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <vector>
-
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/concordance/prefix_sums.hpp"
-#include "analysis/survival/survival_outcome.hpp"
 
 namespace tcert {
 

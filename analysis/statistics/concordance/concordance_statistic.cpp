@@ -1,11 +1,10 @@
-#include "analysis/concordance/concordance_statistic.hpp"
+#include <statistics/concordance/concordance_statistic.hpp>
 
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <statistics/concordance/concordance_replicates.hpp>
 #include <stdexcept>
-
-#include "analysis/concordance/concordance_replicates.hpp"
 
 namespace tcert {
 namespace {

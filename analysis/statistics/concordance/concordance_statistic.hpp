@@ -4,11 +4,10 @@
 
 #include <cstddef>
 #include <span>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/resampling/statistic.hpp>
 #include <utility>
 #include <vector>
-
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/resampling/statistic.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/concordance/concordance_stratum.hpp"
+#include <statistics/concordance/concordance_stratum.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <statistics/basics/dense_ranks.hpp>
+#include <statistics/concordance/concordance_pairs.hpp>
 #include <vector>
-
-#include "analysis/basics/dense_ranks.hpp"
-#include "analysis/concordance/concordance_pairs.hpp"
 
 namespace tcert {
 

@@ -7,16 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/model/model_frame.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <string>
 #include <string_view>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/model/model_frame.hpp"
-#include "analysis/survival/survival_outcome.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

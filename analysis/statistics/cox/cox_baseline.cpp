@@ -1,12 +1,11 @@
-#include "analysis/cox/cox_baseline.hpp"
+#include <statistics/cox/cox_baseline.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <statistics/basics/normal.hpp>
+#include <statistics/cox/cox_hazard_steps.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/normal.hpp"
-#include "analysis/cox/cox_hazard_steps.hpp"
 
 namespace tcert {
 namespace {

@@ -5,10 +5,9 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <statistics/cox/cox.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/cox/cox.hpp"
 
 namespace tcert {
 

@@ -1,7 +1,6 @@
 #include <algorithm>
+#include <statistics/cox/cox.hpp>
 #include <stdexcept>
-
-#include "analysis/cox/cox.hpp"
 
 namespace tcert {
 

@@ -7,10 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "analysis/basics/compensated_sum.hpp"
-#include "analysis/cox/cox_likelihood.hpp"
-#include "analysis/cox/cox_risk_pass.hpp"
+#include <statistics/basics/compensated_sum.hpp>
+#include <statistics/cox/cox_likelihood.hpp>
+#include <statistics/cox/cox_risk_pass.hpp>
 
 namespace tcert {
 namespace {

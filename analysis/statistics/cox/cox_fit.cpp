@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_inference.hpp>
+#include <statistics/cox/cox_newton.hpp>
 #include <stdexcept>
-
-#include "analysis/cox/cox.hpp"
-#include "analysis/cox/cox_inference.hpp"
-#include "analysis/cox/cox_newton.hpp"
 
 namespace tcert {
 namespace {

@@ -1,9 +1,8 @@
-#include "analysis/cox/cox_hazard_steps.hpp"
+#include <statistics/cox/cox_hazard_steps.hpp>
 
 #include <algorithm>
-
-#include "analysis/cox/cox_likelihood.hpp"
-#include "analysis/cox/cox_risk_pass.hpp"
+#include <statistics/cox/cox_likelihood.hpp>
+#include <statistics/cox/cox_risk_pass.hpp>
 
 namespace tcert {
 namespace {

@@ -4,9 +4,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <statistics/cox/cox_rows.hpp>
 #include <vector>
-
-#include "analysis/cox/cox_rows.hpp"
 
 namespace tcert {
 

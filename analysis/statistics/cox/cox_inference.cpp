@@ -1,20 +1,19 @@
-#include "analysis/cox/cox_inference.hpp"
+#include <statistics/cox/cox_inference.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <statistics/basics/compact_codes.hpp>
+#include <statistics/basics/few_clusters.hpp>
+#include <statistics/basics/normal.hpp>
+#include <statistics/basics/wald_chi_squared.hpp>
+#include <statistics/cox/cox_robust.hpp>
+#include <statistics/cox/cox_runaway.hpp>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "analysis/basics/compact_codes.hpp"
-#include "analysis/basics/few_clusters.hpp"
-#include "analysis/basics/normal.hpp"
-#include "analysis/basics/wald_test.hpp"
-#include "analysis/cox/cox_robust.hpp"
-#include "analysis/cox/cox_runaway.hpp"
 
 namespace tcert {
 namespace {

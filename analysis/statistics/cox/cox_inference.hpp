@@ -2,9 +2,9 @@
 /// \file
 /// What a maximised Cox likelihood says of its coefficients. Internal to `fit_cox`.
 
-#include "analysis/cox/cox.hpp"
-#include "analysis/cox/cox_newton.hpp"
-#include "analysis/cox/cox_rows.hpp"
+#include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_newton.hpp>
+#include <statistics/cox/cox_rows.hpp>
 
 namespace tcert {
 

@@ -1,10 +1,9 @@
-#include "analysis/cox/cox_likelihood.hpp"
+#include <statistics/cox/cox_likelihood.hpp>
 
 #include <algorithm>
 #include <cmath>
-
-#include "analysis/basics/compensated_sum.hpp"
-#include "analysis/cox/cox_risk_pass.hpp"
+#include <statistics/basics/compensated_sum.hpp>
+#include <statistics/cox/cox_risk_pass.hpp>
 
 namespace tcert {
 TieSums tie_sums(double others, double events, std::size_t d, Ties ties) noexcept {

@@ -4,10 +4,9 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <statistics/cox/cox_risk_pass.hpp>
+#include <statistics/cox/cox_rows.hpp>
 #include <vector>
-
-#include "analysis/cox/cox_risk_pass.hpp"
-#include "analysis/cox/cox_rows.hpp"
 
 namespace tcert {
 

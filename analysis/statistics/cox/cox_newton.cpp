@@ -1,4 +1,4 @@
-#include "analysis/cox/cox_newton.hpp"
+#include <statistics/cox/cox_newton.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -7,8 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-
-#include "analysis/cox/cox_recession.hpp"
+#include <statistics/cox/cox_recession.hpp>
 
 namespace tcert {
 namespace {

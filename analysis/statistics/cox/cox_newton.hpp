@@ -4,10 +4,9 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <statistics/cox/cox_likelihood.hpp>
+#include <statistics/cox/cox_rows.hpp>
 #include <vector>
-
-#include "analysis/cox/cox_likelihood.hpp"
-#include "analysis/cox/cox_rows.hpp"
 
 namespace tcert {
 

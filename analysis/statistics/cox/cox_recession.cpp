@@ -1,11 +1,10 @@
-#include "analysis/cox/cox_recession.hpp"
+#include <statistics/cox/cox_recession.hpp>
 
 #include <algorithm>
 #include <queue>
+#include <statistics/logistic/cone_projection.hpp>
 #include <utility>
 #include <vector>
-
-#include "analysis/logistic/cone_projection.hpp"
 
 namespace tcert {
 namespace {

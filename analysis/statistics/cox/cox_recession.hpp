@@ -5,8 +5,7 @@
 
 #include <Eigen/Core>
 #include <optional>
-
-#include "analysis/cox/cox_rows.hpp"
+#include <statistics/cox/cox_rows.hpp>
 
 namespace tcert {
 

@@ -1,9 +1,8 @@
-#include "analysis/cox/cox_residuals.hpp"
+#include <statistics/cox/cox_residuals.hpp>
 
 #include <cmath>
+#include <statistics/cox/cox_hazard_steps.hpp>
 #include <stdexcept>
-
-#include "analysis/cox/cox_hazard_steps.hpp"
 
 namespace tcert {
 namespace {

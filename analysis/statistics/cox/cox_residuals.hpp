@@ -5,9 +5,8 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <statistics/cox/cox.hpp>
 #include <vector>
-
-#include "analysis/cox/cox.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/cox/cox_risk_pass.hpp"
+#include <statistics/cox/cox_risk_pass.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,8 @@
 /// over the rows at risk.
 
 #include <cstddef>
+#include <statistics/cox/cox_rows.hpp>
 #include <vector>
-
-#include "analysis/cox/cox_rows.hpp"
 
 namespace tcert {
 

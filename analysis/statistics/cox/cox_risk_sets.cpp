@@ -1,4 +1,4 @@
-#include "analysis/cox/cox_risk_sets.hpp"
+#include <statistics/cox/cox_risk_sets.hpp>
 
 #include <algorithm>
 

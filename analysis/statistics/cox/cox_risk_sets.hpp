@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <statistics/survival/survival_outcome.hpp>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/survival/survival_outcome.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

@@ -1,6 +1,6 @@
-#include "analysis/cox/cox_robust.hpp"
+#include <statistics/cox/cox_robust.hpp>
 
-#include "analysis/cox/cox_hazard_steps.hpp"
+#include <statistics/cox/cox_hazard_steps.hpp>
 
 namespace tcert {
 

@@ -3,8 +3,7 @@
 /// The robust (sandwich) variance of a Cox model, with clusters or without (Lin and Wei 1989).
 
 #include <Eigen/Core>
-
-#include "analysis/cox/cox_rows.hpp"
+#include <statistics/cox/cox_rows.hpp>
 
 namespace tcert {
 

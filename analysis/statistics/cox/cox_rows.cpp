@@ -1,4 +1,4 @@
-#include "analysis/cox/cox_rows.hpp"
+#include <statistics/cox/cox_rows.hpp>
 
 #include <algorithm>
 #include <cmath>

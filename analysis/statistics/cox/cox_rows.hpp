@@ -4,10 +4,9 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_risk_sets.hpp>
 #include <vector>
-
-#include "analysis/cox/cox.hpp"
-#include "analysis/cox/cox_risk_sets.hpp"
 
 namespace tcert {
 

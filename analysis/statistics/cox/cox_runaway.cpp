@@ -1,9 +1,8 @@
-#include "analysis/cox/cox_runaway.hpp"
+#include <statistics/cox/cox_runaway.hpp>
 
 #include <Eigen/Cholesky>
 #include <cmath>
-
-#include "analysis/basics/runaway.hpp"
+#include <statistics/basics/runaway.hpp>
 
 namespace tcert {
 

@@ -3,10 +3,9 @@
 /// Hazard ratios that are finite, but only because a few rows are out of order by a hair.
 
 #include <Eigen/Core>
+#include <statistics/cox/cox_newton.hpp>
+#include <statistics/cox/cox_rows.hpp>
 #include <vector>
-
-#include "analysis/cox/cox_newton.hpp"
-#include "analysis/cox/cox_rows.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/cox/cox_terms.hpp"
+#include <statistics/cox/cox_terms.hpp>
 
 #include <algorithm>
 #include <set>

@@ -3,11 +3,10 @@
 /// Likelihood-ratio tests of the terms of a Cox model, as R's `anova.coxph` and `drop1` have them.
 
 #include <optional>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/cox/cox.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/cox/cox.hpp"
 
 namespace tcert {
 

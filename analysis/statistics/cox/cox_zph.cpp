@@ -1,13 +1,12 @@
-#include "analysis/cox/cox_zph.hpp"
+#include <statistics/cox/cox_zph.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/wald_chi_squared.hpp>
+#include <statistics/cox/cox_likelihood.hpp>
+#include <statistics/cox/cox_risk_pass.hpp>
+#include <statistics/cox/time_transform.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/wald_test.hpp"
-#include "analysis/cox/cox_likelihood.hpp"
-#include "analysis/cox/cox_risk_pass.hpp"
-#include "analysis/cox/time_transform.hpp"
 
 namespace tcert {
 namespace {

@@ -5,12 +5,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/cox/cox.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/cox/cox.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/cox/time_transform.hpp"
+#include <statistics/cox/time_transform.hpp>
 
 #include <algorithm>
 #include <cmath>

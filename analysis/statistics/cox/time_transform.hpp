@@ -2,10 +2,9 @@
 /// \file
 /// Functions of time for the test of proportional hazards.
 
+#include <statistics/cox/cox_zph.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <vector>
-
-#include "analysis/cox/cox_zph.hpp"
-#include "analysis/survival/survival_outcome.hpp"
 
 namespace tcert {
 

@@ -1,13 +1,12 @@
-#include "analysis/equivalence/equivalence.hpp"
+#include <statistics/equivalence/equivalence.hpp>
 
 #include <algorithm>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
+#include <statistics/basics/binomial_interval.hpp>
+#include <statistics/basics/normal.hpp>
+#include <statistics/basics/wald_chi_squared.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/binomial_interval.hpp"
-#include "analysis/basics/normal.hpp"
-#include "analysis/basics/wald_test.hpp"
 
 namespace tcert {
 namespace {

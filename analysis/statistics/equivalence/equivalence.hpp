@@ -6,12 +6,11 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/equivalence/range_permutation.hpp"
+#include <statistics/equivalence/range_permutation.hpp>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <statistics/basics/compact_codes.hpp>
+#include <statistics/basics/quantile.hpp>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <utility>
-
-#include "analysis/basics/compact_codes.hpp"
-#include "analysis/basics/quantile.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

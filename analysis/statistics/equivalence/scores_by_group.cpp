@@ -1,11 +1,10 @@
-#include "analysis/equivalence/scores_by_group.hpp"
+#include <statistics/equivalence/scores_by_group.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/compact_codes.hpp>
+#include <statistics/model/variable.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/compact_codes.hpp"
-#include "analysis/model/variable.hpp"
 
 namespace tcert {
 namespace {

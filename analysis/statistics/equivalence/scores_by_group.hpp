@@ -7,15 +7,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/equivalence/equivalence.hpp>
+#include <statistics/roc/roc.hpp>
+#include <statistics/survival/survival_outcome.hpp>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/equivalence/equivalence.hpp"
-#include "analysis/roc/roc.hpp"
-#include "analysis/survival/survival_outcome.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/equivalence/statistic_by_group.hpp"
+#include <statistics/equivalence/statistic_by_group.hpp>
 
 #include <algorithm>
 #include <cmath>

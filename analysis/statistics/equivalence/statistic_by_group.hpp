@@ -2,9 +2,9 @@
 /// \file
 /// A statistic of each group of rows by itself, and how far apart they lie.
 
-#include "analysis/equivalence/range_permutation.hpp"
-#include "analysis/resampling/statistic.hpp"
-#include "datasets/factor.hpp"
+#include <statistics/equivalence/range_permutation.hpp>
+#include <statistics/resampling/statistic.hpp>
+#include <table/factor.hpp>
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/glmm/glmm.hpp"
+#include <statistics/glmm/glmm.hpp>
 
 #include <fmt/format.h>
 
@@ -9,12 +9,11 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <statistics/basics/normal.hpp>
+#include <statistics/glmm/glmm_problem.hpp>
+#include <statistics/glmm/glmm_solve.hpp>
+#include <statistics/logistic/near_separation.hpp>
 #include <utility>
-
-#include "analysis/basics/normal.hpp"
-#include "analysis/glmm/glmm_problem.hpp"
-#include "analysis/glmm/glmm_solve.hpp"
-#include "analysis/logistic/near_separation.hpp"
 
 namespace tcert {
 namespace {

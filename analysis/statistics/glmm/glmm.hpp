@@ -8,14 +8,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/logistic/binomial_newton.hpp>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/model/model_frame.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/logistic/binomial_newton.hpp"
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/model/model_frame.hpp"
 
 namespace tcert {
 

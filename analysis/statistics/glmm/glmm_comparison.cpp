@@ -1,4 +1,4 @@
-#include "analysis/glmm/glmm_comparison.hpp"
+#include <statistics/glmm/glmm_comparison.hpp>
 
 #include <tbb/parallel_for.h>
 

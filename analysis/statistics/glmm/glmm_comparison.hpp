@@ -3,11 +3,10 @@
 /// Likelihood-ratio tests between mixed models.
 
 #include <optional>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/logistic/logistic_drop.hpp>
 #include <vector>
-
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/logistic/logistic_drop.hpp"
 
 namespace tcert {
 

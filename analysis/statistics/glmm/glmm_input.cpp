@@ -1,4 +1,4 @@
-#include "analysis/glmm/glmm.hpp"
+#include <statistics/glmm/glmm.hpp>
 
 namespace tcert {
 

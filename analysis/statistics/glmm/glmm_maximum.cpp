@@ -1,4 +1,4 @@
-#include "analysis/glmm/glmm_maximum.hpp"
+#include <statistics/glmm/glmm_maximum.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -5,9 +5,8 @@
 
 #include <Eigen/Core>
 #include <optional>
-
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/glmm/mixed_likelihood.hpp"
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/glmm/mixed_likelihood.hpp>
 
 namespace tcert {
 

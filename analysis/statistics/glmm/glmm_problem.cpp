@@ -1,13 +1,12 @@
-#include "analysis/glmm/glmm_problem.hpp"
+#include <statistics/glmm/glmm_problem.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/glmm/intercept_likelihood.hpp>
+#include <statistics/glmm/sparse_likelihood.hpp>
 #include <stdexcept>
-
-#include "analysis/glmm/intercept_likelihood.hpp"
-#include "analysis/glmm/sparse_likelihood.hpp"
 
 namespace tcert {
 namespace {

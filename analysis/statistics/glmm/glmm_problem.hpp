@@ -7,13 +7,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/glmm/grouped_rows.hpp>
+#include <statistics/glmm/mixed_likelihood.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/glmm/grouped_rows.hpp"
-#include "analysis/glmm/mixed_likelihood.hpp"
-#include "analysis/logistic/logistic_problem.hpp"
 
 namespace tcert {
 

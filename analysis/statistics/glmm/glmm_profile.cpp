@@ -1,4 +1,4 @@
-#include "analysis/glmm/glmm_profile.hpp"
+#include <statistics/glmm/glmm_profile.hpp>
 
 #include <tbb/parallel_for.h>
 
@@ -7,11 +7,10 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <statistics/basics/normal.hpp>
+#include <statistics/glmm/glmm_problem.hpp>
+#include <statistics/glmm/glmm_solve.hpp>
 #include <utility>
-
-#include "analysis/basics/normal.hpp"
-#include "analysis/glmm/glmm_problem.hpp"
-#include "analysis/glmm/glmm_solve.hpp"
 
 namespace tcert {
 namespace {

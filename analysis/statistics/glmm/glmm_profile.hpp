@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <statistics/basics/interval.hpp>
+#include <statistics/glmm/glmm.hpp>
 #include <vector>
-
-#include "analysis/basics/interval.hpp"
-#include "analysis/glmm/glmm.hpp"
 
 namespace tcert {
 

@@ -3,8 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-
-#include "analysis/glmm/glmm_maximum.hpp"
+#include <statistics/glmm/glmm_maximum.hpp>
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/glmm/glmm_solve.hpp"
+#include <statistics/glmm/glmm_solve.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,9 @@
 /// From a problem to its maximum: where to start, and estimates on the boundary. Internal to the
 /// estimator.
 
+#include <statistics/glmm/glmm_maximum.hpp>
+#include <statistics/glmm/glmm_problem.hpp>
 #include <vector>
-
-#include "analysis/glmm/glmm_maximum.hpp"
-#include "analysis/glmm/glmm_problem.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/glmm/grouped_rows.hpp"
+#include <statistics/glmm/grouped_rows.hpp>
 
 #include <cstddef>
 

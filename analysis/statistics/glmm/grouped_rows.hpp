@@ -4,9 +4,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <statistics/logistic/binomial_likelihood.hpp>
 #include <vector>
-
-#include "analysis/logistic/binomial_likelihood.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/glmm/hermite_rule.hpp"
+#include <statistics/glmm/hermite_rule.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analysis/glmm/intercept_group.hpp"
+#include <statistics/glmm/intercept_group.hpp>
 
 #include <algorithm>
 #include <cmath>

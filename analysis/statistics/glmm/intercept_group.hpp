@@ -11,10 +11,9 @@
 /// derivatives.
 
 #include <Eigen/Core>
+#include <statistics/glmm/hermite_rule.hpp>
+#include <statistics/glmm/mixed_likelihood.hpp>
 #include <vector>
-
-#include "analysis/glmm/hermite_rule.hpp"
-#include "analysis/glmm/mixed_likelihood.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/glmm/intercept_likelihood.hpp"
+#include <statistics/glmm/intercept_likelihood.hpp>
 
 #include <tbb/parallel_for.h>
 

@@ -4,12 +4,11 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <statistics/glmm/grouped_rows.hpp>
+#include <statistics/glmm/hermite_rule.hpp>
+#include <statistics/glmm/intercept_group.hpp>
+#include <statistics/glmm/mixed_likelihood.hpp>
 #include <vector>
-
-#include "analysis/glmm/grouped_rows.hpp"
-#include "analysis/glmm/hermite_rule.hpp"
-#include "analysis/glmm/intercept_group.hpp"
-#include "analysis/glmm/mixed_likelihood.hpp"
 
 namespace tcert {
 

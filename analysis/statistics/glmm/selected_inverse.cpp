@@ -1,4 +1,4 @@
-#include "analysis/glmm/selected_inverse.hpp"
+#include <statistics/glmm/selected_inverse.hpp>
 
 #include <cstddef>
 

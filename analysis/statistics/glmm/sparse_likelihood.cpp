@@ -1,11 +1,10 @@
-#include "analysis/glmm/sparse_likelihood.hpp"
+#include <statistics/glmm/sparse_likelihood.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-
-#include "analysis/glmm/selected_inverse.hpp"
+#include <statistics/glmm/selected_inverse.hpp>
 
 namespace tcert {
 namespace {

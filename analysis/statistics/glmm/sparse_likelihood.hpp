@@ -15,10 +15,9 @@
 #include <Eigen/SparseCore>
 #include <cstddef>
 #include <cstdint>
+#include <statistics/glmm/glmm_problem.hpp>
+#include <statistics/glmm/mixed_likelihood.hpp>
 #include <vector>
-
-#include "analysis/glmm/glmm_problem.hpp"
-#include "analysis/glmm/mixed_likelihood.hpp"
 
 namespace tcert {
 

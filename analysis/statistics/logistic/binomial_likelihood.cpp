@@ -1,4 +1,4 @@
-#include "analysis/logistic/binomial_likelihood.hpp"
+#include <statistics/logistic/binomial_likelihood.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "analysis/logistic/binomial_newton.hpp"
+#include <statistics/logistic/binomial_newton.hpp>
 
 #include <Eigen/Cholesky>
 #include <cmath>

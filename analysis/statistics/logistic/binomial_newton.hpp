@@ -6,9 +6,8 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
-
-#include "analysis/logistic/binomial_likelihood.hpp"
-#include "analysis/logistic/newton_ascent.hpp"
+#include <statistics/logistic/binomial_likelihood.hpp>
+#include <statistics/logistic/newton_ascent.hpp>
 
 namespace tcert {
 

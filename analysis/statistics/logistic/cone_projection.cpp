@@ -1,4 +1,4 @@
-#include "analysis/logistic/cone_projection.hpp"
+#include <statistics/logistic/cone_projection.hpp>
 
 #include <Eigen/QR>
 #include <vector>

@@ -1,18 +1,17 @@
-#include "analysis/logistic/firth.hpp"
+#include <statistics/logistic/firth.hpp>
 
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
-
-#include "analysis/basics/normal.hpp"
-#include "analysis/logistic/firth_newton.hpp"
-#include "analysis/logistic/likelihood_profile.hpp"
-#include "analysis/logistic/logistic_checks.hpp"
-#include "analysis/logistic/logistic_drop.hpp"
-#include "analysis/logistic/logistic_problem.hpp"
-#include "analysis/logistic/separation_words.hpp"
+#include <statistics/basics/normal.hpp>
+#include <statistics/logistic/firth_newton.hpp>
+#include <statistics/logistic/likelihood_profile.hpp>
+#include <statistics/logistic/logistic_checks.hpp>
+#include <statistics/logistic/logistic_drop.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
+#include <statistics/logistic/separation_words.hpp>
 
 namespace tcert {
 namespace {

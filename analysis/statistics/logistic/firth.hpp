@@ -8,13 +8,12 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/logistic/logistic.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/logistic/logistic.hpp"
 
 namespace tcert {
 

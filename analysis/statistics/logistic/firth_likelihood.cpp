@@ -1,4 +1,4 @@
-#include "analysis/logistic/firth_likelihood.hpp"
+#include <statistics/logistic/firth_likelihood.hpp>
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -4,8 +4,7 @@
 /// determinant of the information is added, which keeps every estimate finite.
 
 #include <Eigen/Core>
-
-#include "analysis/logistic/binomial_likelihood.hpp"
+#include <statistics/logistic/binomial_likelihood.hpp>
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/logistic/firth_newton.hpp"
+#include <statistics/logistic/firth_newton.hpp>
 
 #include <Eigen/Cholesky>
 #include <cmath>

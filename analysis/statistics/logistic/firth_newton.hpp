@@ -4,9 +4,8 @@
 
 #include <Eigen/Core>
 #include <optional>
-
-#include "analysis/logistic/firth_likelihood.hpp"
-#include "analysis/logistic/newton_ascent.hpp"
+#include <statistics/logistic/firth_likelihood.hpp>
+#include <statistics/logistic/newton_ascent.hpp>
 
 namespace tcert {
 

@@ -1,12 +1,11 @@
-#include "analysis/logistic/likelihood_profile.hpp"
+#include <statistics/logistic/likelihood_profile.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <cmath>
 #include <limits>
+#include <statistics/basics/normal.hpp>
 #include <utility>
-
-#include "analysis/basics/normal.hpp"
 
 namespace tcert {
 namespace {

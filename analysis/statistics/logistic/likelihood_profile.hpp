@@ -6,8 +6,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
-
-#include "analysis/basics/interval.hpp"
+#include <statistics/basics/interval.hpp>
 
 namespace tcert {
 

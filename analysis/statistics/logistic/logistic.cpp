@@ -1,4 +1,4 @@
-#include "analysis/logistic/logistic.hpp"
+#include <statistics/logistic/logistic.hpp>
 
 #include <fmt/format.h>
 
@@ -6,15 +6,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <statistics/basics/few_clusters.hpp>
+#include <statistics/basics/normal.hpp>
+#include <statistics/logistic/logistic_checks.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
+#include <statistics/logistic/near_separation.hpp>
+#include <statistics/logistic/separation_words.hpp>
 #include <stdexcept>
 #include <utility>
-
-#include "analysis/basics/few_clusters.hpp"
-#include "analysis/basics/normal.hpp"
-#include "analysis/logistic/logistic_checks.hpp"
-#include "analysis/logistic/logistic_problem.hpp"
-#include "analysis/logistic/near_separation.hpp"
-#include "analysis/logistic/separation_words.hpp"
 
 namespace tcert {
 namespace {

@@ -8,15 +8,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/logistic/binomial_newton.hpp>
+#include <statistics/logistic/separation.hpp>
+#include <statistics/model/model_frame.hpp>
 #include <string>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/logistic/binomial_newton.hpp"
-#include "analysis/logistic/separation.hpp"
-#include "analysis/model/model_frame.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

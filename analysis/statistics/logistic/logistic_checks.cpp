@@ -1,4 +1,4 @@
-#include "analysis/logistic/logistic_checks.hpp"
+#include <statistics/logistic/logistic_checks.hpp>
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 /// \file
 /// What the logistic fits ask of their input before they start.
 
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_problem.hpp"
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
 
 namespace tcert {
 

@@ -1,10 +1,9 @@
-#include "analysis/logistic/logistic_drop.hpp"
+#include <statistics/logistic/logistic_drop.hpp>
 
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
 #include <string_view>
-
-#include "analysis/logistic/logistic_problem.hpp"
 
 namespace tcert {
 namespace {

@@ -4,10 +4,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <statistics/logistic/logistic.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/logistic/logistic.hpp"
 
 namespace tcert {
 

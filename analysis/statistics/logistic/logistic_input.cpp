@@ -1,11 +1,10 @@
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/model/frame_checks.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/model/frame_checks.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/trimmed.hpp"
+#include <table/csv_write.hpp>
+#include <table/trimmed.hpp>
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/logistic/logistic_problem.hpp"
+#include <statistics/logistic/logistic_problem.hpp>
 
 #include <Eigen/Cholesky>
 

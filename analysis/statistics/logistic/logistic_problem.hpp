@@ -4,12 +4,11 @@
 /// its tests share.
 
 #include <Eigen/Core>
+#include <statistics/logistic/binomial_newton.hpp>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/orthonormal_basis.hpp>
+#include <statistics/logistic/separation.hpp>
 #include <vector>
-
-#include "analysis/logistic/binomial_newton.hpp"
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/orthonormal_basis.hpp"
-#include "analysis/logistic/separation.hpp"
 
 namespace tcert {
 

@@ -1,8 +1,8 @@
-#include "analysis/logistic/logistic_profile.hpp"
+#include <statistics/logistic/logistic_profile.hpp>
 
-#include "analysis/logistic/likelihood_profile.hpp"
-#include "analysis/logistic/logistic_problem.hpp"
-#include "analysis/logistic/one_sided_limit.hpp"
+#include <statistics/logistic/likelihood_profile.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
+#include <statistics/logistic/one_sided_limit.hpp>
 
 namespace tcert {
 namespace {

@@ -4,10 +4,9 @@
 
 #include <functional>
 #include <optional>
+#include <statistics/basics/interval.hpp>
+#include <statistics/logistic/logistic.hpp>
 #include <vector>
-
-#include "analysis/basics/interval.hpp"
-#include "analysis/logistic/logistic.hpp"
 
 namespace tcert {
 

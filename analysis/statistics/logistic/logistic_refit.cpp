@@ -1,9 +1,8 @@
-#include "analysis/logistic/logistic_refit.hpp"
+#include <statistics/logistic/logistic_refit.hpp>
 
+#include <statistics/logistic/separation.hpp>
 #include <stdexcept>
 #include <vector>
-
-#include "analysis/logistic/separation.hpp"
 
 namespace tcert {
 

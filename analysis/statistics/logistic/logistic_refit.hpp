@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_problem.hpp"
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
 
 namespace tcert {
 

@@ -1,9 +1,8 @@
-#include "analysis/logistic/near_separation.hpp"
+#include <statistics/logistic/near_separation.hpp>
 
 #include <Eigen/Cholesky>
 #include <cmath>
-
-#include "analysis/basics/runaway.hpp"
+#include <statistics/basics/runaway.hpp>
 
 namespace tcert {
 

@@ -4,10 +4,9 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
 #include <vector>
-
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_problem.hpp"
 
 namespace tcert {
 

@@ -1,12 +1,11 @@
-#include "analysis/logistic/one_sided_limit.hpp"
+#include <statistics/logistic/one_sided_limit.hpp>
 
 #include <cmath>
 #include <limits>
+#include <statistics/basics/normal.hpp>
+#include <statistics/logistic/separation.hpp>
 #include <utility>
 #include <vector>
-
-#include "analysis/basics/normal.hpp"
-#include "analysis/logistic/separation.hpp"
 
 namespace tcert {
 namespace {

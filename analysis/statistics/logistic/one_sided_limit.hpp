@@ -6,9 +6,8 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
-
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_problem.hpp"
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_problem.hpp>
 
 namespace tcert {
 

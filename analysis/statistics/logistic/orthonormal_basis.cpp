@@ -1,4 +1,4 @@
-#include "analysis/logistic/orthonormal_basis.hpp"
+#include <statistics/logistic/orthonormal_basis.hpp>
 
 namespace tcert {
 

@@ -1,9 +1,8 @@
-#include "analysis/logistic/separation.hpp"
+#include <statistics/logistic/separation.hpp>
 
 #include <cmath>
+#include <statistics/logistic/cone_projection.hpp>
 #include <string_view>
-
-#include "analysis/logistic/cone_projection.hpp"
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/logistic/separation_words.hpp"
+#include <statistics/logistic/separation_words.hpp>
 
 #include <fmt/format.h>
 

@@ -3,10 +3,9 @@
 /// What separation looks like in the data, in words.
 
 #include <Eigen/Core>
+#include <statistics/logistic/logistic.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/logistic/logistic.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/model/design_matrix.hpp"
+#include <statistics/model/design_matrix.hpp>
 
 #include <algorithm>
 

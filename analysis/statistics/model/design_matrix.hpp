@@ -4,11 +4,10 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <statistics/model/formula.hpp>
+#include <statistics/model/variable.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/model/formula.hpp"
-#include "analysis/model/variable.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/model/expression.hpp"
+#include <statistics/model/expression.hpp>
 
 #include <algorithm>
 #include <array>

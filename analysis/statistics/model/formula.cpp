@@ -1,9 +1,8 @@
-#include "analysis/model/formula.hpp"
+#include <statistics/model/formula.hpp>
 
 #include <algorithm>
 #include <cmath>
-
-#include "datasets/trimmed.hpp"
+#include <table/trimmed.hpp>
 
 namespace tcert {
 namespace {

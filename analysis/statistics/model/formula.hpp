@@ -15,11 +15,10 @@
 /// `(1 + x || g)` is (1 | g) + (0 + x | g).
 
 #include <cstddef>
+#include <statistics/model/expression.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "analysis/model/expression.hpp"
 
 namespace tcert {
 

@@ -1,10 +1,9 @@
-#include "analysis/model/frame_checks.hpp"
+#include <statistics/model/frame_checks.hpp>
 
 #include <cmath>
-
-#include "analysis/survival/time_conditions.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/unlike_times.hpp"
+#include <statistics/survival/time_conditions.hpp>
+#include <table/csv_write.hpp>
+#include <table/unlike_times.hpp>
 
 namespace tcert {
 

@@ -3,10 +3,9 @@
 /// What a model frame says about its rows. Internal to model_frame.cpp.
 
 #include <cstddef>
+#include <statistics/model/model_frame.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/model/model_frame.hpp"
 
 namespace tcert {
 

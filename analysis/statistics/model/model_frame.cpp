@@ -1,14 +1,13 @@
-#include "analysis/model/model_frame.hpp"
+#include <statistics/model/model_frame.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-
-#include "analysis/model/design_matrix.hpp"
-#include "analysis/model/frame_checks.hpp"
-#include "analysis/model/outcome_coding.hpp"
-#include "analysis/model/stray_text.hpp"
-#include "datasets/cell_reading.hpp"
+#include <statistics/model/design_matrix.hpp>
+#include <statistics/model/frame_checks.hpp>
+#include <statistics/model/outcome_coding.hpp>
+#include <statistics/model/stray_text.hpp>
+#include <table/cell_reading.hpp>
 
 namespace tcert {
 namespace {

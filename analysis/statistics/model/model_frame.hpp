@@ -6,17 +6,16 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <statistics/basics/condition.hpp>
+#include <statistics/model/formula.hpp>
+#include <statistics/model/variable.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <string>
+#include <table/data_table.hpp>
+#include <table/factor.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/model/formula.hpp"
-#include "analysis/model/variable.hpp"
-#include "analysis/survival/survival_outcome.hpp"
-#include "datasets/data_table.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

@@ -1,16 +1,15 @@
-#include "analysis/model/outcome_coding.hpp"
+#include <statistics/model/outcome_coding.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-#include "analysis/model/expression.hpp"
-#include "datasets/cell_reading.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/diagnostic.hpp"
-#include "datasets/nearest_name.hpp"
-#include "datasets/outcome_word.hpp"
+#include <statistics/model/expression.hpp>
+#include <table/cell_reading.hpp>
+#include <table/csv_write.hpp>
+#include <table/diagnostic.hpp>
+#include <table/nearest_name.hpp>
+#include <table/outcome_word.hpp>
 
 namespace tcert {
 namespace {

@@ -4,10 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <table/data_table.hpp>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "datasets/data_table.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

@@ -1,8 +1,8 @@
-#include "analysis/model/stray_text.hpp"
+#include <statistics/model/stray_text.hpp>
 
-#include "analysis/model/expression.hpp"
-#include "datasets/cell_reading.hpp"
-#include "datasets/diagnostic.hpp"
+#include <statistics/model/expression.hpp>
+#include <table/cell_reading.hpp>
+#include <table/diagnostic.hpp>
 
 namespace tcert {
 

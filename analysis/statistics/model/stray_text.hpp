@@ -3,8 +3,7 @@
 /// Texts in columns of numbers, as a refusal names them.
 
 #include <string>
-
-#include "datasets/data_table.hpp"
+#include <table/data_table.hpp>
 
 namespace tcert {
 

@@ -1,17 +1,16 @@
-#include "analysis/model/variable.hpp"
+#include <statistics/model/variable.hpp>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <statistics/model/stray_text.hpp>
 #include <string_view>
+#include <table/cell_reading.hpp>
+#include <table/csv_write.hpp>
+#include <table/nearest_name.hpp>
 #include <utility>
-
-#include "analysis/model/stray_text.hpp"
-#include "datasets/cell_reading.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/nearest_name.hpp"
 
 namespace tcert {
 namespace {

@@ -3,12 +3,11 @@
 /// The value of an expression on every row of a table.
 
 #include <map>
+#include <statistics/model/expression.hpp>
 #include <string>
+#include <table/data_table.hpp>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/model/expression.hpp"
-#include "datasets/data_table.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

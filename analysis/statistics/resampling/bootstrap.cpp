@@ -1,13 +1,12 @@
-#include "analysis/resampling/bootstrap.hpp"
+#include <statistics/resampling/bootstrap.hpp>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <limits>
+#include <statistics/resampling/jackknife.hpp>
 #include <stdexcept>
 #include <utility>
-
-#include "analysis/resampling/jackknife.hpp"
 
 namespace tcert {
 namespace {

@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <statistics/resampling/bootstrap_interval.hpp>
+#include <statistics/resampling/resampling_plan.hpp>
+#include <statistics/resampling/statistic.hpp>
 #include <vector>
-
-#include "analysis/resampling/bootstrap_interval.hpp"
-#include "analysis/resampling/resampling_plan.hpp"
-#include "analysis/resampling/statistic.hpp"
 
 namespace tcert {
 

@@ -1,10 +1,9 @@
-#include "analysis/resampling/bootstrap_difference.hpp"
+#include <statistics/resampling/bootstrap_difference.hpp>
 
 #include <algorithm>
 #include <functional>
+#include <statistics/resampling/jackknife.hpp>
 #include <stdexcept>
-
-#include "analysis/resampling/jackknife.hpp"
 
 namespace tcert {
 namespace {

@@ -3,8 +3,7 @@
 /// Paired differences of bootstrapped values.
 
 #include <cstddef>
-
-#include "analysis/resampling/bootstrap.hpp"
+#include <statistics/resampling/bootstrap.hpp>
 
 namespace tcert {
 

@@ -1,15 +1,14 @@
-#include "analysis/resampling/bootstrap_interval.hpp"
+#include <statistics/resampling/bootstrap_interval.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <statistics/basics/normal.hpp>
+#include <statistics/basics/student_t.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
-
-#include "analysis/basics/normal.hpp"
-#include "analysis/basics/student_t.hpp"
 
 namespace tcert {
 namespace {

@@ -1,13 +1,12 @@
-#include "analysis/resampling/cross_validation.hpp"
+#include <statistics/resampling/cross_validation.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/compact_codes.hpp>
+#include <statistics/concordance/concordance_replicates.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "analysis/basics/compact_codes.hpp"
-#include "analysis/concordance/concordance_replicates.hpp"
-#include "datasets/random.hpp"
+#include <table/random.hpp>
 
 namespace tcert {
 namespace {

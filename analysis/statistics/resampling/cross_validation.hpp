@@ -7,12 +7,11 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <statistics/basics/condition.hpp>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/roc/placements.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/roc/placements.hpp"
-#include "analysis/survival/survival_outcome.hpp"
 
 namespace tcert {
 

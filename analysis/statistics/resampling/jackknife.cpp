@@ -1,4 +1,4 @@
-#include "analysis/resampling/jackknife.hpp"
+#include <statistics/resampling/jackknife.hpp>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>

@@ -5,10 +5,9 @@
 
 #include <optional>
 #include <span>
+#include <statistics/resampling/resampling_plan.hpp>
+#include <statistics/resampling/statistic.hpp>
 #include <vector>
-
-#include "analysis/resampling/resampling_plan.hpp"
-#include "analysis/resampling/statistic.hpp"
 
 namespace tcert {
 

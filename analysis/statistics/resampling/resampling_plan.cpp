@@ -1,14 +1,13 @@
-#include "analysis/resampling/resampling_plan.hpp"
+#include <statistics/resampling/resampling_plan.hpp>
 
 #include <Random123/philox.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <statistics/basics/compact_codes.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "analysis/basics/compact_codes.hpp"
 
 namespace tcert {
 namespace {

@@ -1,10 +1,9 @@
-#include "analysis/resampling/statistic.hpp"
+#include <statistics/resampling/statistic.hpp>
 
 #include <memory>
+#include <statistics/resampling/jackknife.hpp>
 #include <stdexcept>
 #include <utility>
-
-#include "analysis/resampling/jackknife.hpp"
 
 namespace tcert {
 

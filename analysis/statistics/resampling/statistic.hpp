@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <statistics/resampling/resampling_plan.hpp>
 #include <vector>
-
-#include "analysis/resampling/resampling_plan.hpp"
 
 namespace tcert {
 

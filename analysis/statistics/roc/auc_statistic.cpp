@@ -1,12 +1,11 @@
-#include "analysis/roc/auc_statistic.hpp"
+#include <statistics/roc/auc_statistic.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <statistics/basics/rank_order.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/rank_order.hpp"
 
 namespace tcert {
 namespace {

@@ -5,11 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <statistics/resampling/statistic.hpp>
+#include <statistics/roc/roc.hpp>
 #include <utility>
 #include <vector>
-
-#include "analysis/resampling/statistic.hpp"
-#include "analysis/roc/roc.hpp"
 
 namespace tcert {
 

@@ -1,7 +1,6 @@
 #include <algorithm>
+#include <statistics/roc/roc_curve.hpp>
 #include <stdexcept>
-
-#include "analysis/roc/roc_curve.hpp"
 
 namespace tcert {
 namespace {

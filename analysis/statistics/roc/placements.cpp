@@ -1,11 +1,10 @@
-#include "analysis/roc/placements.hpp"
+#include <statistics/roc/placements.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <statistics/basics/rank_order.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/rank_order.hpp"
 
 namespace tcert {
 

@@ -1,14 +1,13 @@
-#include "analysis/roc/roc.hpp"
+#include <statistics/roc/roc.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/complete_rows.hpp>
+#include <statistics/basics/few_clusters.hpp>
+#include <statistics/basics/normal.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
-
-#include "analysis/basics/complete_rows.hpp"
-#include "analysis/basics/few_clusters.hpp"
-#include "analysis/basics/normal.hpp"
 
 namespace tcert {
 namespace {

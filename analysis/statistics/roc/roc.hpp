@@ -11,12 +11,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <statistics/basics/alternative.hpp>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/roc/placements.hpp>
 #include <vector>
-
-#include "analysis/basics/alternative.hpp"
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/roc/placements.hpp"
 
 namespace tcert {
 

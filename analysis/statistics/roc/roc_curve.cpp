@@ -1,13 +1,12 @@
-#include "analysis/roc/roc_curve.hpp"
+#include <statistics/roc/roc_curve.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <statistics/basics/complete_rows.hpp>
+#include <statistics/basics/rank_order.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/complete_rows.hpp"
-#include "analysis/basics/rank_order.hpp"
 
 namespace tcert {
 namespace {

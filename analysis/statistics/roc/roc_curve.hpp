@@ -6,10 +6,9 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <statistics/basics/condition.hpp>
+#include <statistics/roc/placements.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/roc/placements.hpp"
 
 namespace tcert {
 

@@ -1,8 +1,7 @@
 #include <cmath>
+#include <statistics/basics/student_t.hpp>
+#include <statistics/roc/roc.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/student_t.hpp"
-#include "analysis/roc/roc.hpp"
 
 namespace tcert {
 namespace {

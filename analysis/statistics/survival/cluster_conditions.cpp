@@ -1,10 +1,9 @@
-#include "analysis/survival/cluster_conditions.hpp"
+#include <statistics/survival/cluster_conditions.hpp>
 
+#include <statistics/basics/compact_codes.hpp>
+#include <statistics/basics/few_clusters.hpp>
 #include <utility>
 #include <vector>
-
-#include "analysis/basics/compact_codes.hpp"
-#include "analysis/basics/few_clusters.hpp"
 
 namespace tcert {
 

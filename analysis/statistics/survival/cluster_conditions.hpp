@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <statistics/basics/condition.hpp>
 #include <string>
-
-#include "analysis/basics/condition.hpp"
-#include "datasets/factor.hpp"
+#include <table/factor.hpp>
 
 namespace tcert {
 

@@ -1,16 +1,15 @@
-#include "analysis/survival/cumulative_incidence.hpp"
+#include <statistics/survival/cumulative_incidence.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <statistics/basics/time_order.hpp>
+#include <statistics/survival/cluster_conditions.hpp>
+#include <statistics/survival/influence_sums.hpp>
+#include <statistics/survival/survival_outcome.hpp>
+#include <statistics/survival/time_rounding.hpp>
 #include <stdexcept>
 #include <utility>
-
-#include "analysis/basics/time_order.hpp"
-#include "analysis/survival/cluster_conditions.hpp"
-#include "analysis/survival/influence_sums.hpp"
-#include "analysis/survival/survival_outcome.hpp"
-#include "analysis/survival/time_rounding.hpp"
 
 namespace tcert {
 namespace {

@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <statistics/basics/condition.hpp>
 #include <string>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

@@ -4,8 +4,7 @@
 
 #include <cstdint>
 #include <span>
-
-#include "analysis/survival/survival_outcome.hpp"
+#include <statistics/survival/survival_outcome.hpp>
 
 namespace tcert {
 

@@ -1,13 +1,12 @@
-#include "analysis/survival/log_rank.hpp"
+#include <statistics/survival/log_rank.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <statistics/basics/time_order.hpp>
+#include <statistics/basics/wald_chi_squared.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/time_order.hpp"
-#include "analysis/basics/wald_test.hpp"
 
 namespace tcert {
 namespace {

@@ -6,12 +6,11 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <statistics/basics/condition.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <string>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/survival/survival_outcome.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

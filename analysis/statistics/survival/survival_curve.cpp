@@ -1,14 +1,13 @@
-#include "analysis/survival/survival_curve.hpp"
+#include <statistics/survival/survival_curve.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <statistics/basics/time_order.hpp>
+#include <statistics/survival/cluster_conditions.hpp>
+#include <statistics/survival/influence_sums.hpp>
+#include <statistics/survival/time_rounding.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/time_order.hpp"
-#include "analysis/survival/cluster_conditions.hpp"
-#include "analysis/survival/influence_sums.hpp"
-#include "analysis/survival/time_rounding.hpp"
 
 namespace tcert {
 namespace {

@@ -6,13 +6,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <statistics/basics/condition.hpp>
+#include <statistics/survival/survival_interval.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <string>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/survival/survival_interval.hpp"
-#include "analysis/survival/survival_outcome.hpp"
-#include "datasets/factor.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/survival/survival_interval.hpp"
+#include <statistics/survival/survival_interval.hpp>
 
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>

@@ -4,8 +4,7 @@
 /// use. Checked against R's `survfit(conf.type =)`.
 
 #include <cstdint>
-
-#include "analysis/basics/interval.hpp"
+#include <statistics/basics/interval.hpp>
 
 namespace tcert {
 

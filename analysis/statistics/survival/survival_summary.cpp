@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <statistics/survival/survival_curve.hpp>
+#include <statistics/survival/time_rounding.hpp>
 #include <stdexcept>
-
-#include "analysis/survival/survival_curve.hpp"
-#include "analysis/survival/time_rounding.hpp"
 
 namespace tcert {
 namespace {

@@ -1,11 +1,10 @@
-#include "analysis/survival/time_conditions.hpp"
+#include <statistics/survival/time_conditions.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-
-#include "datasets/csv_write.hpp"
-#include "datasets/unlike_times.hpp"
+#include <table/csv_write.hpp>
+#include <table/unlike_times.hpp>
 
 namespace tcert {
 namespace {

@@ -4,10 +4,9 @@
 
 #include <functional>
 #include <span>
+#include <statistics/basics/condition.hpp>
+#include <statistics/survival/time_rounding.hpp>
 #include <string>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/survival/time_rounding.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/survival/time_rounding.hpp"
+#include <statistics/survival/time_rounding.hpp>
 
 #include <cmath>
 #include <limits>

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <statistics/survival/survival_outcome.hpp>
 #include <vector>
-
-#include "analysis/survival/survival_outcome.hpp"
 
 namespace tcert {
 

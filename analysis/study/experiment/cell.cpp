@@ -1,4 +1,4 @@
-#include "analysis/experiment/cell.hpp"
+#include "analysis/study/experiment/cell.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 
 namespace tcert {
 

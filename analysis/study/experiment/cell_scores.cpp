@@ -1,4 +1,4 @@
-#include "analysis/experiment/cell_scores.hpp"
+#include "analysis/study/experiment/cell_scores.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <table/data_table.hpp>
 
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "datasets/data_table.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/experiment/fingerprint.hpp"
+#include "analysis/study/experiment/fingerprint.hpp"
 
 namespace tcert {
 namespace {

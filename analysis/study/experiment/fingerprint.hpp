@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 
 namespace tcert {
 

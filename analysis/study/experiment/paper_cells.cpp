@@ -1,4 +1,4 @@
-#include "analysis/experiment/paper_cells.hpp"
+#include "analysis/study/experiment/paper_cells.hpp"
 
 #include <string>
 #include <utility>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "analysis/experiment/cell.hpp"
+#include "analysis/study/experiment/cell.hpp"
 
 namespace tcert {
 

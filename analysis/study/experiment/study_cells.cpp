@@ -1,4 +1,4 @@
-#include "analysis/experiment/study_cells.hpp"
+#include "analysis/study/experiment/study_cells.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -9,7 +9,7 @@
 #include <tcert/certifier.hpp>
 #include <utility>
 
-#include "analysis/experiment/fingerprint.hpp"
+#include "analysis/study/experiment/fingerprint.hpp"
 #include "datasets/tick_limit.hpp"
 
 namespace tcert {

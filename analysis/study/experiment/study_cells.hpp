@@ -7,12 +7,12 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <table/diagnostic.hpp>
 #include <vector>
 
-#include "analysis/trials/parameters.hpp"
-#include "analysis/trials/study.hpp"
+#include "analysis/study/trials/parameters.hpp"
+#include "analysis/study/trials/study.hpp"
 #include "datasets/bundle.hpp"
-#include "datasets/diagnostic.hpp"
 
 namespace tcert {
 

@@ -1,17 +1,17 @@
-#include "analysis/gate/even_chance.hpp"
+#include "analysis/study/gate/even_chance.hpp"
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <statistics/basics/normal.hpp>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_profile.hpp>
+#include <statistics/logistic/logistic_refit.hpp>
+#include <statistics/resampling/bootstrap.hpp>
 #include <stdexcept>
 
-#include "analysis/basics/normal.hpp"
-#include "analysis/gate/profile_point.hpp"
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_profile.hpp"
-#include "analysis/logistic/logistic_refit.hpp"
-#include "analysis/resampling/bootstrap.hpp"
+#include "analysis/study/gate/profile_point.hpp"
 
 namespace tcert {
 namespace {

@@ -8,10 +8,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
 #include <string_view>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/gate/gate_pass.hpp"
+#include "analysis/study/gate/gate_pass.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,12 @@
-#include "analysis/gate/gate_study.hpp"
+#include "analysis/study/gate/gate_study.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <statistics/basics/binomial_interval.hpp>
+#include <statistics/basics/normal.hpp>
+#include <statistics/logistic/binomial_likelihood.hpp>
 #include <utility>
-
-#include "analysis/basics/binomial_interval.hpp"
-#include "analysis/basics/normal.hpp"
-#include "analysis/logistic/binomial_likelihood.hpp"
 
 namespace tcert {
 namespace {

@@ -5,13 +5,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <statistics/basics/interval.hpp>
+#include <statistics/logistic/logistic.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/basics/interval.hpp"
-#include "analysis/gate/even_chance.hpp"
-#include "analysis/gate/gate_pass.hpp"
-#include "analysis/logistic/logistic.hpp"
+#include "analysis/study/gate/even_chance.hpp"
+#include "analysis/study/gate/gate_pass.hpp"
 
 namespace tcert {
 

@@ -1,11 +1,10 @@
-#include "analysis/gate/profile_point.hpp"
+#include "analysis/study/gate/profile_point.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <statistics/basics/normal.hpp>
 #include <vector>
-
-#include "analysis/basics/normal.hpp"
 
 namespace tcert {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "analysis/gate/even_chance.hpp"
+#include "analysis/study/gate/even_chance.hpp"
 
 namespace tcert {
 

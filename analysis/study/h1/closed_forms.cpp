@@ -1,15 +1,15 @@
-#include "analysis/h1/closed_forms.hpp"
+#include "analysis/study/h1/closed_forms.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/standard_deviation.hpp>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/cox/cox.hpp>
+#include <statistics/model/variable.hpp>
+#include <statistics/roc/roc.hpp>
 
-#include "analysis/basics/standard_deviation.hpp"
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/cox/cox.hpp"
-#include "analysis/h1/hazard_ratio.hpp"
-#include "analysis/h1/nested_test.hpp"
-#include "analysis/model/variable.hpp"
-#include "analysis/roc/roc.hpp"
+#include "analysis/study/h1/hazard_ratio.hpp"
+#include "analysis/study/h1/nested_models.hpp"
 
 namespace tcert {
 namespace {

@@ -3,8 +3,8 @@
 /// What H1 knows without resampling: clustered DeLong, the jackknife of C, hazard ratios, tests of
 /// nested models.
 
-#include "analysis/h1/model_scores.hpp"
-#include "analysis/h1/panel_data.hpp"
+#include "analysis/study/h1/model_scores.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

@@ -1,9 +1,8 @@
-#include "analysis/h1/curves.hpp"
+#include "analysis/study/h1/curves.hpp"
 
+#include <statistics/calibration/out_of_fold.hpp>
+#include <statistics/resampling/cross_validation.hpp>
 #include <utility>
-
-#include "analysis/calibration/out_of_fold.hpp"
-#include "analysis/resampling/cross_validation.hpp"
 
 namespace tcert {
 namespace {

@@ -2,8 +2,8 @@
 /// \file
 /// What the figures of H1 draw: the ROC curve of every row, and how well models are calibrated.
 
-#include "analysis/h1/model_scores.hpp"
-#include "analysis/h1/panel_data.hpp"
+#include "analysis/study/h1/model_scores.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/h1/h1_score.hpp"
+#include "analysis/study/h1/h1_score.hpp"
 
 #include <cmath>
 #include <utility>

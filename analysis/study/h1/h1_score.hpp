@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <statistics/resampling/bootstrap.hpp>
 #include <string>
 
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "analysis/resampling/bootstrap.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 
 namespace tcert {
 

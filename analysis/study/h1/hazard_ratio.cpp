@@ -1,11 +1,10 @@
-#include "analysis/h1/hazard_ratio.hpp"
+#include "analysis/study/h1/hazard_ratio.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/standard_deviation.hpp>
+#include <statistics/model/variable.hpp>
 #include <string>
-
-#include "analysis/basics/standard_deviation.hpp"
-#include "analysis/model/variable.hpp"
 
 namespace tcert {
 namespace {

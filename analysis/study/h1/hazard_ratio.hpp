@@ -4,11 +4,11 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <statistics/basics/condition.hpp>
+#include <statistics/cox/cox.hpp>
 #include <vector>
 
-#include "analysis/basics/condition.hpp"
-#include "analysis/cox/cox.hpp"
-#include "analysis/h1/panel_data.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

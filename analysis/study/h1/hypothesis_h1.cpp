@@ -1,23 +1,23 @@
-#include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/holm.hpp>
+#include <statistics/resampling/bootstrap_difference.hpp>
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/basics/holm.hpp"
-#include "analysis/h1/closed_forms.hpp"
-#include "analysis/h1/curves.hpp"
-#include "analysis/h1/h1_score.hpp"
-#include "analysis/h1/incidence_by_quartile.hpp"
-#include "analysis/h1/joint_statistic.hpp"
-#include "analysis/h1/mixed_effects.hpp"
-#include "analysis/h1/model_scores.hpp"
-#include "analysis/h1/out_of_fold.hpp"
-#include "analysis/h1/panel_data.hpp"
-#include "analysis/h1/withhold.hpp"
-#include "analysis/h1/within_strata.hpp"
-#include "analysis/resampling/bootstrap_difference.hpp"
+#include "analysis/study/h1/closed_forms.hpp"
+#include "analysis/study/h1/curves.hpp"
+#include "analysis/study/h1/h1_score.hpp"
+#include "analysis/study/h1/incidence_by_quartile.hpp"
+#include "analysis/study/h1/joint_statistic.hpp"
+#include "analysis/study/h1/mixed_effects.hpp"
+#include "analysis/study/h1/model_scores.hpp"
+#include "analysis/study/h1/out_of_fold.hpp"
+#include "analysis/study/h1/panel_data.hpp"
+#include "analysis/study/h1/withhold.hpp"
+#include "analysis/study/h1/within_strata.hpp"
 
 namespace tcert {
 namespace {

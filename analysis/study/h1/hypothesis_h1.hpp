@@ -6,19 +6,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/calibration/calibration.hpp>
+#include <statistics/resampling/bootstrap.hpp>
+#include <statistics/roc/placements.hpp>
+#include <statistics/roc/roc_curve.hpp>
+#include <statistics/survival/cumulative_incidence.hpp>
 #include <string>
 #include <string_view>
+#include <table/data_table.hpp>
 #include <utility>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/calibration/calibration.hpp"
-#include "analysis/resampling/bootstrap.hpp"
-#include "analysis/roc/placements.hpp"
-#include "analysis/roc/roc_curve.hpp"
-#include "analysis/survival/cumulative_incidence.hpp"
-#include "datasets/data_table.hpp"
 
 namespace tcert {
 

@@ -1,9 +1,8 @@
-#include "analysis/h1/incidence_by_quartile.hpp"
+#include "analysis/study/h1/incidence_by_quartile.hpp"
 
 #include <algorithm>
 #include <array>
-
-#include "analysis/basics/quantile.hpp"
+#include <statistics/basics/quantile.hpp>
 
 namespace tcert {
 namespace {

@@ -2,7 +2,7 @@
 /// \file
 /// How many trials have reached G by a time, by quartile of the predictor under test.
 
-#include "analysis/h1/panel_data.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

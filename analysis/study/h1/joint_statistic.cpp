@@ -1,10 +1,10 @@
-#include "analysis/h1/joint_statistic.hpp"
+#include "analysis/study/h1/joint_statistic.hpp"
 
+#include <statistics/concordance/concordance_statistic.hpp>
+#include <statistics/roc/auc_statistic.hpp>
 #include <vector>
 
-#include "analysis/concordance/concordance_statistic.hpp"
-#include "analysis/h1/within_strata.hpp"
-#include "analysis/roc/auc_statistic.hpp"
+#include "analysis/study/h1/within_strata.hpp"
 
 namespace tcert {
 namespace {

@@ -3,10 +3,10 @@
 /// All bootstrapped numbers of an H1 panel as one statistic, so that they share their resamples.
 
 #include <cstddef>
+#include <statistics/resampling/statistic.hpp>
 
-#include "analysis/h1/model_scores.hpp"
-#include "analysis/h1/panel_data.hpp"
-#include "analysis/resampling/statistic.hpp"
+#include "analysis/study/h1/model_scores.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

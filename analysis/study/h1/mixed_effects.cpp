@@ -1,11 +1,11 @@
-#include "analysis/h1/mixed_effects.hpp"
+#include "analysis/study/h1/mixed_effects.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/chi_square.hpp>
 
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/h1/hazard_ratio.hpp"
-#include "analysis/trials/feature_table.hpp"
+#include "analysis/study/h1/hazard_ratio.hpp"
+#include "analysis/study/trials/feature_table.hpp"
 
 namespace tcert {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <statistics/glmm/glmm.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/h1/panel_data.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

@@ -1,13 +1,12 @@
-#include "analysis/h1/model_scores.hpp"
+#include "analysis/study/h1/model_scores.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-
-#include "analysis/basics/standard_deviation.hpp"
-#include "analysis/concordance/concordance_replicates.hpp"
-#include "analysis/roc/auc_statistic.hpp"
+#include <statistics/basics/standard_deviation.hpp>
+#include <statistics/concordance/concordance_replicates.hpp>
+#include <statistics/roc/auc_statistic.hpp>
 
 namespace tcert {
 namespace {

@@ -7,13 +7,13 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <statistics/cox/cox.hpp>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_refit.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/cox/cox.hpp"
-#include "analysis/h1/panel_data.hpp"
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_refit.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

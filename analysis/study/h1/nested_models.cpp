@@ -1,12 +1,11 @@
-#include "analysis/h1/nested_test.hpp"
+#include "analysis/study/h1/nested_models.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/basics/student_t.hpp>
+#include <statistics/resampling/jackknife.hpp>
 #include <utility>
-
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/basics/student_t.hpp"
-#include "analysis/resampling/jackknife.hpp"
 
 namespace tcert {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "analysis/h1/model_scores.hpp"
-#include "analysis/h1/panel_data.hpp"
+#include "analysis/study/h1/model_scores.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

@@ -1,8 +1,7 @@
-#include "analysis/h1/out_of_fold.hpp"
+#include "analysis/study/h1/out_of_fold.hpp"
 
 #include <limits>
-
-#include "analysis/resampling/cross_validation.hpp"
+#include <statistics/resampling/cross_validation.hpp>
 
 namespace tcert {
 namespace {

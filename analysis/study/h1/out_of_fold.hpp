@@ -2,8 +2,8 @@
 /// \file
 /// AUC and C of H1's rows on clusters that no fit has seen.
 
-#include "analysis/h1/model_scores.hpp"
-#include "analysis/h1/panel_data.hpp"
+#include "analysis/study/h1/model_scores.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

@@ -1,17 +1,16 @@
-#include "analysis/h1/panel_data.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "analysis/basics/quantile.hpp"
-#include "analysis/model/stray_text.hpp"
-#include "analysis/model/variable.hpp"
-#include "analysis/survival/failures_at_limit.hpp"
-#include "analysis/survival/time_conditions.hpp"
-#include "analysis/survival/time_rounding.hpp"
-#include "datasets/csv_write.hpp"
-#include "datasets/nearest_name.hpp"
+#include <statistics/basics/quantile.hpp>
+#include <statistics/model/stray_text.hpp>
+#include <statistics/model/variable.hpp>
+#include <statistics/survival/failures_at_limit.hpp>
+#include <statistics/survival/time_conditions.hpp>
+#include <statistics/survival/time_rounding.hpp>
+#include <table/csv_write.hpp>
+#include <table/nearest_name.hpp>
 
 namespace tcert {
 namespace {

@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/roc/roc.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <string>
+#include <table/factor.hpp>
 #include <vector>
 
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "analysis/roc/roc.hpp"
-#include "analysis/survival/survival_outcome.hpp"
-#include "datasets/factor.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 
 namespace tcert {
 

@@ -1,9 +1,8 @@
-#include "analysis/h1/withhold.hpp"
+#include "analysis/study/h1/withhold.hpp"
 
 #include <algorithm>
 #include <limits>
-
-#include "analysis/basics/few_clusters.hpp"
+#include <statistics/basics/few_clusters.hpp>
 
 namespace tcert {
 namespace {

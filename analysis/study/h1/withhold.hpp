@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 
 namespace tcert {
 

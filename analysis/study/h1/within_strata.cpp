@@ -1,14 +1,13 @@
-#include "analysis/h1/within_strata.hpp"
+#include "analysis/study/h1/within_strata.hpp"
 
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <statistics/concordance/concordance_statistic.hpp>
+#include <statistics/equivalence/scores_by_group.hpp>
+#include <statistics/model/variable.hpp>
 #include <string>
 #include <utility>
-
-#include "analysis/concordance/concordance_statistic.hpp"
-#include "analysis/equivalence/scores_by_group.hpp"
-#include "analysis/model/variable.hpp"
 
 namespace tcert {
 namespace {

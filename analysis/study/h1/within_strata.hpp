@@ -4,11 +4,11 @@
 /// a trial (its algorithm, its lighting) is the same for both.
 
 #include <optional>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/resampling/statistic.hpp>
 #include <vector>
 
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/h1/panel_data.hpp"
-#include "analysis/resampling/statistic.hpp"
+#include "analysis/study/h1/panel_data.hpp"
 
 namespace tcert {
 

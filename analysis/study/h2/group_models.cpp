@@ -1,17 +1,17 @@
-#include "analysis/h2/group_models.hpp"
+#include "analysis/study/h2/group_models.hpp"
 
 #include <cmath>
 #include <span>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/basics/wald_chi_squared.hpp>
+#include <statistics/cox/cox.hpp>
+#include <statistics/equivalence/scores_by_group.hpp>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/model/variable.hpp>
 #include <utility>
 
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/basics/wald_test.hpp"
-#include "analysis/cox/cox.hpp"
-#include "analysis/equivalence/scores_by_group.hpp"
-#include "analysis/h1/hazard_ratio.hpp"
-#include "analysis/h1/mixed_effects.hpp"
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/model/variable.hpp"
+#include "analysis/study/h1/hazard_ratio.hpp"
+#include "analysis/study/h1/mixed_effects.hpp"
 
 namespace tcert {
 namespace {

@@ -2,8 +2,8 @@
 /// \file
 /// The models of H2: effects within each group, and whether they differ.
 
-#include "analysis/h1/panel_data.hpp"
-#include "analysis/h2/hypothesis_h2.hpp"
+#include "analysis/study/h1/panel_data.hpp"
+#include "analysis/study/h2/hypothesis_h2.hpp"
 
 namespace tcert {
 

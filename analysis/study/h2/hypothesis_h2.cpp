@@ -1,22 +1,22 @@
-#include "analysis/h2/hypothesis_h2.hpp"
+#include "analysis/study/h2/hypothesis_h2.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/standard_deviation.hpp>
+#include <statistics/concordance/concordance_statistic.hpp>
+#include <statistics/equivalence/scores_by_group.hpp>
+#include <statistics/equivalence/statistic_by_group.hpp>
+#include <statistics/model/variable.hpp>
+#include <statistics/roc/auc_statistic.hpp>
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/basics/standard_deviation.hpp"
-#include "analysis/concordance/concordance_statistic.hpp"
-#include "analysis/equivalence/scores_by_group.hpp"
-#include "analysis/equivalence/statistic_by_group.hpp"
-#include "analysis/h1/h1_score.hpp"
-#include "analysis/h1/hazard_ratio.hpp"
-#include "analysis/h1/panel_data.hpp"
-#include "analysis/h1/within_strata.hpp"
-#include "analysis/h2/group_models.hpp"
-#include "analysis/h2/withhold_groups.hpp"
-#include "analysis/model/variable.hpp"
-#include "analysis/roc/auc_statistic.hpp"
+#include "analysis/study/h1/h1_score.hpp"
+#include "analysis/study/h1/hazard_ratio.hpp"
+#include "analysis/study/h1/panel_data.hpp"
+#include "analysis/study/h1/within_strata.hpp"
+#include "analysis/study/h2/group_models.hpp"
+#include "analysis/study/h2/withhold_groups.hpp"
 
 namespace tcert {
 namespace {

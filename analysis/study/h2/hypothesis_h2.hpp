@@ -5,15 +5,15 @@
 
 #include <cstddef>
 #include <optional>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/equivalence/equivalence.hpp>
+#include <statistics/equivalence/range_permutation.hpp>
 #include <string>
+#include <table/data_table.hpp>
 #include <utility>
 #include <vector>
 
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/equivalence/equivalence.hpp"
-#include "analysis/equivalence/range_permutation.hpp"
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "datasets/data_table.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 
 namespace tcert {
 

@@ -1,8 +1,8 @@
-#include "analysis/h2/withhold_groups.hpp"
+#include "analysis/study/h2/withhold_groups.hpp"
 
 #include <string>
 
-#include "analysis/h1/withhold.hpp"
+#include "analysis/study/h1/withhold.hpp"
 
 namespace tcert {
 namespace {

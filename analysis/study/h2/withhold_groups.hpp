@@ -2,7 +2,7 @@
 /// \file
 /// What H2 does not say where a group has too few clusters or outcomes.
 
-#include "analysis/h2/hypothesis_h2.hpp"
+#include "analysis/study/h2/hypothesis_h2.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/h3/hypothesis_h3.hpp"
+#include "analysis/study/h3/hypothesis_h3.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,18 +7,18 @@
 #include <memory>
 #include <set>
 #include <span>
+#include <statistics/basics/binomial_interval.hpp>
+#include <statistics/basics/few_clusters.hpp>
+#include <statistics/basics/quantile.hpp>
+#include <statistics/resampling/bootstrap.hpp>
 #include <stdexcept>
+#include <table/csv_write.hpp>
 #include <tuple>
 #include <utility>
 
-#include "analysis/basics/binomial_interval.hpp"
-#include "analysis/basics/few_clusters.hpp"
-#include "analysis/basics/quantile.hpp"
-#include "analysis/h1/withhold.hpp"
-#include "analysis/h3/pareto.hpp"
-#include "analysis/replay/replay.hpp"
-#include "analysis/resampling/bootstrap.hpp"
-#include "datasets/csv_write.hpp"
+#include "analysis/study/h1/withhold.hpp"
+#include "analysis/study/h3/pareto.hpp"
+#include "analysis/study/replay/replay.hpp"
 
 namespace tcert {
 namespace {

@@ -6,14 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <statistics/basics/condition.hpp>
+#include <statistics/basics/interval.hpp>
+#include <statistics/resampling/bootstrap.hpp>
 #include <string>
 #include <string_view>
+#include <table/data_table.hpp>
 #include <vector>
-
-#include "analysis/basics/condition.hpp"
-#include "analysis/basics/interval.hpp"
-#include "analysis/resampling/bootstrap.hpp"
-#include "datasets/data_table.hpp"
 
 namespace tcert {
 

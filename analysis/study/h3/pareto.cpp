@@ -1,4 +1,4 @@
-#include "analysis/h3/pareto.hpp"
+#include "analysis/study/h3/pareto.hpp"
 
 #include <algorithm>
 #include <cmath>

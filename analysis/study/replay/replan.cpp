@@ -1,4 +1,4 @@
-#include "analysis/replay/replan.hpp"
+#include "analysis/study/replay/replan.hpp"
 
 #include <optional>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "analysis/replay/replay.hpp"
+#include "analysis/study/replay/replay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/trials/motion.hpp"
+#include "analysis/study/trials/motion.hpp"
 
 namespace tcert {
 namespace {

@@ -9,7 +9,7 @@
 #include <tcert/guards.hpp>
 #include <vector>
 
-#include "analysis/replay/replay_options.hpp"
+#include "analysis/study/replay/replay_options.hpp"
 #include "datasets/ticks.hpp"
 
 namespace tcert {

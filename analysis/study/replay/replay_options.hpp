@@ -9,7 +9,7 @@ namespace tcert {
 /// See replay.def.
 struct ReplayOptions {
 #define TCERT_NUMBER TCERT_MEMBER_NUMBER
-#include "analysis/replay/replay.def"
+#include "analysis/study/replay/replay.def"
 };
 
 /// See <tcert/parameter_fields.hpp>; the first argument only names the list.
@@ -17,7 +17,7 @@ template <class Visit>
 void visit_fields(const ReplayOptions&, Visit&& visit) {
   using Group = ReplayOptions;
 #define TCERT_NUMBER TCERT_VISIT_NUMBER
-#include "analysis/replay/replay.def"
+#include "analysis/study/replay/replay.def"
 }
 
 /// \throws std::invalid_argument naming the option and the range it must lie in.

@@ -1,4 +1,4 @@
-#include "analysis/replay/replay_record.hpp"
+#include "analysis/study/replay/replay_record.hpp"
 
 namespace tcert {
 

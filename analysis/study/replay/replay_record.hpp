@@ -7,8 +7,8 @@
 #include <tcert/speed_law.hpp>
 #include <vector>
 
-#include "analysis/replay/replan.hpp"
-#include "analysis/replay/replay.hpp"
+#include "analysis/study/replay/replan.hpp"
+#include "analysis/study/replay/replay.hpp"
 #include "datasets/bundle.hpp"
 
 namespace tcert {

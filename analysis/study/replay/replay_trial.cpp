@@ -1,6 +1,6 @@
-#include "analysis/replay/replay_trial.hpp"
+#include "analysis/study/replay/replay_trial.hpp"
 
-#include "analysis/trials/study_tables.hpp"
+#include "analysis/study/trials/study_tables.hpp"
 
 namespace tcert {
 namespace {

@@ -6,9 +6,9 @@
 #include <tcert/guards.hpp>
 #include <vector>
 
-#include "analysis/replay/replay_record.hpp"
-#include "analysis/trials/parameters.hpp"
-#include "analysis/trials/study.hpp"
+#include "analysis/study/replay/replay_record.hpp"
+#include "analysis/study/trials/parameters.hpp"
+#include "analysis/study/trials/study.hpp"
 #include "datasets/bundle.hpp"
 
 namespace tcert {

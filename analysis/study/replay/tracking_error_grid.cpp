@@ -1,4 +1,4 @@
-#include "analysis/replay/tracking_error_grid.hpp"
+#include "analysis/study/replay/tracking_error_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,8 @@
 /// \file
 /// A tracking-error grid from a table of its knots.
 
+#include <table/data_table.hpp>
 #include <tcert/tracking_error.hpp>
-
-#include "datasets/data_table.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/soundness/soundness.hpp"
+#include "analysis/study/soundness/soundness.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <statistics/basics/binomial_interval.hpp>
+#include <statistics/basics/quantile.hpp>
 #include <tcert/certifier.hpp>
 #include <tuple>
 
-#include "analysis/basics/binomial_interval.hpp"
-#include "analysis/basics/quantile.hpp"
-#include "analysis/truth/slack.hpp"
+#include "analysis/study/truth/slack.hpp"
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/random_worlds/random_run.hpp"
 

@@ -10,7 +10,7 @@
 #include <tcert/robot.hpp>
 #include <vector>
 
-#include "analysis/truth/clearance_value.hpp"
+#include "analysis/study/truth/clearance_value.hpp"
 #include "datasets/random_worlds/random_world.hpp"
 
 namespace tcert {

@@ -1,4 +1,4 @@
-#include "analysis/trials/certify_trial.hpp"
+#include "analysis/study/trials/certify_trial.hpp"
 
 #include <cstddef>
 

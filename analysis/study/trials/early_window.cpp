@@ -1,4 +1,4 @@
-#include "analysis/trials/early_window.hpp"
+#include "analysis/study/trials/early_window.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <tcert/certifier.hpp>
 #include <vector>
 
-#include "analysis/trials/motion.hpp"
+#include "analysis/study/trials/motion.hpp"
 #include "datasets/ticks.hpp"
 
 namespace tcert {

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "analysis/trials/feature_table.hpp"
+#include "analysis/study/trials/feature_table.hpp"
 
 namespace tcert {
 namespace {

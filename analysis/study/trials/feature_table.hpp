@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "analysis/trials/features.hpp"
+#include "analysis/study/trials/features.hpp"
 #include "datasets/bundle.hpp"
 
 namespace tcert {

@@ -1,13 +1,13 @@
-#include "analysis/trials/features.hpp"
+#include "analysis/study/trials/features.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <statistics/basics/quantile.hpp>
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/basics/quantile.hpp"
-#include "analysis/trials/early_window.hpp"
+#include "analysis/study/trials/early_window.hpp"
 
 namespace tcert {
 namespace {

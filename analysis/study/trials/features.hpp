@@ -23,7 +23,7 @@ enum class EarlyWindowKind {
 struct EarlyWindowOptions {
 #define TCERT_WORD TCERT_MEMBER_WORD
 #define TCERT_NUMBER TCERT_MEMBER_NUMBER
-#include "analysis/trials/early_window.def"
+#include "analysis/study/trials/early_window.def"
 };
 
 /// See <tcert/parameter_fields.hpp>; the first argument only names the list.
@@ -32,7 +32,7 @@ void visit_fields(const EarlyWindowOptions&, Visit&& visit) {
   using Group = EarlyWindowOptions;
 #define TCERT_WORD TCERT_VISIT_WORD
 #define TCERT_NUMBER TCERT_VISIT_NUMBER
-#include "analysis/trials/early_window.def"
+#include "analysis/study/trials/early_window.def"
 }
 
 /// \throws std::invalid_argument naming the option and the range it must lie in.

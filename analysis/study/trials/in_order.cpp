@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "analysis/trials/study.hpp"
+#include "analysis/study/trials/study.hpp"
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/trials/motion.hpp"
+#include "analysis/study/trials/motion.hpp"
 
 #include <cstddef>
 

@@ -9,12 +9,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <table/csv_write.hpp>
 #include <tcert/parameter_fields.hpp>
 #include <type_traits>
 #include <vector>
 
-#include "analysis/trials/parameters.hpp"
-#include "datasets/csv_write.hpp"
+#include "analysis/study/trials/parameters.hpp"
 
 namespace tcert {
 

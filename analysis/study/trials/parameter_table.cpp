@@ -1,4 +1,4 @@
-#include "analysis/trials/parameter_entry.hpp"
+#include "analysis/study/trials/parameter_entry.hpp"
 
 namespace tcert {
 namespace {

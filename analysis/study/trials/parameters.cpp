@@ -1,12 +1,11 @@
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <table/nearest_name.hpp>
 #include <vector>
-
-#include "datasets/nearest_name.hpp"
 
 namespace tcert {
 

@@ -14,8 +14,8 @@
 #include <tcert/route_planner.hpp>
 #include <tcert/speed_law.hpp>
 
-#include "analysis/replay/replay_options.hpp"
-#include "analysis/trials/features.hpp"
+#include "analysis/study/replay/replay_options.hpp"
+#include "analysis/study/trials/features.hpp"
 #include "datasets/trial_reader.hpp"
 
 namespace tcert {

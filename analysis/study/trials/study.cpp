@@ -1,4 +1,4 @@
-#include "analysis/trials/study.hpp"
+#include "analysis/study/trials/study.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 

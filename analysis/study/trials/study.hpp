@@ -7,14 +7,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <table/diagnostic.hpp>
 #include <tcert/certifier.hpp>
 #include <vector>
 
-#include "analysis/trials/certify_trial.hpp"
-#include "analysis/trials/features.hpp"
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/certify_trial.hpp"
+#include "analysis/study/trials/features.hpp"
+#include "analysis/study/trials/parameters.hpp"
 #include "datasets/bundle.hpp"
-#include "datasets/diagnostic.hpp"
 #include "datasets/ticks.hpp"
 #include "datasets/trial_reader.hpp"
 

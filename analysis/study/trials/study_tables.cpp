@@ -1,4 +1,4 @@
-#include "analysis/trials/study_tables.hpp"
+#include "analysis/study/trials/study_tables.hpp"
 
 #include <algorithm>
 #include <array>

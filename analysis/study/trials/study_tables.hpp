@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/trials/feature_table.hpp"
-#include "analysis/trials/study.hpp"
+#include "analysis/study/trials/feature_table.hpp"
+#include "analysis/study/trials/study.hpp"
 
 namespace tcert {
 

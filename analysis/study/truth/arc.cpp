@@ -1,4 +1,4 @@
-#include "analysis/truth/arc.hpp"
+#include "analysis/study/truth/arc.hpp"
 
 #include <algorithm>
 #include <cmath>

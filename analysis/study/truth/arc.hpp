@@ -4,7 +4,7 @@
 
 #include <tcert/geometry.hpp>
 
-#include "analysis/truth/obstacle_distance.hpp"
+#include "analysis/study/truth/obstacle_distance.hpp"
 
 namespace tcert {
 

@@ -1,4 +1,4 @@
-#include "analysis/truth/cell_grid.hpp"
+#include "analysis/study/truth/cell_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analysis/truth/circle_ties.hpp"
+#include "analysis/study/truth/circle_ties.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -1,9 +1,9 @@
-#include "analysis/truth/clearance_table.hpp"
+#include "analysis/study/truth/clearance_table.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/truth/cell_grid.hpp"
+#include "analysis/study/truth/cell_grid.hpp"
 #include "datasets/worlds/region_distance.hpp"
 
 namespace tcert {

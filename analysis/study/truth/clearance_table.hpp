@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/truth/obstacle_distance.hpp"
+#include "analysis/study/truth/obstacle_distance.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert {

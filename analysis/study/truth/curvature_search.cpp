@@ -1,4 +1,4 @@
-#include "analysis/truth/curvature_search.hpp"
+#include "analysis/study/truth/curvature_search.hpp"
 
 #include <algorithm>
 #include <cmath>

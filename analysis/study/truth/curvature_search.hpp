@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/truth/arc.hpp"
-#include "analysis/truth/clearance_table.hpp"
-#include "analysis/truth/slack.hpp"
+#include "analysis/study/truth/arc.hpp"
+#include "analysis/study/truth/clearance_table.hpp"
+#include "analysis/study/truth/slack.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert {

@@ -1,11 +1,11 @@
-#include "analysis/truth/curvature_value.hpp"
+#include "analysis/study/truth/curvature_value.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "analysis/truth/clearance_table.hpp"
-#include "analysis/truth/curvature_search.hpp"
+#include "analysis/study/truth/clearance_table.hpp"
+#include "analysis/study/truth/curvature_search.hpp"
 
 namespace tcert {
 namespace {

@@ -5,9 +5,9 @@
 #include <tcert/robot.hpp>
 #include <vector>
 
-#include "analysis/truth/arc.hpp"
-#include "analysis/truth/clearance_value.hpp"
-#include "analysis/truth/slack.hpp"
+#include "analysis/study/truth/arc.hpp"
+#include "analysis/study/truth/clearance_value.hpp"
+#include "analysis/study/truth/slack.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "analysis/truth/circle_ties.hpp"
-#include "analysis/truth/clearance_value.hpp"
-#include "analysis/truth/parity_sets.hpp"
+#include "analysis/study/truth/circle_ties.hpp"
+#include "analysis/study/truth/clearance_value.hpp"
+#include "analysis/study/truth/parity_sets.hpp"
 
 namespace tcert {
 namespace {

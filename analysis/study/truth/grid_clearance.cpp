@@ -5,8 +5,8 @@
 #include <queue>
 #include <tuple>
 
-#include "analysis/truth/cell_grid.hpp"
-#include "analysis/truth/clearance_value.hpp"
+#include "analysis/study/truth/cell_grid.hpp"
+#include "analysis/study/truth/clearance_value.hpp"
 
 namespace tcert {
 namespace {

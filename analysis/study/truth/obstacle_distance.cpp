@@ -1,4 +1,4 @@
-#include "analysis/truth/obstacle_distance.hpp"
+#include "analysis/study/truth/obstacle_distance.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "analysis/truth/truth.hpp"
+#include "analysis/study/truth/truth.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "analysis/truth/curvature_value.hpp"
+#include "analysis/study/truth/curvature_value.hpp"
 
 namespace tcert {
 

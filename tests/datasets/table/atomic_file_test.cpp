@@ -1,4 +1,4 @@
-#include "datasets/atomic_file.hpp"
+#include <table/atomic_file.hpp>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,15 +1,14 @@
 // What a cell says. Numbers against R 4.2.2: read.csv(text = "v\n<cell>\n1")$v.
 
-#include "datasets/cell_reading.hpp"
+#include <table/cell_reading.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <table/mixed_cells.hpp>
+#include <table/outcome_word.hpp>
 #include <utility>
-
-#include "datasets/mixed_cells.hpp"
-#include "datasets/outcome_word.hpp"
 
 namespace tcert {
 namespace {

@@ -1,13 +1,13 @@
-#include "datasets/check_csv.hpp"
+#include <table/check_csv.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
+#include <table/data_table.hpp>
 #include <utility>
 #include <vector>
 
-#include "datasets/data_table.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {

@@ -1,4 +1,4 @@
-#include "datasets/csv.hpp"
+#include <table/csv.hpp>
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <table/csv_write.hpp>
 #include <vector>
 
-#include "datasets/csv_write.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {

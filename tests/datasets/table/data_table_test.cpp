@@ -1,13 +1,13 @@
-#include "datasets/data_table.hpp"
+#include <table/data_table.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <string>
+#include <table/check_csv.hpp>
 #include <vector>
 
-#include "datasets/check_csv.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {

@@ -1,4 +1,4 @@
-#include "datasets/decimal.hpp"
+#include <table/decimal.hpp>
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,8 @@
 #include <optional>
 #include <random>
 #include <string>
-
-#include "datasets/bytes.hpp"
-#include "datasets/csv_write.hpp"
+#include <table/bytes.hpp>
+#include <table/csv_write.hpp>
 
 namespace tcert {
 namespace {

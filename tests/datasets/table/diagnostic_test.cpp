@@ -1,4 +1,4 @@
-#include "datasets/diagnostic.hpp"
+#include <table/diagnostic.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "datasets/json_depth.hpp"
+#include <table/json_depth.hpp>
 
 #include <gtest/gtest.h>
 
 #include <string>
+#include <table/diagnostic.hpp>
+#include <table/flat_json.hpp>
+#include <table/json_object.hpp>
 
-#include "datasets/diagnostic.hpp"
-#include "datasets/flat_json.hpp"
-#include "datasets/json_object.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert {

@@ -1,11 +1,10 @@
-#include "analysis/basics/binomial_interval.hpp"
+#include <statistics/basics/binomial_interval.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/basics/normal.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/normal.hpp"
 
 namespace tcert {
 namespace {

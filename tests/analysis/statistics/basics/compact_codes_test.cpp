@@ -1,4 +1,4 @@
-#include "analysis/basics/compact_codes.hpp"
+#include <statistics/basics/compact_codes.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,10 @@
-#include "analysis/basics/compensated_sum.hpp"
+#include <statistics/basics/compensated_sum.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "datasets/random.hpp"
+#include <table/random.hpp>
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/basics/quantile.hpp"
+#include <statistics/basics/quantile.hpp>
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <vector>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

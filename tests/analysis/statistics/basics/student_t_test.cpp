@@ -1,11 +1,10 @@
-#include "analysis/basics/student_t.hpp"
+#include <statistics/basics/student_t.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "analysis/basics/few_clusters.hpp"
+#include <statistics/basics/few_clusters.hpp>
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/basics/wald_test.hpp"
+#include <statistics/basics/wald_chi_squared.hpp>
 
 #include <gtest/gtest.h>
 

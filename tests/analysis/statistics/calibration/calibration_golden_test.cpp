@@ -8,10 +8,9 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/calibration/calibration.hpp>
+#include <statistics/calibration/out_of_fold.hpp>
 #include <string>
-
-#include "analysis/calibration/calibration.hpp"
-#include "analysis/calibration/out_of_fold.hpp"
 
 namespace tcert {
 namespace {

@@ -1,14 +1,13 @@
-#include "analysis/calibration/calibration.hpp"
+#include <statistics/calibration/calibration.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <statistics/calibration/out_of_fold.hpp>
 #include <stdexcept>
-
-#include "analysis/calibration/out_of_fold.hpp"
-#include "datasets/random.hpp"
+#include <table/random.hpp>
 
 namespace tcert {
 namespace {

@@ -8,13 +8,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/cox/cox.hpp>
+#include <statistics/survival/survival_golden.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/cox/cox.hpp"
-#include "analysis/survival/survival_golden.hpp"
-#include "analysis/worst.hpp"
+#include "support/worst.hpp"
 
 namespace tcert {
 namespace {

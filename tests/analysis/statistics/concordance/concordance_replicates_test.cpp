@@ -1,11 +1,10 @@
-#include "analysis/concordance/concordance_replicates.hpp"
+#include <statistics/concordance/concordance_replicates.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <table/random.hpp>
 #include <vector>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -1,14 +1,13 @@
-#include "analysis/concordance/concordance_statistic.hpp"
+#include <statistics/concordance/concordance_statistic.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/resampling/bootstrap.hpp>
+#include <statistics/roc/auc_statistic.hpp>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/resampling/bootstrap.hpp"
-#include "analysis/roc/auc_statistic.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

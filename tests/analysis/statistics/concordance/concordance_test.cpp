@@ -1,4 +1,4 @@
-#include "analysis/concordance/concordance.hpp"
+#include <statistics/concordance/concordance.hpp>
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

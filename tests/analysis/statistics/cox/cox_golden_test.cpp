@@ -10,17 +10,17 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_baseline.hpp>
+#include <statistics/cox/cox_residuals.hpp>
+#include <statistics/cox/cox_terms.hpp>
+#include <statistics/cox/cox_zph.hpp>
+#include <statistics/model/formula.hpp>
+#include <statistics/model/model_frame.hpp>
 #include <string>
+#include <table/data_table.hpp>
 #include <vector>
 
-#include "analysis/cox/cox.hpp"
-#include "analysis/cox/cox_baseline.hpp"
-#include "analysis/cox/cox_residuals.hpp"
-#include "analysis/cox/cox_terms.hpp"
-#include "analysis/cox/cox_zph.hpp"
-#include "analysis/model/formula.hpp"
-#include "analysis/model/model_frame.hpp"
-#include "datasets/data_table.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {

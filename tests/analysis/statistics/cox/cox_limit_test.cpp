@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_baseline.hpp>
+#include <statistics/cox/cox_residuals.hpp>
+#include <statistics/cox/cox_terms.hpp>
+#include <statistics/cox/cox_zph.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/cox/cox.hpp"
-#include "analysis/cox/cox_baseline.hpp"
-#include "analysis/cox/cox_residuals.hpp"
-#include "analysis/cox/cox_terms.hpp"
-#include "analysis/cox/cox_zph.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/cox/cox.hpp>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
 
-#include "analysis/cox/cox.hpp"
-#include "datasets/random.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

@@ -1,6 +1,6 @@
 // Cox models by hand, against slow ones, by invariance and on data that cannot be fitted.
 
-#include "analysis/cox/cox.hpp"
+#include <statistics/cox/cox.hpp>
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,12 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <statistics/cox/cox_baseline.hpp>
+#include <statistics/cox/cox_residuals.hpp>
+#include <statistics/cox/cox_terms.hpp>
+#include <statistics/cox/cox_zph.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/cox/cox_baseline.hpp"
-#include "analysis/cox/cox_residuals.hpp"
-#include "analysis/cox/cox_terms.hpp"
-#include "analysis/cox/cox_zph.hpp"
 
 namespace tcert {
 namespace {

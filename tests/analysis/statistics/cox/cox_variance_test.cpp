@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/cox/cox.hpp>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/cox/cox.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

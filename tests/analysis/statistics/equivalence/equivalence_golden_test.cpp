@@ -7,10 +7,9 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/basics/binomial_interval.hpp>
+#include <statistics/equivalence/equivalence.hpp>
 #include <string>
-
-#include "analysis/basics/binomial_interval.hpp"
-#include "analysis/equivalence/equivalence.hpp"
 
 namespace tcert {
 namespace {

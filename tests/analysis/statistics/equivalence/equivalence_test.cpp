@@ -1,13 +1,12 @@
-#include "analysis/equivalence/equivalence.hpp"
+#include <statistics/equivalence/equivalence.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <statistics/basics/normal.hpp>
+#include <statistics/equivalence/range_permutation.hpp>
 #include <stdexcept>
-
-#include "analysis/basics/normal.hpp"
-#include "analysis/equivalence/range_permutation.hpp"
 
 namespace tcert {
 namespace {

@@ -1,17 +1,16 @@
-#include "analysis/equivalence/scores_by_group.hpp"
+#include <statistics/equivalence/scores_by_group.hpp>
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <statistics/concordance/concordance_statistic.hpp>
+#include <statistics/equivalence/statistic_by_group.hpp>
+#include <statistics/roc/auc_statistic.hpp>
+#include <statistics/survival/time_rounding.hpp>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/concordance/concordance_statistic.hpp"
-#include "analysis/equivalence/statistic_by_group.hpp"
-#include "analysis/roc/auc_statistic.hpp"
-#include "analysis/survival/time_rounding.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/model/variable.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/model/variable.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert::test_support {

@@ -10,12 +10,12 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/glmm/glmm_comparison.hpp>
+#include <statistics/glmm/glmm_golden.hpp>
+#include <statistics/glmm/glmm_profile.hpp>
 #include <string>
 
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/glmm/glmm_comparison.hpp"
-#include "analysis/glmm/glmm_golden.hpp"
-#include "analysis/glmm/glmm_profile.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {

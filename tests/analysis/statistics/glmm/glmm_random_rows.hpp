@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <statistics/glmm/mixed_likelihood.hpp>
+#include <statistics/logistic/binomial_likelihood.hpp>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/glmm/mixed_likelihood.hpp"
-#include "analysis/logistic/binomial_likelihood.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert::test_support {
 

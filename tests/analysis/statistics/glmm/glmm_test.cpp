@@ -1,6 +1,6 @@
 // Mixed models: what is said about data that do not allow a fit, and what does not change it.
 
-#include "analysis/glmm/glmm.hpp"
+#include <statistics/glmm/glmm.hpp>
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -9,13 +9,13 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <statistics/glmm/glmm_comparison.hpp>
+#include <statistics/glmm/glmm_profile.hpp>
 #include <string>
+#include <table/random.hpp>
 #include <utility>
 #include <vector>
 
-#include "analysis/glmm/glmm_comparison.hpp"
-#include "analysis/glmm/glmm_profile.hpp"
-#include "datasets/random.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

@@ -1,14 +1,13 @@
 // The likelihood of a single random intercept: by a slow second way, and its derivatives by
 // differences.
 
-#include "analysis/glmm/intercept_likelihood.hpp"
+#include <statistics/glmm/intercept_likelihood.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/glmm/glmm_random_rows.hpp>
 #include <vector>
-
-#include "analysis/glmm/glmm_random_rows.hpp"
 
 namespace tcert {
 namespace {

@@ -1,19 +1,18 @@
 // The Laplace likelihood of any random terms: against the other kernel where both apply, and its
 // derivatives by differences.
 
-#include "analysis/glmm/sparse_likelihood.hpp"
+#include <statistics/glmm/sparse_likelihood.hpp>
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <cmath>
+#include <statistics/glmm/glmm_random_rows.hpp>
+#include <statistics/glmm/intercept_likelihood.hpp>
+#include <statistics/glmm/selected_inverse.hpp>
 #include <string>
 #include <vector>
-
-#include "analysis/glmm/glmm_random_rows.hpp"
-#include "analysis/glmm/intercept_likelihood.hpp"
-#include "analysis/glmm/selected_inverse.hpp"
 
 namespace tcert {
 namespace {

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/logistic/firth.hpp>
 #include <string>
 
-#include "analysis/logistic/firth.hpp"
 #include "support/data_table.hpp"
 #include "support/temporary_folder.hpp"
 

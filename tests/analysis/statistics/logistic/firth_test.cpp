@@ -1,13 +1,13 @@
-#include "analysis/logistic/firth.hpp"
+#include <statistics/logistic/firth.hpp>
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <cmath>
 #include <numeric>
+#include <statistics/logistic/firth_likelihood.hpp>
+#include <table/random.hpp>
 
-#include "analysis/logistic/firth_likelihood.hpp"
-#include "datasets/random.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

@@ -10,11 +10,11 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_drop.hpp>
+#include <statistics/logistic/logistic_profile.hpp>
 #include <string>
 
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/logistic_drop.hpp"
-#include "analysis/logistic/logistic_profile.hpp"
 #include "support/data_table.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,13 +1,12 @@
-#include "analysis/logistic/logistic_profile.hpp"
+#include <statistics/logistic/logistic_profile.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/basics/normal.hpp>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/basics/normal.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

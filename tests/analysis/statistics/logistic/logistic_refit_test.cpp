@@ -1,11 +1,10 @@
-#include "analysis/logistic/logistic_refit.hpp"
+#include <statistics/logistic/logistic_refit.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <table/random.hpp>
 #include <vector>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/logistic/logistic.hpp"
+#include <statistics/logistic/logistic.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,13 @@
-#include "analysis/logistic/near_separation.hpp"
+#include <statistics/logistic/near_separation.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/basics/runaway.hpp>
+#include <statistics/logistic/logistic_profile.hpp>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/basics/runaway.hpp"
-#include "analysis/logistic/logistic_profile.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/logistic/separation.hpp"
+#include <statistics/logistic/separation.hpp>
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/orthonormal_basis.hpp>
 #include <string>
+#include <table/random.hpp>
 #include <utility>
 #include <vector>
-
-#include "analysis/logistic/logistic.hpp"
-#include "analysis/logistic/orthonormal_basis.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <cmath>
 #include <limits>
+#include <statistics/cox/cox.hpp>
+#include <statistics/model/model_frame.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/cox/cox.hpp"
-#include "analysis/model/model_frame.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

@@ -1,4 +1,4 @@
-#include "analysis/model/formula.hpp"
+#include <statistics/model/formula.hpp>
 
 #include <gtest/gtest.h>
 

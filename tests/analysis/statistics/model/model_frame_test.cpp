@@ -1,4 +1,4 @@
-#include "analysis/model/model_frame.hpp"
+#include <statistics/model/model_frame.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "analysis/model/outcome_coding.hpp"
+#include <statistics/model/outcome_coding.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/model/model_frame.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/model/model_frame.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

@@ -12,20 +12,20 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <statistics/basics/normal.hpp>
+#include <statistics/concordance/concordance_statistic.hpp>
+#include <statistics/model/formula.hpp>
+#include <statistics/model/model_frame.hpp>
+#include <statistics/resampling/bootstrap.hpp>
+#include <statistics/resampling/jackknife.hpp>
+#include <statistics/roc/auc_statistic.hpp>
 #include <string>
+#include <table/data_table.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "analysis/basics/normal.hpp"
-#include "analysis/concordance/concordance_statistic.hpp"
-#include "analysis/golden_columns.hpp"
-#include "analysis/model/formula.hpp"
-#include "analysis/model/model_frame.hpp"
-#include "analysis/resampling/bootstrap.hpp"
-#include "analysis/resampling/jackknife.hpp"
-#include "analysis/roc/auc_statistic.hpp"
-#include "datasets/data_table.hpp"
+#include "support/golden_columns.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {

@@ -1,4 +1,4 @@
-#include "analysis/resampling/bootstrap.hpp"
+#include <statistics/resampling/bootstrap.hpp>
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -6,13 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <statistics/resampling/jackknife.hpp>
+#include <statistics/roc/auc_statistic.hpp>
 #include <stdexcept>
+#include <table/factor.hpp>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/resampling/jackknife.hpp"
-#include "analysis/roc/auc_statistic.hpp"
-#include "datasets/factor.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/resampling/cross_validation.hpp"
+#include <statistics/resampling/cross_validation.hpp>
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,10 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <statistics/roc/roc.hpp>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/roc/roc.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -1,15 +1,14 @@
-#include "analysis/roc/auc_statistic.hpp"
+#include <statistics/roc/auc_statistic.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <statistics/resampling/bootstrap.hpp>
+#include <statistics/resampling/jackknife.hpp>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/resampling/bootstrap.hpp"
-#include "analysis/resampling/jackknife.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

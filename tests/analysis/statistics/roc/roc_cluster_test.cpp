@@ -4,12 +4,11 @@
 
 #include <cmath>
 #include <cstdint>
+#include <statistics/roc/roc.hpp>
 #include <stdexcept>
+#include <table/factor.hpp>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/roc/roc.hpp"
-#include "datasets/factor.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -1,13 +1,12 @@
-#include "analysis/roc/roc_curve.hpp"
+#include <statistics/roc/roc_curve.hpp>
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <statistics/roc/roc.hpp>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <vector>
-
-#include "analysis/roc/roc.hpp"
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

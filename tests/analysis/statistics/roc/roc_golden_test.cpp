@@ -9,12 +9,12 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/roc/roc.hpp>
+#include <statistics/roc/roc_curve.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/golden_columns.hpp"
-#include "analysis/roc/roc.hpp"
-#include "analysis/roc/roc_curve.hpp"
+#include "support/golden_columns.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {

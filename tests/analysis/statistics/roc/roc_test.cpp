@@ -1,4 +1,4 @@
-#include "analysis/roc/roc.hpp"
+#include <statistics/roc/roc.hpp>
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <utility>
 #include <vector>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/survival/cumulative_incidence.hpp"
+#include <statistics/survival/cumulative_incidence.hpp>
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/survival/survival_curve.hpp>
 #include <stdexcept>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
 
-#include "analysis/survival/survival_curve.hpp"
-#include "analysis/worst.hpp"
-#include "datasets/random.hpp"
+#include "support/worst.hpp"
 
 namespace tcert {
 namespace {

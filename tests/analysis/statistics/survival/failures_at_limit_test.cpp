@@ -1,4 +1,4 @@
-#include "analysis/survival/failures_at_limit.hpp"
+#include <statistics/survival/failures_at_limit.hpp>
 
 #include <gtest/gtest.h>
 

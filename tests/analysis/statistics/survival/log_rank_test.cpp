@@ -1,13 +1,12 @@
-#include "analysis/survival/log_rank.hpp"
+#include <statistics/survival/log_rank.hpp>
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

@@ -1,13 +1,12 @@
-#include "analysis/survival/survival_curve.hpp"
+#include <statistics/survival/survival_curve.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <table/random.hpp>
 #include <vector>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

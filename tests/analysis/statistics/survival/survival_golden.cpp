@@ -1,11 +1,11 @@
-#include "analysis/survival/survival_golden.hpp"
+#include <statistics/survival/survival_golden.hpp>
 
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <statistics/concordance/concordance.hpp>
 #include <variant>
 
-#include "analysis/concordance/concordance.hpp"
 #include "support/data_table.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -2,10 +2,9 @@
 // Golden values of survival estimates, and the frames that they are of.
 
 #include <nlohmann/json.hpp>
+#include <statistics/model/model_frame.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <string>
-
-#include "analysis/model/model_frame.hpp"
-#include "analysis/survival/survival_outcome.hpp"
 
 namespace tcert::test_support {
 

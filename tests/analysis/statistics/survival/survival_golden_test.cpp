@@ -7,14 +7,14 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <statistics/survival/log_rank.hpp>
+#include <statistics/survival/survival_curve.hpp>
+#include <statistics/survival/survival_golden.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "analysis/survival/log_rank.hpp"
-#include "analysis/survival/survival_curve.hpp"
-#include "analysis/survival/survival_golden.hpp"
-#include "analysis/worst.hpp"
+#include "support/worst.hpp"
 
 namespace tcert {
 namespace {

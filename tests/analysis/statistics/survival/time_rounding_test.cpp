@@ -1,16 +1,15 @@
-#include "analysis/survival/time_rounding.hpp"
+#include <statistics/survival/time_rounding.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <statistics/survival/survival_curve.hpp>
+#include <statistics/survival/time_conditions.hpp>
 #include <string>
+#include <table/random.hpp>
+#include <table/unlike_times.hpp>
 #include <vector>
-
-#include "analysis/survival/survival_curve.hpp"
-#include "analysis/survival/time_conditions.hpp"
-#include "datasets/random.hpp"
-#include "datasets/unlike_times.hpp"
 
 namespace tcert {
 namespace {

@@ -1,11 +1,11 @@
-#include "analysis/experiment/cell.hpp"
+#include "analysis/study/experiment/cell.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "analysis/experiment/fingerprint.hpp"
-#include "analysis/experiment/paper_cells.hpp"
+#include "analysis/study/experiment/fingerprint.hpp"
+#include "analysis/study/experiment/paper_cells.hpp"
 
 namespace tcert {
 namespace {

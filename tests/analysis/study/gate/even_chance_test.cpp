@@ -1,15 +1,15 @@
-#include "analysis/gate/even_chance.hpp"
+#include "analysis/study/gate/even_chance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+#include <statistics/basics/normal.hpp>
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/basics/normal.hpp"
-#include "analysis/gate/gate_study.hpp"
-#include "analysis/gate/profile_point.hpp"
+#include "analysis/study/gate/gate_study.hpp"
+#include "analysis/study/gate/profile_point.hpp"
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/h1/hypothesis_h1.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,16 +6,16 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/model/expression.hpp>
+#include <statistics/model/formula.hpp>
+#include <statistics/model/model_frame.hpp>
+#include <statistics/roc/roc.hpp>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
 
-#include "analysis/basics/chi_square.hpp"
-#include "analysis/glmm/glmm.hpp"
-#include "analysis/model/expression.hpp"
-#include "analysis/model/formula.hpp"
-#include "analysis/model/model_frame.hpp"
-#include "analysis/roc/roc.hpp"
-#include "datasets/random.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

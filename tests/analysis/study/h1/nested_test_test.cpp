@@ -1,14 +1,14 @@
-#include "analysis/h1/nested_test.hpp"
+#include "analysis/study/h1/nested_models.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
 
-#include "analysis/h1/hypothesis_h1.hpp"
-#include "datasets/random.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

@@ -1,12 +1,12 @@
-#include "analysis/h1/within_strata.hpp"
+#include "analysis/study/h1/within_strata.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+#include <table/random.hpp>
 #include <vector>
 
-#include "datasets/random.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

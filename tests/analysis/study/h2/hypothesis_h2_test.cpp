@@ -1,12 +1,12 @@
-#include "analysis/h2/hypothesis_h2.hpp"
+#include "analysis/study/h2/hypothesis_h2.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/model/expression.hpp>
 #include <string>
+#include <table/random.hpp>
 
-#include "analysis/model/expression.hpp"
-#include "datasets/random.hpp"
 #include "support/data_table.hpp"
 
 namespace tcert {

@@ -1,4 +1,4 @@
-#include "analysis/h3/hypothesis_h3.hpp"
+#include "analysis/study/h3/hypothesis_h3.hpp"
 
 #include <gtest/gtest.h>
 

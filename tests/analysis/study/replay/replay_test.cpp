@@ -1,4 +1,4 @@
-#include "analysis/replay/replay.hpp"
+#include "analysis/study/replay/replay.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/soundness/soundness.hpp"
+#include "analysis/study/soundness/soundness.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/truth/truth.hpp"
+#include "analysis/study/truth/truth.hpp"
 #include "datasets/corpus/tentacles.hpp"
 
 namespace tcert {

@@ -10,13 +10,13 @@
 #include <cstdio>
 #include <map>
 #include <numeric>
+#include <statistics/roc/roc.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "analysis/roc/roc.hpp"
-#include "analysis/trials/certify_trial.hpp"
-#include "analysis/trials/features.hpp"
+#include "analysis/study/trials/certify_trial.hpp"
+#include "analysis/study/trials/features.hpp"
 #include "datasets/corpus/corpus.hpp"
 
 namespace tcert {

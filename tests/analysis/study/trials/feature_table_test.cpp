@@ -1,4 +1,4 @@
-#include "analysis/trials/feature_table.hpp"
+#include "analysis/study/trials/feature_table.hpp"
 
 #include <gtest/gtest.h>
 

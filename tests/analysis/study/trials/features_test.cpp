@@ -1,4 +1,4 @@
-#include "analysis/trials/features.hpp"
+#include "analysis/study/trials/features.hpp"
 
 #include <gtest/gtest.h>
 

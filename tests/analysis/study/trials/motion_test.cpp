@@ -1,10 +1,9 @@
-#include "analysis/trials/motion.hpp"
+#include "analysis/study/trials/motion.hpp"
 
 #include <gtest/gtest.h>
 
+#include <table/random.hpp>
 #include <vector>
-
-#include "datasets/random.hpp"
 
 namespace tcert {
 namespace {

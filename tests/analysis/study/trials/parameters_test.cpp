@@ -1,4 +1,4 @@
-#include "analysis/trials/parameters.hpp"
+#include "analysis/study/trials/parameters.hpp"
 
 #include <gtest/gtest.h>
 

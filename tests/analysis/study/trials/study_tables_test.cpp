@@ -1,12 +1,11 @@
-#include "analysis/trials/study_tables.hpp"
+#include "analysis/study/trials/study_tables.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
-
-#include "analysis/basics/quantile.hpp"
-#include "datasets/random.hpp"
+#include <statistics/basics/quantile.hpp>
+#include <table/random.hpp>
 
 namespace tcert {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <table/csv.hpp>
 
-#include "analysis/truth/obstacle_distance.hpp"
-#include "analysis/truth/truth.hpp"
-#include "datasets/csv.hpp"
+#include "analysis/study/truth/obstacle_distance.hpp"
+#include "analysis/study/truth/truth.hpp"
 #include "datasets/worlds/world_files.hpp"
 #include "support/temporary_folder.hpp"
 

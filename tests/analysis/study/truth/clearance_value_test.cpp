@@ -1,10 +1,10 @@
-#include "analysis/truth/clearance_value.hpp"
+#include "analysis/study/truth/clearance_value.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/truth/random_worlds.hpp"
+#include "analysis/study/truth/random_worlds.hpp"
 
 namespace tcert {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/truth/curvature_value.hpp"
+#include "analysis/study/truth/curvature_value.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "analysis/truth/curvature_search.hpp"
-#include "analysis/truth/random_worlds.hpp"
-#include "analysis/truth/truth.hpp"
+#include "analysis/study/truth/curvature_search.hpp"
+#include "analysis/study/truth/random_worlds.hpp"
+#include "analysis/study/truth/truth.hpp"
 
 namespace tcert {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/truth/arc.hpp"
-#include "analysis/truth/cell_grid.hpp"
-#include "analysis/truth/obstacle_distance.hpp"
-#include "analysis/truth/random_worlds.hpp"
+#include "analysis/study/truth/arc.hpp"
+#include "analysis/study/truth/cell_grid.hpp"
+#include "analysis/study/truth/obstacle_distance.hpp"
+#include "analysis/study/truth/random_worlds.hpp"
 #include "datasets/worlds/region_distance.hpp"
 
 namespace tcert {

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <string>
+#include <table/random.hpp>
 
-#include "datasets/random.hpp"
 #include "datasets/world.hpp"
 
 namespace tcert::test_support {

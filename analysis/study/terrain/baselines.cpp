@@ -1,7 +1,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <terrain/baselines.hpp>
+#include "analysis/study/terrain/baselines.hpp"
 #include <terrain/routes.hpp>
 
 namespace tcert::terrain {

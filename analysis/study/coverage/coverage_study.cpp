@@ -1,4 +1,4 @@
-#include "coverage/coverage_study.hpp"
+#include "analysis/study/coverage/coverage_study.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -7,14 +7,13 @@
 #include <array>
 #include <cmath>
 #include <optional>
-
-#include "analysis/basics/normal.hpp"
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/concordance/concordance_statistic.hpp"
-#include "analysis/resampling/bootstrap.hpp"
-#include "analysis/roc/auc_statistic.hpp"
-#include "analysis/roc/roc.hpp"
-#include "datasets/random.hpp"
+#include <statistics/basics/normal.hpp>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/concordance/concordance_statistic.hpp>
+#include <statistics/resampling/bootstrap.hpp>
+#include <statistics/roc/auc_statistic.hpp>
+#include <statistics/roc/roc.hpp>
+#include <table/random.hpp>
 
 namespace tcert::coverage {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "coverage/gate_study.hpp"
+#include "analysis/study/coverage/gate_study.hpp"
 
 namespace tcert {
 namespace {

@@ -1,13 +1,13 @@
-#include "terrain_study/soundness.hpp"
+#include "analysis/study/terrain/terrain_soundness.hpp"
 
 #include <tbb/parallel_for.h>
 
+#include <table/random.hpp>
 #include <terrain/explore.hpp>
 #include <vector>
 
-#include "datasets/random.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
-#include "terrain_study/scenarios.hpp"
+#include "analysis/study/terrain/scenarios.hpp"
 
 namespace tcert::terrain::study {
 namespace {

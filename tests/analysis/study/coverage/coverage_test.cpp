@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/roc/roc.hpp>
+#include <statistics/survival/survival_outcome.hpp>
 #include <vector>
 
-#include "analysis/concordance/concordance.hpp"
-#include "analysis/roc/roc.hpp"
-#include "analysis/survival/survival_outcome.hpp"
-#include "coverage/coverage_study.hpp"
+#include "analysis/study/coverage/coverage_study.hpp"
 
 namespace tcert {
 namespace {

@@ -6,9 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <table/factor.hpp>
 #include <vector>
-
-#include "datasets/factor.hpp"
 
 namespace tcert::coverage {
 

@@ -1,9 +1,8 @@
-#include "terrain_study/scenarios.hpp"
+#include "analysis/study/terrain/scenarios.hpp"
 
 #include <algorithm>
+#include <table/random.hpp>
 #include <terrain/lipschitz.hpp>
-
-#include "datasets/random.hpp"
 
 namespace tcert::terrain::study {
 namespace {

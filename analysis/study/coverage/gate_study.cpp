@@ -1,4 +1,4 @@
-#include "coverage/gate_study.hpp"
+#include "analysis/study/coverage/gate_study.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -7,12 +7,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <statistics/basics/quantile.hpp>
 #include <tcert/certifier.hpp>
 
-#include "analysis/basics/quantile.hpp"
-#include "analysis/gate/even_chance.hpp"
-#include "analysis/gate/gate_pass.hpp"
-#include "analysis/trials/certify_trial.hpp"
+#include "analysis/study/gate/even_chance.hpp"
+#include "analysis/study/gate/gate_pass.hpp"
+#include "analysis/study/trials/certify_trial.hpp"
 #include "datasets/corpus/micro_study.hpp"
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/trial_reader.hpp"

@@ -1,4 +1,4 @@
-#include "coverage/equivalence_study.hpp"
+#include "analysis/study/coverage/equivalence_study.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <statistics/basics/normal.hpp>
+#include <statistics/equivalence/equivalence.hpp>
+#include <statistics/equivalence/scores_by_group.hpp>
+#include <table/random.hpp>
 #include <utility>
 
-#include "analysis/basics/normal.hpp"
-#include "analysis/equivalence/equivalence.hpp"
-#include "analysis/equivalence/scores_by_group.hpp"
-#include "coverage/coverage_study.hpp"
-#include "datasets/random.hpp"
+#include "analysis/study/coverage/coverage_study.hpp"
 
 namespace tcert::coverage {
 namespace {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/equivalence/scores_by_group.hpp>
 
-#include "analysis/equivalence/scores_by_group.hpp"
-#include "coverage/coverage_study.hpp"
-#include "coverage/equivalence_study.hpp"
+#include "analysis/study/coverage/coverage_study.hpp"
+#include "analysis/study/coverage/equivalence_study.hpp"
 
 namespace tcert {
 namespace {
