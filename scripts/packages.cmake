@@ -1,6 +1,6 @@
 # CPack: one Debian package per component.
 include(GNUInstallDirs)
-set(packages_runtime libtcert0)
+set(packages_runtime libtcert1)
 set(packages_dev libtcert-dev)
 set(packages_tool tcert)
 set(components runtime dev)
@@ -25,7 +25,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libtcert0)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libtcert1)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
   "traversability certificates from what a robot felt: shared C library")
@@ -33,7 +33,7 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libtcert-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libtcert0 (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libtcert1 (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
   "traversability certificates from what a robot felt: headers, archive, CMake and pkg-config files")
 

@@ -1,5 +1,6 @@
 #include <tcert/tcert.h>
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <exception>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <tcert/certifier.hpp>
 #include <tcert/flag_word.hpp>
 #include <tcert/guards.hpp>
+#include <tcert/struct_size.hpp>
 #include <vector>
 
 struct tcert_certifier {
@@ -18,6 +20,18 @@ struct tcert_certifier {
 };
 
 namespace tcert {
+
+// The last members of ABI version 1. What comes later is appended behind them.
+#define TCERT_FIRST_SIZE(type, last) \
+  template <>                        \
+  inline constexpr std::size_t kFirstSize<type> = offsetof(type, last) + sizeof(type::last)
+TCERT_FIRST_SIZE(tcert_robot, curvature_buffer_per_m);
+TCERT_FIRST_SIZE(tcert_course, goal);
+TCERT_FIRST_SIZE(tcert_parameters, tracking_radius_m);
+TCERT_FIRST_SIZE(tcert_tick, segment_start);
+TCERT_FIRST_SIZE(tcert_output, triggers_began);
+TCERT_FIRST_SIZE(tcert_bottleneck, turn_radius_m);
+
 namespace {
 
 class WrongSize : public std::invalid_argument {
@@ -25,17 +39,12 @@ class WrongSize : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Sizes that a caller of this ABI version may have been compiled with.
-template <typename Struct>
-bool is_known_size(std::uint32_t size) noexcept {
-  return size == sizeof(Struct);
-}
-
 template <typename Struct>
 void require_size(const Struct& given, const char* name) {
   if (!is_known_size<Struct>(given.struct_size)) {
     throw WrongSize(std::string(name) + ".struct_size is " + std::to_string(given.struct_size) +
-                    "; this library knows " + std::to_string(sizeof(Struct)));
+                    "; this library knows sizes from " + std::to_string(kFirstSize<Struct>) +
+                    " to " + std::to_string(sizeof(Struct)));
   }
 }
 
@@ -132,8 +141,9 @@ Ray to_ray(const tcert_ray& c) {
   return ray;
 }
 
-Robot to_robot(const tcert_robot& c) {
-  require_size(c, "robot");
+Robot to_robot(const tcert_robot& given) {
+  require_size(given, "robot");
+  const tcert_robot c = completed(given);
   Robot robot;
   robot.body_width_m = c.body_width_m;
   robot.min_turn_radius_m = c.min_turn_radius_m;
@@ -162,8 +172,9 @@ std::optional<Region> to_region(const tcert_region& c, const std::string& name) 
   return polygon;
 }
 
-Course to_course(const tcert_course& c) {
-  require_size(c, "course");
+Course to_course(const tcert_course& given) {
+  require_size(given, "course");
+  const tcert_course c = completed(given);
   return {to_region(c.start, "start"), to_region(c.goal, "goal")};
 }
 
@@ -242,7 +253,7 @@ const char* tcert_status_text(tcert_status status) noexcept {
     case TCERT_ERROR_ARGUMENT:
       return "a null pointer where there must be none";
     case TCERT_ERROR_VERSION:
-      return "a struct_size that this library does not know: header and library differ";
+      return "a struct of another version: the header is newer than the library";
     case TCERT_ERROR_PARAMETER:
       return "robot, course or parameters out of range";
     case TCERT_ERROR_MEMORY:
@@ -263,7 +274,8 @@ tcert_status tcert_parameters_init_sized(tcert_parameters* parameters,
   if (!is_known_size<tcert_parameters>(struct_size)) {
     return TCERT_ERROR_VERSION;
   }
-  *parameters = defaults();
+  parameters->struct_size = struct_size;
+  give(defaults(), *parameters);
   return TCERT_OK;
 }
 
@@ -283,10 +295,11 @@ tcert_status tcert_create(const tcert_robot* robot,
   tcert_status status = TCERT_ERROR_INTERNAL;
   try {
     require_size(*parameters, "parameters");
+    const tcert_parameters all = completed(*parameters, defaults());
     const Robot known = to_robot(*robot);
     *certifier = new tcert_certifier{
-        Certifier(known, to_course(*course), known_from<CertificateParameters>(*parameters)),
-        to_guards(*parameters),
+        Certifier(known, to_course(*course), known_from<CertificateParameters>(all)),
+        to_guards(all),
         std::vector<RayReading>(known.rays.size() + 1)};
     say(message, message_size, "");
     return TCERT_OK;
@@ -318,18 +331,19 @@ tcert_status tcert_update(tcert_certifier* certifier,
       !is_known_size<tcert_output>(output->struct_size)) {
     return TCERT_ERROR_VERSION;
   }
+  const tcert_tick whole = completed(*tick);
   std::vector<RayReading>& readings = certifier->readings;
-  const std::size_t count = std::min<std::size_t>(tick->reading_count, readings.size());
+  const std::size_t count = std::min<std::size_t>(whole.reading_count, readings.size());
   for (std::size_t k = 0; k < count; ++k) {
-    readings[k] = {tick->readings[k].value, tick->readings[k].force_n};
+    readings[k] = {whole.readings[k].value, whole.readings[k].force_n};
   }
-  const Tick felt{tick->time_ns,
-                  {{tick->x_m, tick->y_m}, tick->yaw_rad},
+  const Tick felt{whole.time_ns,
+                  {{whole.x_m, whole.y_m}, whole.yaw_rad},
                   std::span(readings).first(count),
-                  tick->stale != 0,
-                  tick->segment_start != 0};
+                  whole.stale != 0,
+                  whole.segment_start != 0};
   const CertifiedTick certified = certifier->certifier.update(felt);
-  *output = to_output(certified, certifier->guards.update(felt, certified));
+  give(to_output(certified, certifier->guards.update(felt, certified)), *output);
   return TCERT_OK;
 }
 
@@ -358,14 +372,15 @@ tcert_status tcert_find_bottleneck(const tcert_certifier* certifier,
   const auto narrowest = certifier->certifier.bottleneck();
   *found = narrowest ? 1 : 0;
   if (narrowest) {
-    *bottleneck = {sizeof *bottleneck,
-                   narrowest->edge,
-                   narrowest->pose.position.x_m,
-                   narrowest->pose.position.y_m,
-                   narrowest->pose.yaw_rad,
-                   narrowest->margin_m,
-                   narrowest->width_m,
-                   narrowest->turn_radius_m};
+    const tcert_bottleneck whole{sizeof whole,
+                                 narrowest->edge,
+                                 narrowest->pose.position.x_m,
+                                 narrowest->pose.position.y_m,
+                                 narrowest->pose.yaw_rad,
+                                 narrowest->margin_m,
+                                 narrowest->width_m,
+                                 narrowest->turn_radius_m};
+    give(whole, *bottleneck);
   }
   return TCERT_OK;
 }

@@ -33,9 +33,11 @@
  *   speed is 0. A stale tick: TCERT_STALE, likewise. A reading that is NaN or infinite:
  *   TCERT_MISSING_RAY, and its side counts as no wider than the body.
  * - Versions. A struct that may grow begins with struct_size, its size where the caller was
- *   compiled. A size that the library does not know is refused with TCERT_ERROR_VERSION, so that
- *   header and library that differ are found out at once. The name of the shared library carries
- *   TCERT_ABI_VERSION; while it is 0, that changes with every change of a struct.
+ *   compiled. Members are only appended: the smaller struct of an older caller is accepted, and
+ *   what it does not have takes its default, or is not written. A larger one, of a caller newer
+ *   than the library, is refused by its name with TCERT_ERROR_VERSION. Structs without struct_size
+ *   never change. The name of the shared library carries TCERT_ABI_VERSION, which changes only
+ *   when this rule is broken.
  */
 #ifndef TCERT_TCERT_H
 #define TCERT_TCERT_H
@@ -43,7 +45,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define TCERT_ABI_VERSION 0
+#define TCERT_ABI_VERSION 1
 
 #if defined(__GNUC__)
 #define TCERT_API __attribute__((visibility("default")))
@@ -61,7 +63,7 @@ extern "C" {
 typedef enum tcert_status {
   TCERT_OK = 0,
   TCERT_ERROR_ARGUMENT = 1, /**< A null pointer where there must be none. */
-  TCERT_ERROR_VERSION = 2,  /**< A struct_size that this library does not know. */
+  TCERT_ERROR_VERSION = 2,  /**< A struct of a newer header than the library. */
   TCERT_ERROR_PARAMETER =
       3,                  /**< Robot, course or parameters out of range; the message says which. */
   TCERT_ERROR_MEMORY = 4, /**< Not enough memory. */
