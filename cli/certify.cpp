@@ -69,7 +69,7 @@ class Failures {
  public:
   explicit Failures(bool wanted) : wanted_(wanted) {}
 
-  void add(const TrialRecord& trial) {
+  void add(const study::TrialRecord& trial) {
     if (wanted_ && !trial.row.trial.success.value_or(true)) {
       trials_.push_back(trial);
     }
@@ -82,14 +82,14 @@ class Failures {
 
  private:
   bool wanted_;
-  std::vector<TrialRecord> trials_;
+  std::vector<study::TrialRecord> trials_;
 };
 
 int certify_to_stdout(const OpenedBundle& opened, const CommonOptions& common, bool truth) {
   Failures failures(truth);
   Table table = features_table(opened.bundle);
   const CertifySummary summary =
-      certify_trials(opened, common, nullptr, {}, [&](TrialRecord&& trial) {
+      certify_trials(opened, common, nullptr, {}, [&](study::TrialRecord&& trial) {
         table.add_row(features_row(trial));
         failures.add(trial);
       });
@@ -118,13 +118,13 @@ int run(Arguments arguments) {
   require_apart(options.bundle, common.output);
   ResultFolder folder(common.output, "certify");
   Failures failures(options.truth);
-  StudyRecord study;
+  study::StudyRecord study;
   const CertifySummary summary =
       certify_trials(opened,
                      common,
                      &folder,
                      {!options.no_series, options.ticks, options.ray_margins},
-                     [&](TrialRecord&& trial) {
+                     [&](study::TrialRecord&& trial) {
                        failures.add(trial);
                        study.add(std::move(trial));
                      });

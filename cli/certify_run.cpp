@@ -33,13 +33,14 @@ class TrialTables {
     write_header(diagnostics_file_, diagnostics_);
   }
 
-  void add_diagnostics(const std::string& trial_id, std::span<const Diagnostic> diagnostics) {
-    for (const Diagnostic& diagnostic : diagnostics) {
+  void add_diagnostics(const std::string& trial_id,
+                       std::span<const table::Diagnostic> diagnostics) {
+    for (const table::Diagnostic& diagnostic : diagnostics) {
       write_row(diagnostics_file_, diagnostics_, diagnostics_row(trial_id, diagnostic));
     }
   }
 
-  void add_trial(const TrialRecord& trial, const std::vector<TableCell>& certificate) {
+  void add_trial(const study::TrialRecord& trial, const std::vector<TableCell>& certificate) {
     write_row(features_file_, features_, features_row(trial));
     write_row(certificates_file_, certificates_, certificate);
   }
@@ -70,7 +71,9 @@ class TrialTables {
   ResultFile diagnostics_file_;
 };
 
-std::string series_csv(const StudiedTrial& trial, const SeriesFormat& format, const Robot& robot) {
+std::string series_csv(const study::StudiedTrial& trial,
+                       const SeriesFormat& format,
+                       const Robot& robot) {
   std::string text = series_header(format, robot);
   const std::size_t rays = format.ray_margins ? trial.ticks.rays : 0;
   const std::span<const double> margins(trial.ray_margins);
@@ -86,7 +89,7 @@ std::string comment_line(const std::optional<SyntheticLabel>& label) {
 }
 
 /// Files of one trial, written from whichever thread certified it.
-void write_trial_files(const StudiedTrial& trial,
+void write_trial_files(const study::StudiedTrial& trial,
                        const ResultFolder& folder,
                        const CertifyFiles& files,
                        const SeriesFormat& format,
@@ -112,7 +115,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
                               const TrialSink& sink,
                               const TrialExtra& extra) {
   const Bundle& bundle = opened.bundle;
-  const Robot robot = with_overrides(bundle.info.robot, opened.parameters.robot);
+  const Robot robot = study::with_overrides(bundle.info.robot, opened.parameters.robot);
   const SeriesFormat format{
       opened.parameters.speed_law, files.ray_margins, synthetic_label(bundle.info)};
   CertifySummary summary;
@@ -123,9 +126,9 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     tables->add_diagnostics("", opened.diagnostics);
   }
   Progress progress("certifying", opened.trials.size(), common.quiet);
-  const StudyOptions study{
+  const study::StudyOptions study{
       {common.repair}, static_cast<int>(common.threads), files.ray_margins && folder != nullptr};
-  const auto work = [&](StudiedTrial&& trial) -> std::function<bool()> {
+  const auto work = [&](study::StudiedTrial&& trial) -> std::function<bool()> {
     const FileDigest digest = folder != nullptr ? log_digest(bundle, *trial.row) : FileDigest{};
     if (folder != nullptr && !trial.rejected) {
       write_trial_files(trial, *folder, files, format, robot);
@@ -136,7 +139,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     const std::size_t bytes = trial.log_bytes;
     const std::function<void()> finish = extra && !rejected ? extra(trial) : nullptr;
     // The ticks end here: what waits for its turn is small.
-    auto row = std::make_shared<TrialRecord>(summarise(std::move(trial)));
+    auto row = std::make_shared<study::TrialRecord>(study::summarise(std::move(trial)));
     return [&, row, digest, certificate, diagnostics, rejected, bytes, finish]() {
       const std::string& id = row->row.trial.trial_id;
       progress.advance();
@@ -163,7 +166,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
       return true;
     };
   };
-  study_trials(bundle, opened.trials, opened.parameters, study, work);
+  study::study_trials(bundle, opened.trials, opened.parameters, study, work);
   if (common.strict && !summary.rejected.empty()) {
     throw BadData("trial '" + summary.rejected.front() +
                   "' is rejected, and --strict was asked for");
@@ -181,7 +184,7 @@ int report(const CertifySummary& summary, const OpenedBundle& opened, const Comm
   for (const std::string& id : summary.rejected) {
     line += (&id == &summary.rejected.front() ? "; rejected: " : ", ") + id;
   }
-  const bool bad_rows = has_error(opened.diagnostics);
+  const bool bad_rows = table::has_error(opened.diagnostics);
   line += bad_rows ? "; some rows of trials.csv are rejected, see above." : ".";
   if (!common.quiet || !summary.rejected.empty() || bad_rows) {
     say(line);

@@ -27,12 +27,12 @@ struct CertifySummary {
 };
 
 /// What a caller wants to see of each trial that was certified, in order.
-using TrialSink = std::function<void(TrialRecord&&)>;
+using TrialSink = std::function<void(study::TrialRecord&&)>;
 
 /// What a caller makes of a trial while its ticks are there: called in parallel, from any thread,
 /// for trials that are not rejected; what it returns is called in order, one at a time, just before
 /// the sink.
-using TrialExtra = std::function<std::function<void()>(const StudiedTrial&)>;
+using TrialExtra = std::function<std::function<void()>(const study::StudiedTrial&)>;
 
 /// Writes features.csv, certificates.csv, diagnostics.csv and what `files` asks for into `folder`,
 /// if there is one. Under --strict it ends at the first rejected trial.

@@ -29,19 +29,19 @@ struct Answer {
 std::string cell_of(double value) {
   std::string text;
   if (std::isfinite(value)) {
-    append_number(text, value);
+    table::append_number(text, value);
   }
   return text;
 }
 
-Answer answer(const std::string& text, const Robot& robot, const TruthOptions& options) {
+Answer answer(const std::string& text, const Robot& robot, const study::TruthOptions& options) {
   try {
     const World world = world_from_json(text);
     const std::vector<std::string> problems = world_problems(world);
     if (!problems.empty()) {
       return {"", "", "expected " + problems.front()};
     }
-    const Truth truth = truth_of(world, robot, options);
+    const study::Truth truth = study::truth_of(world, robot, options);
     return {cell_of(truth.lower_m), cell_of(truth.upper_m), ""};
   } catch (const WorldFormatError& error) {
     return {"", "", error.what()};
@@ -71,7 +71,7 @@ void add_truth(OpenedBundle& opened, const CommonOptions& common) {
   for (const std::size_t i : opened.trials) {
     const TrialRow& row = bundle.trials[i];
     const std::string name = "worlds/" + world_of(row, bundle.extra_columns) + ".json";
-    const BytesResult bytes = files.contains(name) ? files.read(name) : BytesResult{};
+    const table::BytesResult bytes = files.contains(name) ? files.read(name) : table::BytesResult{};
     if (!bytes.bytes) {
       ++missing;
       continue;
@@ -83,10 +83,10 @@ void add_truth(OpenedBundle& opened, const CommonOptions& common) {
     }
     of_trial[row.trial_id] = place->second;
   }
-  TruthOptions options;
+  study::TruthOptions options;
   options.convention = opened.parameters.certificate.clearance == ClearanceReading::radial
-                           ? SlackConvention::radial
-                           : SlackConvention::width;
+                           ? study::SlackConvention::radial
+                           : study::SlackConvention::width;
   const Robot robot = effective_robot(bundle.info, opened.parameters);
   const ThreadLimit threads(common.threads);
   std::vector<Answer> answers(texts.size());
@@ -114,10 +114,10 @@ void add_truth(OpenedBundle& opened, const CommonOptions& common) {
   }
 }
 
-void say_issued_failures(const std::vector<TrialRecord>& trials) {
+void say_issued_failures(const std::vector<study::TrialRecord>& trials) {
   std::size_t failures = 0;
   std::size_t issued = 0;
-  for (const TrialRecord& trial : trials) {
+  for (const study::TrialRecord& trial : trials) {
     const TrialRow& row = trial.row.trial;
     if (row.success.value_or(true)) {
       continue;

@@ -15,6 +15,6 @@ namespace tcert::cli {
 void add_truth(OpenedBundle& opened, const CommonOptions& common);
 
 /// Says each failed trial that was issued a certificate, with its T_t and its truth.
-void say_issued_failures(const std::vector<TrialRecord>& trials);
+void say_issued_failures(const std::vector<study::TrialRecord>& trials);
 
 }  // namespace tcert::cli

@@ -67,15 +67,15 @@ int print_tables(const Table& found, const Table& problems, const CommonOptions&
 }
 
 int check_file(const std::string& path, const CommonOptions& common) {
-  CsvOptions csv;
+  table::CsvOptions csv;
   csv.decimal_comma = common.decimal_comma;
-  const CsvCheckResult result = check_csv_file(path, 1.0, csv);
+  const table::CsvCheckResult result = table::check_csv_file(path, 1.0, csv);
   if (!result.check) {
     say(result.diagnostics);
     throw BadData(path + " cannot be read as CSV");
   }
   Table problems = diagnostics_table(std::nullopt);
-  for (const Diagnostic& diagnostic : result.diagnostics) {
+  for (const table::Diagnostic& diagnostic : result.diagnostics) {
     problems.add_row(diagnostics_row("", diagnostic));
   }
   return print_tables(csv_check_table(*result.check, path), problems, common);
@@ -86,7 +86,7 @@ int check_bundle(const std::string& path, const CommonOptions& common) {
   const auto label = synthetic_label(opened.bundle.info);
   Table trials = trial_check_table(label);
   Table problems = diagnostics_table(label);
-  for (const Diagnostic& diagnostic : opened.diagnostics) {
+  for (const table::Diagnostic& diagnostic : opened.diagnostics) {
     problems.add_row(diagnostics_row("", diagnostic));
   }
   Progress progress("trials checked", opened.trials.size(), common.quiet);
@@ -102,7 +102,7 @@ int check_bundle(const std::string& path, const CommonOptions& common) {
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const std::string& trial_id = opened.bundle.trials[opened.trials[begin + i]].trial_id;
       trials.add_row(trial_check_row(trial_id, batch[i].check));
-      for (const Diagnostic& diagnostic : batch[i].diagnostics) {
+      for (const table::Diagnostic& diagnostic : batch[i].diagnostics) {
         problems.add_row(diagnostics_row(trial_id, diagnostic));
       }
       progress.advance();

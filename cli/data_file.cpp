@@ -29,8 +29,8 @@ bool has_decimal_comma(std::string_view cell) {
   return error == std::errc{} && stop == text.data() + text.size();
 }
 
-void suggest_decimal_comma(const DataTable& table) {
-  for (const DataColumn& column : table.columns) {
+void suggest_decimal_comma(const table::DataTable& table) {
+  for (const table::DataColumn& column : table.columns) {
     const auto& levels = column.text.levels;
     const auto found = std::find_if(levels.begin(), levels.end(), has_decimal_comma);
     if (found != levels.end()) {
@@ -45,8 +45,8 @@ void suggest_decimal_comma(const DataTable& table) {
 
 }  // namespace
 
-std::optional<SyntheticLabel> label_of(const DataTable& table) {
-  const DataColumn* const seed = table.find(kSeedColumn);
+std::optional<SyntheticLabel> label_of(const table::DataTable& table) {
+  const table::DataColumn* const seed = table.find(kSeedColumn);
   if (seed == nullptr || table.rows == 0) {
     return std::nullopt;
   }
@@ -65,9 +65,9 @@ DataFile read_data_file(const std::string& path,
   if (!wanted.empty()) {
     wanted.emplace_back(kSeedColumn);
   }
-  CsvOptions csv;
+  table::CsvOptions csv;
   csv.decimal_comma = common.decimal_comma;
-  DataTableResult read = read_data_table(std::filesystem::path(path), wanted, csv);
+  table::DataTableResult read = table::read_data_table(std::filesystem::path(path), wanted, csv);
   say(read.diagnostics);
   if (!read.table) {
     throw BadData("'" + path + "' cannot be used as a table");

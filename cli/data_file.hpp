@@ -18,7 +18,7 @@ namespace tcert::cli {
 
 struct DataFile {
   std::string path;
-  DataTable table;
+  table::DataTable table;
   std::optional<SyntheticLabel> synthetic;  ///< By the column synthetic_seed.
 };
 
@@ -30,7 +30,7 @@ struct DataFile {
 
 /// The label of a table that holds a column synthetic_seed, as every table made from synthetic data
 /// does.
-[[nodiscard]] std::optional<SyntheticLabel> label_of(const DataTable& table);
+[[nodiscard]] std::optional<SyntheticLabel> label_of(const table::DataTable& table);
 
 /// To stdout, or to --output with a manifest beside it. \throws WriteError.
 void write_or_print(std::string_view text,

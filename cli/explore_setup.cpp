@@ -67,7 +67,7 @@ using terrain::Terrain;
   constexpr std::uint32_t kPurpose = 0x7e44ba;
   constexpr int kReach = 20;
   constexpr int kDraws = 50;
-  RandomStream random(static_cast<std::uint64_t>(seed), kPurpose, 0);
+  table::RandomStream random(static_cast<std::uint64_t>(seed), kPurpose, 0);
   const auto draw = [&](int centre, int limit) {
     const int low = std::max(0, centre - kReach);
     const int high = std::min(limit, centre + kReach);

@@ -9,16 +9,16 @@ namespace tcert::cli {
 
 FeatureData::FeatureData(const Bundle& bundle) : features_(features_table(bundle)) {}
 
-void FeatureData::add(const TrialRecord& trial) { features_.add_row(features_row(trial)); }
+void FeatureData::add(const study::TrialRecord& trial) { features_.add_row(features_row(trial)); }
 
-DataTable FeatureData::table() const {
-  CsvOptions csv;
+table::DataTable FeatureData::table() const {
+  table::CsvOptions csv;
   csv.file = "features.csv";
-  DataTableResult read =
-      read_data_table(Bytes::copy_of(render(features_, TableFormat::csv)), {}, csv);
+  table::DataTableResult read =
+      table::read_data_table(table::Bytes::copy_of(render(features_, TableFormat::csv)), {}, csv);
   if (!read.table) {
     throw std::logic_error("the features cannot be read back: " +
-                           to_string(read.diagnostics.front()));
+                           table::to_string(read.diagnostics.front()));
   }
   return std::move(*read.table);
 }

@@ -15,10 +15,10 @@ class FeatureData {
  public:
   explicit FeatureData(const Bundle& bundle);
 
-  void add(const TrialRecord& trial);
+  void add(const study::TrialRecord& trial);
 
   /// Written as CSV and read again, so that a bundle and its features.csv give the same numbers.
-  [[nodiscard]] DataTable table() const;
+  [[nodiscard]] table::DataTable table() const;
 
  private:
   Table features_;

@@ -75,23 +75,23 @@ int run(Arguments arguments) {
   }
   ReportOutput output(common, "gate");
   const double approach_m = effective_robot(opened.bundle.info, opened.parameters).body_width_m;
-  std::vector<GateRow> rows;
-  const auto extra = [&](const StudiedTrial& trial) -> std::function<void()> {
-    const GateRow row{
-        trial.row->trial_id, trial.row->success, gate_pass(trial.series.ticks, approach_m)};
+  std::vector<study::GateRow> rows;
+  const auto extra = [&](const study::StudiedTrial& trial) -> std::function<void()> {
+    const study::GateRow row{
+        trial.row->trial_id, trial.row->success, study::gate_pass(trial.series.ticks, approach_m)};
     return [&rows, row] { rows.push_back(row); };
   };
   const CertifySummary summary = certify_trials(opened, common, nullptr, {}, {}, extra);
-  EvenChanceOptions study_options;
+  study::EvenChanceOptions study_options;
   study_options.level = options.level;
   study_options.replicates = static_cast<std::size_t>(options.replicates);
   study_options.seed = static_cast<std::uint64_t>(common.seed);
   const ThreadLimit threads(common.threads);
-  FitReport result = gate_report(gate_study(std::move(rows), study_options));
+  FitReport result = gate_report(study::gate_study(std::move(rows), study_options));
   result.synthetic = synthetic_label(opened.bundle.info);
   Manifest manifest = manifest_of("gate", opened, common, summary);
   manifest.seed = study_options.seed;
-  const bool failed = has_error(result.conditions);
+  const bool failed = statistics::has_error(result.conditions);
   output.deliver(std::move(result), options.table, std::move(manifest));
   return failed ? exit_bad_data : report(summary, opened, common);
 }

@@ -24,7 +24,7 @@ TrackingErrorTable tracking_error_table(const std::string& path, const CommonOpt
   }
   const DataFile file = read_data_file(path, {}, common);
   try {
-    return TrackingErrorTable(tracking_error_grid(file.table));
+    return TrackingErrorTable(study::tracking_error_grid(file.table));
   } catch (const std::invalid_argument& error) {
     throw BadData("'" + path + "': " + error.what());
   }

@@ -13,11 +13,11 @@ namespace tcert::cli {
 namespace {
 
 /// "m3", "m3:larger", "m3:smaller"; a predictor of the paper keeps its own direction and landmark.
-H1Predictor predictor_of(const std::string& option, const std::string& word) {
+study::H1Predictor predictor_of(const std::string& option, const std::string& word) {
   const auto colon = word.find(':');
   const std::string column = word.substr(0, colon);
-  H1Predictor predictor{column, HigherMeans::success, ""};
-  for (const H1Predictor& known : paper_predictors()) {
+  study::H1Predictor predictor{column, statistics::HigherMeans::success, ""};
+  for (const study::H1Predictor& known : study::paper_predictors()) {
     if (known.column == column) {
       predictor = known;
     }
@@ -28,17 +28,18 @@ H1Predictor predictor_of(const std::string& option, const std::string& word) {
       throw UsageError("--" + option + ": found '" + word +
                        "', expected COLUMN, COLUMN:larger or COLUMN:smaller");
     }
-    predictor.higher = direction == "larger" ? HigherMeans::success : HigherMeans::failure;
+    predictor.higher =
+        direction == "larger" ? statistics::HigherMeans::success : statistics::HigherMeans::failure;
   }
   return predictor;
 }
 
-std::vector<H1Predictor> predictors_of(const HypothesesOptions& options) {
+std::vector<study::H1Predictor> predictors_of(const HypothesesOptions& options) {
   if (options.predictor.empty() && options.baselines.empty()) {
-    return paper_predictors();
+    return study::paper_predictors();
   }
-  std::vector<H1Predictor> predictors;
-  predictors.push_back(options.predictor.empty() ? paper_predictors().front()
+  std::vector<study::H1Predictor> predictors;
+  predictors.push_back(options.predictor.empty() ? study::paper_predictors().front()
                                                  : predictor_of("predictor", options.predictor));
   for (const std::string& word : words_of(options.baselines)) {
     predictors.push_back(predictor_of("baselines", word));
@@ -118,26 +119,26 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
   add("table", text(o.table, "NAME"), "print only this table; a wrong name lists them");
 }
 
-BootstrapMethod interval_method(const std::string& name) {
+statistics::BootstrapMethod interval_method(const std::string& name) {
   if (name == "expanded") {
-    return BootstrapMethod::expanded;
+    return statistics::BootstrapMethod::expanded;
   }
   if (name == "percentile") {
-    return BootstrapMethod::percentile;
+    return statistics::BootstrapMethod::percentile;
   }
   if (name == "bca") {
-    return BootstrapMethod::bca;
+    return statistics::BootstrapMethod::bca;
   }
   throw UsageError("--interval: found '" + name + "', expected expanded, percentile or bca");
 }
 
-H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common) {
+study::H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common) {
   require_range("replicates", static_cast<double>(options.replicates), 1, 1e6);
   require_range("folds", static_cast<double>(options.folds), 2, 1000);
   if (!(options.level > 0.0 && options.level < 1.0)) {
     throw UsageError("--level: expected a value between 0 and 1");
   }
-  H1Options h1;
+  study::H1Options h1;
   h1.predictors = predictors_of(options);
   h1.success = outcome_column(options.success).column;
   h1.time = options.time;
@@ -145,7 +146,7 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   h1.strata = options.strata;
   h1.interval = interval_method(options.interval);
   // A default may be absent; what was asked for may not.
-  const H1Options defaults;
+  const study::H1Options defaults;
   for (const auto& [name, usual] : {std::pair(h1.time, defaults.time),
                                     std::pair(h1.cluster, defaults.cluster),
                                     std::pair(h1.strata, defaults.strata)}) {
@@ -179,7 +180,7 @@ H1Options h1_options(const HypothesesOptions& options, const CommonOptions& comm
   return h1;
 }
 
-H2Options h2_options(const HypothesesOptions& options, const CommonOptions& common) {
+study::H2Options h2_options(const HypothesesOptions& options, const CommonOptions& common) {
   require_range("permutations", static_cast<double>(options.permutations), 1, 1e6);
   if (!options.baselines.empty()) {
     throw UsageError("--baselines: h2 has none; name one --predictor");
@@ -190,7 +191,7 @@ H2Options h2_options(const HypothesesOptions& options, const CommonOptions& comm
   if (!(options.margin > 0.0 && options.margin < 1.0)) {
     throw UsageError("--margin: expected a value between 0 and 1");
   }
-  H2Options h2;
+  study::H2Options h2;
   h2.trials = h1_options(options, common);
   h2.trials.predictors.resize(1);
   h2.trials.group = options.group;

@@ -39,13 +39,15 @@ struct HypothesesOptions {
 void add_h1_options(po::options_description& own, HypothesesOptions& o);
 
 /// \throws UsageError unless it is expanded, percentile or bca.
-[[nodiscard]] BootstrapMethod interval_method(const std::string& name);
+[[nodiscard]] statistics::BootstrapMethod interval_method(const std::string& name);
 
 /// \throws UsageError for a value out of range.
-[[nodiscard]] H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common);
+[[nodiscard]] study::H1Options h1_options(const HypothesesOptions& options,
+                                          const CommonOptions& common);
 
 /// The same trials and the first predictor, by groups. \throws UsageError likewise, or if baselines
 /// are given.
-[[nodiscard]] H2Options h2_options(const HypothesesOptions& options, const CommonOptions& common);
+[[nodiscard]] study::H2Options h2_options(const HypothesesOptions& options,
+                                          const CommonOptions& common);
 
 }  // namespace tcert::cli

@@ -19,17 +19,17 @@ namespace tcert::cli {
 namespace {
 
 struct Study {
-  DataTable table;
+  table::DataTable table;
   std::optional<SyntheticLabel> synthetic;
   Manifest manifest;
   int exit_code = exit_done;
 };
 
 Study study_of_table(const H3CommandOptions& options,
-                     const H3Options& h3,
+                     const study::H3Options& h3,
                      const CommonOptions& common) {
   Study study;
-  DataFile file = read_data_file(options.replays, columns_of(h3), common);
+  DataFile file = read_data_file(options.replays, study::columns_of(h3), common);
   study.table = std::move(file.table);
   study.synthetic = file.synthetic;
   study.manifest.command = "hypotheses";
@@ -40,14 +40,14 @@ Study study_of_table(const H3CommandOptions& options,
 }
 
 // Written as CSV and read again, so that a bundle and its replay.csv give the same numbers.
-DataTable read_back(const Table& replays) {
-  CsvOptions csv;
+table::DataTable read_back(const Table& replays) {
+  table::CsvOptions csv;
   csv.file = "replay.csv";
-  DataTableResult read =
-      read_data_table(Bytes::copy_of(render(replays, TableFormat::csv)), {}, csv);
+  table::DataTableResult read =
+      table::read_data_table(table::Bytes::copy_of(render(replays, TableFormat::csv)), {}, csv);
   if (!read.table) {
     throw std::logic_error("the replays cannot be read back: " +
-                           to_string(read.diagnostics.front()));
+                           table::to_string(read.diagnostics.front()));
   }
   return std::move(*read.table);
 }
@@ -56,12 +56,12 @@ Study study_of_bundle(const H3CommandOptions& options,
                       const std::string& bundle,
                       const CommonOptions& common) {
   const OpenedBundle opened = open_for(bundle, common);
-  const ReplaySetup setup = replay_setup(options.laws, opened.parameters, common);
+  const study::ReplaySetup setup = replay_setup(options.laws, opened.parameters, common);
   Table replays = replay_table();
-  const auto extra = [&](const StudiedTrial& trial) -> std::function<void()> {
+  const auto extra = [&](const study::StudiedTrial& trial) -> std::function<void()> {
     auto rows = std::make_shared<std::vector<std::vector<TableCell>>>();
-    for (const ReplayedTrial& one :
-         replay_trial(trial, opened.bundle.info, opened.parameters, setup)) {
+    for (const study::ReplayedTrial& one :
+         study::replay_trial(trial, opened.bundle.info, opened.parameters, setup)) {
       rows->push_back(replay_row(one.record));
     }
     return [&replays, rows] {
@@ -107,7 +107,7 @@ int run_h3(const H3CommandOptions& options, const H3Shared& shared, const Common
   require_range("replicates", static_cast<double>(shared.replicates), 1, 1e6);
   require_range("loss-margin", options.loss_margin, 1e-9, 1.0 - 1e-9);
   require_range("level", shared.level, 1e-9, 1.0 - 1e-9);
-  H3Options h3;
+  study::H3Options h3;
   h3.gated = options.gated;
   h3.baseline = options.baseline;
   h3.cluster = shared.cluster;
@@ -122,13 +122,13 @@ int run_h3(const H3CommandOptions& options, const H3Shared& shared, const Common
                                         : study_of_table(options, h3, common);
   FitReport result;
   try {
-    result = h3_report(hypothesis_h3(study.table, h3));
+    result = h3_report(study::hypothesis_h3(study.table, h3));
   } catch (const std::invalid_argument& error) {
     throw BadData(error.what());
   }
   result.synthetic = study.synthetic;
   study.manifest.seed = h3.seed;
-  const bool failed = has_error(result.conditions);
+  const bool failed = statistics::has_error(result.conditions);
   output.deliver(std::move(result), shared.table, std::move(study.manifest));
   return failed ? exit_bad_data : study.exit_code;
 }

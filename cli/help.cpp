@@ -87,12 +87,12 @@ Table parameter_listing() {
                    {"stage", "changes from", "", ColumnKind::text},
                    {"accepts", "accepts", "", ColumnKind::text},
                    {"doc", "what, and when to change it", "", ColumnKind::text}};
-  const ParameterSet defaults;
-  for (const ParameterInfo& parameter : parameter_table()) {
+  const study::ParameterSet defaults;
+  for (const study::ParameterInfo& parameter : study::parameter_table()) {
     table.add_row({std::string(parameter.key),
                    parameter.get(defaults),
                    std::string(parameter.unit),
-                   std::string(to_string(parameter.stage)),
+                   std::string(study::to_string(parameter.stage)),
                    parameter.accepts,
                    std::string(parameter.doc)});
   }

@@ -112,7 +112,7 @@ Study study_of_bundle(const HypothesesOptions& options, const CommonOptions& com
   FeatureData features(opened.bundle);
   Study study;
   const CertifySummary summary = certify_trials(
-      opened, common, nullptr, {}, [&](TrialRecord&& trial) { features.add(trial); });
+      opened, common, nullptr, {}, [&](study::TrialRecord&& trial) { features.add(trial); });
   study.file.path = options.bundle;
   study.file.table = features.table();
   study.file.synthetic = synthetic_label(opened.bundle.info);
@@ -121,11 +121,11 @@ Study study_of_bundle(const HypothesesOptions& options, const CommonOptions& com
   return study;
 }
 
-void say_conditions(const std::vector<H1Panel>& panels) {
-  for (const H1Panel& panel : panels) {
-    for (const Condition& condition : panel.conditions) {
-      say("tcert hypotheses: " + std::string(to_string(panel.kind)) +
-          " panel: " + to_string(condition));
+void say_conditions(const std::vector<study::H1Panel>& panels) {
+  for (const study::H1Panel& panel : panels) {
+    for (const statistics::Condition& condition : panel.conditions) {
+      say("tcert hypotheses: " + std::string(study::to_string(panel.kind)) +
+          " panel: " + statistics::to_string(condition));
     }
   }
 }
@@ -133,22 +133,23 @@ void say_conditions(const std::vector<H1Panel>& panels) {
 /// What a hypothesis reads of a table, and what it says of it.
 struct Hypothesis {
   std::vector<std::string> columns;
-  std::function<FitReport(const DataTable&)> test;
+  std::function<FitReport(const table::DataTable&)> test;
 };
 
 Hypothesis hypothesis_of(const HypothesesOptions& options, const CommonOptions& common) {
   if (options.hypothesis == "h1") {
-    const H1Options h1 = h1_options(options, common);
-    return {columns_of(h1), [h1](const DataTable& table) {
-              const H1Table tested = hypothesis_h1(table, h1);
+    const study::H1Options h1 = h1_options(options, common);
+    return {study::columns_of(h1), [h1](const table::DataTable& table) {
+              const study::H1Table tested = study::hypothesis_h1(table, h1);
               say_conditions(tested.panels);
               return h1_report(tested);
             }};
   }
   if (options.hypothesis == "h2") {
-    const H2Options h2 = h2_options(options, common);
-    return {columns_of(h2),
-            [h2](const DataTable& table) { return h2_report(hypothesis_h2(table, h2)); }};
+    const study::H2Options h2 = h2_options(options, common);
+    return {study::columns_of(h2), [h2](const table::DataTable& table) {
+              return h2_report(study::hypothesis_h2(table, h2));
+            }};
   }
   throw UsageError("unknown hypothesis '" + options.hypothesis + "', expected h1, h2 or h3");
 }
@@ -227,12 +228,12 @@ int run(Arguments arguments) {
         code_outcome_column(outcome_column(options.success), study.file.table);
     result = hypothesis.test(study.file.table);
     name_outcome_texts(texts, result);
-  } catch (const FormulaError& error) {
+  } catch (const statistics::FormulaError& error) {
     throw UsageError(error.what());
   }
   result.synthetic = study.file.synthetic;
   study.manifest.seed = static_cast<std::uint64_t>(common.seed);
-  const bool failed = has_error(result.conditions);
+  const bool failed = statistics::has_error(result.conditions);
   output.deliver(std::move(result), options.table, std::move(study.manifest));
   return failed ? exit_bad_data : study.exit_code;
 }

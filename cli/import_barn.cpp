@@ -59,15 +59,15 @@ CommandLine command_line(ImportOptions& o) {
   return line;
 }
 
-TextTable table_of(const std::string& option, const std::string& file) {
+table::TextTable table_of(const std::string& option, const std::string& file) {
   if (file.empty()) {
     throw UsageError("needs --" + option + " FILE");
   }
   if (!std::filesystem::exists(file)) {
     throw NoInput("no table at '" + file + "'");
   }
-  TextTableResult result = read_text_table(std::filesystem::path(file), {"world"});
-  for (Diagnostic& diagnostic : result.diagnostics) {
+  table::TextTableResult result = table::read_text_table(std::filesystem::path(file), {"world"});
+  for (table::Diagnostic& diagnostic : result.diagnostics) {
     // There is no bundle.json to rename columns in.
     const auto advice = diagnostic.expectation.find("; rename");
     diagnostic.expectation.resize(std::min(advice, diagnostic.expectation.size()));
@@ -136,8 +136,8 @@ int import_barn_command(Arguments arguments) {
     throw UsageError("needs --output FILE");
   }
   require_own_file(common.output);
-  const TextTable trials = table_of("trials", options.trials);
-  const TextTable metrics = table_of("metrics", options.metrics);
+  const table::TextTable trials = table_of("trials", options.trials);
+  const table::TextTable metrics = table_of("metrics", options.metrics);
   BarnImportOptions barn;
   barn.planners = split(options.planners);
   barn.other_ports = !options.same_port;
@@ -168,7 +168,7 @@ int import_barn_command(Arguments arguments) {
   manifest.inputs = {{name_of(options.trials), digest_file(options.trials)},
                      {name_of(options.metrics), digest_file(options.metrics)}};
   write_with_manifest(common.output, *result.csv, std::move(manifest));
-  return has_error(result.diagnostics) ? exit_rejected : exit_done;
+  return table::has_error(result.diagnostics) ? exit_rejected : exit_done;
 }
 
 }  // namespace tcert::cli

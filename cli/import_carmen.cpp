@@ -72,9 +72,9 @@ CommandLine command_line(ImportOptions& o) {
 
 CarmenImportOptions carmen_options(const ImportOptions& options) {
   CarmenImportOptions carmen = options.carmen;
-  if (!is_file_name(carmen.trial_id)) {
-    throw UsageError("--trial-id: found '" + shortened(carmen.trial_id) + "', expected " +
-                     std::string(kFileNameRule));
+  if (!table::is_file_name(carmen.trial_id)) {
+    throw UsageError("--trial-id: found '" + table::shortened(carmen.trial_id) + "', expected " +
+                     std::string(table::kFileNameRule));
   }
   require_range("start-radius", carmen.start_radius_m, 1e-3, 1e3);
   require_range("body-width", carmen.body_width_m, 1e-3, 1e3);

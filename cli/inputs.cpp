@@ -52,10 +52,10 @@ std::vector<std::size_t> choose(const Bundle& bundle, const std::string& list) {
 }
 
 template <class Error>
-void apply(const Settings& settings, ParameterSet& parameters, const std::string& source) {
+void apply(const Settings& settings, study::ParameterSet& parameters, const std::string& source) {
   for (const auto& [key, value] : settings) {
     try {
-      set_parameter(parameters, key, value);
+      study::set_parameter(parameters, key, value);
     } catch (const std::invalid_argument& error) {
       throw Error(source + error.what());
     }
@@ -78,7 +78,7 @@ OpenedBundle open_for(const std::string& path,
   if (!result.bundle) {
     throw BadData("'" + path + "' is not a bundle that can be used");
   }
-  if (common.strict && has_error(result.diagnostics)) {
+  if (common.strict && table::has_error(result.diagnostics)) {
     throw BadData("'" + path + "' has trials that are rejected, and --strict was asked for");
   }
   OpenedBundle opened;
@@ -90,22 +90,22 @@ OpenedBundle open_for(const std::string& path,
   return opened;
 }
 
-ParameterSet effective_parameters(const std::map<std::string, std::string>& of_bundle,
-                                  const CommonOptions& common) {
-  ParameterSet parameters;
+study::ParameterSet effective_parameters(const std::map<std::string, std::string>& of_bundle,
+                                         const CommonOptions& common) {
+  study::ParameterSet parameters;
   apply<BadData>(Settings(of_bundle.begin(), of_bundle.end()), parameters, "bundle.json: ");
   apply<UsageError>(common.file_parameters, parameters, "");
   apply<UsageError>(common.flag_parameters, parameters, "");
   try {
-    validate(parameters);
+    study::validate(parameters);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
   return parameters;
 }
 
-Robot effective_robot(const BundleInfo& info, const ParameterSet& parameters) {
-  Robot robot = with_overrides(info.robot, parameters.robot);
+Robot effective_robot(const BundleInfo& info, const study::ParameterSet& parameters) {
+  Robot robot = study::with_overrides(info.robot, parameters.robot);
   try {
     validate(robot);
   } catch (const std::invalid_argument& error) {
@@ -114,15 +114,15 @@ Robot effective_robot(const BundleInfo& info, const ParameterSet& parameters) {
   return robot;
 }
 
-Settings as_settings(const ParameterSet& parameters, const Robot& robot) {
-  const Robot effective = with_overrides(robot, parameters.robot);
-  ParameterSet shown = parameters;
+Settings as_settings(const study::ParameterSet& parameters, const Robot& robot) {
+  const Robot effective = study::with_overrides(robot, parameters.robot);
+  study::ParameterSet shown = parameters;
   shown.robot = {effective.body_width_m,
                  effective.min_turn_radius_m,
                  effective.tracking_buffer_m,
                  effective.curvature_buffer_per_m};
   Settings settings;
-  for (const ParameterInfo& parameter : parameter_table()) {
+  for (const study::ParameterInfo& parameter : study::parameter_table()) {
     settings.emplace_back(parameter.key, parameter.get(shown));
   }
   return settings;

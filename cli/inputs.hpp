@@ -18,9 +18,9 @@ enum class SayDiagnostics { yes, no };
 
 struct OpenedBundle {
   Bundle bundle;
-  std::vector<Diagnostic> diagnostics;  ///< Of bundle.json and trials.csv.
-  std::vector<std::size_t> trials;      ///< Indices of those chosen with --trials.
-  ParameterSet parameters;
+  std::vector<table::Diagnostic> diagnostics;  ///< Of bundle.json and trials.csv.
+  std::vector<std::size_t> trials;             ///< Indices of those chosen with --trials.
+  study::ParameterSet parameters;
 };
 
 /// Says the problems of bundle.json and trials.csv on stderr, unless the caller lists them itself;
@@ -33,14 +33,14 @@ struct OpenedBundle {
 
 /// Defaults, then those of the bundle, of the config file, of the flags. \throws BadData,
 /// UsageError.
-[[nodiscard]] ParameterSet effective_parameters(const std::map<std::string, std::string>& of_bundle,
-                                                const CommonOptions& common);
+[[nodiscard]] study::ParameterSet effective_parameters(
+    const std::map<std::string, std::string>& of_bundle, const CommonOptions& common);
 
 /// The bundle's robot with the overrides in place. \throws UsageError if that is no robot.
-[[nodiscard]] Robot effective_robot(const BundleInfo& info, const ParameterSet& parameters);
+[[nodiscard]] Robot effective_robot(const BundleInfo& info, const study::ParameterSet& parameters);
 
 /// Every parameter with its value, for the manifest: overrides of the robot as they take effect.
-[[nodiscard]] Settings as_settings(const ParameterSet& parameters, const Robot& robot);
+[[nodiscard]] Settings as_settings(const study::ParameterSet& parameters, const Robot& robot);
 
 /// True if `name` matches a pattern in which * stands for any text and ? for one character.
 [[nodiscard]] bool matches(std::string_view pattern, std::string_view name) noexcept;

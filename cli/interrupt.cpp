@@ -48,7 +48,7 @@ void wait_for(const sigset_t& set) {
       continue;
     }
     if (descriptor == -1) {
-      remove_unfinished();
+      table::remove_unfinished();
     }
     end_by(signal, set);
   }

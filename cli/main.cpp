@@ -56,10 +56,10 @@ int exit_code_of_current_exception(const std::string& who) {
   } catch (const BadData& error) {
     say(who + ": " + error.what());
     return exit_bad_data;
-  } catch (const WriteError& error) {
+  } catch (const table::WriteError& error) {
     say(who + ": " + error.what());
     return exit_cannot_write;
-  } catch (const OutOfResources& error) {
+  } catch (const table::OutOfResources& error) {
     say(who + ": " + error.what());
     return exit_system;
   } catch (const std::bad_alloc&) {

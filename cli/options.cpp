@@ -77,16 +77,16 @@ po::options_description common_description(unsigned use, CommonOptions& o) {
 /// Every key of the parameter table, taken as text: the table reads it.
 po::options_description parameter_description() {
   po::options_description keys;
-  for (const ParameterInfo& parameter : parameter_table()) {
+  for (const study::ParameterInfo& parameter : study::parameter_table()) {
     keys.add_options()(std::string(parameter.key).c_str(), po::value<std::string>());
   }
   return keys;
 }
 
 bool is_parameter(std::string_view name) {
-  const auto table = parameter_table();
+  const auto table = study::parameter_table();
   return std::any_of(
-      table.begin(), table.end(), [&](const ParameterInfo& one) { return one.key == name; });
+      table.begin(), table.end(), [&](const study::ParameterInfo& one) { return one.key == name; });
 }
 
 std::vector<std::string> names_of(const po::options_description& options) {
@@ -123,7 +123,7 @@ void read_config(const std::string& path,
                  const po::options_description& all,
                  po::variables_map& values,
                  CommonOptions& common) {
-  const BytesResult bytes = read_raw_file(path);
+  const table::BytesResult bytes = table::read_raw_file(path);
   if (!bytes.bytes) {
     throw NoInput("cannot read the config file '" + path + "': " + bytes.problem);
   }
@@ -159,7 +159,7 @@ std::string as_text(const boost::any& value) {
   }
   std::string text;
   if (const auto* number = boost::any_cast<double>(&value)) {
-    append_number(text, *number);
+    table::append_number(text, *number);
   }
   return text;
 }
@@ -353,7 +353,7 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
     po::notify(values);
   } catch (const po::unknown_option& error) {
     const std::string name = without_dashes(error.get_option_name());
-    const auto nearest = nearest_name(name, names_of(all));
+    const auto nearest = table::nearest_name(name, names_of(all));
     throw UsageError("unknown option '" + error.get_option_name() + "'" +
                      (nearest ? "; did you mean '--" + *nearest + "'?" : ""));
   } catch (const po::invalid_option_value& error) {
@@ -363,7 +363,7 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
   }
   take_positional(line, values);
   check_common(common);
-  require_output_place(common.output);
+  table::require_output_place(common.output);
   common.effective = effective_options(values, shown);
   common.arguments = arguments_of(line, values, shown, common);
   for (const auto& [name, value] : values) {
@@ -384,16 +384,16 @@ void require_range(std::string_view option, double value, double low, double hig
     return;
   }
   std::string text = "--" + std::string(option) + ": found ";
-  append_number(text, value);
+  table::append_number(text, value);
   text += ", expected a value from ";
-  append_number(text, low);
+  table::append_number(text, low);
   text += " to ";
-  append_number(text, high);
+  table::append_number(text, high);
   throw UsageError(text);
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
-  const auto nearest = nearest_name(name, known);
+  const auto nearest = table::nearest_name(name, known);
   return nearest ? "; did you mean '" + *nearest + "'?" : "";
 }
 

@@ -23,20 +23,20 @@ OutcomeColumn outcome_column(const std::string& option) {
   return outcome;
 }
 
-OutcomeTexts code_outcome_column(const OutcomeColumn& outcome, DataTable& table) {
-  OutcomeCoding coding;
+OutcomeTexts code_outcome_column(const OutcomeColumn& outcome, table::DataTable& table) {
+  statistics::OutcomeCoding coding;
   try {
-    coding = code_outcome(table, outcome.column, outcome.words);
-  } catch (const FormulaError& error) {
+    coding = statistics::code_outcome(table, outcome.column, outcome.words);
+  } catch (const statistics::FormulaError& error) {
     const bool is_there = table.find(outcome.column) != nullptr;
-    throw FormulaError(std::string(error.what()) +
-                       (is_there && outcome.words.empty()
-                            ? "; --success '" + outcome.column +
-                                  "=WORD[,WORD]' names the words that count as success"
-                            : ""));
+    throw statistics::FormulaError(std::string(error.what()) +
+                                   (is_there && outcome.words.empty()
+                                        ? "; --success '" + outcome.column +
+                                              "=WORD[,WORD]' names the words that count as success"
+                                        : ""));
   }
   const auto column =
-      std::find_if(table.columns.begin(), table.columns.end(), [&](const DataColumn& one) {
+      std::find_if(table.columns.begin(), table.columns.end(), [&](const table::DataColumn& one) {
         return one.name == outcome.column;
       });
   *column = {outcome.column, false, std::move(coding.values), {}, false, {}};
@@ -54,13 +54,15 @@ void name_outcome_texts(const OutcomeTexts& texts, FitReport& report) {
   say("tcert hypotheses: note: column '" + texts.column + "': " + detail);
   report.settings.emplace_back("event_level", texts.success);
   report.settings.emplace_back("reference_level", texts.failure);
-  report.conditions.push_back(
-      {ConditionKind::text_outcome, ConditionSeverity::note, texts.column, std::move(detail)});
+  report.conditions.push_back({statistics::ConditionKind::text_outcome,
+                               statistics::ConditionSeverity::note,
+                               texts.column,
+                               std::move(detail)});
 }
 
-void refuse_missing_words(std::span<const std::string> columns, const DataTable& table) {
+void refuse_missing_words(std::span<const std::string> columns, const table::DataTable& table) {
   for (const std::string& name : columns) {
-    tcert::refuse_missing_words(table, table.find(name));
+    tcert::statistics::refuse_missing_words(table, table.find(name));
   }
 }
 

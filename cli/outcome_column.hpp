@@ -27,7 +27,8 @@ struct OutcomeTexts {
 };
 
 /// Makes the column one of 0 and 1. \throws FormulaError that names the cell and the way out.
-[[nodiscard]] OutcomeTexts code_outcome_column(const OutcomeColumn& outcome, DataTable& table);
+[[nodiscard]] OutcomeTexts code_outcome_column(const OutcomeColumn& outcome,
+                                               table::DataTable& table);
 
 /// Says which texts count as what: on stderr, and in the report as a note and the settings
 /// event_level and reference_level, as `fit` has them. Nothing of an outcome of 0 and 1.
@@ -35,6 +36,6 @@ void name_outcome_texts(const OutcomeTexts& texts, FitReport& report);
 
 /// \throws FormulaError if one of these columns holds numbers or truth values and words for missing
 /// cells (N/A, null): each would be a group or a cluster of its own.
-void refuse_missing_words(std::span<const std::string> columns, const DataTable& table);
+void refuse_missing_words(std::span<const std::string> columns, const table::DataTable& table);
 
 }  // namespace tcert::cli

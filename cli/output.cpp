@@ -28,7 +28,7 @@ void print(std::string_view text) {
   }
   std::string escaped;
   if (::isatty(STDOUT_FILENO) == 1) {
-    escaped = printable_lines(text);
+    escaped = table::printable_lines(text);
     text = escaped;
   }
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
@@ -37,17 +37,17 @@ void print(std::string_view text) {
   if (errno == EPIPE) {
     throw BrokenPipe("stdout");
   }
-  throw WriteError("cannot write to stdout: " + std::generic_category().message(errno));
+  throw table::WriteError("cannot write to stdout: " + std::generic_category().message(errno));
 }
 
 void say(std::string_view lines) {
-  const std::string text = printable_lines(lines) + '\n';
+  const std::string text = table::printable_lines(lines) + '\n';
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-void say(std::span<const Diagnostic> diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics) {
-    say(to_string(diagnostic));
+void say(std::span<const table::Diagnostic> diagnostics) {
+  for (const table::Diagnostic& diagnostic : diagnostics) {
+    say(table::to_string(diagnostic));
   }
 }
 

@@ -27,7 +27,7 @@ class SilentPrint {
 void say(std::string_view lines);
 
 /// One line each on stderr.
-void say(std::span<const Diagnostic> diagnostics);
+void say(std::span<const table::Diagnostic> diagnostics);
 
 /// \throws UsageError if writing `output` would replace `input`: it is that folder or holds it.
 void require_apart(const std::filesystem::path& input, const std::filesystem::path& output);

@@ -64,21 +64,22 @@ CommandLine command_line(ReplayCommandOptions& o) {
 }
 
 std::string name_of(const SpeedLaw& law) {
-  std::string name(to_string(law.kind));
+  std::string name(study::to_string(law.kind));
   name += '_';
-  append_number(name, law.beta_per_m);
+  table::append_number(name, law.beta_per_m);
   return name;
 }
 
 /// Cells before those of the audit log.
-std::string audit_prefix(const ReplayRecord& record, const std::optional<SyntheticLabel>& label) {
+std::string audit_prefix(const study::ReplayRecord& record,
+                         const std::optional<SyntheticLabel>& label) {
   std::string prefix;
   if (label) {
     prefix += (label->seed ? std::to_string(*label->seed) : "") + ',';
   }
-  append_text(prefix, record.trial.trial_id);
-  prefix += ',' + std::string(to_string(record.law.kind)) + ',';
-  append_number(prefix, record.law.beta_per_m);
+  table::append_text(prefix, record.trial.trial_id);
+  prefix += ',' + std::string(study::to_string(record.law.kind)) + ',';
+  table::append_number(prefix, record.law.beta_per_m);
   return prefix + ',';
 }
 
@@ -88,7 +89,7 @@ class ReplayFiles {
   ReplayFiles(const ResultFolder& folder, const OpenedBundle& opened, bool series)
       : folder_(folder),
         parameters_(opened.parameters),
-        robot_(with_overrides(opened.bundle.info.robot, opened.parameters.robot)),
+        robot_(study::with_overrides(opened.bundle.info.robot, opened.parameters.robot)),
         label_(synthetic_label(opened.bundle.info)),
         series_(series),
         table_(replay_table()),
@@ -103,10 +104,10 @@ class ReplayFiles {
   }
 
   /// Thread-safe: what is to be written of a trial, and the series at once.
-  [[nodiscard]] std::string audit_of(const StudiedTrial& trial,
-                                     const std::vector<ReplayedTrial>& replayed) const {
+  [[nodiscard]] std::string audit_of(const study::StudiedTrial& trial,
+                                     const std::vector<study::ReplayedTrial>& replayed) const {
     std::string audit;
-    for (const ReplayedTrial& one : replayed) {
+    for (const study::ReplayedTrial& one : replayed) {
       const std::string prefix = audit_prefix(one.record, label_);
       for (std::size_t i = 0; i < trial.ticks.size(); ++i) {
         append_audit_rows(audit,
@@ -123,9 +124,9 @@ class ReplayFiles {
     return audit;
   }
 
-  void add(const std::vector<ReplayRecord>& records, const std::string& audit) {
+  void add(const std::vector<study::ReplayRecord>& records, const std::string& audit) {
     std::string rows;
-    for (const ReplayRecord& record : records) {
+    for (const study::ReplayRecord& record : records) {
       append_csv_row(rows, table_, replay_row(record));
     }
     replays_.write(rows);
@@ -138,7 +139,7 @@ class ReplayFiles {
   }
 
  private:
-  void write_series(const StudiedTrial& trial, const ReplayedTrial& one) const {
+  void write_series(const study::StudiedTrial& trial, const study::ReplayedTrial& one) const {
     const SeriesFormat format{one.record.law, false, label_, true};
     std::string text = series_header(format, robot_);
     for (std::size_t i = 0; i < trial.ticks.size(); ++i) {
@@ -157,7 +158,7 @@ class ReplayFiles {
   }
 
   const ResultFolder& folder_;
-  const ParameterSet& parameters_;
+  const study::ParameterSet& parameters_;
   Robot robot_;
   std::optional<SyntheticLabel> label_;
   bool series_;
@@ -176,7 +177,7 @@ int run(Arguments arguments) {
     throw UsageError("--series needs --output");
   }
   const OpenedBundle opened = open_for(options.bundle, common);
-  ReplaySetup setup = replay_setup(options.laws, opened.parameters, common);
+  study::ReplaySetup setup = replay_setup(options.laws, opened.parameters, common);
   setup.replan = options.replan;
   if (setup.replan && !opened.bundle.info.course.goal) {
     throw UsageError("--replan needs a bundle with a goal");
@@ -189,15 +190,15 @@ int run(Arguments arguments) {
     files.emplace(*folder, opened, options.series);
   }
   ReplayTotals totals;
-  const auto extra = [&](const StudiedTrial& trial) -> std::function<void()> {
-    const auto replayed = replay_trial(trial, opened.bundle.info, opened.parameters, setup);
-    auto records = std::make_shared<std::vector<ReplayRecord>>();
-    for (const ReplayedTrial& one : replayed) {
+  const auto extra = [&](const study::StudiedTrial& trial) -> std::function<void()> {
+    const auto replayed = study::replay_trial(trial, opened.bundle.info, opened.parameters, setup);
+    auto records = std::make_shared<std::vector<study::ReplayRecord>>();
+    for (const study::ReplayedTrial& one : replayed) {
       records->push_back(one.record);
     }
     auto audit = std::make_shared<std::string>(files ? files->audit_of(trial, replayed) : "");
     return [&, records, audit] {
-      for (const ReplayRecord& record : *records) {
+      for (const study::ReplayRecord& record : *records) {
         totals.add(record);
       }
       if (files) {

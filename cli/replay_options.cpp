@@ -30,15 +30,15 @@ void add_replay_law_options(po::options_description& own, ReplayLawOptions& opti
   add_tracking_error_option(own, options.tracking_error);
 }
 
-ReplaySetup replay_setup(const ReplayLawOptions& options,
-                         const ParameterSet& parameters,
-                         const CommonOptions& common) {
+study::ReplaySetup replay_setup(const ReplayLawOptions& options,
+                                const study::ParameterSet& parameters,
+                                const CommonOptions& common) {
   const std::vector<double> betas = numbers_of("betas", options.betas);
   for (const double beta : betas) {
     require_range("betas", beta, 1e-6, 1e6);
   }
-  ReplaySetup setup;
-  setup.laws = law_grid(parameters.speed_law, kinds_of(options.laws), betas);
+  study::ReplaySetup setup;
+  setup.laws = study::law_grid(parameters.speed_law, kinds_of(options.laws), betas);
   if (setup.laws.empty()) {
     throw UsageError("--laws and --betas: nothing to replay at");
   }

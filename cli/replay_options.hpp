@@ -20,8 +20,8 @@ void add_replay_law_options(po::options_description& own, ReplayLawOptions& opti
 
 /// \throws UsageError for an unknown law or a beta that is not above 0; NoInput, BadData of the
 /// tracking-error table.
-[[nodiscard]] ReplaySetup replay_setup(const ReplayLawOptions& options,
-                                       const ParameterSet& parameters,
-                                       const CommonOptions& common);
+[[nodiscard]] study::ReplaySetup replay_setup(const ReplayLawOptions& options,
+                                              const study::ParameterSet& parameters,
+                                              const CommonOptions& common);
 
 }  // namespace tcert::cli

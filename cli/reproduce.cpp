@@ -179,11 +179,11 @@ Words joined(std::initializer_list<Words> parts) {
 /// Where the landmark of the features is, if not where it usually is.
 Words landmark_of(const OpenedBundle& opened) {
   const double time_s = opened.parameters.early_window.time_s;
-  if (time_s == ParameterSet().early_window.time_s) {
+  if (time_s == study::ParameterSet().early_window.time_s) {
     return {};
   }
   std::string text;
-  append_number(text, time_s);
+  table::append_number(text, time_s);
   return {"--landmark", text};
 }
 
@@ -259,7 +259,7 @@ int run(Arguments arguments) {
   }
   const bool own_corpus = options.bundle.empty();
   const fs::path output = common.output;
-  sweep_leftovers_in(output);
+  table::sweep_leftovers_in(output);
   remove_stale(output, options);
   const std::string bundle =
       own_corpus ? corpus_in(output / "corpus", false, options, common) : options.bundle;

@@ -21,20 +21,20 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-  throw WriteError("cannot write '" + path.string() +
-                   "': " + std::generic_category().message(error));
+  throw table::WriteError("cannot write '" + path.string() +
+                          "': " + std::generic_category().message(error));
 }
 
 /// True if there is something to replace and it may be. \throws WriteError if it may not.
 bool may_replace(const fs::path& folder, const std::string& command) {
-  require_output_place(folder);
+  table::require_output_place(folder);
   std::error_code error;
   if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) {
     return false;
   }
   const auto refuse = [&](const std::string& reason) {
-    throw WriteError("cannot replace the folder '" + folder.string() + "': " + reason +
-                     "; name another folder or remove this one");
+    throw table::WriteError("cannot replace the folder '" + folder.string() + "': " + reason +
+                            "; name another folder or remove this one");
   };
   const auto written = read_manifest(folder / "manifest.json");
   if (!written) {
@@ -63,15 +63,17 @@ std::FILE* open_for_writing(const fs::path& path) {
 /// \throws WriteError unless `name` leads to a place within `folder`, through folders that are none
 /// of them a link.
 void require_within(const fs::path& folder, const fs::path& name) {
-  if (!leads_below(name)) {
-    throw WriteError("cannot write '" + name.string() + "': it does not lie in the output folder");
+  if (!table::leads_below(name)) {
+    throw table::WriteError("cannot write '" + name.string() +
+                            "': it does not lie in the output folder");
   }
   fs::path place = folder;
   for (const fs::path& part : name.parent_path()) {
     place /= part;
     std::error_code error;
     if (fs::is_symlink(place, error)) {
-      throw WriteError("cannot write '" + name.string() + "': '" + part.string() + "' is a link");
+      throw table::WriteError("cannot write '" + name.string() + "': '" + part.string() +
+                              "' is a link");
     }
   }
 }
@@ -82,15 +84,15 @@ fs::path manifest_of(const fs::path& path) { return path.string() + ".manifest.j
 /// it gets it now if it is that of the file.
 void finish_interrupted(const fs::path& path) {
   std::error_code error;
-  const std::string wanted = name_in_temporary(manifest_of(path));
+  const std::string wanted = table::name_in_temporary(manifest_of(path));
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_regular_file(path, error)) {
     return;
   }
   std::vector<fs::path> leftovers;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const auto temporary = swept_name_from(at->path().filename().native());
-    if (temporary && temporary->name == wanted && is_forsaken(at->path(), *temporary)) {
+    const auto temporary = table::swept_name_from(at->path().filename().native());
+    if (temporary && temporary->name == wanted && table::is_forsaken(at->path(), *temporary)) {
       leftovers.push_back(at->path());
     }
   }
@@ -154,14 +156,14 @@ void ResultFolder::commit(Manifest manifest) {
   manifest.outputs = folder_outputs(staging());
   write("manifest.json", to_json(manifest));
   const auto refuse = [&](const std::string& reason) {
-    throw WriteError(reason +
-                     "; that happened while this command ran, and its results are dropped");
+    throw table::WriteError(reason +
+                            "; that happened while this command ran, and its results are dropped");
   };
   FolderState now = state_of(path_);
   if (now != before_) {
     try {
       may_replace(path_, command_);
-    } catch (const WriteError& error) {
+    } catch (const table::WriteError& error) {
       refuse(error.what());
     }
     now = state_of(path_);
@@ -179,7 +181,7 @@ bool is_current(const fs::path& folder, Manifest expected) {
   if (!fs::is_directory(folder, error)) {
     return false;
   }
-  const BytesResult found = read_raw_file(folder / "manifest.json");
+  const table::BytesResult found = table::read_raw_file(folder / "manifest.json");
   if (!found.bytes || !strange_entries(folder).empty()) {
     return false;
   }
@@ -193,23 +195,24 @@ void require_own_file(const fs::path& path) {
   if (path.empty()) {
     return;
   }
-  require_output_place(path);
-  require_output_place(manifest_of(path));
+  table::require_output_place(path);
+  table::require_output_place(manifest_of(path));
   finish_interrupted(path);
-  sweep_leftovers(path);
-  sweep_leftovers(manifest_of(path));
+  table::sweep_leftovers(path);
+  table::sweep_leftovers(manifest_of(path));
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
     return;
   }
   const auto written = read_manifest(path.string() + ".manifest.json");
   if (!written || written->outputs.size() != 1 || written->outputs[0].path != name_of(path)) {
-    throw WriteError("cannot replace '" + path.string() +
-                     "': it was not written by this tool; name another file or remove it");
+    throw table::WriteError("cannot replace '" + path.string() +
+                            "': it was not written by this tool; name another file or remove it");
   }
   if (written->outputs[0].digest.sha256 != digest_file(path).sha256) {
-    throw WriteError("cannot replace '" + path.string() +
-                     "': it was changed since it was written; name another file or remove it");
+    throw table::WriteError(
+        "cannot replace '" + path.string() +
+        "': it was changed since it was written; name another file or remove it");
   }
 }
 
@@ -219,7 +222,7 @@ void remove_own_folder(const fs::path& path, const std::string& command) {
     return;
   }
   // Out of everybody's way first, so that what is looked at is what is removed.
-  const fs::path aside = temporary_name((path / "").parent_path(), Leftover::swept);
+  const fs::path aside = table::temporary_name((path / "").parent_path(), table::Leftover::swept);
   std::error_code error;
   fs::rename(path, aside, error);
   if (error) {
@@ -227,8 +230,8 @@ void remove_own_folder(const fs::path& path, const std::string& command) {
   }
   if (state_of(aside) != before) {
     fs::rename(aside, path, error);
-    throw WriteError("cannot remove the folder '" + path.string() +
-                     "': something in it was added or changed just now");
+    throw table::WriteError("cannot remove the folder '" + path.string() +
+                            "': something in it was added or changed just now");
   }
   fs::remove_all(aside, error);
   if (error) {
@@ -248,11 +251,11 @@ void remove_own_file(const fs::path& path) {
 }
 
 void write_with_manifest(const fs::path& path, std::string_view text, Manifest manifest) {
-  AtomicFile file(path);
+  table::AtomicFile file(path);
   file.write(text);
   file.sync();
   manifest.outputs = {{name_of(path), {1, text.size(), sha256(text)}}};
-  AtomicFile beside(manifest_of(path));
+  table::AtomicFile beside(manifest_of(path));
   beside.write(to_json(manifest));
   beside.sync();
   require_own_file(path);

@@ -50,7 +50,7 @@ class ResultFolder {
   std::filesystem::path path_;
   std::string command_;
   FolderState before_;  ///< Of the folder that is to be replaced, when it was looked through.
-  AtomicFolder folder_;
+  table::AtomicFolder folder_;
 };
 
 /// True if `folder` holds what this manifest, made again, would list, every file with its bytes.

@@ -20,8 +20,8 @@ fs::path place() {
   std::error_code error;
   const fs::path folder = fs::temp_directory_path(error);
   if (error) {
-    throw WriteError("cannot make a scratch folder in '" + folder.string() +
-                     "': " + error.message() + "; TMPDIR must name a folder");
+    throw table::WriteError("cannot make a scratch folder in '" + folder.string() +
+                            "': " + error.message() + "; TMPDIR must name a folder");
   }
   return folder / "tcert";
 }
@@ -30,16 +30,16 @@ fs::path place() {
 
 ScratchFolder::ScratchFolder() {
   const fs::path beside = place();
-  sweep_leftovers(beside);
+  table::sweep_leftovers(beside);
   for (bool made = false; !made;) {
-    path_ = temporary_name(beside, Leftover::swept);
-    remove_when_interrupted(path_);
+    path_ = table::temporary_name(beside, table::Leftover::swept);
+    table::remove_when_interrupted(path_);
     made = ::mkdir(path_.c_str(), 0700) == 0;
     if (const int error = errno; !made) {
-      forget_interrupted(path_);
+      table::forget_interrupted(path_);
       if (error != EEXIST) {
-        throw WriteError("cannot make a scratch folder '" + path_.string() +
-                         "': " + std::generic_category().message(error));
+        throw table::WriteError("cannot make a scratch folder '" + path_.string() +
+                                "': " + std::generic_category().message(error));
       }
     }
   }
@@ -52,7 +52,7 @@ ScratchFolder::ScratchFolder() {
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
-  forget_interrupted(path_);
+  table::forget_interrupted(path_);
   if (lock_ >= 0) {
     ::close(lock_);
   }

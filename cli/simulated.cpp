@@ -28,7 +28,7 @@ Manifest manifest_of(const SimulatedCorpus& corpus) {
   manifest.options = {{"micro-study", corpus.micro_study ? "true" : "false"}};
   if (!corpus.micro_study) {
     std::string effect;
-    append_number(effect, corpus.options.effect);
+    table::append_number(effect, corpus.options.effect);
     manifest.options.insert(manifest.options.end(),
                             {{"trials", std::to_string(corpus.options.trials)},
                              {"effect", effect},

@@ -125,7 +125,7 @@ void take(TerrainConfig& config,
 }  // namespace
 
 TerrainConfig read_terrain_config(const std::string& path) {
-  const BytesResult bytes = read_raw_file(path);
+  const table::BytesResult bytes = table::read_raw_file(path);
   if (!bytes.bytes) {
     throw NoInput("cannot read the config file '" + path + "': " + bytes.problem);
   }

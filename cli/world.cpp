@@ -122,14 +122,14 @@ WorldFrame frame_of(const WorldOptions& options) {
   return frame;
 }
 
-TruthOptions truth_options(const WorldOptions& options) {
+study::TruthOptions truth_options(const WorldOptions& options) {
   require_range("body-width", options.body_width_m, 1e-3, 1e3);
   require_range("min-turn-radius", options.min_turn_radius_m, 0.0, 1e3);
   require_range("step", options.step_m, 1e-6, 1e3);
   require_range("cell-size", options.cell_m, 1e-6, 1e6);
-  TruthOptions truth;
+  study::TruthOptions truth;
   if (options.clearance == "radial") {
-    truth.convention = SlackConvention::radial;
+    truth.convention = study::SlackConvention::radial;
   } else if (options.clearance != "width") {
     throw UsageError("--clearance: found '" + options.clearance + "', expected width or radial" +
                      did_you_mean(options.clearance, {"width", "radial"}));
@@ -140,18 +140,21 @@ TruthOptions truth_options(const WorldOptions& options) {
 }
 
 struct Answer {
-  Truth truth;
+  study::Truth truth;
   std::string picture;
   std::string problem;
 };
 
-Answer answer(const World& world, const Robot& robot, const TruthOptions& options, bool picture) {
+Answer answer(const World& world,
+              const Robot& robot,
+              const study::TruthOptions& options,
+              bool picture) {
   Answer result;
   try {
-    result.truth = truth_of(world, robot, options);
+    result.truth = study::truth_of(world, robot, options);
     if (picture) {
       result.picture =
-          world_picture(world, result.truth, grid_clearance(world, options.step_m).path);
+          world_picture(world, result.truth, study::grid_clearance(world, options.step_m).path);
     }
   } catch (const std::invalid_argument& error) {
     result.problem = error.what();
@@ -164,7 +167,7 @@ Answer answer(const World& world, const Robot& robot, const TruthOptions& option
 class PictureNames {
  public:
   std::string of(const World& world) {
-    const std::string name = as_file_name(world.name);
+    const std::string name = table::as_file_name(world.name);
     std::string free = name;
     for (int number = 2; !taken_.insert(free).second; ++number) {
       free = name + "_" + std::to_string(number);
@@ -183,7 +186,7 @@ int run(Arguments arguments) {
     return exit_done;
   }
   require_own_file(common.output);
-  const TruthOptions truth = truth_options(options);
+  const study::TruthOptions truth = truth_options(options);
   const WorldFrame frame = frame_of(options);
   Robot robot;
   robot.body_width_m = options.body_width_m;
@@ -200,7 +203,7 @@ int run(Arguments arguments) {
     }
     WorldsResult read = read_worlds(file, frame);
     say(read.diagnostics);
-    rejected = rejected || has_error(read.diagnostics);
+    rejected = rejected || table::has_error(read.diagnostics);
     std::move(read.worlds.begin(), read.worlds.end(), std::back_inserter(worlds));
     if (std::filesystem::is_regular_file(file)) {
       manifest.inputs.push_back({name_of(file), digest_file(file)});

@@ -11,23 +11,23 @@ namespace tcert {
 
 namespace {
 
-void append(std::vector<Diagnostic>& all, DiagnosticGroups& of_one_file) {
-  std::vector<Diagnostic> more = of_one_file.take();
+void append(std::vector<table::Diagnostic>& all, table::DiagnosticGroups& of_one_file) {
+  std::vector<table::Diagnostic> more = of_one_file.take();
   all.insert(all.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
 }
 
 /// Bytes of a file that every bundle has; its absence is reported.
-std::optional<Bytes> read_required(const BundleFiles& files,
-                                   const std::string& name,
-                                   DiagnosticGroups& problems) {
+std::optional<table::Bytes> read_required(const BundleFiles& files,
+                                          const std::string& name,
+                                          table::DiagnosticGroups& problems) {
   const auto found = files.find(name);
   if (!found) {
-    problems.add({Severity::error, name, 0, "", "", "this file in the bundle", 1});
+    problems.add({table::Severity::error, name, 0, "", "", "this file in the bundle", 1});
     return std::nullopt;
   }
-  BytesResult result = files.read(*found);
+  table::BytesResult result = files.read(*found);
   if (!result.bytes) {
-    problems.add({Severity::error, *found, 0, "", result.problem, "a readable file", 1});
+    problems.add({table::Severity::error, *found, 0, "", result.problem, "a readable file", 1});
   }
   return std::move(result.bytes);
 }
@@ -38,7 +38,7 @@ BundleResult open_bundle(const std::filesystem::path& path, const BundleOptions&
   BundleResult result;
   const BundleFiles files(path);
   if (!files.problem().empty()) {
-    result.diagnostics.push_back({Severity::error,
+    result.diagnostics.push_back({table::Severity::error,
                                   path.string(),
                                   0,
                                   "",
@@ -51,7 +51,7 @@ BundleResult open_bundle(const std::filesystem::path& path, const BundleOptions&
   bundle.path = path;
   bundle.decimal_comma = options.decimal_comma;
   bool usable = true;
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   if (const auto bytes = read_required(files, "bundle.json", problems)) {
     std::optional<BundleInfo> info = parse_bundle_json(bytes->view(), problems);
     usable = info.has_value();

@@ -56,7 +56,7 @@ struct Bundle {
 
 struct BundleResult {
   std::optional<Bundle> bundle;  ///< Empty iff it cannot be used at all.
-  std::vector<Diagnostic> diagnostics;
+  std::vector<table::Diagnostic> diagnostics;
 };
 
 struct BundleOptions {

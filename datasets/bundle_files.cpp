@@ -64,7 +64,7 @@ BundleFiles::BundleFiles(std::filesystem::path path) : path_(std::move(path)) {
   errno = 0;
   archive_.reset(zip_open(path_.c_str(), ZIP_RDONLY, &code));
   if (!archive_) {
-    require_resources(path_, errno);
+    table::require_resources(path_, errno);
   }
   if (archive_) {
     prefix_ = common_prefix(archive_.get());
@@ -94,7 +94,7 @@ std::optional<std::string> BundleFiles::find(const std::string& name) const {
   return std::nullopt;
 }
 
-BytesResult BundleFiles::read_from_archive(const std::string& name) const {
+table::BytesResult BundleFiles::read_from_archive(const std::string& name) const {
   const std::string full_name = prefix_ + name;
   zip_stat_t status;
   zip_stat_init(&status);
@@ -105,14 +105,14 @@ BytesResult BundleFiles::read_from_archive(const std::string& name) const {
   if (status.size > kLongestFile) {
     return {std::nullopt, "its contents are longer than 4 GiB"};
   }
-  if (!is_plausible_expansion(status.comp_size, status.size)) {
+  if (!table::is_plausible_expansion(status.comp_size, status.size)) {
     return {std::nullopt, "its contents are more than 200 times as long as in the .zip"};
   }
   zip_file_t* file = zip_fopen_index(archive_.get(), status.index, 0);
   if (file == nullptr) {
     return {std::nullopt, zip_strerror(archive_.get())};
   }
-  Bytes bytes(status.size);
+  table::Bytes bytes(status.size);
   const zip_int64_t taken = zip_fread(file, bytes.data(), status.size);
   const int code = zip_fclose(file);
   if (taken < 0 || static_cast<zip_uint64_t>(taken) != status.size || code != 0) {
@@ -121,15 +121,15 @@ BytesResult BundleFiles::read_from_archive(const std::string& name) const {
   return {std::move(bytes), {}};
 }
 
-BytesResult BundleFiles::read(const std::string& name) const {
+table::BytesResult BundleFiles::read(const std::string& name) const {
   if (!archive_) {
-    return read_file(path_ / name);
+    return table::read_file(path_ / name);
   }
-  BytesResult result = read_from_archive(name);
+  table::BytesResult result = read_from_archive(name);
   if (!result.bytes) {
     return result;
   }
-  return decompress(std::move(*result.bytes), compression_of(name));
+  return table::decompress(std::move(*result.bytes), table::compression_of(name));
 }
 
 }  // namespace tcert

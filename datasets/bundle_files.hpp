@@ -31,14 +31,14 @@ class BundleFiles {
   [[nodiscard]] std::optional<std::string> find(const std::string& name) const;
 
   /// The bytes of a file, expanded by the end of its name. \pre problem() is empty.
-  [[nodiscard]] BytesResult read(const std::string& name) const;
+  [[nodiscard]] table::BytesResult read(const std::string& name) const;
 
  private:
   struct CloseArchive {
     void operator()(struct ::zip* archive) const noexcept;
   };
 
-  [[nodiscard]] BytesResult read_from_archive(const std::string& name) const;
+  [[nodiscard]] table::BytesResult read_from_archive(const std::string& name) const;
 
   std::filesystem::path path_;
   std::unique_ptr<struct ::zip, CloseArchive> archive_;  // none for a folder

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 bool is_text(const json& value) { return value.is_string(); }
 
-void check_format(const JsonObject& bundle) {
+void check_format(const table::JsonObject& bundle) {
   if (const json* format = bundle.require("format");
       format != nullptr && *format != "tcert-bundle") {
     bundle.reject("format", *format, "\"tcert-bundle\"");
@@ -24,7 +24,7 @@ void check_format(const JsonObject& bundle) {
   }
 }
 
-std::optional<double> read_positive(const JsonObject& bundle, const std::string& key) {
+std::optional<double> read_positive(const table::JsonObject& bundle, const std::string& key) {
   const std::optional<double> value = bundle.number(key);
   if (value && !(*value > 0.0)) {
     bundle.reject(key, *value, "a number above 0");
@@ -33,7 +33,7 @@ std::optional<double> read_positive(const JsonObject& bundle, const std::string&
   return value;
 }
 
-std::optional<std::uint64_t> read_seed(const JsonObject& bundle) {
+std::optional<std::uint64_t> read_seed(const table::JsonObject& bundle) {
   const json* seed = bundle.find("seed");
   if (seed == nullptr) {
     return std::nullopt;
@@ -45,7 +45,8 @@ std::optional<std::uint64_t> read_seed(const JsonObject& bundle) {
   return seed->get<std::uint64_t>();
 }
 
-std::map<std::string, std::map<std::string, std::string>> read_columns(const JsonObject& bundle) {
+std::map<std::string, std::map<std::string, std::string>> read_columns(
+    const table::JsonObject& bundle) {
   const std::vector<std::string> files{
       "control.csv", "pose.csv", "tactile.csv", "ticks.csv", "trials.csv"};
   std::map<std::string, std::map<std::string, std::string>> columns;
@@ -53,7 +54,7 @@ std::map<std::string, std::map<std::string, std::string>> read_columns(const Jso
   if (value == nullptr) {
     return columns;
   }
-  const JsonObject from = bundle.child("columns", *value, files);
+  const table::JsonObject from = bundle.child("columns", *value, files);
   for (const std::string& file : files) {
     const json* renames = from.find(file);
     if (renames == nullptr) {
@@ -70,7 +71,7 @@ std::map<std::string, std::map<std::string, std::string>> read_columns(const Jso
   return columns;
 }
 
-std::map<std::string, std::string> read_parameters(const JsonObject& bundle) {
+std::map<std::string, std::string> read_parameters(const table::JsonObject& bundle) {
   std::map<std::string, std::string> parameters;
   const json* value = bundle.find("parameters");
   if (value == nullptr) {
@@ -92,7 +93,7 @@ std::map<std::string, std::string> read_parameters(const JsonObject& bundle) {
   return parameters;
 }
 
-BundleInfo read_info(const JsonObject& bundle) {
+BundleInfo read_info(const table::JsonObject& bundle) {
   check_format(bundle);
   BundleInfo info;
   info.synthetic = bundle.boolean("synthetic").value_or(false);
@@ -112,8 +113,9 @@ BundleInfo read_info(const JsonObject& bundle) {
 
 }  // namespace
 
-std::optional<BundleInfo> parse_bundle_json(std::string_view text, DiagnosticGroups& problems) {
-  const std::optional<json> document = parse_json(text, "bundle.json", problems);
+std::optional<BundleInfo> parse_bundle_json(std::string_view text,
+                                            table::DiagnosticGroups& problems) {
+  const std::optional<json> document = table::parse_json(text, "bundle.json", problems);
   if (!document) {
     return std::nullopt;
   }
@@ -130,7 +132,7 @@ std::optional<BundleInfo> parse_bundle_json(std::string_view text, DiagnosticGro
                                       "max_gap_s",
                                       "columns",
                                       "parameters"};
-  BundleInfo info = read_info(JsonObject(*document, "", keys, "bundle.json", problems));
+  BundleInfo info = read_info(table::JsonObject(*document, "", keys, "bundle.json", problems));
   if (problems.has_error()) {
     return std::nullopt;
   }

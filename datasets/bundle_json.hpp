@@ -14,7 +14,7 @@ namespace tcert {
 /// Reads a bundle.json strictly: unknown keys, wrong types and values out of range are errors, all
 /// of them reported, and then there is no description.
 [[nodiscard]] std::optional<BundleInfo> parse_bundle_json(std::string_view text,
-                                                          DiagnosticGroups& problems);
+                                                          table::DiagnosticGroups& problems);
 
 /// The text of a bundle.json that reads back as `info`; ends with a line end.
 [[nodiscard]] std::string to_bundle_json(const BundleInfo& info);

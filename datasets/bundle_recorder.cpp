@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path) {
-  throw WriteError(
+  throw table::WriteError(
       fmt::format("cannot write '{}': {}", path.string(), std::generic_category().message(errno)));
 }
 
@@ -29,15 +29,15 @@ std::string first_line(const BundleInfo& info) {
 BundleRecorder::BundleRecorder(const fs::path& folder, BundleInfo info, std::string trial_id)
     : info_(std::move(info)),
       trial_id_(std::move(trial_id)),
-      folder_(folder, false, Leftover::kept),
+      folder_(folder, false, table::Leftover::kept),
       format_(info_.robot),
       file_(nullptr, std::fclose) {
   info_.columns.clear();
   TrialRow open;
   open.trial_id = trial_id_;
-  write_file_atomically(folder_.staging() / "bundle.json", to_bundle_json(info_));
-  write_file_atomically(folder_.staging() / "trials.csv",
-                        first_line(info_) + to_trials_csv({open}, {}));
+  table::write_file_atomically(folder_.staging() / "bundle.json", to_bundle_json(info_));
+  table::write_file_atomically(folder_.staging() / "trials.csv",
+                               first_line(info_) + to_trials_csv({open}, {}));
   const fs::path path = folder_.staging() / "logs" / trial_id_ / "ticks.csv";
   fs::create_directories(path.parent_path());
   file_.reset(std::fopen(path.c_str(), "wbxe"));
@@ -72,8 +72,8 @@ void BundleRecorder::close(TrialRow row) {
   if (std::fclose(file_.release()) != 0) {
     fail(folder_.staging());
   }
-  write_file_atomically(folder_.staging() / "trials.csv",
-                        first_line(info_) + to_trials_csv({std::move(row)}, {}));
+  table::write_file_atomically(folder_.staging() / "trials.csv",
+                               first_line(info_) + to_trials_csv({std::move(row)}, {}));
   folder_.commit();
   ticks_ = 0;
 }

@@ -43,7 +43,7 @@ class BundleRecorder {
 
   BundleInfo info_;
   std::string trial_id_;
-  AtomicFolder folder_;
+  table::AtomicFolder folder_;
   TickFormat format_;
   std::string row_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;

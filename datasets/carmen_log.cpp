@@ -90,7 +90,7 @@ class ScanReader {
 
  private:
   void fail(const char* field, std::string_view value, const char* expectation) {
-    fault_ = Fault{field, shortened(value), expectation};
+    fault_ = Fault{field, table::shortened(value), expectation};
   }
 
   void number(const char* field, double& value) {
@@ -98,7 +98,8 @@ class ScanReader {
       return;
     }
     word_ = words_.next();
-    if (word_.empty() || scan_number(word_.data(), '.', value) != word_.data() + word_.size()) {
+    if (word_.empty() ||
+        table::scan_number(word_.data(), '.', value) != word_.data() + word_.size()) {
       fail(field, word_, "a finite number");
     }
   }
@@ -108,7 +109,8 @@ class ScanReader {
       return;
     }
     word_ = words_.next();
-    if (word_.empty() || scan_seconds(word_.data(), '.', time_ns) != word_.data() + word_.size()) {
+    if (word_.empty() ||
+        table::scan_seconds(word_.data(), '.', time_ns) != word_.data() + word_.size()) {
       fail(field, word_, "a time in seconds");
     }
   }
@@ -124,9 +126,9 @@ std::optional<Fault> fault_of_order(const CarmenLog& log, const Scan& scan) {
     return std::nullopt;
   }
   std::string found;
-  append_seconds(found, scan.time_ns);
+  table::append_seconds(found, scan.time_ns);
   found += " after ";
-  append_seconds(found, log.time_ns.back());
+  table::append_seconds(found, log.time_ns.back());
   return Fault{"ipc_timestamp", found, "a time after that of the scan before"};
 }
 
@@ -144,7 +146,9 @@ double carmen_bearing_rad(std::size_t beam, std::size_t beams) noexcept {
   return (share - 0.5) * std::numbers::pi;
 }
 
-CarmenLog read_carmen_log(const Bytes& bytes, const std::string& file, DiagnosticGroups& problems) {
+CarmenLog read_carmen_log(const table::Bytes& bytes,
+                          const std::string& file,
+                          table::DiagnosticGroups& problems) {
   CarmenLog log;
   Scan scan;
   std::string_view rest = bytes.view();
@@ -168,7 +172,7 @@ CarmenLog read_carmen_log(const Bytes& bytes, const std::string& file, Diagnosti
       append(log, scan);
       continue;
     }
-    problems.add({Severity::warning,
+    problems.add({table::Severity::warning,
                   file,
                   line,
                   std::move(fault->field),
@@ -177,7 +181,7 @@ CarmenLog read_carmen_log(const Bytes& bytes, const std::string& file, Diagnosti
                   1});
   }
   if (log.scans() == 0) {
-    problems.add({Severity::error, file, 0, "", "no scan", "at least one FLASER record", 1});
+    problems.add({table::Severity::error, file, 0, "", "no scan", "at least one FLASER record", 1});
   }
   return log;
 }

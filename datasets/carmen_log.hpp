@@ -32,9 +32,9 @@ struct CarmenLog {
 /// is not later than the one before it is not used: a warning with its line. No scan at all is an
 /// error. ODOM records are counted only: they are in the frame of the raw odometry, which drifts
 /// away from that of the corrected poses.
-[[nodiscard]] CarmenLog read_carmen_log(const Bytes& bytes,
+[[nodiscard]] CarmenLog read_carmen_log(const table::Bytes& bytes,
                                         const std::string& file,
-                                        DiagnosticGroups& problems);
+                                        table::DiagnosticGroups& problems);
 
 /// Bearing of a beam. \pre beam < beams.
 [[nodiscard]] double carmen_bearing_rad(std::size_t beam, std::size_t beams) noexcept;

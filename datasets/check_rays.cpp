@@ -64,9 +64,9 @@ Column::const_iterator last_contact(const Column& column, const CertificateParam
   return began;
 }
 
-std::optional<Diagnostic> never_releases(const Ray& ray,
-                                         const CertificateParameters& parameters,
-                                         const Column& column) {
+std::optional<table::Diagnostic> never_releases(const Ray& ray,
+                                                const CertificateParameters& parameters,
+                                                const Column& column) {
   const auto began = last_contact(column, parameters);
   const double free_m = longest_clearance(ray) - parameters.contact_slack_m;
   double known = 0.0;
@@ -83,8 +83,8 @@ std::optional<Diagnostic> never_releases(const Ray& ray,
       free < kLeastFreeShare * known) {
     return std::nullopt;
   }
-  return Diagnostic{
-      Severity::warning,
+  return table::Diagnostic{
+      table::Severity::warning,
       "",
       0,
       force_column(ray),
@@ -117,8 +117,8 @@ std::optional<double> only_value(const Column& column) {
   return count >= kLeastTicks ? only : std::nullopt;
 }
 
-Diagnostic never_moves(const Ray& ray, double value, const Column& column) {
-  return {Severity::warning,
+table::Diagnostic never_moves(const Ray& ray, double value, const Column& column) {
+  return {table::Severity::warning,
           "",
           0,
           value_column(ray),
@@ -136,8 +136,8 @@ bool same_values(const Column& a, const Column& b) {
   });
 }
 
-Diagnostic identical(const Ray& ray, const Ray& earlier, const Column& column) {
-  return {Severity::warning,
+table::Diagnostic identical(const Ray& ray, const Ray& earlier, const Column& column) {
+  return {table::Severity::warning,
           "",
           0,
           value_column(ray),
@@ -153,12 +153,12 @@ bool is_missing(const Column& column) {
 
 }  // namespace
 
-std::vector<Diagnostic> check_rays(const Robot& robot,
-                                   const CertificateParameters& parameters,
-                                   const TickTable& ticks,
-                                   const std::string& file) {
+std::vector<table::Diagnostic> check_rays(const Robot& robot,
+                                          const CertificateParameters& parameters,
+                                          const TickTable& ticks,
+                                          const std::string& file) {
   const std::vector<Column> columns = fresh_columns(ticks);
-  std::vector<Diagnostic> found;
+  std::vector<table::Diagnostic> found;
   if (columns.empty() || columns.front().size() < kLeastTicks ||
       columns.front().back().way_m < kLeastWayM) {
     return found;
@@ -182,7 +182,7 @@ std::vector<Diagnostic> check_rays(const Robot& robot,
       moving.push_back(k);
     }
   }
-  for (Diagnostic& warning : found) {
+  for (table::Diagnostic& warning : found) {
     warning.file = file;
   }
   return found;

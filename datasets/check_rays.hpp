@@ -28,9 +28,9 @@ namespace tcert {
 ///
 /// O(ticks x rays), and O(rays^2) comparisons that end at the first difference.
 /// \pre ticks.rays is the number of rays of `robot`.
-[[nodiscard]] std::vector<Diagnostic> check_rays(const Robot& robot,
-                                                 const CertificateParameters& parameters,
-                                                 const TickTable& ticks,
-                                                 const std::string& file);
+[[nodiscard]] std::vector<table::Diagnostic> check_rays(const Robot& robot,
+                                                        const CertificateParameters& parameters,
+                                                        const TickTable& ticks,
+                                                        const std::string& file);
 
 }  // namespace tcert

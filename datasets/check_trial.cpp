@@ -73,7 +73,7 @@ TrialCheckResult check_trial(const Bundle& bundle,
   const TickTable ticks = resample(*log.log, grid);
   check_ticks(ticks, bundle.info.course, result.check);
   if (result.check.starts_in_start == false) {
-    result.diagnostics.push_back({Severity::warning,
+    result.diagnostics.push_back({table::Severity::warning,
                                   "logs/" + trial.trial_id,
                                   0,
                                   "",

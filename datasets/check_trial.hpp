@@ -35,7 +35,7 @@ struct TrialCheck {
 
 struct TrialCheckResult {
   TrialCheck check;
-  std::vector<Diagnostic>
+  std::vector<table::Diagnostic>
       diagnostics;  ///< Of the logs; warnings of a start outside S and of check_rays.
 };
 

@@ -15,8 +15,9 @@ namespace tcert {
 namespace {
 
 std::optional<double> finite_number(std::string_view cell) {
-  const CellReading reading = read_cell(cell);
-  const bool is_number = reading.meaning == CellMeaning::number && std::isfinite(reading.value);
+  const table::CellReading reading = table::read_cell(cell);
+  const bool is_number =
+      reading.meaning == table::CellMeaning::number && std::isfinite(reading.value);
   return is_number ? std::optional(reading.value) : std::nullopt;
 }
 
@@ -30,7 +31,7 @@ std::optional<long> world_of(std::string_view cell) {
 /// A table with the places of its problems.
 class Source {
  public:
-  Source(const TextTable& table, std::string file, DiagnosticGroups& problems)
+  Source(const table::TextTable& table, std::string file, table::DiagnosticGroups& problems)
       : table_(table), file_(std::move(file)), problems_(problems) {}
 
   [[nodiscard]] std::size_t rows() const noexcept { return table_.rows(); }
@@ -46,14 +47,14 @@ class Source {
     bool all = true;
     for (const std::string& column : columns) {
       if (!has(column)) {
-        problems_.add({Severity::error, file_, 0, column, "", "a column of this name", 1});
+        problems_.add({table::Severity::error, file_, 0, column, "", "a column of this name", 1});
         all = false;
       }
     }
     return all;
   }
 
-  void add(Severity severity,
+  void add(table::Severity severity,
            std::size_t row,
            std::string_view column,
            std::string expectation) const {
@@ -61,15 +62,15 @@ class Source {
                    file_,
                    table_.lines[row],
                    std::string(column),
-                   shortened(cell(row, column)),
+                   table::shortened(cell(row, column)),
                    std::move(expectation),
                    1});
   }
 
  private:
-  const TextTable& table_;
+  const table::TextTable& table_;
   std::string file_;
-  DiagnosticGroups& problems_;
+  table::DiagnosticGroups& problems_;
 };
 
 std::vector<std::string> metric_columns(const Source& metrics) {
@@ -90,18 +91,20 @@ std::map<long, std::string> metrics_by_world(const Source& metrics,
   for (std::size_t row = 0; row < metrics.rows(); ++row) {
     const std::optional<long> world = world_of(metrics.cell(row, "world"));
     if (!world) {
-      metrics.add(Severity::error, row, "world", "a whole number, 0 or more; the row is left out");
+      metrics.add(
+          table::Severity::error, row, "world", "a whole number, 0 or more; the row is left out");
       continue;
     }
     if (!seen.insert(*world).second) {
-      metrics.add(Severity::error, row, "world", "each world once; the first row counts");
+      metrics.add(table::Severity::error, row, "world", "each world once; the first row counts");
       continue;
     }
     std::string cells;
     bool good = true;
     for (const std::string& column : columns) {
       if (!finite_number(metrics.cell(row, column))) {
-        metrics.add(Severity::error, row, column, "a finite number; the world has no metrics");
+        metrics.add(
+            table::Severity::error, row, column, "a finite number; the world has no metrics");
         good = false;
       }
       cells += ',' + metrics.cell(row, column);
@@ -113,17 +116,20 @@ std::map<long, std::string> metrics_by_world(const Source& metrics,
   return result;
 }
 
-bool is_true(const std::string& cell) { return outcome_of_cell(cell) == OutcomeWord::success; }
+bool is_true(const std::string& cell) {
+  return table::outcome_of_cell(cell) == table::OutcomeWord::success;
+}
 
 bool is_flag(const std::string& cell) {
-  return is_true(cell) || outcome_of_cell(cell) == OutcomeWord::failure;
+  return is_true(cell) || table::outcome_of_cell(cell) == table::OutcomeWord::failure;
 }
 
 /// True if the row can be used; else what is wrong with it has been said.
 bool check_row(const Source& trials, std::size_t row) {
   bool good = true;
   const auto reject = [&](std::string_view column, const char* expectation) {
-    trials.add(Severity::error, row, column, std::string(expectation) + "; the row is left out");
+    trials.add(
+        table::Severity::error, row, column, std::string(expectation) + "; the row is left out");
     good = false;
   };
   if (!world_of(trials.cell(row, "world"))) {
@@ -143,7 +149,8 @@ bool check_row(const Source& trials, std::size_t row) {
   if (!time || !(*time > 0.0)) {
     reject("time_s", "a time above 0 s");
   } else if (*time > 1.01 * kBarnLimitSeconds) {
-    trials.add(Severity::warning, row, "time_s", "at most 101 s, for a trial ends at 100; kept");
+    trials.add(
+        table::Severity::warning, row, "time_s", "at most 101 s, for a trial ends at 100; kept");
   }
   return good;
 }
@@ -182,7 +189,7 @@ const std::vector<std::string>& other_port_planners() {
   return names;
 }
 
-std::vector<std::string> planners_of(const TextTable& trials) {
+std::vector<std::string> planners_of(const table::TextTable& trials) {
   std::set<std::string> names;
   if (const auto column = trials.find("planner")) {
     for (std::size_t row = 0; row < trials.rows(); ++row) {
@@ -192,13 +199,13 @@ std::vector<std::string> planners_of(const TextTable& trials) {
   return {names.begin(), names.end()};
 }
 
-BarnImportResult import_barn(const TextTable& trials,
+BarnImportResult import_barn(const table::TextTable& trials,
                              const std::string& trials_file,
-                             const TextTable& metrics,
+                             const table::TextTable& metrics,
                              const std::string& metrics_file,
                              const BarnImportOptions& options) {
   BarnImportResult result;
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   const Source source(trials, trials_file, problems);
   const Source measured(metrics, metrics_file, problems);
   const bool by_planner = source.has("planner");
@@ -229,7 +236,7 @@ BarnImportResult import_barn(const TextTable& trials,
       continue;
     }
     const long world = *world_of(source.cell(row, "world"));
-    append_text(csv, group);
+    table::append_text(csv, group);
     csv += ',' + std::to_string(world);
     for (const char* const column : {"success", "collided", "timeout"}) {
       csv += is_true(source.cell(row, column)) ? ",1" : ",0";

@@ -44,7 +44,7 @@ struct BarnSummary {
 struct BarnImportResult {
   std::optional<std::string> csv;  ///< Empty iff a column is missing or no row is left.
   BarnSummary summary;
-  std::vector<Diagnostic> diagnostics;
+  std::vector<table::Diagnostic> diagnostics;
 };
 
 /// `trials` has world, success, collided, timeout, time_s and either planner or first_commit_date
@@ -53,13 +53,13 @@ struct BarnImportResult {
 /// row that breaks this is left out with an error that names its line; rows are left out in the
 /// order of the counts in `BarnSummary`. Written: planner or date, world, success, collided,
 /// timeout, time_s, the metrics; the three as 0 and 1, the other cells as they stand. O(size).
-[[nodiscard]] BarnImportResult import_barn(const TextTable& trials,
+[[nodiscard]] BarnImportResult import_barn(const table::TextTable& trials,
                                            const std::string& trials_file,
-                                           const TextTable& metrics,
+                                           const table::TextTable& metrics,
                                            const std::string& metrics_file,
                                            const BarnImportOptions& options = {});
 
 /// Names in the column `planner`, sorted; empty if there is none.
-[[nodiscard]] std::vector<std::string> planners_of(const TextTable& trials);
+[[nodiscard]] std::vector<std::string> planners_of(const table::TextTable& trials);
 
 }  // namespace tcert

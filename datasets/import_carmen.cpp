@@ -23,7 +23,7 @@ void require(bool holds, const char* what) {
 }
 
 void validate(const CarmenImportOptions& options) {
-  require(is_file_name(options.trial_id), "trial_id must be the name of a folder");
+  require(table::is_file_name(options.trial_id), "trial_id must be the name of a folder");
   require(options.body_width_m > 0.0, "body_width_m must be above 0");
   require(options.start_radius_m > 0.0, "start_radius_m must be above 0");
   require(options.reach_m > 0.0, "reach_m must be above 0");
@@ -95,11 +95,11 @@ void write_bundle(const std::filesystem::path& output,
                   const BundleInfo& info,
                   const TrialRow& trial,
                   const TickTable& ticks) {
-  AtomicFolder folder(output);
-  write_file_atomically(folder.staging() / "bundle.json", to_bundle_json(info));
-  write_file_atomically(folder.staging() / "trials.csv", to_trials_csv({trial}, {}));
-  write_file_atomically(folder.staging() / "logs" / trial.trial_id / "ticks.csv",
-                        to_ticks_csv(info.robot, ticks));
+  table::AtomicFolder folder(output);
+  table::write_file_atomically(folder.staging() / "bundle.json", to_bundle_json(info));
+  table::write_file_atomically(folder.staging() / "trials.csv", to_trials_csv({trial}, {}));
+  table::write_file_atomically(folder.staging() / "logs" / trial.trial_id / "ticks.csv",
+                               to_ticks_csv(info.robot, ticks));
   folder.commit();
 }
 
@@ -142,21 +142,21 @@ CarmenImportResult import_carmen(const std::filesystem::path& log_path,
                                  const CarmenImportOptions& options) {
   validate(options);
   CarmenImportResult result;
-  BytesResult file = read_file(log_path);
+  table::BytesResult file = table::read_file(log_path);
   if (!file.bytes) {
     result.diagnostics.push_back(
-        {Severity::error, log_path.string(), 0, "", file.problem, "a readable file", 1});
+        {table::Severity::error, log_path.string(), 0, "", file.problem, "a readable file", 1});
     return result;
   }
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   const CarmenLog log = read_carmen_log(*file.bytes, log_path.string(), problems);
   result.diagnostics = problems.take();
-  if (has_error(result.diagnostics)) {
+  if (table::has_error(result.diagnostics)) {
     return result;
   }
   if (log.odometry_records > 0) {
     result.diagnostics.push_back(
-        {Severity::note,
+        {table::Severity::note,
          log_path.string(),
          0,
          "",

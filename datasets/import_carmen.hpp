@@ -39,7 +39,7 @@ struct CarmenSummary {
 
 struct CarmenImportResult {
   std::optional<CarmenSummary> summary;  ///< Empty iff nothing was written.
-  std::vector<Diagnostic> diagnostics;
+  std::vector<table::Diagnostic> diagnostics;
 };
 
 /// The bundle.json of an imported log: a range ray b000, b001, ... per beam, no limit on the turn

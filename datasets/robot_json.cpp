@@ -27,7 +27,7 @@ bool is_ray_name(const std::string& name) {
   });
 }
 
-std::vector<double> read_numbers(const JsonObject& from, const std::string& key) {
+std::vector<double> read_numbers(const table::JsonObject& from, const std::string& key) {
   if (from.require(key) == nullptr) {
     return {};
   }
@@ -35,16 +35,16 @@ std::vector<double> read_numbers(const JsonObject& from, const std::string& key)
   return list == nullptr ? std::vector<double>{} : list->get<std::vector<double>>();
 }
 
-Calibration read_calibration(const JsonObject& ray) {
+Calibration read_calibration(const table::JsonObject& ray) {
   const json* value = ray.require("calibration");
   if (value == nullptr) {
     return {};
   }
-  const JsonObject from = ray.child("calibration", *value, {"bend_rad", "clearance_m"});
+  const table::JsonObject from = ray.child("calibration", *value, {"bend_rad", "clearance_m"});
   return {read_numbers(from, "bend_rad"), read_numbers(from, "clearance_m")};
 }
 
-RayKind read_kind(const JsonObject& ray) {
+RayKind read_kind(const table::JsonObject& ray) {
   const json* kind = ray.require("kind");
   if (kind != nullptr && *kind != "bend" && *kind != "range") {
     ray.reject("kind", *kind, R"("bend" or "range")");
@@ -52,7 +52,7 @@ RayKind read_kind(const JsonObject& ray) {
   return kind != nullptr && *kind == "bend" ? RayKind::bend : RayKind::range;
 }
 
-Ray read_ray(const JsonObject& from) {
+Ray read_ray(const table::JsonObject& from) {
   Ray ray;
   if (const json* name = from.require("name")) {
     ray.name = from.text("name").value_or("");
@@ -72,7 +72,7 @@ Ray read_ray(const JsonObject& from) {
   return ray;
 }
 
-void read_rays(const JsonObject& bundle, Robot& robot) {
+void read_rays(const table::JsonObject& bundle, Robot& robot) {
   const json* rays = bundle.require("rays");
   if (rays == nullptr) {
     return;
@@ -83,20 +83,20 @@ void read_rays(const JsonObject& bundle, Robot& robot) {
   }
   std::set<std::string> names;
   for (std::size_t i = 0; i < rays->size(); ++i) {
-    const JsonObject from = bundle.child(
+    const table::JsonObject from = bundle.child(
         "rays[" + std::to_string(i) + "]",
         (*rays)[i],
         {"name", "mount_x_m", "mount_y_m", "bearing_rad", "reach_m", "kind", "calibration"});
     robot.rays.push_back(read_ray(from));
     const std::string& name = robot.rays.back().name;
-    if (!names.insert(case_folded(name)).second) {
+    if (!names.insert(table::case_folded(name)).second) {
       from.reject("name", name, "ray names that differ when case is folded");
     }
   }
 }
 
-std::optional<Region> read_disc(const JsonObject& region, const json& value) {
-  const JsonObject from = region.child("disc", value, {"x_m", "y_m", "radius_m"});
+std::optional<Region> read_disc(const table::JsonObject& region, const json& value) {
+  const table::JsonObject from = region.child("disc", value, {"x_m", "y_m", "radius_m"});
   const auto x = from.required_number("x_m");
   const auto y = from.required_number("y_m");
   const auto radius = from.required_number("radius_m");
@@ -106,7 +106,7 @@ std::optional<Region> read_disc(const JsonObject& region, const json& value) {
   return Disc{{x.value_or(0.0), y.value_or(0.0)}, radius.value_or(0.0)};
 }
 
-std::optional<Region> read_polygon(const JsonObject& region, const json& value) {
+std::optional<Region> read_polygon(const table::JsonObject& region, const json& value) {
   const std::string expectation = "a list of at least three points [x, y]";
   const json* list = region.list("polygon", is_point, expectation);
   if (list == nullptr) {
@@ -122,12 +122,12 @@ std::optional<Region> read_polygon(const JsonObject& region, const json& value) 
   return polygon;
 }
 
-std::optional<Region> read_region(const JsonObject& course, const std::string& key) {
+std::optional<Region> read_region(const table::JsonObject& course, const std::string& key) {
   const json* value = course.find(key);
   if (value == nullptr) {
     return std::nullopt;
   }
-  const JsonObject from = course.child(key, *value, {"disc", "polygon"});
+  const table::JsonObject from = course.child(key, *value, {"disc", "polygon"});
   const json* disc = from.find("disc");
   const json* polygon = from.find("polygon");
   if ((disc == nullptr) == (polygon == nullptr)) {
@@ -137,16 +137,16 @@ std::optional<Region> read_region(const JsonObject& course, const std::string& k
   return disc != nullptr ? read_disc(from, *disc) : read_polygon(from, *polygon);
 }
 
-void read_if_given(const JsonObject& from, const std::string& key, double& value) {
+void read_if_given(const table::JsonObject& from, const std::string& key, double& value) {
   value = from.number(key).value_or(value);
 }
 
 }  // namespace
 
-Robot read_robot(const JsonObject& bundle) {
+Robot read_robot(const table::JsonObject& bundle) {
   Robot robot;
   if (const json* value = bundle.require("robot")) {
-    const JsonObject from = bundle.child(
+    const table::JsonObject from = bundle.child(
         "robot",
         *value,
         {"body_width_m", "min_turn_radius_m", "tracking_buffer_m", "curvature_buffer_per_m"});
@@ -160,7 +160,7 @@ Robot read_robot(const JsonObject& bundle) {
     try {
       validate(robot);
     } catch (const std::invalid_argument& error) {
-      bundle.problems().add({Severity::error,
+      bundle.problems().add({table::Severity::error,
                              "bundle.json",
                              0,
                              "robot",
@@ -172,10 +172,10 @@ Robot read_robot(const JsonObject& bundle) {
   return robot;
 }
 
-Course read_course(const JsonObject& bundle) {
+Course read_course(const table::JsonObject& bundle) {
   Course course;
   if (const json* value = bundle.find("course")) {
-    const JsonObject from = bundle.child("course", *value, {"start", "goal"});
+    const table::JsonObject from = bundle.child("course", *value, {"start", "goal"});
     course.start = read_region(from, "start");
     course.goal = read_region(from, "goal");
   }

@@ -13,12 +13,12 @@ namespace {
 
 std::string seconds_text(std::int64_t time_ns) {
   std::string text;
-  append_seconds(text, time_ns);
+  table::append_seconds(text, time_ns);
   return text;
 }
 
 /// The same bits, so that two missing values are equal.
-bool equal_rows(const NumberTable& table, std::size_t a, std::size_t b) {
+bool equal_rows(const table::NumberTable& table, std::size_t a, std::size_t b) {
   if (table.time_ns[a] != table.time_ns[b]) {
     return false;
   }
@@ -32,8 +32,9 @@ bool equal_rows(const NumberTable& table, std::size_t a, std::size_t b) {
 }
 
 /// The rows `order` of `table`, in that order.
-NumberTable selected(const NumberTable& table, const std::vector<std::size_t>& order) {
-  NumberTable out;
+table::NumberTable selected(const table::NumberTable& table,
+                            const std::vector<std::size_t>& order) {
+  table::NumberTable out;
   out.columns = table.columns;
   out.present = table.present;
   for (const std::size_t row : order) {
@@ -46,7 +47,7 @@ NumberTable selected(const NumberTable& table, const std::vector<std::size_t>& o
 }
 
 /// Drops each row that equals an earlier one of the same time. `order` is sorted by time.
-std::vector<std::size_t> without_duplicates(const NumberTable& table,
+std::vector<std::size_t> without_duplicates(const table::NumberTable& table,
                                             const std::vector<std::size_t>& order) {
   std::vector<std::size_t> kept;
   std::size_t same_time = 0;  // where in `kept` the rows of this time begin
@@ -67,19 +68,22 @@ std::vector<std::size_t> without_duplicates(const NumberTable& table,
 /// Reports about the clock of one file.
 class ClockReporter {
  public:
-  ClockReporter(const NumberTable& table,
+  ClockReporter(const table::NumberTable& table,
                 const std::string& file,
                 const std::string& time_column,
-                DiagnosticGroups& problems)
+                table::DiagnosticGroups& problems)
       : table_(table), file_(file), time_column_(time_column), problems_(problems) {}
 
-  void add(Severity severity, std::size_t row, std::string value, const std::string& expectation) {
+  void add(table::Severity severity,
+           std::size_t row,
+           std::string value,
+           const std::string& expectation) {
     problems_.add(
         {severity, file_, table_.lines[row], time_column_, std::move(value), expectation, 1});
   }
 
   /// Each row whose time is not after that of the row before it.
-  void add_not_increasing(Severity severity, const std::string& expectation) {
+  void add_not_increasing(table::Severity severity, const std::string& expectation) {
     for (std::size_t row = 1; row < table_.rows(); ++row) {
       if (table_.time_ns[row] <= table_.time_ns[row - 1]) {
         add(severity,
@@ -91,22 +95,22 @@ class ClockReporter {
   }
 
  private:
-  const NumberTable& table_;
+  const table::NumberTable& table_;
   const std::string& file_;
   const std::string& time_column_;
-  DiagnosticGroups& problems_;
+  table::DiagnosticGroups& problems_;
 };
 
 }  // namespace
 
 std::int64_t to_nanoseconds(double seconds) noexcept { return std::llround(seconds * 1e9); }
 
-void put_in_order(NumberTable& table,
+void put_in_order(table::NumberTable& table,
                   const std::string& file,
                   const std::string& time_column,
                   bool repair,
                   EqualTimes equal_times,
-                  DiagnosticGroups& problems) {
+                  table::DiagnosticGroups& problems) {
   const bool increasing =
       std::ranges::adjacent_find(table.time_ns, std::greater_equal<>{}) == table.time_ns.end();
   if (increasing) {
@@ -114,18 +118,18 @@ void put_in_order(NumberTable& table,
   }
   ClockReporter found(table, file, time_column, problems);
   if (!repair) {
-    found.add_not_increasing(Severity::error,
+    found.add_not_increasing(table::Severity::error,
                              "a time after that of the row before; --repair sorts the rows");
     return;
   }
-  found.add_not_increasing(Severity::warning,
+  found.add_not_increasing(table::Severity::warning,
                            "a time after that of the row before; the rows are sorted");
   std::vector<std::size_t> order(table.rows());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t row) { return table.time_ns[row]; });
   const std::vector<std::size_t> kept = without_duplicates(table, order);
   if (kept.size() < order.size()) {
-    problems.add({Severity::warning,
+    problems.add({table::Severity::warning,
                   file,
                   0,
                   time_column,
@@ -136,32 +140,33 @@ void put_in_order(NumberTable& table,
   table = selected(table, kept);
   ClockReporter left(table, file, time_column, problems);
   if (equal_times == EqualTimes::forbidden) {
-    left.add_not_increasing(Severity::error, "one row for each time; these differ in their values");
+    left.add_not_increasing(table::Severity::error,
+                            "one row for each time; these differ in their values");
   } else {
     left.add_not_increasing(
-        Severity::warning,
+        table::Severity::warning,
         "one row for each time; these differ in their values and stay in file order");
   }
 }
 
-std::vector<std::int64_t> find_breaks(const NumberTable& table,
+std::vector<std::int64_t> find_breaks(const table::NumberTable& table,
                                       const std::string& file,
                                       const std::string& time_column,
                                       const ClockLimits& limits,
-                                      DiagnosticGroups& problems) {
+                                      table::DiagnosticGroups& problems) {
   std::vector<std::int64_t> breaks;
   ClockReporter reporter(table, file, time_column, problems);
   const double longest_gap_ns = limits.max_gap_s * 1e9;
   const double longest_trial_ns =
       limits.trial_limit_s ? 1e10 * *limits.trial_limit_s : static_cast<double>(INT64_MAX);
   std::string gap_text;
-  append_number(gap_text, limits.max_gap_s);
+  table::append_number(gap_text, limits.max_gap_s);
   bool too_long = false;
   for (std::size_t row = 1; row < table.rows(); ++row) {
     const std::int64_t step = table.time_ns[row] - table.time_ns[row - 1];
     const std::int64_t elapsed = table.time_ns[row] - table.time_ns[0];
     if (static_cast<double>(step) > longest_gap_ns) {
-      reporter.add(Severity::warning,
+      reporter.add(table::Severity::warning,
                    row,
                    "a step of " + seconds_text(step) + " s",
                    "steps of at most " + gap_text + " s; the path is broken here");
@@ -169,7 +174,7 @@ std::vector<std::int64_t> find_breaks(const NumberTable& table,
     }
     if (!too_long && static_cast<double>(elapsed) > longest_trial_ns) {
       too_long = true;
-      reporter.add(Severity::warning,
+      reporter.add(table::Severity::warning,
                    row,
                    seconds_text(elapsed) + " s after the first row",
                    "at most ten times the trial limit; the path is broken here");

@@ -23,8 +23,8 @@ class Reader {
   explicit Reader(const TerrainFileOptions& options) : options_(options) {}
 
   TerrainFileResult read(std::string_view bytes) {
-    if (const auto kind = kind_of_binary(bytes, options_.file)) {
-      fail("", text_expected(*kind));
+    if (const auto kind = table::kind_of_binary(bytes, options_.file)) {
+      fail("", table::text_expected(*kind));
       return finish();
     }
     if (bytes.substr(0, 3) == "\xEF\xBB\xBF") {
@@ -37,10 +37,10 @@ class Reader {
     } else {
       read_table(bytes);
     }
-    if (!has_error(result_.diagnostics)) {
+    if (!table::has_error(result_.diagnostics)) {
       check_sides();
     }
-    if (!has_error(result_.diagnostics)) {
+    if (!table::has_error(result_.diagnostics)) {
       mark_gaps();
     }
     return finish();
@@ -66,7 +66,7 @@ class Reader {
     if (!decision.header && table.first_line != 0) {
       put_first_line(table);
     }
-    if (has_error(result_.diagnostics)) {
+    if (table::has_error(result_.diagnostics)) {
       return;
     }
     if (decision.index_column && table.columns > 1) {
@@ -169,7 +169,7 @@ class Reader {
       if (!reading::is_gap_word(table.first[k]) && !reading::to_number(table.first[k], value)) {
         fail(table.first_line,
              std::to_string(k + 1),
-             shortened(table.first[k]),
+             table::shortened(table.first[k]),
              "a finite number in every cell, or a gap: nothing, nan or NA");
       }
       first.push_back(value);
@@ -212,7 +212,7 @@ class Reader {
   }
 
   TerrainFileResult finish() {
-    if (!has_error(result_.diagnostics)) {
+    if (!table::has_error(result_.diagnostics)) {
       result_.terrain = std::move(terrain_);
     }
     return std::move(result_);
@@ -229,7 +229,7 @@ class Reader {
   }
 
   void fail(std::size_t line, std::string column, std::string value, std::string expectation) {
-    result_.diagnostics.push_back({Severity::error,
+    result_.diagnostics.push_back({table::Severity::error,
                                    options_.file,
                                    line,
                                    std::move(column),
@@ -246,7 +246,7 @@ class Reader {
 
 }  // namespace
 
-TerrainFileResult read_terrain(const Bytes& bytes, const TerrainFileOptions& options) {
+TerrainFileResult read_terrain(const table::Bytes& bytes, const TerrainFileOptions& options) {
   return Reader(options).read(bytes.view());
 }
 
@@ -254,10 +254,10 @@ TerrainFileResult read_terrain(const std::filesystem::path& path, TerrainFileOpt
   if (options.file.empty()) {
     options.file = path.string();
   }
-  const BytesResult file = read_file(path);
+  const table::BytesResult file = table::read_file(path);
   if (!file.bytes) {
     TerrainFileResult result;
-    Diagnostic problem;
+    table::Diagnostic problem;
     problem.file = options.file;
     problem.expectation = "a readable file: " + file.problem;
     result.diagnostics.push_back(problem);
@@ -272,7 +272,7 @@ std::string terrain_text(const TerrainGrid& terrain) {
     if (std::isnan(terrain.values[i])) {
       text += "nan";
     } else {
-      append_number(text, terrain.values[i]);
+      table::append_number(text, terrain.values[i]);
     }
     text += (i + 1) % static_cast<std::size_t>(terrain.columns) == 0 ? '\n' : ',';
   }

@@ -59,7 +59,7 @@ struct TerrainFileOptions {
 
 struct TerrainFileResult {
   std::optional<TerrainGrid> terrain;
-  std::vector<Diagnostic> diagnostics;
+  std::vector<table::Diagnostic> diagnostics;
   std::vector<std::string> notes;  ///< How the file was understood, a sentence each.
 };
 
@@ -70,7 +70,8 @@ struct TerrainFileResult {
 /// neither numbers nor gaps, three columns that may be points but form no lattice, fewer than two
 /// rows or columns, and more than 2^26 cells or 8192 a side, naming line and cell. O(size), for
 /// points O(points log points).
-[[nodiscard]] TerrainFileResult read_terrain(const Bytes& bytes, const TerrainFileOptions& options);
+[[nodiscard]] TerrainFileResult read_terrain(const table::Bytes& bytes,
+                                             const TerrainFileOptions& options);
 
 /// The same from a file, expanded if it ends in .gz or .zst.
 [[nodiscard]] TerrainFileResult read_terrain(const std::filesystem::path& path,

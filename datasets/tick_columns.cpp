@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kPoseColumns = 3;
 constexpr std::size_t kColumnsPerRay = 2;
 
-void add_ray_columns(const Robot& robot, NumberOptions& options) {
+void add_ray_columns(const Robot& robot, table::NumberOptions& options) {
   for (const Ray& ray : robot.rays) {
     options.columns.push_back({value_column(ray), true, true});
     options.columns.push_back({force_column(ray), false, true});
@@ -30,14 +30,14 @@ std::string value_column(const Ray& ray) {
 
 std::string force_column(const Ray& ray) { return ray.name + "_fsr_n"; }
 
-NumberOptions tactile_columns(const Robot& robot) {
-  NumberOptions options;
+table::NumberOptions tactile_columns(const Robot& robot) {
+  table::NumberOptions options;
   add_ray_columns(robot, options);
   return options;
 }
 
-NumberOptions tick_columns(const Robot& robot) {
-  NumberOptions options;
+table::NumberOptions tick_columns(const Robot& robot) {
+  table::NumberOptions options;
   options.columns = {{"x_m"}, {"y_m"}, {"yaw_rad"}};
   add_ray_columns(robot, options);
   for (const char* name : {"speed_cmd_mps", "yaw_rate_cmd_rps"}) {

@@ -21,11 +21,11 @@ namespace tcert {
 [[nodiscard]] std::string force_column(const Ray& ray);
 
 /// tactile.csv: per ray its value, required, and its force, optional; either may be empty.
-[[nodiscard]] NumberOptions tactile_columns(const Robot& robot);
+[[nodiscard]] table::NumberOptions tactile_columns(const Robot& robot);
 
 /// ticks.csv: pose, then as tactile.csv, then the optional speed_cmd_mps, yaw_rate_cmd_rps, stale
 /// and segment_start.
-[[nodiscard]] NumberOptions tick_columns(const Robot& robot);
+[[nodiscard]] table::NumberOptions tick_columns(const Robot& robot);
 
 /// What one row of ticks.csv says besides its time and readings.
 struct TickRow {

@@ -24,14 +24,14 @@ double span_in_seconds(const std::vector<std::int64_t>& time_ns) {
 void reject_too_many_ticks(std::optional<TrialLog>& log,
                            double tick_s,
                            const std::string& trial_id,
-                           std::vector<Diagnostic>& diagnostics) {
+                           std::vector<table::Diagnostic>& diagnostics) {
   if (!log || log->merged) {
     return;
   }
   const double ticks =
       std::max(span_in_seconds(log->pose.time_ns), span_in_seconds(log->tactile.time_ns)) / tick_s;
   if (ticks > kMostTicks) {
-    diagnostics.push_back({Severity::error,
+    diagnostics.push_back({table::Severity::error,
                            "logs/" + trial_id,
                            0,
                            "time_s",

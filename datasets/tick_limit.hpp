@@ -17,6 +17,6 @@ namespace tcert {
 void reject_too_many_ticks(std::optional<TrialLog>& log,
                            double tick_s,
                            const std::string& trial_id,
-                           std::vector<Diagnostic>& diagnostics);
+                           std::vector<table::Diagnostic>& diagnostics);
 
 }  // namespace tcert

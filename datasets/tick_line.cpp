@@ -12,9 +12,9 @@ namespace tcert {
 
 namespace {
 
-std::vector<std::string> required_names(const NumberOptions& options) {
+std::vector<std::string> required_names(const table::NumberOptions& options) {
   std::vector<std::string> names{options.time_column};
-  for (const NumberColumn& column : options.columns) {
+  for (const table::NumberColumn& column : options.columns) {
     if (column.required) {
       names.push_back(column.name);
     }
@@ -32,7 +32,7 @@ std::string_view without_spaces_before(std::string_view text) noexcept {
 TickLineParser::TickLineParser(const Robot& robot,
                                std::string_view first_line,
                                TickLineOptions options,
-                               DiagnosticGroups& problems)
+                               table::DiagnosticGroups& problems)
     : options_(std::move(options)),
       columns_(tick_columns(robot)),
       row_(columns_.columns.size(), kMissing),
@@ -40,51 +40,52 @@ TickLineParser::TickLineParser(const Robot& robot,
   restart(first_line, problems);
 }
 
-void TickLineParser::restart(std::string_view first_line, DiagnosticGroups& problems) {
+void TickLineParser::restart(std::string_view first_line, table::DiagnosticGroups& problems) {
   restarted_ = last_ns_.has_value();
   names_.clear();
   if (without_spaces_before(first_line).starts_with('{')) {
     format_ = TickLineFormat::json_lines;
     ready_ = true;
     names_.push_back(columns_.time_column);
-    for (const NumberColumn& column : columns_.columns) {
+    for (const table::NumberColumn& column : columns_.columns) {
       names_.push_back(column.name);
     }
     return;
   }
   format_ = TickLineFormat::csv;
-  CsvOptions csv;
+  table::CsvOptions csv;
   csv.file = options_.file;
   csv.rename = options_.rename;
   csv.preamble_records = 0;
   csv.fold_names = true;
   csv.decimal_comma = options_.decimal_comma;
-  const Bytes header_bytes = Bytes::copy_of(first_line);
-  const auto header = find_header(header_bytes.view(), csv, required_names(columns_), problems);
+  const table::Bytes header_bytes = table::Bytes::copy_of(first_line);
+  const auto header =
+      table::find_header(header_bytes.view(), csv, required_names(columns_), problems);
   ready_ = header.has_value();
   if (header) {
     names_ = header->names;
-    plan_ = plan_row(*header, columns_);
+    plan_ = table::plan_row(*header, columns_);
   }
 }
 
 void TickLineParser::reject(std::string column, std::string_view value, std::string expectation) {
-  problems_.push_back({Severity::error,
+  problems_.push_back({table::Severity::error,
                        options_.file,
                        line_,
                        std::move(column),
-                       shortened(value),
+                       table::shortened(value),
                        std::move(expectation),
                        1});
 }
 
 bool TickLineParser::parse_csv(std::string_view text) {
   padded_.assign(text);
-  CsvCursor cursor{padded_.view().data(), padded_.view().data() + text.size(), line_};
+  table::CsvCursor cursor{padded_.view().data(), padded_.view().data() + text.size(), line_};
   row_problems_.cells.clear();
   row_problems_.fields = 0;
   row_problems_.open_quote = false;
-  if (scan_row(plan_, cursor, time_ns_, row_.data(), row_problems_)) {
+  if (table::scan_row(plan_, cursor, time_ns_, row_.data(), row_problems_)) {
     return true;
   }
   if (row_problems_.open_quote) {
@@ -94,15 +95,15 @@ bool TickLineParser::parse_csv(std::string_view text) {
            std::to_string(row_problems_.fields) + " fields",
            std::to_string(names_.size()) + " fields");
   }
-  for (const CellProblem& cell : row_problems_.cells) {
-    const bool is_time = plan_.cells[cell.cell].kind == CellKind::seconds;
+  for (const table::CellProblem& cell : row_problems_.cells) {
+    const bool is_time = plan_.cells[cell.cell].kind == table::CellKind::seconds;
     reject(names_[cell.cell], cell.value, is_time ? "a time in seconds" : "a finite number");
   }
   return false;
 }
 
 bool TickLineParser::parse_json(std::string_view text) {
-  const std::optional<std::vector<FlatMember>> members = parse_flat_json(text);
+  const std::optional<std::vector<table::FlatMember>> members = table::parse_flat_json(text);
   if (!members) {
     reject("", text, "one JSON object without nesting, each key once");
     return false;
@@ -116,14 +117,14 @@ bool TickLineParser::parse_json(std::string_view text) {
   }
   std::ranges::fill(row_, kMissing);
   std::vector<bool> given(names_.size(), false);
-  for (const FlatMember& member : *members) {
+  for (const table::FlatMember& member : *members) {
     const auto name = std::ranges::find(names_, member.key);
     if (name == names_.end()) {
-      const auto nearest = nearest_name(member.key, names_);
-      reject(shortened(member.key),
+      const auto nearest = table::nearest_name(member.key, names_);
+      reject(table::shortened(member.key),
              "",
              nearest ? "a known key; did you mean '" + *nearest + "'?" : "a known key");
-    } else if (member.kind != FlatMember::Kind::null) {
+    } else if (member.kind != table::FlatMember::Kind::null) {
       const auto position = static_cast<std::size_t>(name - names_.begin());
       given[position] = true;
       take_json_value(position, member);
@@ -138,16 +139,16 @@ bool TickLineParser::parse_json(std::string_view text) {
 }
 
 // The names of JSON keys are the time and then the columns.
-void TickLineParser::take_json_value(std::size_t position, const FlatMember& member) {
-  const bool is_number = member.kind != FlatMember::Kind::other;
+void TickLineParser::take_json_value(std::size_t position, const table::FlatMember& member) {
+  const bool is_number = member.kind != table::FlatMember::Kind::other;
   padded_.assign(member.text);
   const char* const begin = padded_.view().data();
   const char* const end = begin + member.text.size();
   if (position == 0) {
-    if (!is_number || scan_seconds(begin, '.', time_ns_) != end) {
+    if (!is_number || table::scan_seconds(begin, '.', time_ns_) != end) {
       reject(names_[0], member.text, "a time in seconds");
     }
-  } else if (!is_number || scan_number(begin, '.', row_[position - 1]) != end) {
+  } else if (!is_number || table::scan_number(begin, '.', row_[position - 1]) != end) {
     reject(names_[position], member.text, "a finite number");
   }
 }
@@ -160,9 +161,9 @@ std::optional<TickLine> TickLineParser::to_tick() {
   }
   if (last_ns_ && time_ns_ <= *last_ns_) {
     std::string found;
-    append_seconds(found, time_ns_);
+    table::append_seconds(found, time_ns_);
     found += " after ";
-    append_seconds(found, *last_ns_);
+    table::append_seconds(found, *last_ns_);
     reject(columns_.time_column,
            found,
            restarted_ ? "a time after the last of the producer before: times go on"

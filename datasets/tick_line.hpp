@@ -47,11 +47,11 @@ class TickLineParser {
   TickLineParser(const Robot& robot,
                  std::string_view first_line,
                  TickLineOptions options,
-                 DiagnosticGroups& problems);
+                 table::DiagnosticGroups& problems);
 
   /// Begins another stream of the same run, whose first line is `first_line`: a producer that came
   /// back. Times must go on rising, and its first tick starts a segment.
-  void restart(std::string_view first_line, DiagnosticGroups& problems);
+  void restart(std::string_view first_line, table::DiagnosticGroups& problems);
 
   [[nodiscard]] TickLineFormat format() const noexcept { return format_; }
 
@@ -63,23 +63,25 @@ class TickLineParser {
   [[nodiscard]] std::optional<TickLine> parse(std::string_view text, std::size_t line);
 
   /// Of the last line; empty if it was good, blank or a comment.
-  [[nodiscard]] const std::vector<Diagnostic>& problems() const noexcept { return problems_; }
+  [[nodiscard]] const std::vector<table::Diagnostic>& problems() const noexcept {
+    return problems_;
+  }
 
  private:
   [[nodiscard]] bool parse_csv(std::string_view text);
   [[nodiscard]] bool parse_json(std::string_view text);
-  void take_json_value(std::size_t position, const FlatMember& member);
+  void take_json_value(std::size_t position, const table::FlatMember& member);
   [[nodiscard]] std::optional<TickLine> to_tick();
   void reject(std::string column, std::string_view value, std::string expectation);
 
   TickLineOptions options_;
   TickLineFormat format_ = TickLineFormat::csv;
-  NumberOptions columns_;
+  table::NumberOptions columns_;
   std::vector<std::string> names_;  // of the columns by position: of the header, or of the keys
-  RowPlan plan_;
+  table::RowPlan plan_;
   bool ready_ = true;
-  Bytes padded_;
-  RowProblems row_problems_;
+  table::Bytes padded_;
+  table::RowProblems row_problems_;
   std::vector<double> row_;
   std::vector<RayReading> readings_;
   std::int64_t time_ns_ = 0;
@@ -88,7 +90,7 @@ class TickLineParser {
   bool ran_too_long_ = false;
   bool restarted_ = false;
   std::size_t line_ = 0;
-  std::vector<Diagnostic> problems_;
+  std::vector<table::Diagnostic> problems_;
 };
 
 }  // namespace tcert

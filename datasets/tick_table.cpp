@@ -26,7 +26,7 @@ bool has_any(const std::vector<double>& values) {
 
 void append_cell(std::string& out, double value) {
   out += ',';
-  append_number(out, value);
+  table::append_number(out, value);
 }
 
 double value_or_missing(const std::vector<double>& values, std::size_t i) {
@@ -70,7 +70,7 @@ void TickFormat::append_row(std::string& out,
                             const Tick& tick,
                             double speed_cmd_mps,
                             double yaw_rate_cmd_rps) const {
-  append_seconds(out, tick.time_ns);
+  table::append_seconds(out, tick.time_ns);
   append_cell(out, tick.pose.position.x_m);
   append_cell(out, tick.pose.position.y_m);
   append_cell(out, tick.pose.yaw_rad);
@@ -97,11 +97,11 @@ std::string to_ticks_csv(const Robot& robot, const TickTable& ticks) {
   return out;
 }
 
-TickTable to_tick_table(const NumberTable& rows,
+TickTable to_tick_table(const table::NumberTable& rows,
                         std::size_t rays,
                         std::span<const std::int64_t> breaks_ns,
                         const std::string& file,
-                        DiagnosticGroups& problems) {
+                        table::DiagnosticGroups& problems) {
   TickTable ticks;
   ticks.rays = rays;
   ticks.time_ns = rows.time_ns;
@@ -113,7 +113,7 @@ TickTable to_tick_table(const NumberTable& rows,
     const char* bad_flag =
         interpret_tick(values, std::span(ticks.readings).subspan(i * rays, rays), row);
     if (bad_flag != nullptr) {
-      problems.add({Severity::error, file, rows.lines[i], bad_flag, "", "0 or 1", 1});
+      problems.add({table::Severity::error, file, rows.lines[i], bad_flag, "", "0 or 1", 1});
     }
     bool breaks_here = row.segment_start;
     for (; next_break != breaks_ns.end() && *next_break <= rows.time_ns[i]; ++next_break) {
@@ -128,13 +128,13 @@ TickTable to_tick_table(const NumberTable& rows,
   return ticks;
 }
 
-std::optional<TickTable> read_ticks_csv(const Bytes& bytes,
+std::optional<TickTable> read_ticks_csv(const table::Bytes& bytes,
                                         const Robot& robot,
-                                        const CsvOptions& csv,
+                                        const table::CsvOptions& csv,
                                         double max_gap_s,
-                                        DiagnosticGroups& problems) {
-  const NumberOptions columns = tick_columns(robot);
-  auto rows = read_numbers(bytes, csv, columns, problems);
+                                        table::DiagnosticGroups& problems) {
+  const table::NumberOptions columns = tick_columns(robot);
+  auto rows = table::read_numbers(bytes, csv, columns, problems);
   if (!rows) {
     return std::nullopt;
   }

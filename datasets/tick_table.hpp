@@ -49,17 +49,17 @@ class TickFormat {
 
 /// Rows that were read with tick_columns() as ticks. `breaks_ns`, in order of time, start segments.
 /// A flag that is neither 0 nor 1 is an error. \pre times of `rows` increase strictly.
-[[nodiscard]] TickTable to_tick_table(const NumberTable& rows,
+[[nodiscard]] TickTable to_tick_table(const table::NumberTable& rows,
                                       std::size_t rays,
                                       std::span<const std::int64_t> breaks_ns,
                                       const std::string& file,
-                                      DiagnosticGroups& problems);
+                                      table::DiagnosticGroups& problems);
 
 /// Reads a ticks.csv; empty iff it has an error. A step of more than `max_gap_s` starts a segment.
-[[nodiscard]] std::optional<TickTable> read_ticks_csv(const Bytes& bytes,
+[[nodiscard]] std::optional<TickTable> read_ticks_csv(const table::Bytes& bytes,
                                                       const Robot& robot,
-                                                      const CsvOptions& csv,
+                                                      const table::CsvOptions& csv,
                                                       double max_gap_s,
-                                                      DiagnosticGroups& problems);
+                                                      table::DiagnosticGroups& problems);
 
 }  // namespace tcert

@@ -17,7 +17,7 @@ namespace {
 
 /// A file of the trial, read and in order of time.
 struct Stream {
-  NumberTable table;
+  table::NumberTable table;
   std::string file;
 };
 
@@ -32,7 +32,8 @@ class StreamReader {
         folder_("logs/" + trial.trial_id + "/"),
         options_(options) {
     if (!files_.problem().empty()) {
-      report({Severity::error, bundle.path.string(), 0, "", files_.problem(), "a bundle", 1});
+      report(
+          {table::Severity::error, bundle.path.string(), 0, "", files_.problem(), "a bundle", 1});
     }
   }
 
@@ -40,17 +41,17 @@ class StreamReader {
     return files_.find(folder_ + name).has_value();
   }
 
-  void report(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
+  void report(table::Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
 
   /// Numbers of the file `name` of the trial.
   [[nodiscard]] std::optional<Stream> read(const std::string& name,
-                                           NumberOptions columns,
+                                           table::NumberOptions columns,
                                            Presence presence,
                                            EqualTimes equal_times) {
     const auto found = files_.find(folder_ + name);
     if (!found) {
       if (presence == Presence::required) {
-        report({Severity::error,
+        report({table::Severity::error,
                 folder_ + name,
                 0,
                 "",
@@ -60,16 +61,16 @@ class StreamReader {
       }
       return std::nullopt;
     }
-    BytesResult file = files_.read(*found);
+    table::BytesResult file = files_.read(*found);
     if (!file.bytes) {
-      report({Severity::error, *found, 0, "", file.problem, "a readable file", 1});
+      report({table::Severity::error, *found, 0, "", file.problem, "a readable file", 1});
       return std::nullopt;
     }
     bytes_ += file.bytes->size();
-    DiagnosticGroups problems;
+    table::DiagnosticGroups problems;
     columns.repair = options_.repair;
-    std::optional<NumberTable> table =
-        read_numbers(*file.bytes, csv_options(name, *found), columns, problems);
+    std::optional<table::NumberTable> table =
+        table::read_numbers(*file.bytes, csv_options(name, *found), columns, problems);
     if (table) {
       put_in_order(*table, *found, columns.time_column, options_.repair, equal_times, problems);
     }
@@ -80,7 +81,7 @@ class StreamReader {
 
   /// Breaks of a stream's clock.
   [[nodiscard]] std::vector<std::int64_t> breaks_of(const Stream& stream) {
-    DiagnosticGroups problems;
+    table::DiagnosticGroups problems;
     const ClockLimits limits{bundle_.info.max_gap_s, bundle_.info.trial_limit_s};
     auto breaks = find_breaks(stream.table, stream.file, "time_s", limits, problems);
     take(problems);
@@ -88,12 +89,15 @@ class StreamReader {
   }
 
   [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
-  [[nodiscard]] bool has_error() const noexcept { return tcert::has_error(diagnostics_); }
-  [[nodiscard]] std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
+  [[nodiscard]] bool has_error() const noexcept { return tcert::table::has_error(diagnostics_); }
+  [[nodiscard]] std::vector<table::Diagnostic> take_diagnostics() {
+    return std::move(diagnostics_);
+  }
 
  private:
-  [[nodiscard]] CsvOptions csv_options(const std::string& name, const std::string& file) const {
-    CsvOptions csv;
+  [[nodiscard]] table::CsvOptions csv_options(const std::string& name,
+                                              const std::string& file) const {
+    table::CsvOptions csv;
     csv.file = file;
     csv.decimal_comma = bundle_.decimal_comma;
     csv.fold_names = true;
@@ -104,8 +108,8 @@ class StreamReader {
     return csv;
   }
 
-  void take(DiagnosticGroups& problems) {
-    std::vector<Diagnostic> more = problems.take();
+  void take(table::DiagnosticGroups& problems) {
+    std::vector<table::Diagnostic> more = problems.take();
     std::move(more.begin(), more.end(), std::back_inserter(diagnostics_));
   }
 
@@ -113,23 +117,23 @@ class StreamReader {
   BundleFiles files_;
   std::string folder_;
   ReadOptions options_;
-  std::vector<Diagnostic> diagnostics_;
+  std::vector<table::Diagnostic> diagnostics_;
   std::size_t bytes_ = 0;
 };
 
-NumberOptions pose_columns() {
-  NumberOptions options;
+table::NumberOptions pose_columns() {
+  table::NumberOptions options;
   options.columns = {{"x_m"}, {"y_m"}, {"yaw_rad"}};
   return options;
 }
 
-NumberOptions control_columns() {
-  NumberOptions options;
+table::NumberOptions control_columns() {
+  table::NumberOptions options;
   options.columns = {{"speed_cmd_mps"}, {"yaw_rate_cmd_rps"}, {"loop_latency_ms", false, true}};
   return options;
 }
 
-PoseStream to_pose_stream(NumberTable table) {
+PoseStream to_pose_stream(table::NumberTable table) {
   PoseStream pose;
   pose.poses.reserve(table.rows());
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -139,7 +143,7 @@ PoseStream to_pose_stream(NumberTable table) {
   return pose;
 }
 
-TactileStream to_tactile_stream(NumberTable table) {
+TactileStream to_tactile_stream(table::NumberTable table) {
   TactileStream tactile;
   tactile.rays = table.columns / 2;
   tactile.readings.reserve(table.rows() * tactile.rays);
@@ -150,7 +154,7 @@ TactileStream to_tactile_stream(NumberTable table) {
   return tactile;
 }
 
-ControlStream to_control_stream(NumberTable table) {
+ControlStream to_control_stream(table::NumberTable table) {
   ControlStream control;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     control.speed_cmd_mps.push_back(table.at(i, 0));
@@ -169,7 +173,7 @@ void compare_ends(const Stream& pose,
   const auto& a = pose.table.time_ns;
   const auto& b = tactile.table.time_ns;
   if (std::max(a.front(), b.front()) > std::min(a.back(), b.back())) {
-    reader.report({Severity::error,
+    reader.report({table::Severity::error,
                    tactile.file,
                    0,
                    "time_s",
@@ -182,8 +186,8 @@ void compare_ends(const Stream& pose,
   if (static_cast<double>(std::abs(apart)) > max_gap_s * 1e9) {
     const Stream& shorter = apart < 0 ? pose : tactile;
     std::string found = "its end ";
-    append_seconds(found, std::abs(apart));
-    reader.report({Severity::warning,
+    table::append_seconds(found, std::abs(apart));
+    reader.report({table::Severity::warning,
                    shorter.file,
                    shorter.table.lines.back(),
                    "time_s",
@@ -227,10 +231,10 @@ void read_merged(StreamReader& reader, const Bundle& bundle, TrialLog& log) {
     return;
   }
   log.breaks_ns = reader.breaks_of(*stream);
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   log.merged = to_tick_table(
       stream->table, bundle.info.robot.rays.size(), log.breaks_ns, stream->file, problems);
-  for (Diagnostic& diagnostic : problems.take()) {
+  for (table::Diagnostic& diagnostic : problems.take()) {
     reader.report(std::move(diagnostic));
   }
 }

@@ -49,7 +49,7 @@ struct ReadOptions {
 
 struct TrialResult {
   std::optional<TrialLog> log;  ///< Empty iff the trial is rejected.
-  std::vector<Diagnostic> diagnostics;
+  std::vector<table::Diagnostic> diagnostics;
 };
 
 /// Reads the logs of one trial. Never throws on bad content. Thread-safe: several trials of one

@@ -24,7 +24,9 @@ constexpr std::array<std::string_view, 6> kEndReasons{
 /// Reads one row after another, each with all its problems.
 class TrialRowReader {
  public:
-  TrialRowReader(const TextTable& table, const Bundle& bundle, DiagnosticGroups& problems)
+  TrialRowReader(const table::TextTable& table,
+                 const Bundle& bundle,
+                 table::DiagnosticGroups& problems)
       : table_(table), bundle_(bundle), problems_(problems) {}
 
   /// Columns that are not ours, in file order.
@@ -43,8 +45,8 @@ class TrialRowReader {
     good_ = true;
     TrialRow trial;
     trial.trial_id = cell("trial_id");
-    if (!is_file_name(trial.trial_id)) {
-      reject("trial_id", std::string(kFileNameRule));
+    if (!table::is_file_name(trial.trial_id)) {
+      reject("trial_id", std::string(table::kFileNameRule));
     }
     trial.algorithm = name_in("algorithm");
     trial.lighting = name_in("lighting");
@@ -82,55 +84,59 @@ class TrialRowReader {
   /// Empty if the cell is missing.
   [[nodiscard]] std::string name_in(std::string_view column) const {
     std::string text = cell(column);
-    return is_missing_cell(text) ? std::string{} : text;
+    return table::is_missing_cell(text) ? std::string{} : text;
   }
 
-  void add(Severity severity, std::string_view column, std::string expectation) {
+  void add(table::Severity severity, std::string_view column, std::string expectation) {
     problems_.add({severity,
                    "trials.csv",
                    table_.lines[row_],
                    std::string(column),
-                   shortened(cell(column)),
+                   table::shortened(cell(column)),
                    std::move(expectation),
                    1});
   }
 
   void reject(std::string_view column, std::string expectation) {
     good_ = false;
-    add(Severity::error, column, std::move(expectation) + "; the trial is rejected");
+    add(table::Severity::error, column, std::move(expectation) + "; the trial is rejected");
   }
 
   std::optional<bool> read_success() {
-    switch (outcome_of_cell(cell("success"), table_.dialect.decimal_point)) {
-      case OutcomeWord::success:
+    switch (table::outcome_of_cell(cell("success"), table_.dialect.decimal_point)) {
+      case table::OutcomeWord::success:
         return true;
-      case OutcomeWord::failure:
+      case table::OutcomeWord::failure:
         return false;
-      case OutcomeWord::missing:
+      case table::OutcomeWord::missing:
         return std::nullopt;
-      case OutcomeWord::unknown:
+      case table::OutcomeWord::unknown:
         break;
     }
-    reject("success", std::string(kOutcomeWords) + " (" + std::string(kHowMissingIsWritten) + ")");
+    reject(
+        "success",
+        std::string(table::kOutcomeWords) + " (" + std::string(table::kHowMissingIsWritten) + ")");
     return std::nullopt;
   }
 
   /// A number of seconds or metres, or missing.
   std::optional<double> read_amount(std::string_view column) {
-    const CellReading reading = read_cell(cell(column), table_.dialect.decimal_point);
-    if (reading.meaning == CellMeaning::missing) {
+    const table::CellReading reading = table::read_cell(cell(column), table_.dialect.decimal_point);
+    if (reading.meaning == table::CellMeaning::missing) {
       return std::nullopt;
     }
-    if (reading.meaning != CellMeaning::number || !std::isfinite(reading.value) ||
+    if (reading.meaning != table::CellMeaning::number || !std::isfinite(reading.value) ||
         reading.value < 0.0) {
-      reject(column, "a finite number, 0 or more (" + std::string(kHowMissingIsWritten) + ")");
+      reject(column,
+             "a finite number, 0 or more (" + std::string(table::kHowMissingIsWritten) + ")");
       return std::nullopt;
     }
     return reading.value;
   }
 
   EndReason read_end_reason() {
-    const auto* const found = std::ranges::find(kEndReasons, case_folded(name_in("end_reason")));
+    const auto* const found =
+        std::ranges::find(kEndReasons, table::case_folded(name_in("end_reason")));
     if (found == kEndReasons.end()) {
       reject("end_reason", "goal, collision, wedged, timeout, aborted or nothing");
       return EndReason::unknown;
@@ -141,23 +147,23 @@ class TrialRowReader {
   void warn_of_odd_values(const TrialRow& trial) {
     const BundleInfo& info = bundle_.info;
     if (trial.time_s && info.trial_limit_s && *trial.time_s > 10.0 * *info.trial_limit_s) {
-      add(Severity::warning, "time_s", "at most ten times the trial limit");
+      add(table::Severity::warning, "time_s", "at most ten times the trial limit");
     }
     if (!trial.lighting.empty() && !info.lighting_tiers.empty() &&
         std::ranges::find(info.lighting_tiers, trial.lighting) == info.lighting_tiers.end()) {
-      add(Severity::warning, "lighting", "one of the tiers of bundle.json");
+      add(table::Severity::warning, "lighting", "one of the tiers of bundle.json");
     }
   }
 
-  const TextTable& table_;
+  const table::TextTable& table_;
   const Bundle& bundle_;
-  DiagnosticGroups& problems_;
+  table::DiagnosticGroups& problems_;
   std::size_t row_ = 0;
   bool good_ = true;
 };
 
 /// Lines that repeat an id, by id.
-std::map<std::string, std::vector<std::size_t>> repeated_ids(const TextTable& table,
+std::map<std::string, std::vector<std::size_t>> repeated_ids(const table::TextTable& table,
                                                              std::size_t id_column) {
   std::map<std::string, std::vector<std::size_t>> lines;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -173,8 +179,10 @@ std::string_view to_string(EndReason reason) noexcept {
   return kEndReasons[static_cast<std::size_t>(reason)];
 }
 
-void read_trial_table(const Bytes& bytes, Bundle& bundle, DiagnosticGroups& problems) {
-  CsvOptions csv;
+void read_trial_table(const table::Bytes& bytes,
+                      Bundle& bundle,
+                      table::DiagnosticGroups& problems) {
+  table::CsvOptions csv;
   csv.file = "trials.csv";
   csv.decimal_comma = bundle.decimal_comma;
   csv.fold_names = true;
@@ -182,17 +190,18 @@ void read_trial_table(const Bytes& bytes, Bundle& bundle, DiagnosticGroups& prob
       renames != bundle.info.columns.end()) {
     csv.rename = renames->second;
   }
-  const auto table = read_text_table(bytes, csv, {"trial_id", "success", "time_s"}, problems);
+  const auto table =
+      table::read_text_table(bytes, csv, {"trial_id", "success", "time_s"}, problems);
   if (!table) {
     return;
   }
   const auto repeated = repeated_ids(*table, *table->find("trial_id"));
   for (const auto& [id, lines] : repeated) {
-    problems.add({Severity::error,
+    problems.add({table::Severity::error,
                   csv.file,
                   lines[1],
                   "trial_id",
-                  shortened(id),
+                  table::shortened(id),
                   "a trial_id that no other row has; all rows of it are rejected",
                   lines.size() - 1});
   }
@@ -205,7 +214,7 @@ void read_trial_table(const Bytes& bytes, Bundle& bundle, DiagnosticGroups& prob
     }
   }
   if (table->rows() == 0) {
-    problems.add({Severity::error, csv.file, 0, "", "no rows", "at least one trial", 1});
+    problems.add({table::Severity::error, csv.file, 0, "", "no rows", "at least one trial", 1});
   }
 }
 
@@ -214,27 +223,27 @@ std::string to_trials_csv(const std::vector<TrialRow>& trials,
   std::string out = "trial_id,algorithm,lighting,day,batch,success,time_s,distance_m,end_reason";
   for (const std::string& name : extra_columns) {
     out += ',';
-    append_text(out, name);
+    table::append_text(out, name);
   }
   out += '\n';
   for (const TrialRow& trial : trials) {
     for (const std::string* text :
          {&trial.trial_id, &trial.algorithm, &trial.lighting, &trial.day, &trial.batch}) {
-      append_text(out, *text);
+      table::append_text(out, *text);
       out += ',';
     }
     if (trial.success) {
       out += *trial.success ? '1' : '0';
     }
     out += ',';
-    append_number(out, trial.time_s.value_or(kMissing));
+    table::append_number(out, trial.time_s.value_or(kMissing));
     out += ',';
-    append_number(out, trial.distance_m.value_or(kMissing));
+    table::append_number(out, trial.distance_m.value_or(kMissing));
     out += ',';
     out += to_string(trial.end_reason);
     for (const std::string& text : trial.extra) {
       out += ',';
-      append_text(out, text);
+      table::append_text(out, text);
     }
     out += '\n';
   }

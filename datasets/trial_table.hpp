@@ -18,7 +18,7 @@ namespace tcert {
 /// Fills `bundle.trials` and `bundle.extra_columns` from the bytes of trials.csv; `bundle.info`
 /// says the lighting tiers, the trial limit and the renames. Rows with an error are left out, and
 /// so are all rows of a trial_id that is given twice.
-void read_trial_table(const Bytes& bytes, Bundle& bundle, DiagnosticGroups& problems);
+void read_trial_table(const table::Bytes& bytes, Bundle& bundle, table::DiagnosticGroups& problems);
 
 /// The text of a trials.csv that reads back as these rows.
 [[nodiscard]] std::string to_trials_csv(const std::vector<TrialRow>& trials,

@@ -189,8 +189,8 @@ std::string to_json(const World& world) {
 }
 
 World world_from_json(std::string_view text) {
-  if (is_nested_too_deeply(text)) {
-    throw WorldFormatError(std::string(kNestedTooDeeply));
+  if (table::is_nested_too_deeply(text)) {
+    throw WorldFormatError(std::string(table::kNestedTooDeeply));
   }
   try {
     return read_world(Json::parse(text));

@@ -63,7 +63,7 @@ Cause cause_of(GuardTrigger trigger,
 void append_cell(std::string& out, double value) {
   out += ',';
   if (std::isfinite(value)) {
-    append_number(out, value);
+    table::append_number(out, value);
   }
 }
 
@@ -88,14 +88,14 @@ void append_audit_rows(std::string& out,
     }
     const Cause cause = cause_of(trigger, certified, guarded, parameters);
     out += prefix;
-    append_seconds(out, tick.time_ns);
+    table::append_seconds(out, tick.time_ns);
     out += ',';
     out += name;
     out += (guarded.began & trigger) != 0 ? ",begin" : ",end";
     append_cell(out, cause.value);
     append_cell(out, cause.limit);
     out += ',';
-    append_text(out, cause.text);
+    table::append_text(out, cause.text);
     append_cell(out, tick.pose.position.x_m);
     append_cell(out, tick.pose.position.y_m);
     append_cell(out, tick.pose.yaw_rad);

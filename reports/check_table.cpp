@@ -21,7 +21,7 @@ TableCell rate(const StreamCheck& stream) {
 
 }  // namespace
 
-Table csv_check_table(const CsvCheck& check, const std::string& file) {
+Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
   Table table;
   table.name = "columns";
   table.title = "Columns of " + file;
@@ -32,7 +32,7 @@ Table csv_check_table(const CsvCheck& check, const std::string& file) {
                    {"texts", "texts", "", ColumnKind::integer},
                    {"least", "least", "", ColumnKind::number, 6},
                    {"largest", "largest", "", ColumnKind::number, 6}};
-  for (const ColumnCheck& column : check.columns) {
+  for (const table::ColumnCheck& column : check.columns) {
     table.add_row({column.name,
                    count(column.numbers),
                    count(column.truths),
@@ -44,7 +44,7 @@ Table csv_check_table(const CsvCheck& check, const std::string& file) {
   table.footnotes.push_back(fmt::format(
       "{} rows, separator {}, {}, {} lines before it.",
       check.rows,
-      separator_name(check.dialect.separator),
+      table::separator_name(check.dialect.separator),
       check.header_line == 0 ? "no header" : fmt::format("header on line {}", check.header_line),
       check.preamble_records));
   if (check.clock) {

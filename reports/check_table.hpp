@@ -13,7 +13,7 @@
 namespace tcert {
 
 /// One row a column of the file; the footnotes say dialect, header, rows and clock.
-[[nodiscard]] Table csv_check_table(const CsvCheck& check, const std::string& file);
+[[nodiscard]] Table csv_check_table(const table::CsvCheck& check, const std::string& file);
 
 /// One row a trial: columns here, rows by trial_check_row.
 [[nodiscard]] Table trial_check_table(const std::optional<SyntheticLabel>& synthetic);

@@ -30,7 +30,8 @@ Table diagnostics_table(const std::optional<SyntheticLabel>& synthetic) {
   return table;
 }
 
-std::vector<TableCell> diagnostics_row(const std::string& trial_id, const Diagnostic& diagnostic) {
+std::vector<TableCell> diagnostics_row(const std::string& trial_id,
+                                       const table::Diagnostic& diagnostic) {
   return {
       text_or_missing(trial_id),
       std::string(kSeverities[static_cast<std::size_t>(diagnostic.severity)]),

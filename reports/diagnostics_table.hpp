@@ -16,6 +16,6 @@ namespace tcert {
 
 /// `trial_id` is empty for a problem of the bundle.
 [[nodiscard]] std::vector<TableCell> diagnostics_row(const std::string& trial_id,
-                                                     const Diagnostic& diagnostic);
+                                                     const table::Diagnostic& diagnostic);
 
 }  // namespace tcert

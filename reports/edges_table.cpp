@@ -54,7 +54,8 @@ std::vector<TableCell> row_of(std::size_t index, const Edge& edge, const std::ve
 
 }  // namespace
 
-std::string edges_csv(const TrialSeries& series, const std::optional<SyntheticLabel>& synthetic) {
+std::string edges_csv(const study::TrialSeries& series,
+                      const std::optional<SyntheticLabel>& synthetic) {
   Table table;
   table.name = "edges";
   table.synthetic = synthetic;

@@ -13,7 +13,7 @@
 namespace tcert {
 
 /// Header and rows, in the order in which the edges were found.
-[[nodiscard]] std::string edges_csv(const TrialSeries& series,
+[[nodiscard]] std::string edges_csv(const study::TrialSeries& series,
                                     const std::optional<SyntheticLabel>& synthetic);
 
 /// What its columns mean, in their order.

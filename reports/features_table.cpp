@@ -109,7 +109,7 @@ Table features_table(const Bundle& bundle) {
   for (const Described& one : trial_columns()) {
     table.columns.push_back(one.column);
   }
-  for (const FeatureColumn& column : feature_columns()) {
+  for (const study::FeatureColumn& column : study::feature_columns()) {
     const std::string name(column.name);
     table.columns.push_back({name, name, std::string(column.unit), ColumnKind::number});
   }
@@ -118,18 +118,18 @@ Table features_table(const Bundle& bundle) {
   }
   std::set<std::string> taken;
   for (const Column& column : table.columns) {
-    taken.insert(case_folded(column.name));
+    taken.insert(table::case_folded(column.name));
   }
   for (const std::string& name : bundle.extra_columns) {
     // A column of the log that is called like a feature must not shadow it.
-    const bool is_taken = taken.count(case_folded(name)) != 0;
+    const bool is_taken = taken.count(table::case_folded(name)) != 0;
     table.columns.push_back(text_column(is_taken ? "trials_" + name : name, name));
-    taken.insert(case_folded(table.columns.back().name));
+    taken.insert(table::case_folded(table.columns.back().name));
   }
   return table;
 }
 
-std::vector<TableCell> features_row(const TrialRecord& trial) {
+std::vector<TableCell> features_row(const study::TrialRecord& trial) {
   const TrialRow& row = trial.row.trial;
   std::vector<TableCell> cells = {text_or_missing(row.trial_id),
                                   text_or_missing(row.algorithm),
@@ -140,7 +140,7 @@ std::vector<TableCell> features_row(const TrialRecord& trial) {
                                   cell_of(row.time_s),
                                   cell_of(row.distance_m),
                                   text_or_missing(to_string(row.end_reason))};
-  for (const FeatureColumn& column : feature_columns()) {
+  for (const study::FeatureColumn& column : study::feature_columns()) {
     cells.push_back(cell_of(column.get(trial.row.features)));
   }
   cells.push_back(cell_of(trial.median_speed_cmd_mps));
@@ -165,7 +165,7 @@ Table certificates_table(const Bundle& bundle) {
 std::vector<ColumnDoc> feature_column_docs() {
   std::vector<ColumnDoc> docs;
   append_docs(trial_columns(), docs);
-  for (const FeatureColumn& column : feature_columns()) {
+  for (const study::FeatureColumn& column : study::feature_columns()) {
     docs.push_back(
         {std::string(column.name), std::string(column.unit), std::string(column.meaning)});
   }
@@ -182,7 +182,8 @@ std::vector<ColumnDoc> certificate_column_docs() {
   return docs;
 }
 
-std::vector<TableCell> certificates_row(const StudiedTrial& trial, const std::string& log_sha256) {
+std::vector<TableCell> certificates_row(const study::StudiedTrial& trial,
+                                        const std::string& log_sha256) {
   const auto& ticks = trial.series.ticks;
   const CertifiedTick last = ticks.empty() ? CertifiedTick{} : ticks.back();
   std::uint32_t flags = 0;

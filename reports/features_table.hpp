@@ -19,7 +19,7 @@ namespace tcert {
 /// Columns of the feature table, no rows: the trial's row of trials.csv, its features, the medians
 /// of its control samples, then the extra columns of the bundle as text.
 [[nodiscard]] Table features_table(const Bundle& bundle);
-[[nodiscard]] std::vector<TableCell> features_row(const TrialRecord& trial);
+[[nodiscard]] std::vector<TableCell> features_row(const study::TrialRecord& trial);
 
 /// What the columns of the two tables mean, in their order.
 [[nodiscard]] std::vector<ColumnDoc> feature_column_docs();
@@ -28,7 +28,7 @@ namespace tcert {
 /// Columns of the certificate table, no rows: where and when each certificate was issued, what
 /// decides it, and the digest of the log that it was made from.
 [[nodiscard]] Table certificates_table(const Bundle& bundle);
-[[nodiscard]] std::vector<TableCell> certificates_row(const StudiedTrial& trial,
+[[nodiscard]] std::vector<TableCell> certificates_row(const study::StudiedTrial& trial,
                                                       const std::string& log_sha256);
 
 }  // namespace tcert

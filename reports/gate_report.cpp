@@ -14,22 +14,22 @@ Column metres(std::string name, std::string heading) {
   return {std::move(name), std::move(heading), "m", ColumnKind::number, 4};
 }
 
-std::string words_of(ConfidenceSetKind kind) {
+std::string words_of(study::ConfidenceSetKind kind) {
   switch (kind) {
-    case ConfidenceSetKind::bounded:
+    case study::ConfidenceSetKind::bounded:
       return "bounded";
-    case ConfidenceSetKind::two_rays:
+    case study::ConfidenceSetKind::two_rays:
       return "unbounded: all but";
-    case ConfidenceSetKind::whole_line:
+    case study::ConfidenceSetKind::whole_line:
       return "unbounded: everything";
-    case ConfidenceSetKind::unknown:
+    case study::ConfidenceSetKind::unknown:
       break;
   }
   return "none";
 }
 
-Table point_table(const GateStudy& study) {
-  const EvenChance& even = study.even;
+Table point_table(const study::GateStudy& study) {
+  const study::EvenChance& even = study.even;
   Table table;
   table.name = "gate";
   table.title = "Margin of an even chance to pass: -alpha / beta";
@@ -41,17 +41,17 @@ Table point_table(const GateStudy& study) {
                    metres("high_m", "high"),
                    metres("width_m", "width"),
                    text_column("covers_zero", "covers 0")};
-  const auto add = [&](const char* method, const ConfidenceSet& set) {
-    const bool has_ends =
-        set.kind == ConfidenceSetKind::bounded || set.kind == ConfidenceSetKind::two_rays;
-    const bool bounded = set.kind == ConfidenceSetKind::bounded;
+  const auto add = [&](const char* method, const study::ConfidenceSet& set) {
+    const bool has_ends = set.kind == study::ConfidenceSetKind::bounded ||
+                          set.kind == study::ConfidenceSetKind::two_rays;
+    const bool bounded = set.kind == study::ConfidenceSetKind::bounded;
     table.add_row({std::string(method),
                    number_cell(even.point),
                    words_of(set.kind),
                    has_ends ? TableCell{Number{set.low}} : TableCell{},
                    has_ends ? TableCell{Number{set.high}} : TableCell{},
                    bounded ? TableCell{Number{set.high - set.low}} : TableCell{},
-                   set.kind == ConfidenceSetKind::unknown
+                   set.kind == study::ConfidenceSetKind::unknown
                        ? TableCell{}
                        : TableCell{std::string(set.covers(0.0) ? "yes" : "no")}});
   };
@@ -71,13 +71,13 @@ Table point_table(const GateStudy& study) {
     table.footnotes.push_back(std::to_string(study.incomplete) +
                               " passes without outcome or margin are left out.");
   }
-  for (const Condition& condition : even.conditions) {
-    table.footnotes.push_back(to_string(condition) + ".");
+  for (const statistics::Condition& condition : even.conditions) {
+    table.footnotes.push_back(statistics::to_string(condition) + ".");
   }
   return table;
 }
 
-Table slope_table(const EvenChance& even) {
+Table slope_table(const study::EvenChance& even) {
   Table table;
   table.name = "gate_slope";
   table.title = "logit Pr(success) = alpha + beta margin";
@@ -109,7 +109,7 @@ Table slope_table(const EvenChance& even) {
   return table;
 }
 
-Table calibration_table(const GateStudy& study) {
+Table calibration_table(const study::GateStudy& study) {
   Table table;
   table.name = "gate_calibration";
   table.title = "Calibration: passes of like margin";
@@ -118,7 +118,7 @@ Table calibration_table(const GateStudy& study) {
                    integer_column("successes", "successes"),
                    {"observed", "observed", "", ColumnKind::estimate, 3},
                    {"predicted", "predicted", "", ColumnKind::number, 3}};
-  for (const GateCalibration& group : study.calibration) {
+  for (const study::GateCalibration& group : study.calibration) {
     table.add_row(
         {integer_cell(group.passes),
          Number{group.mean_margin_m},
@@ -130,7 +130,7 @@ Table calibration_table(const GateStudy& study) {
   return table;
 }
 
-Table model_table(const LogisticFit& fit) {
+Table model_table(const statistics::LogisticFit& fit) {
   Table table;
   table.name = "gate_model";
   table.title = "With the least certificate before the gate as second predictor";
@@ -140,7 +140,7 @@ Table model_table(const LogisticFit& fit) {
                    p_column(),
                    number_column("conf.low", "low"),
                    number_column("conf.high", "high")};
-  for (const LogisticCoefficient& one : fit.coefficients) {
+  for (const statistics::LogisticCoefficient& one : fit.coefficients) {
     table.add_row({one.column,
                    number_cell(one.estimate),
                    number_cell(one.standard_error),
@@ -149,13 +149,13 @@ Table model_table(const LogisticFit& fit) {
                    high_cell(one.interval)});
   }
   table.footnotes = {std::to_string(fit.rows) + " passes; Wald intervals; per metre."};
-  for (const Condition& condition : fit.conditions) {
-    table.footnotes.push_back(to_string(condition) + ".");
+  for (const statistics::Condition& condition : fit.conditions) {
+    table.footnotes.push_back(statistics::to_string(condition) + ".");
   }
   return table;
 }
 
-Table pass_table(const GateStudy& study) {
+Table pass_table(const study::GateStudy& study) {
   Table table;
   table.name = "gate_passes";
   table.title = "The passes";
@@ -163,7 +163,7 @@ Table pass_table(const GateStudy& study) {
                    integer_column("success", "success"),
                    metres("bottleneck_m", "bottleneck margin"),
                    metres("before_m", "certificate before")};
-  for (const GateRow& row : study.rows) {
+  for (const study::GateRow& row : study.rows) {
     table.add_row({row.trial_id,
                    row.success ? integer_cell(*row.success ? 1 : 0) : TableCell{},
                    number_cell(row.pass.bottleneck_m),
@@ -174,12 +174,12 @@ Table pass_table(const GateStudy& study) {
   return table;
 }
 
-Table curve_table(const GateStudy& study) {
+Table curve_table(const study::GateStudy& study) {
   Table table;
   table.name = "gate_curve";
   table.title = "Fitted chance to pass";
   table.columns = {metres("margin_m", "margin"), {"chance", "chance", "", ColumnKind::estimate, 3}};
-  for (const GateChance& one : study.curve) {
+  for (const study::GateChance& one : study.curve) {
     table.add_row(
         {Number{one.margin_m}, Estimate{one.chance, one.interval.low, one.interval.high}});
   }
@@ -189,7 +189,7 @@ Table curve_table(const GateStudy& study) {
 
 }  // namespace
 
-FitReport gate_report(const GateStudy& study) {
+FitReport gate_report(const study::GateStudy& study) {
   FitReport report;
   report.model = "gate";
   Record summary("summary", "Options");

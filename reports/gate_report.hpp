@@ -9,6 +9,6 @@ namespace tcert {
 
 /// Tables gate (the 50 % point and its sets), gate_slope, gate_calibration, gate_model (with the
 /// certificate before the gate), gate_passes.
-[[nodiscard]] FitReport gate_report(const GateStudy& study);
+[[nodiscard]] FitReport gate_report(const study::GateStudy& study);
 
 }  // namespace tcert

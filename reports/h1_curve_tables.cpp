@@ -6,13 +6,13 @@
 namespace tcert {
 namespace {
 
-TableCell coefficient(const CalibrationCoefficient& one) {
+TableCell coefficient(const statistics::CalibrationCoefficient& one) {
   return estimate_cell(one.estimate, one.interval);
 }
 
 }  // namespace
 
-Table h1_roc_table(const H1Table& h1) {
+Table h1_roc_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1_roc";
   table.title = "ROC curves";
@@ -21,9 +21,9 @@ Table h1_roc_table(const H1Table& h1) {
                    number_column("threshold", "threshold"),
                    fixed_column("sensitivity", "sensitivity"),
                    fixed_column("specificity", "specificity")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Roc& roc : panel.roc) {
-      for (const RocPoint& point : roc.curve.points) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Roc& roc : panel.roc) {
+      for (const statistics::RocPoint& point : roc.curve.points) {
         table.add_row({panel_name(h1, panel),
                        roc.name,
                        Number{point.threshold},
@@ -38,7 +38,7 @@ Table h1_roc_table(const H1Table& h1) {
   return table;
 }
 
-Table h1_calibration_table(const H1Table& h1) {
+Table h1_calibration_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1_calibration";
   table.title = "Out-of-fold calibration: trials of like predicted probability";
@@ -50,10 +50,10 @@ Table h1_calibration_table(const H1Table& h1) {
                    integer_column("clusters", "clusters"),
                    fixed_column("predicted", "predicted"),
                    estimate_column("observed", "observed")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Calibration& one : panel.calibration) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Calibration& one : panel.calibration) {
       std::size_t number = 0;
-      for (const CalibrationBin& bin : one.calibration.bins) {
+      for (const statistics::CalibrationBin& bin : one.calibration.bins) {
         table.add_row({panel_name(h1, panel),
                        one.name,
                        integer_cell(++number),
@@ -71,7 +71,7 @@ Table h1_calibration_table(const H1Table& h1) {
   return table;
 }
 
-Table h1_recalibration_table(const H1Table& h1) {
+Table h1_recalibration_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1_recalibration";
   table.title = "Out-of-fold calibration of success";
@@ -84,9 +84,9 @@ Table h1_recalibration_table(const H1Table& h1) {
                    estimate_column("intercept", "intercept"),
                    estimate_column("in_the_large", "in the large"),
                    fixed_column("brier", "Brier")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Calibration& one : panel.calibration) {
-      const ModelCalibration& c = one.calibration;
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Calibration& one : panel.calibration) {
+      const statistics::ModelCalibration& c = one.calibration;
       table.add_row({panel_name(h1, panel),
                      one.name,
                      integer_cell(c.rows),

@@ -7,26 +7,27 @@
 
 namespace tcert {
 
-std::string interval_text(BootstrapMethod method, double level) {
-  return significant(100.0 * level, kShownDigits) + " % " + std::string(to_string(method));
+std::string interval_text(statistics::BootstrapMethod method, double level) {
+  return significant(100.0 * level, kShownDigits) + " % " +
+         std::string(statistics::to_string(method));
 }
 
-std::string h1_interval_text(const H1Options& options) {
+std::string h1_interval_text(const study::H1Options& options) {
   return interval_text(options.interval, options.level);
 }
 
-std::string interval_words(BootstrapMethod method) {
+std::string interval_words(statistics::BootstrapMethod method) {
   switch (method) {
-    case BootstrapMethod::expanded:
+    case statistics::BootstrapMethod::expanded:
       return "expanded percentiles (Hesterberg 2015)";
-    case BootstrapMethod::percentile:
+    case statistics::BootstrapMethod::percentile:
       return "percentiles";
-    case BootstrapMethod::bca:
-    case BootstrapMethod::basic:
-    case BootstrapMethod::normal:
+    case statistics::BootstrapMethod::bca:
+    case statistics::BootstrapMethod::basic:
+    case statistics::BootstrapMethod::normal:
       break;
   }
-  return std::string(to_string(method));
+  return std::string(statistics::to_string(method));
 }
 
 std::vector<Column> interval_columns() {
@@ -38,17 +39,22 @@ std::vector<Column> interval_columns() {
           number_column("bca_high", "high")};
 }
 
-void append_intervals(const BootstrapIntervals& intervals, std::vector<TableCell>& cells) {
-  for (const BootstrapMethod method :
-       {BootstrapMethod::expanded, BootstrapMethod::percentile, BootstrapMethod::bca}) {
+void append_intervals(const statistics::BootstrapIntervals& intervals,
+                      std::vector<TableCell>& cells) {
+  for (const statistics::BootstrapMethod method : {statistics::BootstrapMethod::expanded,
+                                                   statistics::BootstrapMethod::percentile,
+                                                   statistics::BootstrapMethod::bca}) {
     cells.push_back(low_cell(intervals.of(method)));
     cells.push_back(high_cell(intervals.of(method)));
   }
 }
 
-void add_no_bca(const std::string& of, const BootstrapIntervals& intervals, Table& table) {
+void add_no_bca(const std::string& of,
+                const statistics::BootstrapIntervals& intervals,
+                Table& table) {
   if (intervals.no_bca) {
-    table.footnotes.push_back(of + ", no BCa interval: " + to_string(*intervals.no_bca) + ".");
+    table.footnotes.push_back(
+        of + ", no BCa interval: " + statistics::to_string(*intervals.no_bca) + ".");
   }
 }
 
@@ -68,7 +74,7 @@ Table h1_interval_columns(std::string name, std::string row_name, std::string ro
 void add_intervals(const std::string& panel,
                    const std::string& row,
                    const std::string& quantity,
-                   const H1Score& score,
+                   const study::H1Score& score,
                    Table& table) {
   if (!score.value) {
     return;
@@ -81,11 +87,11 @@ void add_intervals(const std::string& panel,
   add_no_bca(of, score.intervals, table);
 }
 
-Table h1_interval_table(const H1Table& h1) {
+Table h1_interval_table(const study::H1Table& h1) {
   Table table = h1_interval_columns("h1_intervals", "predictor", "predictor");
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Row& row : panel.rows) {
-      const auto add = [&](const char* quantity, const H1Score& score) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Row& row : panel.rows) {
+      const auto add = [&](const char* quantity, const study::H1Score& score) {
         add_intervals(panel_name(h1, panel), row.name, quantity, score, table);
       };
       add("AUC", row.auc);

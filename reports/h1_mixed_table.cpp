@@ -5,11 +5,11 @@
 namespace tcert {
 namespace {
 
-TableCell ratio(const H1OddsRatio& one) { return estimate_cell(one.ratio, one.interval); }
+TableCell ratio(const study::H1OddsRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
 }  // namespace
 
-Table h1_mixed_table(const H1Table& h1) {
+Table h1_mixed_table(const study::H1Table& h1) {
   const std::string level = significant(100.0 * h1.options.level, kShownDigits) + " %";
   Table table;
   table.name = "h1_mixed";
@@ -26,8 +26,8 @@ Table h1_mixed_table(const H1Table& h1) {
                    fixed_column("r2_marginal", "R2 marginal"),
                    fixed_column("r2_conditional", "R2 conditional"),
                    fixed_column("loglik", "log-likelihood")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Row& row : panel.rows) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Row& row : panel.rows) {
       table.add_row({panel_name(h1, panel),
                      row.name,
                      ratio(row.mixed.per_sd),

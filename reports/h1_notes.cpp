@@ -15,7 +15,7 @@
 namespace tcert {
 namespace {
 
-std::string cluster_note(const H1Table& h1) {
+std::string cluster_note(const study::H1Table& h1) {
   const std::string& cluster = h1.options.cluster;
   if (cluster.empty()) {
     return "Trials are taken as independent: no cluster was named.";
@@ -26,11 +26,11 @@ std::string cluster_note(const H1Table& h1) {
   }
   std::string note = "Clusters: column '" + cluster +
                      "'. Resamples draw whole clusters, the tests and robust variances use them";
-  const bool few = std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
-    return panel.clusters < kFewClusters;
+  const bool few = std::any_of(h1.panels.begin(), h1.panels.end(), [](const study::H1Panel& panel) {
+    return panel.clusters < statistics::kFewClusters;
   });
   return note + (few ? fmt::format("; with fewer than {} of them intervals tend to be too narrow.",
-                                   kFewClusters)
+                                   statistics::kFewClusters)
                      : std::string("."));
 }
 
@@ -44,38 +44,40 @@ std::string model_note(std::string_view p) {
 }
 
 /// What several rows of a panel have, or one row of several folds, is one line.
-void add_row_conditions(const H1Table& h1, const H1Panel& panel, std::vector<std::string>& notes) {
-  std::vector<OwnedCondition> owned;
-  for (const H1Row& row : panel.rows) {
-    for (Condition condition : row.conditions) {
+void add_row_conditions(const study::H1Table& h1,
+                        const study::H1Panel& panel,
+                        std::vector<std::string>& notes) {
+  std::vector<statistics::OwnedCondition> owned;
+  for (const study::H1Row& row : panel.rows) {
+    for (statistics::Condition condition : row.conditions) {
       if (condition.column == row.name) {
         condition.column.clear();  // The line names the row.
       }
-      owned.push_back({row.name, subject_of(condition.detail), condition});
+      owned.push_back({row.name, statistics::subject_of(condition.detail), condition});
     }
   }
-  for (SharedCondition& shared : shared_conditions(owned)) {
+  for (statistics::SharedCondition& shared : statistics::shared_conditions(owned)) {
     if (!shared.same_detail) {
       shared.condition.detail +=
           shared.owners.size() > 1 ? " in " + shared.owners.front() : " and the like";
     }
     notes.push_back(panel_name(h1, panel) + " panel, " +
                     fmt::format("{}", fmt::join(shared.owners, ", ")) + ": " +
-                    to_string(shared.condition) + ".");
+                    statistics::to_string(shared.condition) + ".");
   }
 }
 
-void add_conditions(const H1Table& h1, std::vector<std::string>& notes) {
-  for (const H1Panel& panel : h1.panels) {
-    for (const Condition& condition : panel.conditions) {
-      notes.push_back(panel_name(h1, panel) + " panel: " + to_string(condition) + ".");
+void add_conditions(const study::H1Table& h1, std::vector<std::string>& notes) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const statistics::Condition& condition : panel.conditions) {
+      notes.push_back(panel_name(h1, panel) + " panel: " + statistics::to_string(condition) + ".");
     }
     add_row_conditions(h1, panel, notes);
   }
 }
 
 /// What the features of a landmark panel are of.
-std::string window_words(const H1Panel& panel) {
+std::string window_words(const study::H1Panel& panel) {
   if (panel.not_of_window.empty()) {
     return "the time window alone, ";
   }
@@ -88,9 +90,9 @@ std::string window_words(const H1Panel& panel) {
 
 }  // namespace
 
-std::string h1_panel_note(const H1Options& options, const H1Panel& panel, bool only) {
+std::string h1_panel_note(const study::H1Options& options, const study::H1Panel& panel, bool only) {
   std::string note;
-  if (panel.kind == H1PanelKind::paper) {
+  if (panel.kind == study::H1PanelKind::paper) {
     note = std::string(only ? "Table" : "Paper panel") + ": features as they are, " +
            std::to_string(panel.trials) + " trials";
     if (panel.ended_in_window && panel.failures_ended_in_window) {
@@ -122,9 +124,9 @@ std::string h1_panel_note(const H1Options& options, const H1Panel& panel, bool o
   return note + ".";
 }
 
-std::vector<std::string> h1_success_notes(const H1Table& h1) {
+std::vector<std::string> h1_success_notes(const study::H1Table& h1) {
   std::vector<std::string> notes;
-  for (const H1Panel& panel : h1.panels) {
+  for (const study::H1Panel& panel : h1.panels) {
     notes.push_back(h1_panel_note(h1.options, panel, h1.panels.size() == 1));
   }
   notes.push_back(cluster_note(h1));
@@ -150,9 +152,10 @@ std::vector<std::string> h1_success_notes(const H1Table& h1) {
   return notes;
 }
 
-std::vector<std::string> h1_time_notes(const H1Table& h1) {
-  const bool has_time = std::any_of(
-      h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) { return panel.has_time; });
+std::vector<std::string> h1_time_notes(const study::H1Table& h1) {
+  const bool has_time = std::any_of(h1.panels.begin(),
+                                    h1.panels.end(),
+                                    [](const study::H1Panel& panel) { return panel.has_time; });
   if (!has_time) {
     return {"No C and no hazard ratios: column '" + h1.options.time +
             "' is not there, holds nothing or has a time that is not above 0."};
@@ -165,7 +168,7 @@ std::vector<std::string> h1_time_notes(const H1Table& h1) {
                      ? std::string("no strata were named.")
                      : "the table has no column '" + h1.options.strata + "', or nothing in it.");
   std::string limits;
-  for (const H1Panel& panel : h1.panels) {
+  for (const study::H1Panel& panel : h1.panels) {
     limits += (limits.empty() ? "" : ", ") + significant(panel.limit_s, 6) + " s (" +
               panel_name(h1, panel) + ")";
   }

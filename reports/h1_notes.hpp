@@ -9,10 +9,12 @@
 
 namespace tcert {
 
-[[nodiscard]] std::vector<std::string> h1_success_notes(const H1Table& h1);
-[[nodiscard]] std::vector<std::string> h1_time_notes(const H1Table& h1);
+[[nodiscard]] std::vector<std::string> h1_success_notes(const study::H1Table& h1);
+[[nodiscard]] std::vector<std::string> h1_time_notes(const study::H1Table& h1);
 
 /// Who is in a panel and who is not; `only` if the table has no other panel.
-[[nodiscard]] std::string h1_panel_note(const H1Options& options, const H1Panel& panel, bool only);
+[[nodiscard]] std::string h1_panel_note(const study::H1Options& options,
+                                        const study::H1Panel& panel,
+                                        bool only);
 
 }  // namespace tcert

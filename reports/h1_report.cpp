@@ -10,7 +10,7 @@
 namespace tcert {
 namespace {
 
-Table case_level_table(const H1Table& h1) {
+Table case_level_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1_case_level";
   table.title = "Sensitivity: the same as if trials were independent";
@@ -26,8 +26,8 @@ Table case_level_table(const H1Table& h1) {
                    number_column("c_low", "low"),
                    number_column("c_high", "high"),
                    p_column("c_gain_p", "p of gain")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1CaseRow& row : panel.case_level) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1CaseRow& row : panel.case_level) {
       table.add_row({panel_name(h1, panel),
                      row.name,
                      number_cell(row.auc.value),
@@ -49,7 +49,7 @@ Table case_level_table(const H1Table& h1) {
 }
 
 /// Closed forms by cluster: what another program can check to the last digit.
-Table closed_form_table(const H1Table& h1) {
+Table closed_form_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1_closed_form";
   table.title = "Closed forms by cluster";
@@ -68,8 +68,8 @@ Table closed_form_table(const H1Table& h1) {
                    p_column("hr_stratified_p", "p of HR, stratified"),
                    p_column("auc_lr_p", "likelihood ratio of adding, trials independent: success"),
                    p_column("c_lr_p", "time")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Row& row : panel.rows) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Row& row : panel.rows) {
       table.add_row({panel_name(h1, panel),
                      row.name,
                      number_cell(row.auc.std_error),
@@ -90,14 +90,14 @@ Table closed_form_table(const H1Table& h1) {
   return table;
 }
 
-Table fold_table(const H1Table& h1) {
+Table fold_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1_folds";
   table.title = "Folds of clusters";
   table.columns = {text_column("panel", "panel"),
                    text_column("cluster", "cluster"),
                    integer_column("fold", "fold")};
-  for (const H1Panel& panel : h1.panels) {
+  for (const study::H1Panel& panel : h1.panels) {
     for (const auto& [cluster, fold] : panel.folds) {
       table.add_row({panel_name(h1, panel), cluster, integer_cell(fold)});
     }
@@ -120,15 +120,15 @@ Table with_panel(const std::vector<std::pair<std::string, Table>>& parts, std::s
   return table;
 }
 
-void add_incidence_tables(const H1Table& h1, FitReport& report) {
+void add_incidence_tables(const study::H1Table& h1, FitReport& report) {
   std::vector<std::pair<std::string, Table>> shown;
   std::vector<std::pair<std::string, Table>> all;
-  for (const H1Panel& panel : h1.panels) {
+  for (const study::H1Panel& panel : h1.panels) {
     if (panel.incidence.empty()) {
       continue;
     }
     SurvivalReportOptions options;
-    options.scale = IntervalScale::log_log;
+    options.scale = statistics::IntervalScale::log_log;
     options.level = h1.options.level;
     options.limit = h1.options.limit_s;
     FitReport part;
@@ -146,12 +146,12 @@ void add_incidence_tables(const H1Table& h1, FitReport& report) {
 
 }  // namespace
 
-FitReport h1_report(const H1Table& h1) {
+FitReport h1_report(const study::H1Table& h1) {
   FitReport report;
   report.model = "h1";
   const bool has_landmark =
-      std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
-        return panel.kind == H1PanelKind::landmark;
+      std::any_of(h1.panels.begin(), h1.panels.end(), [](const study::H1Panel& panel) {
+        return panel.kind == study::H1PanelKind::landmark;
       });
   Record summary("summary", "Options");
   summary.integer("trials", "trials", h1.trials)
@@ -162,7 +162,7 @@ FitReport h1_report(const H1Table& h1) {
       .text("cluster", "cluster", h1.options.cluster)
       .text("strata", "strata", h1.options.strata)
       .text("within", "within", h1_within_columns(h1))
-      .text("interval", "interval", std::string(to_string(h1.options.interval)))
+      .text("interval", "interval", std::string(statistics::to_string(h1.options.interval)))
       .number("landmark_s",
               "landmark [s]",
               has_landmark ? std::optional(h1.options.landmark_s) : std::nullopt)
@@ -171,9 +171,10 @@ FitReport h1_report(const H1Table& h1) {
       .integer("folds", "folds", h1.options.folds)
       .integer("seed", "seed", h1.options.seed);
   report.summary = std::move(summary).table();
-  const bool has_strata = std::any_of(h1.panels.begin(), h1.panels.end(), [](const H1Panel& panel) {
-    return !panel.within.columns.empty();
-  });
+  const bool has_strata =
+      std::any_of(h1.panels.begin(), h1.panels.end(), [](const study::H1Panel& panel) {
+        return !panel.within.columns.empty();
+      });
   report.tables = {h1_success_table(h1)};
   if (has_strata) {
     report.tables.push_back(h1_within_table(h1));
@@ -193,10 +194,10 @@ FitReport h1_report(const H1Table& h1) {
     report.details.push_back(h1_within_closed_form_table(h1));
   }
   report.details.push_back(fold_table(h1));
-  for (const H1Panel& panel : h1.panels) {
+  for (const study::H1Panel& panel : h1.panels) {
     report.conditions.insert(
         report.conditions.end(), panel.conditions.begin(), panel.conditions.end());
-    for (const H1Row& row : panel.rows) {
+    for (const study::H1Row& row : panel.rows) {
       report.conditions.insert(
           report.conditions.end(), row.conditions.begin(), row.conditions.end());
     }

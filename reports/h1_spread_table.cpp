@@ -15,7 +15,7 @@ TableCell share(std::size_t part, std::size_t whole) {
 
 }  // namespace
 
-Table issuance_table(const H1Table& h1) {
+Table issuance_table(const study::H1Table& h1) {
   Table table;
   table.name = "issued";
   table.title = "Certificates issued, by outcome";
@@ -24,7 +24,7 @@ Table issuance_table(const H1Table& h1) {
                    {"issued", "issued", "", ColumnKind::integer},
                    {"trials", "trials", "", ColumnKind::integer},
                    {"share", "share", "", ColumnKind::number, 3}};
-  for (const IssuedCount& count : h1.issued) {
+  for (const study::IssuedCount& count : h1.issued) {
     table.add_row({outcome(count.success),
                    integer_cell(count.issued),
                    integer_cell(count.trials),
@@ -33,7 +33,7 @@ Table issuance_table(const H1Table& h1) {
   return table;
 }
 
-Table tc_early_table(const H1Table& h1) {
+Table tc_early_table(const study::H1Table& h1) {
   Table table;
   table.name = "tc_early";
   table.title = "Spread of the early certificate margin, by outcome";
@@ -46,8 +46,8 @@ Table tc_early_table(const H1Table& h1) {
                    {"p90_m", "p90", "m", ColumnKind::number, 3},
                    {"missing_share", "share NA", "", ColumnKind::number, 3},
                    {"negative_share", "share below 0", "", ColumnKind::number, 3}};
-  for (const H1Panel& panel : h1.panels) {
-    for (const TcDistribution& one : panel.distribution) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::TcDistribution& one : panel.distribution) {
       table.add_row({panel_name(h1, panel),
                      outcome(one.success),
                      integer_cell(one.trials),

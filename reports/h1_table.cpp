@@ -11,39 +11,42 @@
 namespace tcert {
 namespace {
 
-TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.interval); }
+TableCell estimate(const study::H1Score& score) {
+  return estimate_cell(score.value, score.interval);
+}
 
-TableCell ratio(const H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
+TableCell ratio(const study::H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
-TableCell better_if(const H1Row& row) {
+TableCell better_if(const study::H1Row& row) {
   if (!row.is_single()) {
     return {};
   }
-  return std::string(row.higher == HigherMeans::success ? "larger" : "smaller");
+  return std::string(row.higher == statistics::HigherMeans::success ? "larger" : "smaller");
 }
 
-TableCell missing(const H1Row& row) {
+TableCell missing(const study::H1Row& row) {
   return row.is_single() ? integer_cell(row.missing) : TableCell{};
 }
 
-std::string level_text(const H1Table& h1) { return h1_interval_text(h1.options); }
+std::string level_text(const study::H1Table& h1) { return h1_interval_text(h1.options); }
 
 }  // namespace
 
-std::string panel_name(const H1Table& h1, const H1Panel& panel) {
-  const bool alone = h1.panels.size() == 1 && panel.kind == H1PanelKind::paper;
-  return alone ? "table" : std::string(to_string(panel.kind));
+std::string panel_name(const study::H1Table& h1, const study::H1Panel& panel) {
+  const bool alone = h1.panels.size() == 1 && panel.kind == study::H1PanelKind::paper;
+  return alone ? "table" : std::string(study::to_string(panel.kind));
 }
 
-std::string h1_subject(const H1Table& h1) {
-  const std::vector<H1Predictor>& predictors = h1.options.predictors;
-  const std::vector<H1Predictor> known = paper_predictors();
-  const bool papers =
-      std::equal(predictors.begin(),
-                 predictors.end(),
-                 known.begin(),
-                 known.end(),
-                 [](const H1Predictor& a, const H1Predictor& b) { return a.column == b.column; });
+std::string h1_subject(const study::H1Table& h1) {
+  const std::vector<study::H1Predictor>& predictors = h1.options.predictors;
+  const std::vector<study::H1Predictor> known = study::paper_predictors();
+  const bool papers = std::equal(predictors.begin(),
+                                 predictors.end(),
+                                 known.begin(),
+                                 known.end(),
+                                 [](const study::H1Predictor& a, const study::H1Predictor& b) {
+                                   return a.column == b.column;
+                                 });
   if (papers) {
     return "early certificate margin against contact heuristics";
   }
@@ -54,7 +57,7 @@ std::string h1_subject(const H1Table& h1) {
   return text;
 }
 
-Table h1_success_table(const H1Table& h1) {
+Table h1_success_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1";
   table.title = "H1, success: " + h1_subject(h1);
@@ -71,8 +74,8 @@ Table h1_success_table(const H1Table& h1) {
                    p_column("p", "p"),
                    p_column("p_holm", "p Holm"),
                    fixed_column("auc_out_of_fold", "out of fold")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Row& row : panel.rows) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Row& row : panel.rows) {
       table.add_row({panel_name(h1, panel),
                      row.name,
                      better_if(row),
@@ -91,7 +94,7 @@ Table h1_success_table(const H1Table& h1) {
   return table;
 }
 
-Table h1_time_table(const H1Table& h1) {
+Table h1_time_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1_time";
   table.title = "H1, time to egress: " + h1_subject(h1);
@@ -108,8 +111,8 @@ Table h1_time_table(const H1Table& h1) {
                    estimate_column("hr_stratified", "HR, stratified"),
                    fixed_column("sd", "SD")};
   table.columns.back().significant = kShownDigits;
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Row& row : panel.rows) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Row& row : panel.rows) {
       table.add_row({panel_name(h1, panel),
                      row.name,
                      estimate(row.c),

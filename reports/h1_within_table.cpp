@@ -7,7 +7,9 @@
 namespace tcert {
 namespace {
 
-TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.interval); }
+TableCell estimate(const study::H1Score& score) {
+  return estimate_cell(score.value, score.interval);
+}
 
 std::string share(std::size_t part, std::size_t whole) {
   return whole == 0
@@ -17,14 +19,14 @@ std::string share(std::size_t part, std::size_t whole) {
 
 /// Pooled and within strata, of one outcome.
 struct Pair {
-  const H1Score& pooled;
-  const H1Score& pooled_gain;
-  const H1Score& within;
-  const H1Score& within_gain;
+  const study::H1Score& pooled;
+  const study::H1Score& pooled_gain;
+  const study::H1Score& within;
+  const study::H1Score& within_gain;
 };
 
 template <class PairOf>
-Table within_table(const H1Table& h1,
+Table within_table(const study::H1Table& h1,
                    const std::string& name,
                    const std::string& outcome,
                    const std::string& column,
@@ -42,8 +44,8 @@ Table within_table(const H1Table& h1,
       estimate_column(column + "_within", symbol + " within [" + level + "]"),
       fixed_column(column + "_gain", "gain of " + symbol),
       estimate_column(column + "_gain_within", "gain of " + symbol + " within [" + level + "]")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Row& row : panel.rows) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Row& row : panel.rows) {
       if (!row.is_single()) {
         continue;
       }
@@ -61,7 +63,7 @@ Table within_table(const H1Table& h1,
 
 }  // namespace
 
-std::string h1_within_columns(const H1Panel& panel) {
+std::string h1_within_columns(const study::H1Panel& panel) {
   std::string text;
   for (const std::string& column : panel.within.columns) {
     text += (text.empty() ? "" : " x ") + column;
@@ -69,8 +71,8 @@ std::string h1_within_columns(const H1Panel& panel) {
   return text;
 }
 
-std::string h1_within_columns(const H1Table& h1) {
-  for (const H1Panel& panel : h1.panels) {
+std::string h1_within_columns(const study::H1Table& h1) {
+  for (const study::H1Panel& panel : h1.panels) {
     if (!panel.within.columns.empty()) {
       return h1_within_columns(panel);
     }
@@ -78,8 +80,8 @@ std::string h1_within_columns(const H1Table& h1) {
   return "";
 }
 
-std::string h1_within_note(const H1Panel& panel, const std::string& name) {
-  const H1Strata& within = panel.within;
+std::string h1_within_note(const study::H1Panel& panel, const std::string& name) {
+  const study::H1Strata& within = panel.within;
   std::string note = "Within, " + name + ": pairs of trials of the same " +
                      h1_within_columns(panel) + " alone, " + std::to_string(within.levels) +
                      " strata with " + share(within.auc_pairs, within.all_auc_pairs) +
@@ -93,14 +95,14 @@ std::string h1_within_note(const H1Panel& panel, const std::string& name) {
   return note + ".";
 }
 
-Table h1_within_table(const H1Table& h1) {
-  Table table = within_table(h1, "h1_within", "success", "auc", "AUC", [](const H1Row& row) {
+Table h1_within_table(const study::H1Table& h1) {
+  Table table = within_table(h1, "h1_within", "success", "auc", "AUC", [](const study::H1Row& row) {
     return Pair{row.auc, row.auc_gain, row.within.auc, row.within.auc_gain};
   });
   table.footnotes.emplace_back(
       "Pooled numbers compare every pair of trials, also of groups that differ in speed or in "
       "light before a trial begins; a gain that vanishes within strata is one between groups.");
-  for (const H1Panel& panel : h1.panels) {
+  for (const study::H1Panel& panel : h1.panels) {
     if (!panel.within.columns.empty()) {
       table.footnotes.push_back(h1_within_note(panel, panel_name(h1, panel)));
     }
@@ -111,16 +113,16 @@ Table h1_within_table(const H1Table& h1) {
   return table;
 }
 
-Table h1_time_within_table(const H1Table& h1) {
+Table h1_time_within_table(const study::H1Table& h1) {
   Table table =
-      within_table(h1, "h1_time_within", "time to egress", "c", "C", [](const H1Row& row) {
+      within_table(h1, "h1_time_within", "time to egress", "c", "C", [](const study::H1Row& row) {
         return Pair{row.c, row.c_gain, row.within.c, row.within.c_gain};
       });
   table.footnotes.emplace_back("Strata and pairs: see the table of success.");
   return table;
 }
 
-Table h1_within_closed_form_table(const H1Table& h1) {
+Table h1_within_closed_form_table(const study::H1Table& h1) {
   Table table;
   table.name = "h1_within_closed_form";
   table.title = "Closed forms by cluster, within strata";
@@ -139,12 +141,12 @@ Table h1_within_closed_form_table(const H1Table& h1) {
                    number_column("c_high", "high"),
                    number_column("c_gain_std_error", "SE of its gain"),
                    p_column("c_gain_p", "p of gain")};
-  for (const H1Panel& panel : h1.panels) {
-    for (const H1Row& row : panel.rows) {
+  for (const study::H1Panel& panel : h1.panels) {
+    for (const study::H1Row& row : panel.rows) {
       if (!row.is_single()) {
         continue;
       }
-      const H1WithinScores& within = row.within;
+      const study::H1WithinScores& within = row.within;
       table.add_row({panel_name(h1, panel),
                      row.name,
                      integer_cell(panel.within.levels),

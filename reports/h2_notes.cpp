@@ -12,62 +12,65 @@
 namespace tcert {
 namespace {
 
-std::string cluster_note(const H1Options& options) {
+std::string cluster_note(const study::H1Options& options) {
   return options.cluster.empty()
              ? "Trials are taken as independent: no cluster was named."
              : "Clusters: column '" + options.cluster +
                    "'. Resamples draw whole clusters for all groups jointly; with fewer than " +
-                   std::to_string(kFewClusters) +
+                   std::to_string(statistics::kFewClusters) +
                    " of them intervals tend to be too narrow, and tests reject too often.";
 }
 
 /// Those of the groups; what several groups have is one line.
-void add_level_conditions(const H2Panel& panel,
+void add_level_conditions(const study::H2Panel& panel,
                           const std::string& name,
                           std::vector<std::string>& notes) {
-  std::vector<OwnedCondition> owned;
-  for (const H2Level& level : panel.levels) {
-    for (const Condition& condition : level.conditions) {
-      owned.push_back({level.name, subject_of(condition.detail), condition});
+  std::vector<statistics::OwnedCondition> owned;
+  for (const study::H2Level& level : panel.levels) {
+    for (const statistics::Condition& condition : level.conditions) {
+      owned.push_back({level.name, statistics::subject_of(condition.detail), condition});
     }
   }
-  for (SharedCondition& shared : shared_conditions(owned)) {
+  for (statistics::SharedCondition& shared : statistics::shared_conditions(owned)) {
     if (!shared.same_detail) {
       shared.condition.detail += " in " + shared.owners.front();
     }
-    notes.push_back(name + " panel, " + some_of(shared.owners) + ": " +
-                    to_string(shared.condition) + ".");
+    notes.push_back(name + " panel, " + statistics::some_of(shared.owners) + ": " +
+                    statistics::to_string(shared.condition) + ".");
   }
 }
 
 /// "lighting" of the column "Dark" of an interaction, "tc:lighting" of "tc:Dark".
-std::string factor_of(const H2Table& h2, const H2Panel& panel, const std::string& column) {
+std::string factor_of(const study::H2Table& h2,
+                      const study::H2Panel& panel,
+                      const std::string& column) {
   const std::string product = panel.predictor + ":";
   const bool is_product = column.starts_with(product);
   const std::string level = is_product ? column.substr(product.size()) : column;
   const bool is_level = std::any_of(panel.levels.begin(),
                                     panel.levels.end(),
-                                    [&](const H2Level& one) { return one.name == level; });
+                                    [&](const study::H2Level& one) { return one.name == level; });
   return is_level ? (is_product ? product : "") + h2.options.trials.group : "";
 }
 
-void add_conditions(const H2Table& h2, std::vector<std::string>& notes) {
-  for (const H2Panel& panel : h2.panels) {
+void add_conditions(const study::H2Table& h2, std::vector<std::string>& notes) {
+  for (const study::H2Panel& panel : h2.panels) {
     const std::string name = h2_panel_name(h2, panel);
-    const auto add = [&](const Conditions& conditions, const std::string& where) {
-      for (const Condition& condition : conditions) {
-        notes.push_back(name + " panel" + where + ": " + to_string(condition) + ".");
+    const auto add = [&](const statistics::Conditions& conditions, const std::string& where) {
+      for (const statistics::Condition& condition : conditions) {
+        notes.push_back(name + " panel" + where + ": " + statistics::to_string(condition) + ".");
       }
     };
-    const auto add_interaction = [&](const H2Interaction& one) {
-      add(one_per_factor(one.conditions,
-                         [&](const std::string& column) { return factor_of(h2, panel, column); }),
+    const auto add_interaction = [&](const study::H2Interaction& one) {
+      add(statistics::one_per_factor(
+              one.conditions,
+              [&](const std::string& column) { return factor_of(h2, panel, column); }),
           ", interaction, " + one.model);
     };
     add(panel.trials.conditions, "");
     add(panel.conditions, "");
     add_level_conditions(panel, name, notes);
-    for (const H2Interaction& one : panel.interactions) {
+    for (const study::H2Interaction& one : panel.interactions) {
       add_interaction(one);
     }
     if (panel.mixed_interaction) {
@@ -78,17 +81,17 @@ void add_conditions(const H2Table& h2, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::string h2_panel_name(const H2Table& h2, const H2Panel& panel) {
-  const bool alone = h2.panels.size() == 1 && panel.trials.kind == H1PanelKind::paper;
-  return alone ? "table" : std::string(to_string(panel.trials.kind));
+std::string h2_panel_name(const study::H2Table& h2, const study::H2Panel& panel) {
+  const bool alone = h2.panels.size() == 1 && panel.trials.kind == study::H1PanelKind::paper;
+  return alone ? "table" : std::string(study::to_string(panel.trials.kind));
 }
 
-std::vector<std::string> h2_level_notes(const H2Table& h2) {
-  const H1Options& options = h2.options.trials;
+std::vector<std::string> h2_level_notes(const study::H2Table& h2) {
+  const study::H1Options& options = h2.options.trials;
   std::vector<std::string> notes;
   std::string limits;
   std::string sds;
-  for (const H2Panel& panel : h2.panels) {
+  for (const study::H2Panel& panel : h2.panels) {
     notes.push_back(h1_panel_note(options, panel.trials, h2.panels.size() == 1));
     if (panel.missing > 0) {
       notes.push_back(panel.predictor + " is missing in " + std::to_string(panel.missing) +
@@ -120,7 +123,7 @@ std::vector<std::string> h2_level_notes(const H2Table& h2) {
   return notes;
 }
 
-std::vector<std::string> h2_equality_notes(const H2Table& h2) {
+std::vector<std::string> h2_equality_notes(const study::H2Table& h2) {
   return {
       "Equivalent: the 90 % interval of every pair's difference lies within -+" +
           significant(h2.options.margin, kShownDigits) +

@@ -10,9 +10,9 @@
 namespace tcert {
 
 /// "paper", "landmark"; "table" where there is no other panel.
-[[nodiscard]] std::string h2_panel_name(const H2Table& h2, const H2Panel& panel);
+[[nodiscard]] std::string h2_panel_name(const study::H2Table& h2, const study::H2Panel& panel);
 
-[[nodiscard]] std::vector<std::string> h2_level_notes(const H2Table& h2);
-[[nodiscard]] std::vector<std::string> h2_equality_notes(const H2Table& h2);
+[[nodiscard]] std::vector<std::string> h2_level_notes(const study::H2Table& h2);
+[[nodiscard]] std::vector<std::string> h2_equality_notes(const study::H2Table& h2);
 
 }  // namespace tcert

@@ -11,24 +11,27 @@
 namespace tcert {
 namespace {
 
-TableCell estimate(const H1Score& score) { return estimate_cell(score.value, score.interval); }
-TableCell ratio(const H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
+TableCell estimate(const study::H1Score& score) {
+  return estimate_cell(score.value, score.interval);
+}
+TableCell ratio(const study::H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
 
-std::string level_text(const H2Table& h2) { return h1_interval_text(h2.options.trials); }
+std::string level_text(const study::H2Table& h2) { return h1_interval_text(h2.options.trials); }
 
-std::optional<double> statistic(const std::optional<ChiSquareTest>& test) {
+std::optional<double> statistic(const std::optional<statistics::ChiSquareTest>& test) {
   return test ? std::optional(test->statistic) : std::nullopt;
 }
-std::optional<double> p_value(const std::optional<ChiSquareTest>& test) {
+std::optional<double> p_value(const std::optional<statistics::ChiSquareTest>& test) {
   return test ? std::optional(test->p_value) : std::nullopt;
 }
-TableCell df(const std::optional<ChiSquareTest>& test) {
+TableCell df(const std::optional<statistics::ChiSquareTest>& test) {
   return test ? integer_cell(test->df) : TableCell{};
 }
 
 /// AUC and C of a panel, those that there are.
-std::vector<std::pair<std::string, const H2Equality*>> equalities(const H2Panel& panel) {
-  std::vector<std::pair<std::string, const H2Equality*>> all;
+std::vector<std::pair<std::string, const study::H2Equality*>> equalities(
+    const study::H2Panel& panel) {
+  std::vector<std::pair<std::string, const study::H2Equality*>> all;
   if (panel.auc) {
     all.emplace_back("AUC", &*panel.auc);
   }
@@ -38,11 +41,11 @@ std::vector<std::pair<std::string, const H2Equality*>> equalities(const H2Panel&
   return all;
 }
 
-bool is_withheld(const H2Panel& panel, std::size_t level) {
+bool is_withheld(const study::H2Panel& panel, std::size_t level) {
   return !panel.levels[level].withheld.empty();
 }
 
-Table pair_table(const H2Table& h2) {
+Table pair_table(const study::H2Table& h2) {
   Table table;
   table.name = "h2_pairs";
   table.title = "H2: differences of all pairs, with 90 % intervals";
@@ -55,9 +58,9 @@ Table pair_table(const H2Table& h2) {
                    p_column("p_tost", "p of equivalence"),
                    text_column("equivalent", "equivalent"),
                    fixed_column("smallest_margin", "smallest margin")};
-  for (const H2Panel& panel : h2.panels) {
+  for (const study::H2Panel& panel : h2.panels) {
     for (const auto& [quantity, equality] : equalities(panel)) {
-      for (const EquivalencePair& pair : equality->tests.pairs) {
+      for (const statistics::EquivalencePair& pair : equality->tests.pairs) {
         if (is_withheld(panel, pair.first) || is_withheld(panel, pair.second)) {
           table.add_row({h2_panel_name(h2, panel),
                          quantity,
@@ -85,7 +88,7 @@ Table pair_table(const H2Table& h2) {
   return table;
 }
 
-Table interaction_table(const H2Table& h2) {
+Table interaction_table(const study::H2Table& h2) {
   Table table;
   table.name = "h2_interaction";
   table.title = "H2: does the effect of the predictor differ between groups?";
@@ -95,17 +98,18 @@ Table interaction_table(const H2Table& h2) {
                    number_column("statistic", "chi-squared"),
                    integer_column("df", "df"),
                    p_column("p", "p")};
-  for (const H2Panel& panel : h2.panels) {
-    const auto add =
-        [&](const std::string& model, const char* test, const std::optional<ChiSquareTest>& one) {
-          table.add_row({h2_panel_name(h2, panel),
-                         model,
-                         std::string(test),
-                         number_cell(statistic(one)),
-                         df(one),
-                         p_cell(p_value(one))});
-        };
-    for (const H2Interaction& one : panel.interactions) {
+  for (const study::H2Panel& panel : h2.panels) {
+    const auto add = [&](const std::string& model,
+                         const char* test,
+                         const std::optional<statistics::ChiSquareTest>& one) {
+      table.add_row({h2_panel_name(h2, panel),
+                     model,
+                     std::string(test),
+                     number_cell(statistic(one)),
+                     df(one),
+                     p_cell(p_value(one))});
+    };
+    for (const study::H2Interaction& one : panel.interactions) {
       add(one.model, "cluster-robust Wald", one.test);
     }
     if (panel.mixed_interaction) {
@@ -119,8 +123,8 @@ Table interaction_table(const H2Table& h2) {
 }
 
 /// Those of the first panel that has strata: one that cannot be scored has none.
-std::string within_columns(const H2Table& h2) {
-  for (const H2Panel& panel : h2.panels) {
+std::string within_columns(const study::H2Table& h2) {
+  for (const study::H2Panel& panel : h2.panels) {
     if (!panel.trials.within.columns.empty()) {
       return h1_within_columns(panel.trials);
     }
@@ -129,7 +133,7 @@ std::string within_columns(const H2Table& h2) {
 }
 
 /// Beside the whole group, pairs of trials of one stratum.
-Table within_table(const H2Table& h2) {
+Table within_table(const study::H2Table& h2) {
   Table table;
   table.name = "h2_within";
   table.title = "H2, within " + within_columns(h2) + ": " +
@@ -140,8 +144,8 @@ Table within_table(const H2Table& h2) {
                    estimate_column("auc_within", "AUC within [" + level_text(h2) + "]"),
                    fixed_column("c", "C"),
                    estimate_column("c_within", "C within [" + level_text(h2) + "]")};
-  for (const H2Panel& panel : h2.panels) {
-    for (const H2Level& level : panel.levels) {
+  for (const study::H2Panel& panel : h2.panels) {
+    for (const study::H2Level& level : panel.levels) {
       table.add_row({h2_panel_name(h2, panel),
                      level.name,
                      number_cell(level.auc.value),
@@ -150,7 +154,7 @@ Table within_table(const H2Table& h2) {
                      estimate(level.c_within)});
     }
   }
-  for (const H2Panel& panel : h2.panels) {
+  for (const study::H2Panel& panel : h2.panels) {
     if (!panel.trials.within.columns.empty()) {
       table.footnotes.push_back(h1_within_note(panel.trials, h2_panel_name(h2, panel)));
     }
@@ -158,11 +162,11 @@ Table within_table(const H2Table& h2) {
   return table;
 }
 
-Table interval_table(const H2Table& h2) {
+Table interval_table(const study::H2Table& h2) {
   Table table = h1_interval_columns("h2_intervals", "group", h2.options.trials.group);
-  for (const H2Panel& panel : h2.panels) {
-    for (const H2Level& level : panel.levels) {
-      const auto add = [&](const char* quantity, const H1Score& score) {
+  for (const study::H2Panel& panel : h2.panels) {
+    for (const study::H2Level& level : panel.levels) {
+      const auto add = [&](const char* quantity, const study::H1Score& score) {
         add_intervals(h2_panel_name(h2, panel), level.name, quantity, score, table);
       };
       add("AUC", level.auc);
@@ -174,7 +178,7 @@ Table interval_table(const H2Table& h2) {
   return table;
 }
 
-Table closed_form_table(const H2Table& h2) {
+Table closed_form_table(const study::H2Table& h2) {
   Table table;
   table.name = "h2_closed_form";
   table.title = "Closed forms by cluster";
@@ -196,8 +200,8 @@ Table closed_form_table(const H2Table& h2) {
                    number_column("c_within_std_error", "SE of C within"),
                    number_column("c_within_low", "low"),
                    number_column("c_within_high", "high")};
-  for (const H2Panel& panel : h2.panels) {
-    for (const H2Level& level : panel.levels) {
+  for (const study::H2Panel& panel : h2.panels) {
+    for (const study::H2Level& level : panel.levels) {
       table.add_row({h2_panel_name(h2, panel),
                      level.name,
                      number_cell(level.auc.std_error),
@@ -222,7 +226,7 @@ Table closed_form_table(const H2Table& h2) {
 }
 
 /// Every entry of the joint covariances, one a row.
-Table covariance_table(const H2Table& h2) {
+Table covariance_table(const study::H2Table& h2) {
   Table table;
   table.name = "h2_covariance";
   table.title = "Covariance of the groups' AUCs and Cs";
@@ -231,9 +235,9 @@ Table covariance_table(const H2Table& h2) {
                    text_column("first", "first"),
                    text_column("second", "second"),
                    number_column("covariance", "covariance")};
-  for (const H2Panel& panel : h2.panels) {
+  for (const study::H2Panel& panel : h2.panels) {
     for (const auto& [quantity, equality] : equalities(panel)) {
-      const GroupEstimates& groups = equality->groups;
+      const statistics::GroupEstimates& groups = equality->groups;
       for (std::size_t i = 0; i < groups.names.size(); ++i) {
         for (std::size_t j = i; j < groups.names.size(); ++j) {
           table.add_row({h2_panel_name(h2, panel),
@@ -251,18 +255,18 @@ Table covariance_table(const H2Table& h2) {
   return table;
 }
 
-void add_conditions(const H2Table& h2, FitReport& report) {
-  const auto add = [&](const Conditions& conditions) {
+void add_conditions(const study::H2Table& h2, FitReport& report) {
+  const auto add = [&](const statistics::Conditions& conditions) {
     report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
   };
-  for (const H2Panel& panel : h2.panels) {
+  for (const study::H2Panel& panel : h2.panels) {
     add(panel.trials.conditions);
     add(panel.conditions);
-    for (const H2Level& level : panel.levels) {
-      for (Condition condition : level.conditions) {
+    for (const study::H2Level& level : panel.levels) {
+      for (statistics::Condition condition : level.conditions) {
         // One group without an estimate leaves those of the others.
-        if (condition.severity == ConditionSeverity::error) {
-          condition.severity = ConditionSeverity::warning;
+        if (condition.severity == statistics::ConditionSeverity::error) {
+          condition.severity = statistics::ConditionSeverity::warning;
         }
         condition.detail = level.name + (condition.detail.empty() ? "" : ": " + condition.detail);
         report.conditions.push_back(std::move(condition));
@@ -273,7 +277,7 @@ void add_conditions(const H2Table& h2, FitReport& report) {
 
 }  // namespace
 
-Table h2_level_table(const H2Table& h2) {
+Table h2_level_table(const study::H2Table& h2) {
   Table table;
   table.name = "h2";
   table.title =
@@ -290,8 +294,8 @@ Table h2_level_table(const H2Table& h2) {
                    estimate_column("hr_censored", "HR per SD, failures censored"),
                    estimate_column("hr_at_limit", "HR, failures at limit"),
                    estimate_column("hr_stratified", "HR, stratified")};
-  for (const H2Panel& panel : h2.panels) {
-    for (const H2Level& level : panel.levels) {
+  for (const study::H2Panel& panel : h2.panels) {
+    for (const study::H2Level& level : panel.levels) {
       table.add_row({h2_panel_name(h2, panel),
                      level.name,
                      integer_cell(level.trials),
@@ -309,7 +313,7 @@ Table h2_level_table(const H2Table& h2) {
   return table;
 }
 
-Table h2_equality_table(const H2Table& h2) {
+Table h2_equality_table(const study::H2Table& h2) {
   Table table;
   table.name = "h2_equality";
   table.title = "H2: equality of the groups";
@@ -327,9 +331,9 @@ Table h2_equality_table(const H2Table& h2) {
                    fixed_column("range_expected", "expected if equal"),
                    fixed_column("range_95", "95 % below"),
                    p_column("range_p", "p by permutation")};
-  for (const H2Panel& panel : h2.panels) {
+  for (const study::H2Panel& panel : h2.panels) {
     for (const auto& [quantity, equality] : equalities(panel)) {
-      const Equivalence& tests = equality->tests;
+      const statistics::Equivalence& tests = equality->tests;
       table.add_row({h2_panel_name(h2, panel),
                      quantity,
                      number_cell(tests.options.margin),
@@ -350,8 +354,8 @@ Table h2_equality_table(const H2Table& h2) {
   return table;
 }
 
-FitReport h2_report(const H2Table& h2) {
-  const H1Options& options = h2.options.trials;
+FitReport h2_report(const study::H2Table& h2) {
+  const study::H1Options& options = h2.options.trials;
   FitReport report;
   report.model = "h2";
   Record summary("summary", "Options");
@@ -364,7 +368,7 @@ FitReport h2_report(const H2Table& h2) {
       .text("cluster", "cluster", options.cluster)
       .text("strata", "strata", options.strata)
       .text("within", "within", within_columns(h2))
-      .text("interval", "interval", std::string(to_string(options.interval)))
+      .text("interval", "interval", std::string(statistics::to_string(options.interval)))
       .number("landmark_s", "landmark [s]", options.landmark_s)
       .number("margin", "margin", h2.options.margin)
       .number("level", "level", options.level)

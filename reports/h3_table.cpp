@@ -10,12 +10,12 @@
 namespace tcert {
 namespace {
 
-TableCell estimate(const H3Estimate& one) { return estimate_cell(one.value, one.interval); }
+TableCell estimate(const study::H3Estimate& one) { return estimate_cell(one.value, one.interval); }
 
 std::string percent(double fraction) { return significant(100.0 * fraction, kShownDigits) + " %"; }
 
-std::vector<std::string> notes(const H3Table& h3) {
-  const H3Options& o = h3.options;
+std::vector<std::string> notes(const study::H3Table& h3) {
+  const study::H3Options& o = h3.options;
   std::vector<std::string> notes = {
       "A replay can only lose successes: it cannot see failures that speed would cause.",
       "Laws: squash is that of section 3.5, on the tick margin; clip that of 4.4 (G1), on the "
@@ -44,13 +44,13 @@ std::vector<std::string> notes(const H3Table& h3) {
   if (h3.unknown > 0) {
     notes.push_back(std::to_string(h3.unknown) + " trials without an outcome are left out.");
   }
-  for (const H3Group& group : h3.groups) {
+  for (const study::H3Group& group : h3.groups) {
     if (group.baseline.value && group.ungated.value && !group.gap.value) {
       notes.push_back(group.lighting + ": no gap, for '" + o.baseline +
                       "' has no success under a lighting in which '" + o.gated + "' has one.");
     }
-    for (const Condition& condition : group.conditions) {
-      notes.push_back(group.lighting + ": " + to_string(condition) + ".");
+    for (const statistics::Condition& condition : group.conditions) {
+      notes.push_back(group.lighting + ": " + statistics::to_string(condition) + ".");
     }
   }
   return notes;
@@ -58,7 +58,7 @@ std::vector<std::string> notes(const H3Table& h3) {
 
 }  // namespace
 
-Table h3_table(const H3Table& h3) {
+Table h3_table(const study::H3Table& h3) {
   Table table;
   table.name = "h3";
   table.title = "H3: speed gated by the margin, against '" + h3.options.baseline + "'";
@@ -82,8 +82,8 @@ Table h3_table(const H3Table& h3) {
                    integer_column("stalls", "stalls"),
                    integer_column("stalled_trials", "trials with stalls"),
                    text_column("on_front", "front")};
-  for (const H3Group& group : h3.groups) {
-    for (const H3Case& one : group.cases) {
+  for (const study::H3Group& group : h3.groups) {
+    for (const study::H3Case& one : group.cases) {
       table.add_row({group.lighting,
                      one.law,
                      Number{one.beta_per_m},
@@ -110,7 +110,7 @@ Table h3_table(const H3Table& h3) {
   return table;
 }
 
-Table h3_baseline_table(const H3Table& h3) {
+Table h3_baseline_table(const study::H3Table& h3) {
   Table table;
   table.name = "h3_baseline";
   table.title = "Ungated rates of advance";
@@ -131,7 +131,7 @@ Table h3_baseline_table(const H3Table& h3) {
       fixed_column("speed_cmd_mps", h3.options.gated + " commanded", "m/s", 3),
       fixed_column("baseline_speed_cmd_mps", h3.options.baseline + " commanded", "m/s", 3),
       fixed_column("loop_latency_ms", "latency p50", "ms", 2)};
-  for (const H3Group& group : h3.groups) {
+  for (const study::H3Group& group : h3.groups) {
     table.add_row({group.lighting,
                    integer_cell(group.trials),
                    integer_cell(group.successes),
@@ -155,7 +155,7 @@ Table h3_baseline_table(const H3Table& h3) {
 namespace {
 
 /// Every interval, and the gap as it ran.
-Table interval_table(const H3Table& h3) {
+Table interval_table(const study::H3Table& h3) {
   Table table;
   table.name = "h3_intervals";
   table.title = "Bootstrap intervals of the same resamples by three methods";
@@ -166,31 +166,32 @@ Table interval_table(const H3Table& h3) {
                    number_column("estimate", "estimate")};
   const std::vector<Column> ends = interval_columns();
   table.columns.insert(table.columns.end(), ends.begin(), ends.end());
-  for (const H3Group& group : h3.groups) {
-    const auto add = [&](const H3Case* one, const char* quantity, const H3Estimate& found) {
-      if (!found.value) {
-        return;
-      }
-      std::vector<TableCell> cells{
-          group.lighting,
-          one != nullptr ? TableCell{one->law} : TableCell{},
-          one != nullptr ? TableCell{Number{one->beta_per_m}} : TableCell{},
-          std::string(quantity),
-          number_cell(found.value)};
-      append_intervals(found.intervals, cells);
-      table.add_row(std::move(cells));
-      std::string of = group.lighting;
-      if (one != nullptr) {
-        of += ", " + one->law + ", beta " + significant(one->beta_per_m, kShownDigits);
-      }
-      add_no_bca(of.append(", ").append(quantity), found.intervals, table);
-    };
+  for (const study::H3Group& group : h3.groups) {
+    const auto add =
+        [&](const study::H3Case* one, const char* quantity, const study::H3Estimate& found) {
+          if (!found.value) {
+            return;
+          }
+          std::vector<TableCell> cells{
+              group.lighting,
+              one != nullptr ? TableCell{one->law} : TableCell{},
+              one != nullptr ? TableCell{Number{one->beta_per_m}} : TableCell{},
+              std::string(quantity),
+              number_cell(found.value)};
+          append_intervals(found.intervals, cells);
+          table.add_row(std::move(cells));
+          std::string of = group.lighting;
+          if (one != nullptr) {
+            of += ", " + one->law + ", beta " + significant(one->beta_per_m, kShownDigits);
+          }
+          add_no_bca(of.append(", ").append(quantity), found.intervals, table);
+        };
     add(nullptr, "ungated", group.ungated);
     add(nullptr, "baseline", group.baseline);
     add(nullptr, "baseline standardised", group.baseline_standardised);
     add(nullptr, "gap", group.gap);
     add(nullptr, "gap as run", group.gap_as_run);
-    for (const H3Case& one : group.cases) {
+    for (const study::H3Case& one : group.cases) {
       add(&one, "gated", one.gated);
       add(&one, "gain", one.gain);
       add(&one, "relative gain", one.gain_share);
@@ -202,7 +203,7 @@ Table interval_table(const H3Table& h3) {
 
 }  // namespace
 
-FitReport h3_report(const H3Table& h3) {
+FitReport h3_report(const study::H3Table& h3) {
   FitReport report;
   report.model = "h3";
   Record summary("summary", "Options");
@@ -211,7 +212,7 @@ FitReport h3_report(const H3Table& h3) {
       .text("cluster", "cluster", h3.options.cluster)
       .number("level", "level", h3.options.level)
       .number("loss_margin", "loss margin", h3.options.loss_margin)
-      .text("interval", "interval", std::string(to_string(h3.options.interval)))
+      .text("interval", "interval", std::string(statistics::to_string(h3.options.interval)))
       .integer("replicates", "replicates", h3.options.replicates)
       .integer("seed", "seed", h3.options.seed)
       .integer("outcome_missing", "without outcome", h3.unknown);
@@ -219,7 +220,7 @@ FitReport h3_report(const H3Table& h3) {
   report.tables = {h3_table(h3), h3_baseline_table(h3)};
   report.details = {interval_table(h3)};
   report.conditions = h3.conditions;
-  for (const H3Group& group : h3.groups) {
+  for (const study::H3Group& group : h3.groups) {
     report.conditions.insert(
         report.conditions.end(), group.conditions.begin(), group.conditions.end());
   }

@@ -92,8 +92,8 @@ std::string_view to_string(FileChange change) noexcept {
 }
 
 std::optional<WrittenResult> read_manifest(const std::filesystem::path& path) {
-  const BytesResult file = read_raw_file(path);
-  if (!file.bytes || is_nested_too_deeply(file.bytes->view())) {
+  const table::BytesResult file = table::read_raw_file(path);
+  if (!file.bytes || table::is_nested_too_deeply(file.bytes->view())) {
     return std::nullopt;
   }
   const Json json = Json::parse(file.bytes->view(), nullptr, false);
@@ -108,13 +108,13 @@ std::optional<WrittenResult> read_manifest(const std::filesystem::path& path) {
 }
 
 std::string why_no_manifest(const std::filesystem::path& path) {
-  const BytesResult file = read_raw_file(path);
+  const table::BytesResult file = table::read_raw_file(path);
   std::string words = "'" + path.string() + "' is not a manifest of this tool";
   if (!file.bytes) {
     words += ": " + file.problem;
-  } else if (is_nested_too_deeply(file.bytes->view())) {
+  } else if (table::is_nested_too_deeply(file.bytes->view())) {
     words += ": ";
-    words += kNestedTooDeeply;
+    words += table::kNestedTooDeeply;
   }
   return words;
 }
@@ -132,7 +132,7 @@ bool is_as_written(const std::filesystem::path& path, const WrittenResult& writt
   manifest.synthetic = written.synthetic;
   manifest.inputs = written.inputs;
   manifest.outputs = written.outputs;
-  const BytesResult file = read_raw_file(path);
+  const table::BytesResult file = table::read_raw_file(path);
   return file.bytes &&
          file.bytes->view() == to_json(manifest, written.tool_version, written.tool_commit);
 }

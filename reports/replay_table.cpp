@@ -54,21 +54,21 @@ Table replay_table() {
   return table;
 }
 
-std::vector<TableCell> replay_row(const ReplayRecord& record) {
-  const Replay& r = record.replay;
+std::vector<TableCell> replay_row(const study::ReplayRecord& record) {
+  const study::Replay& r = record.replay;
   std::vector<TableCell> cells = {record.trial.trial_id,
                                   record.trial.algorithm,
                                   record.trial.lighting,
                                   record.trial.day,
                                   record.trial.success ? truth(*record.trial.success) : TableCell{},
-                                  std::string(to_string(record.law.kind)),
+                                  std::string(study::to_string(record.law.kind)),
                                   Number{record.law.beta_per_m},
                                   Number{r.length_m},
                                   Number{r.time_s},
                                   Number{r.gated_time_s},
                                   Number{r.slow_s},
-                                  number_cell(rate_of_advance(r.length_m, r.time_s)),
-                                  number_cell(rate_of_advance(r.length_m, r.gated_time_s)),
+                                  number_cell(study::rate_of_advance(r.length_m, r.time_s)),
+                                  number_cell(study::rate_of_advance(r.length_m, r.gated_time_s)),
                                   number_cell(r.speed_cmd_mps),
                                   number_cell(r.gated_speed_cmd_mps),
                                   number_cell(record.loop_latency_ms),
@@ -92,7 +92,7 @@ std::vector<TableCell> replay_row(const ReplayRecord& record) {
   return cells;
 }
 
-void ReplayTotals::add(const ReplayRecord& record) {
+void ReplayTotals::add(const study::ReplayRecord& record) {
   const auto same = [&](const Total& total) {
     return total.law.kind == record.law.kind && total.law.beta_per_m == record.law.beta_per_m;
   };
@@ -149,13 +149,13 @@ Table ReplayTotals::table() const {
     const auto counted = [&](std::uint64_t count) {
       return total.replanned ? integer_cell(count) : TableCell{};
     };
-    table.add_row({std::string(to_string(total.law.kind)),
+    table.add_row({std::string(study::to_string(total.law.kind)),
                    Number{total.law.beta_per_m},
                    integer_cell(total.trials),
                    integer_cell(total.successes),
                    integer_cell(total.kept),
-                   number_cell(rate_of_advance(total.length_m, total.time_s)),
-                   number_cell(rate_of_advance(total.length_m, total.gated_time_s)),
+                   number_cell(study::rate_of_advance(total.length_m, total.time_s)),
+                   number_cell(study::rate_of_advance(total.length_m, total.gated_time_s)),
                    integer_cell(total.stalls),
                    integer_cell(total.margin_trips),
                    integer_cell(total.force_trips),

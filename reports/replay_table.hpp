@@ -12,12 +12,12 @@ namespace tcert {
 
 /// Columns of the table, no rows.
 [[nodiscard]] Table replay_table();
-[[nodiscard]] std::vector<TableCell> replay_row(const ReplayRecord& record);
+[[nodiscard]] std::vector<TableCell> replay_row(const study::ReplayRecord& record);
 
 /// What the replays come to, added up: one row a law and beta; for people.
 class ReplayTotals {
  public:
-  void add(const ReplayRecord& record);
+  void add(const study::ReplayRecord& record);
   [[nodiscard]] Table table() const;
 
  private:
@@ -33,7 +33,7 @@ class ReplayTotals {
     std::size_t margin_trips = 0;
     std::size_t force_trips = 0;
     std::size_t replan_trips = 0;
-    ReplanSummary replans;
+    study::ReplanSummary replans;
     bool replanned = false;
   };
   std::vector<Total> totals_;

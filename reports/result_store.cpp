@@ -15,11 +15,12 @@ ResultStore::ResultStore(fs::path folder) : folder_(std::move(folder)) {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) {
-    throw WriteError("cannot create the folder '" + folder_.string() + "': " + error.message());
+    throw table::WriteError("cannot create the folder '" + folder_.string() +
+                            "': " + error.message());
   }
   for (fs::directory_iterator part(folder_, error), end; !error && part != end;
        part.increment(error)) {
-    sweep_leftovers_in(part->path());
+    table::sweep_leftovers_in(part->path());
   }
 }
 
@@ -28,7 +29,7 @@ fs::path ResultStore::path_of(std::string_view key) const {
 }
 
 std::optional<std::string> ResultStore::get(std::string_view key) const {
-  const BytesResult file = read_raw_file(path_of(key));
+  const table::BytesResult file = table::read_raw_file(path_of(key));
   const std::string_view text = file.bytes ? file.bytes->view() : std::string_view();
   const std::size_t line = text.find('\n');
   if (line == std::string_view::npos) {
@@ -39,10 +40,10 @@ std::optional<std::string> ResultStore::get(std::string_view key) const {
 }
 
 void ResultStore::put(std::string_view key, std::string_view bytes) const {
-  AtomicFile file(path_of(key));
+  table::AtomicFile file(path_of(key));
   file.write(sha256(bytes) + '\n');
   file.write(bytes);
-  file.commit(Durable::no);
+  file.commit(table::Durable::no);
 }
 
 }  // namespace tcert

@@ -52,7 +52,7 @@ constexpr std::string_view kGuardColumns =
 void append_cell(std::string& out, double value) {
   out += ',';
   if (std::isfinite(value)) {
-    append_number(out, value);
+    table::append_number(out, value);
   }
 }
 
@@ -102,7 +102,7 @@ std::string series_header(const SeriesFormat& format, const Robot& robot) {
   if (format.ray_margins) {
     for (const Ray& ray : robot.rays) {
       header += ',';
-      append_text(header, ray.name + "_margin_m");
+      table::append_text(header, ray.name + "_margin_m");
     }
   }
   if (format.guards) {
@@ -119,7 +119,7 @@ void append_series_row(std::string& out,
                        const SeriesFormat& format,
                        const GuardedTick& guarded,
                        double yaw_rate_cmd_rps) {
-  append_seconds(out, tick.time_ns);
+  table::append_seconds(out, tick.time_ns);
   for (const double value : {tick.pose.position.x_m,
                              tick.pose.position.y_m,
                              tick.pose.yaw_rad,

@@ -82,7 +82,7 @@ FileDigest ListDigest::finish() {
 
 FileDigest digest_file(const std::filesystem::path& path) {
   std::string problem;
-  const int descriptor = open_regular_file(path, problem);
+  const int descriptor = table::open_regular_file(path, problem);
   if (descriptor < 0) {
     throw std::system_error(errno, std::generic_category(), path.string());
   }

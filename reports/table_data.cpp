@@ -13,7 +13,7 @@ constexpr std::string_view kSeedColumn = "synthetic_seed";
 
 void append_finite(std::string& out, double value) {
   if (std::isfinite(value)) {
-    append_number(out, value);
+    table::append_number(out, value);
   }
 }
 
@@ -26,7 +26,7 @@ struct CsvCell {
       out += ",,";
     }
   }
-  void operator()(const std::string& text) const { append_text(out, text); }
+  void operator()(const std::string& text) const { table::append_text(out, text); }
   void operator()(std::int64_t value) const { out += std::to_string(value); }
   void operator()(const Number& number) const { append_finite(out, number.value); }
   void operator()(const Estimate& estimate) const {
@@ -66,12 +66,12 @@ void append_csv_header(std::string& out, const Table& table) {
   for (const Column& column : table.columns) {
     out += separator;
     separator = ",";
-    append_text(out, column.name);
+    table::append_text(out, column.name);
     if (column.kind == ColumnKind::estimate) {
       out += ',';
-      append_text(out, column.name + "_low");
+      table::append_text(out, column.name + "_low");
       out += ',';
-      append_text(out, column.name + "_high");
+      table::append_text(out, column.name + "_high");
     }
   }
   if (table.synthetic) {

@@ -107,8 +107,8 @@ Table table_of(const Json& json) {
 }  // namespace
 
 Table table_from_json(std::string_view text) {
-  if (is_nested_too_deeply(text)) {
-    throw std::invalid_argument("not a table: " + std::string(kNestedTooDeeply));
+  if (table::is_nested_too_deeply(text)) {
+    throw std::invalid_argument("not a table: " + std::string(table::kNestedTooDeeply));
   }
   try {
     return table_of(Json::parse(text));

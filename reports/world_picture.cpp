@@ -73,16 +73,16 @@ class Canvas {
   std::string text_;
 };
 
-std::vector<Point> points_of(const std::vector<Arc>& path) {
+std::vector<Point> points_of(const std::vector<study::Arc>& path) {
   std::vector<Point> points;
-  for (const Arc& arc : path) {
+  for (const study::Arc& arc : path) {
     constexpr int kPieces = 6;
     for (int i = 0; i < kPieces; ++i) {
-      points.push_back(pose_at(arc, arc.length_m * i / kPieces).position);
+      points.push_back(study::pose_at(arc, arc.length_m * i / kPieces).position);
     }
   }
   if (!path.empty()) {
-    points.push_back(pose_at(path.back(), path.back().length_m).position);
+    points.push_back(study::pose_at(path.back(), path.back().length_m).position);
   }
   return points;
 }
@@ -102,7 +102,7 @@ std::string metres(double value) {
 }  // namespace
 
 std::string world_picture(const World& world,
-                          const Truth& truth,
+                          const study::Truth& truth,
                           const std::vector<Point>& widest) {
   Canvas canvas(world.bounds);
   canvas.region(*world.start, R"(fill="#a6dba0")");

@@ -14,7 +14,7 @@ namespace tcert {
 /// The whole document. `widest` is a widest path, perhaps empty; the circle is the largest disc at
 /// the bottleneck.
 [[nodiscard]] std::string world_picture(const World& world,
-                                        const Truth& truth,
+                                        const study::Truth& truth,
                                         const std::vector<Point>& widest);
 
 }  // namespace tcert

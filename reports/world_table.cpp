@@ -6,7 +6,7 @@
 
 namespace tcert {
 
-Table world_table(const Robot& robot, const TruthOptions& options) {
+Table world_table(const Robot& robot, const study::TruthOptions& options) {
   Table table;
   table.name = "worlds";
   table.title = "Truth of known worlds";
@@ -24,7 +24,7 @@ Table world_table(const Robot& robot, const TruthOptions& options) {
                    {"obstacles", "obstacles", "", ColumnKind::integer}};
   table.footnotes = {
       fmt::format("T = sup over paths from S to G of min({}, turn radius - {} m).",
-                  options.convention == SlackConvention::width
+                  options.convention == study::SlackConvention::width
                       ? fmt::format("2 clearance - {} m", robot.body_width_m)
                       : fmt::format("clearance - {} m", 0.5 * robot.body_width_m),
                   robot.min_turn_radius_m),
@@ -36,8 +36,8 @@ Table world_table(const Robot& robot, const TruthOptions& options) {
   return table;
 }
 
-std::vector<TableCell> world_row(const World& world, const Truth& truth) {
-  const ClearanceValue& clearance = truth.clearance;
+std::vector<TableCell> world_row(const World& world, const study::Truth& truth) {
+  const study::ClearanceValue& clearance = truth.clearance;
   const bool connected = std::isfinite(clearance.clearance_m);
   std::vector<TableCell> cells = {
       world.name,

@@ -39,10 +39,11 @@ int run(Arguments arguments) {
   if (!parse(line, common, arguments)) {
     return exit_done;
   }
-  return run_batch("ablate",
-                   options,
-                   common,
-                   options.cells.empty() ? ablation_cells() : cells_of_file(options.cells, common));
+  return run_batch(
+      "ablate",
+      options,
+      common,
+      options.cells.empty() ? study::ablation_cells() : cells_of_file(options.cells, common));
 }
 
 }  // namespace

@@ -35,18 +35,18 @@ std::optional<std::filesystem::path> cache_folder(const BatchOptions& options) {
                                : std::optional<std::filesystem::path>(options.cache);
 }
 
-H3Options h3_of(const BatchOptions& options, const CommonOptions& common) {
-  H3Options h3;
+study::H3Options h3_of(const BatchOptions& options, const CommonOptions& common) {
+  study::H3Options h3;
   h3.cluster = options.cluster;
   h3.replicates = static_cast<std::size_t>(options.replicates);
   h3.seed = static_cast<std::uint64_t>(common.seed);
   return h3;
 }
 
-H1Options h1_of(const BatchOptions& options,
-                const CommonOptions& common,
-                const ParameterSet& full) {
-  H1Options h1;
+study::H1Options h1_of(const BatchOptions& options,
+                       const CommonOptions& common,
+                       const study::ParameterSet& full) {
+  study::H1Options h1;
   h1.cluster = options.cluster;
   h1.strata = options.strata;
   h1.replicates = static_cast<std::size_t>(options.replicates);
@@ -55,15 +55,16 @@ H1Options h1_of(const BatchOptions& options,
   return h1;
 }
 
-std::vector<PlannedCell> planned(std::vector<Cell> cells, const OpenedBundle& opened) {
-  cells.insert(cells.begin(), Cell{kFull, {}});
+std::vector<study::PlannedCell> planned(std::vector<study::Cell> cells,
+                                        const OpenedBundle& opened) {
+  cells.insert(cells.begin(), study::Cell{kFull, {}});
   std::set<std::string> names;
-  std::vector<PlannedCell> result;
-  for (Cell& cell : cells) {
+  std::vector<study::PlannedCell> result;
+  for (study::Cell& cell : cells) {
     if (!names.insert(cell.name).second) {
       throw UsageError("two cells are called '" + cell.name + "'");
     }
-    result.push_back(plan(
+    result.push_back(study::plan(
         std::move(cell), opened.parameters, opened.bundle.info.robot, opened.bundle.info.course));
   }
   if (result.front().refused()) {
@@ -80,7 +81,7 @@ struct BatchTables {
   [[nodiscard]] std::array<Table*, 3> all() { return {&cells, &issuance, &speed}; }
 };
 
-BatchTables tables_of(const std::vector<PlannedCell>& cells,
+BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
                       const Scoring& scoring,
                       const CommonOptions& common) {
   const BatchNotes notes{
@@ -90,7 +91,7 @@ BatchTables tables_of(const std::vector<PlannedCell>& cells,
   SpeedScorer speeds(scoring);
   Progress progress("cells", cells.size(), common.quiet);
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const PlannedCell& cell = cells[c];
+    const study::PlannedCell& cell = cells[c];
     if (cell.refused()) {
       const std::string& reason = std::get<std::string>(cell.parameters);
       say("cell '" + cell.cell.name + "' is refused: " + reason);
@@ -112,8 +113,8 @@ BatchTables tables_of(const std::vector<PlannedCell>& cells,
   return tables;
 }
 
-void say_reuse(const CellFiles& files, const std::vector<PlannedCell>& cells) {
-  const auto part = [](const char* name, const ReuseCount& count) {
+void say_reuse(const CellFiles& files, const std::vector<study::PlannedCell>& cells) {
+  const auto part = [](const char* name, const study::ReuseCount& count) {
     return std::string(name) + ' ' + std::to_string(count.done) + " done, " +
            std::to_string(count.reused) + " shared";
   };
@@ -132,7 +133,7 @@ std::string file_name(const char* folder, std::size_t table) {
   return std::string(folder) + '/' + number + ".csv";
 }
 
-Table files_table(const std::vector<PlannedCell>& cells,
+Table files_table(const std::vector<study::PlannedCell>& cells,
                   const CellFiles& files,
                   const std::optional<SyntheticLabel>& synthetic) {
   Table table;
@@ -156,7 +157,7 @@ Table files_table(const std::vector<PlannedCell>& cells,
 void write_folder(const std::string& command,
                   const OpenedBundle& opened,
                   const CommonOptions& common,
-                  const std::vector<PlannedCell>& cells,
+                  const std::vector<study::PlannedCell>& cells,
                   const CellFiles& files,
                   const BatchTables& tables,
                   const std::string& cells_file,
@@ -214,18 +215,18 @@ void add_batch_options(po::options_description& own, BatchOptions& o) {
       "what is printed without --output: cells (unless given), issuance or speed");
 }
 
-std::vector<Cell> cells_of_file(const std::string& path, const CommonOptions& common) {
+std::vector<study::Cell> cells_of_file(const std::string& path, const CommonOptions& common) {
   const DataFile file = read_data_file(path, {}, common);
-  std::vector<Cell> cells(file.table.rows);
+  std::vector<study::Cell> cells(file.table.rows);
   for (std::size_t row = 0; row < cells.size(); ++row) {
     cells[row].name = "row " + std::to_string(row + 1);
   }
-  for (const DataColumn& column : file.table.columns) {
+  for (const table::DataColumn& column : file.table.columns) {
     for (std::size_t row = 0; row < cells.size(); ++row) {
       std::string value;
       if (!column.is_text) {
-        append_number(value, column.numbers[row]);
-      } else if (column.text.codes[row] != Factor::kMissing) {
+        table::append_number(value, column.numbers[row]);
+      } else if (column.text.codes[row] != table::Factor::kMissing) {
         value = column.text.levels[column.text.codes[row]];
       }
       const bool missing = value.empty() || value == "nan";
@@ -242,14 +243,14 @@ std::vector<Cell> cells_of_file(const std::string& path, const CommonOptions& co
 int run_batch(const std::string& command,
               const BatchOptions& options,
               const CommonOptions& common,
-              std::vector<Cell> cells) {
+              std::vector<study::Cell> cells) {
   require_range("replicates", static_cast<double>(options.replicates), 1, 1e6);
   if (!options.table.empty() && options.table != "cells" && options.table != "issuance" &&
       options.table != "speed") {
     throw UsageError("--table: found '" + options.table + "', expected cells, issuance or speed");
   }
   const OpenedBundle opened = open_for(options.bundle, common);
-  const std::vector<PlannedCell> batch = planned(std::move(cells), opened);
+  const std::vector<study::PlannedCell> batch = planned(std::move(cells), opened);
   std::optional<ResultFolder> folder;
   if (!common.output.empty()) {
     require_apart(options.bundle, common.output);
@@ -267,7 +268,7 @@ int run_batch(const std::string& command,
     const Scoring scoring{
         files, h1_of(options, common, opened.parameters), h3_of(options, common), kept};
     tables = tables_of(batch, scoring, common);
-  } catch (const FormulaError& error) {
+  } catch (const statistics::FormulaError& error) {
     throw UsageError(error.what());
   }
   for (Table* const table : tables.all()) {
@@ -288,8 +289,8 @@ int run_batch(const std::string& command,
     print(render(shown, common.table_format()));
   }
   const bool refused = std::any_of(
-      batch.begin(), batch.end(), [](const PlannedCell& cell) { return cell.refused(); });
-  const bool bad_rows = has_error(opened.diagnostics);
+      batch.begin(), batch.end(), [](const study::PlannedCell& cell) { return cell.refused(); });
+  const bool bad_rows = table::has_error(opened.diagnostics);
   return refused || bad_rows || !files.rejected.empty() ? exit_rejected : exit_done;
 }
 

@@ -26,7 +26,8 @@ void add_batch_options(po::options_description& own, BatchOptions& o);
 
 /// Cells of a CSV file: a column `cell` with names (rows are numbered without it), every other
 /// column a parameter, an empty cell the value of the full method. \throws NoInput, BadData.
-[[nodiscard]] std::vector<Cell> cells_of_file(const std::string& path, const CommonOptions& common);
+[[nodiscard]] std::vector<study::Cell> cells_of_file(const std::string& path,
+                                                     const CommonOptions& common);
 
 /// Runs the full method and then `cells`. A cell with impossible parameters is refused, the others
 /// run. Prints the table, or writes the folder of results. The exit code: 3 if a cell was refused
@@ -34,6 +35,6 @@ void add_batch_options(po::options_description& own, BatchOptions& o);
 [[nodiscard]] int run_batch(const std::string& command,
                             const BatchOptions& options,
                             const CommonOptions& common,
-                            std::vector<Cell> cells);
+                            std::vector<study::Cell> cells);
 
 }  // namespace tcert::cli

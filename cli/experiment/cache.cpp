@@ -19,7 +19,7 @@ void say_without(const std::string& reason) {
 Cache::Cache(const fs::path& folder) {
   try {
     store_.emplace(folder);
-  } catch (const WriteError& error) {
+  } catch (const table::WriteError& error) {
     say_without(error.what());
   }
 }
@@ -50,7 +50,7 @@ void Cache::put(std::string_view key, std::string_view bytes) {
   }
   try {
     store_->put(key, bytes);
-  } catch (const WriteError& error) {
+  } catch (const table::WriteError& error) {
     may_write_ = false;
     say_without(error.what());
   }

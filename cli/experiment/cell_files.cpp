@@ -25,7 +25,7 @@ enum class TableKind : std::uint8_t { features, replay };
 /// A table to be made.
 struct Job {
   TableKind kind = TableKind::features;
-  const ParameterSet* set = nullptr;
+  const study::ParameterSet* set = nullptr;
   std::string print;  ///< Fingerprint of the set up to the table.
 };
 
@@ -36,7 +36,7 @@ struct Jobs {
   std::vector<std::size_t> replays_of;
 };
 
-Jobs jobs_of(std::span<const PlannedCell> cells) {
+Jobs jobs_of(std::span<const study::PlannedCell> cells) {
   /// A cell's wish for a table; equal series lie together, then features before replays.
   struct Wish {
     std::string series;
@@ -47,10 +47,12 @@ Jobs jobs_of(std::span<const PlannedCell> cells) {
   std::vector<Wish> wishes;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (!cells[c].refused()) {
-      const ParameterSet& set = cells[c].set();
-      const std::string series = fingerprint(set, Stage::certify);
-      wishes.push_back({series, TableKind::features, fingerprint(set, Stage::features), c});
-      wishes.push_back({series, TableKind::replay, fingerprint(set, Stage::control), c});
+      const study::ParameterSet& set = cells[c].set();
+      const std::string series = study::fingerprint(set, study::Stage::certify);
+      wishes.push_back(
+          {series, TableKind::features, study::fingerprint(set, study::Stage::features), c});
+      wishes.push_back(
+          {series, TableKind::replay, study::fingerprint(set, study::Stage::control), c});
     }
   }
   std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) {
@@ -109,25 +111,25 @@ Entry entry_of(const std::string& text) {
   return entry;
 }
 
-std::string features_text(const StudiedTrial& trial, const Table& table) {
-  StudiedTrial copy;
+std::string features_text(const study::StudiedTrial& trial, const Table& table) {
+  study::StudiedTrial copy;
   copy.row = trial.row;
   copy.features = trial.features;
   copy.speed_cmd_mps = trial.speed_cmd_mps;
   copy.loop_latency_ms = trial.loop_latency_ms;
   std::string line;
-  append_csv_row(line, table, features_row(summarise(std::move(copy))));
+  append_csv_row(line, table, features_row(study::summarise(std::move(copy))));
   return line;
 }
 
-std::string replay_text(const StudiedTrial& trial,
+std::string replay_text(const study::StudiedTrial& trial,
                         const Bundle& bundle,
-                        const ParameterSet& set,
+                        const study::ParameterSet& set,
                         const Table& table) {
-  ReplaySetup setup;
+  study::ReplaySetup setup;
   setup.laws = {set.speed_law};
   std::string text;
-  for (const ReplayedTrial& one : replay_trial(trial, bundle.info, set, setup)) {
+  for (const study::ReplayedTrial& one : study::replay_trial(trial, bundle.info, set, setup)) {
     append_csv_row(text, table, replay_row(one.record));
   }
   return text;
@@ -205,7 +207,7 @@ class Maker {
                   job.print);
   }
 
-  [[nodiscard]] std::string text_of(const StudiedTrial& trial, const Job& job) const {
+  [[nodiscard]] std::string text_of(const study::StudiedTrial& trial, const Job& job) const {
     return job.kind == TableKind::features ? features_text(trial, features_)
                                            : replay_text(trial, opened_.bundle, *job.set, replays_);
   }
@@ -224,19 +226,21 @@ class Maker {
   void make(std::span<const std::size_t> trials,
             const std::vector<std::size_t>& wanted,
             std::vector<std::optional<Entry>>& entries) {
-    std::vector<ParameterSet> sets;
+    std::vector<study::ParameterSet> sets;
     for (const std::size_t j : wanted) {
       sets.push_back(*jobs_[j].set);
       entries[j].emplace();
     }
-    const StudyOptions options{{common_.repair}, static_cast<int>(common_.threads)};
-    const CellReuse reuse = study_cells(
+    const study::StudyOptions options{{common_.repair}, static_cast<int>(common_.threads)};
+    const study::CellReuse reuse = study::study_cells(
         opened_.bundle,
         trials,
         sets,
         options,
-        [&](StudiedTrial& trial, std::size_t set) { return text_of(trial, jobs_[wanted[set]]); },
-        [&](CellTrial&& trial) {
+        [&](study::StudiedTrial& trial, std::size_t set) {
+          return text_of(trial, jobs_[wanted[set]]);
+        },
+        [&](study::CellTrial&& trial) {
           say(trial.diagnostics);
           for (std::size_t w = 0; w < wanted.size(); ++w) {
             if (trial.rejected) {
@@ -246,8 +250,10 @@ class Maker {
             }
           }
         });
-    for (const auto part :
-         {&CellReuse::read, &CellReuse::resample, &CellReuse::certify, &CellReuse::features}) {
+    for (const auto part : {&study::CellReuse::read,
+                            &study::CellReuse::resample,
+                            &study::CellReuse::certify,
+                            &study::CellReuse::features}) {
       (files_.reuse.*part).done += (reuse.*part).done;
       (files_.reuse.*part).reused += (reuse.*part).reused;
     }
@@ -271,7 +277,7 @@ class Maker {
 
 CellFiles files_of_cells(const OpenedBundle& opened,
                          const CommonOptions& common,
-                         std::span<const PlannedCell> cells,
+                         std::span<const study::PlannedCell> cells,
                          Cache* store) {
   const Jobs jobs = jobs_of(cells);
   CellFiles files;

@@ -29,14 +29,14 @@ struct CellFiles {
   std::vector<ManifestFile> inputs;
   std::size_t from_cache = 0;  ///< Tables x chunks of trials.
   std::size_t made = 0;
-  CellReuse reuse;  ///< Of the steps within what was made.
+  study::CellReuse reuse;  ///< Of the steps within what was made.
 };
 
 /// Trials are taken in chunks, and a chunk's results are stored when it is done, so that a batch
 /// that was stopped goes on where it was. `store` may be null. \throws BadData under --strict.
 [[nodiscard]] CellFiles files_of_cells(const OpenedBundle& opened,
                                        const CommonOptions& common,
-                                       std::span<const PlannedCell> cells,
+                                       std::span<const study::PlannedCell> cells,
                                        Cache* store);
 
 /// Digest of this program: results of another build are not used.

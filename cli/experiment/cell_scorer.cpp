@@ -12,13 +12,13 @@
 namespace tcert::cli {
 namespace {
 
-DataTable table_of(const std::string& csv, const char* name) {
-  CsvOptions options;
+table::DataTable table_of(const std::string& csv, const char* name) {
+  table::CsvOptions options;
   options.file = name;
-  DataTableResult read = read_data_table(Bytes::copy_of(csv), {}, options);
+  table::DataTableResult read = table::read_data_table(table::Bytes::copy_of(csv), {}, options);
   if (!read.table) {
     throw std::logic_error("a table of a cell cannot be read back: " +
-                           to_string(read.diagnostics.front()));
+                           table::to_string(read.diagnostics.front()));
   }
   return std::move(*read.table);
 }
@@ -53,18 +53,19 @@ CellRows FeatureScorer::scored(std::size_t cell, std::size_t full, double landma
   if (!full_) {
     full_ = table_of(scoring_.files.features[full], "features.csv");
   }
-  std::optional<DataTable> own;
+  std::optional<table::DataTable> own;
   if (cell != full) {
     own = table_of(scoring_.files.features[cell], "features.csv");
   }
-  const CellScores scores = cell_scores(own ? *own : *full_, *full_, landmark_s, scoring_.h1);
+  const study::CellScores scores =
+      study::cell_scores(own ? *own : *full_, *full_, landmark_s, scoring_.h1);
   CellRows rows = cell_panels(scores);
   rows.push_back(cell_issuance(scores.issuance));
   return rows;
 }
 
 std::string FeatureScorer::key_of(std::size_t cell, std::size_t full, double landmark_s) const {
-  const H1Options& h1 = scoring_.h1;
+  const study::H1Options& h1 = scoring_.h1;
   // The full method has no changes from itself; a cell with the same features has changes of 0.
   std::string text = cell == full ? "scores of the full method\n" : "scores of a cell\n";
   for (const std::size_t table : {cell, full}) {
@@ -72,9 +73,9 @@ std::string FeatureScorer::key_of(std::size_t cell, std::size_t full, double lan
   }
   text += h1.cluster + '\n' + h1.strata + '\n';
   text += std::to_string(h1.replicates) + ' ' + std::to_string(h1.seed) + '\n';
-  append_number(text, h1.landmark_s);
+  table::append_number(text, h1.landmark_s);
   text += ' ';
-  append_number(text, landmark_s);
+  table::append_number(text, landmark_s);
   return text;
 }
 
@@ -86,13 +87,13 @@ const CellRows& SpeedScorer::rows(std::size_t cell) {
 }
 
 CellRows SpeedScorer::scored(std::size_t cell) const {
-  const DataTable replays = table_of(scoring_.files.replays[cell], "replay.csv");
-  std::vector<TableCell> row = cell_speed(hypothesis_h3(replays, scoring_.h3));
+  const table::DataTable replays = table_of(scoring_.files.replays[cell], "replay.csv");
+  std::vector<TableCell> row = cell_speed(study::hypothesis_h3(replays, scoring_.h3));
   return row.empty() ? CellRows{} : CellRows{std::move(row)};
 }
 
 std::string SpeedScorer::key_of(std::size_t cell) const {
-  const H3Options& h3 = scoring_.h3;
+  const study::H3Options& h3 = scoring_.h3;
   return "speed of a cell\n" + sha256(scoring_.files.replays[cell]) + '\n' + h3.cluster + '\n' +
          std::to_string(h3.replicates) + ' ' + std::to_string(h3.seed);
 }

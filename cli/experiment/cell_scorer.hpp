@@ -20,8 +20,8 @@ namespace tcert::cli {
 /// What a batch needs to know of itself to score its tables.
 struct Scoring {
   const CellFiles& files;
-  H1Options h1;
-  H3Options h3;
+  study::H1Options h1;
+  study::H3Options h3;
   Cache* store;  ///< May be null.
 
   /// The rows kept under the digest of `key`, or those that `make` makes.
@@ -43,7 +43,7 @@ class FeatureScorer {
 
   const Scoring& scoring_;
   std::vector<std::optional<CellRows>> rows_;
-  std::optional<DataTable> full_;
+  std::optional<table::DataTable> full_;
 };
 
 /// H3 by table of replays.

@@ -29,8 +29,8 @@ Cost: that of 'tcert certify' for each distinct series; results are kept in the 
 a run that was stopped goes on where it was.
 )";
 
-std::vector<GridAxis> axes_of(const std::vector<std::string>& texts) {
-  std::vector<GridAxis> axes;
+std::vector<study::GridAxis> axes_of(const std::vector<std::string>& texts) {
+  std::vector<study::GridAxis> axes;
   for (const std::string& text : texts) {
     const auto equals = text.find('=');
     const std::vector<std::string> values = equals == std::string::npos
@@ -44,9 +44,9 @@ std::vector<GridAxis> axes_of(const std::vector<std::string>& texts) {
   return axes;
 }
 
-std::vector<Cell> cells_of_grid(const std::vector<std::string>& texts) {
+std::vector<study::Cell> cells_of_grid(const std::vector<std::string>& texts) {
   try {
-    return grid_cells(axes_of(texts));
+    return study::grid_cells(axes_of(texts));
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -78,9 +78,9 @@ int run(Arguments arguments) {
   if (sources != 1) {
     throw UsageError("needs one of --grid, --cells and --sensitivity");
   }
-  std::vector<Cell> cells = sensitivity     ? sensitivity_cells()
-                            : !grid.empty() ? cells_of_grid(grid)
-                                            : cells_of_file(options.cells, common);
+  std::vector<study::Cell> cells = sensitivity     ? study::sensitivity_cells()
+                                   : !grid.empty() ? cells_of_grid(grid)
+                                                   : cells_of_file(options.cells, common);
   return run_batch("sweep", options, common, std::move(cells));
 }
 

@@ -56,9 +56,9 @@ FigureFiles write_figures(const Results& results,
     if (!drawn.insert(trial).second) {
       continue;
     }
-    if (!is_file_name(trial)) {
-      files.missing.push_back(
-          {"trial_" + shortened(trial), "its id is not " + std::string(kFileNameRule)});
+    if (!table::is_file_name(trial)) {
+      files.missing.push_back({"trial_" + table::shortened(trial),
+                               "its id is not " + std::string(table::kFileNameRule)});
       continue;
     }
     const std::optional<TrialPicture> picture = trial_picture(results, trial);

@@ -7,7 +7,7 @@
 
 namespace tcert::cli {
 
-FrameColumns predictor_columns(const ModelFrame& frame) {
+FrameColumns predictor_columns(const statistics::ModelFrame& frame) {
   FrameColumns columns;
   for (std::size_t k = 0; k < frame.columns.size(); ++k) {
     if (frame.term_of[k] == 0) {
@@ -18,7 +18,7 @@ FrameColumns predictor_columns(const ModelFrame& frame) {
     columns.values.emplace_back(column.data(), column.data() + column.size());
   }
   if (columns.names.empty()) {
-    throw FormulaError("formula '" + frame.formula + "': names no predictor");
+    throw statistics::FormulaError("formula '" + frame.formula + "': names no predictor");
   }
   return columns;
 }
@@ -31,22 +31,23 @@ void require_plain_bootstrap(const FitRequest& request, bool plain) {
 
 void add_bootstrap(const FitRequest& request,
                    const std::vector<std::string>& names,
-                   const Statistic& statistic,
+                   const statistics::Statistic& statistic,
                    FitReport& report) {
   const auto& cluster = request.frame.cluster;
-  const ResamplingPlan plan = cluster ? ResamplingPlan::of_clusters(cluster->codes)
-                                      : ResamplingPlan::of_rows(request.frame.size());
-  BootstrapOptions options;
+  const statistics::ResamplingPlan plan =
+      cluster ? statistics::ResamplingPlan::of_clusters(cluster->codes)
+              : statistics::ResamplingPlan::of_rows(request.frame.size());
+  statistics::BootstrapOptions options;
   options.replicates = static_cast<std::size_t>(request.options.replicates);
   options.seed = request.options.seed;
-  const BootstrapResult result = bootstrap(statistic, plan, options);
+  const statistics::BootstrapResult result = statistics::bootstrap(statistic, plan, options);
   BootstrapTable table(request.options.level);
   for (std::size_t k = 0; k < names.size(); ++k) {
     table.add(names[k], result, k);
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = i + 1; j < names.size(); ++j) {
-      table.add(names[i] + " - " + names[j], paired_difference(result, plan, i, j), 0);
+      table.add(names[i] + " - " + names[j], statistics::paired_difference(result, plan, i, j), 0);
     }
   }
   table.append_to(report);

@@ -17,7 +17,7 @@ struct FrameColumns {
 };
 
 /// The design's columns but the intercept. \throws FormulaError if there is none.
-[[nodiscard]] FrameColumns predictor_columns(const ModelFrame& frame);
+[[nodiscard]] FrameColumns predictor_columns(const statistics::ModelFrame& frame);
 
 /// \throws UsageError if the rows have case weights, or `plain` is false: a resample is one of
 /// rows.
@@ -27,7 +27,7 @@ void require_plain_bootstrap(const FitRequest& request, bool plain);
 /// error and BCa, percentile and basic intervals. Whole clusters are drawn where there are any.
 void add_bootstrap(const FitRequest& request,
                    const std::vector<std::string>& names,
-                   const Statistic& statistic,
+                   const statistics::Statistic& statistic,
                    FitReport& report);
 
 }  // namespace tcert::cli

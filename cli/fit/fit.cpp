@@ -81,19 +81,19 @@ using Fit = FitReport (*)(const FitRequest&);
 struct Kind {
   std::string_view name;
   Fit fit;
-  RightSide right_side;
+  statistics::RightSide right_side;
   bool allow_infinite;  ///< Only ranks count.
   bool has_coefficients;
 };
 
 constexpr std::array<Kind, 7> kKinds{
-    {{"glm", fit_glm, RightSide::design, false, true},
-     {"glmm", fit_mixed_model, RightSide::design, false, true},
-     {"calibration", fit_calibration, RightSide::design, false, false},
-     {"cox", fit_cox_model, RightSide::design, false, true},
-     {"km", fit_km, RightSide::groups, false, false},
-     {"roc", fit_roc, RightSide::design, true, false},
-     {"concordance", fit_concordance, RightSide::design, true, false}}};
+    {{"glm", fit_glm, statistics::RightSide::design, false, true},
+     {"glmm", fit_mixed_model, statistics::RightSide::design, false, true},
+     {"calibration", fit_calibration, statistics::RightSide::design, false, false},
+     {"cox", fit_cox_model, statistics::RightSide::design, false, true},
+     {"km", fit_km, statistics::RightSide::groups, false, false},
+     {"roc", fit_roc, statistics::RightSide::design, true, false},
+     {"concordance", fit_concordance, statistics::RightSide::design, true, false}}};
 
 CommandLine command_line(FitOptions& o, std::string_view help) {
   CommandLine line{
@@ -193,8 +193,8 @@ const Kind& kind_of(const std::string& name) {
                    did_you_mean(name, known));
 }
 
-FrameOptions frame_options(const FitOptions& options, const Kind& kind) {
-  FrameOptions frame;
+statistics::FrameOptions frame_options(const FitOptions& options, const Kind& kind) {
+  statistics::FrameOptions frame;
   for (const std::string& text : options.references) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
@@ -222,11 +222,13 @@ FitReport without_estimate(const FitOptions& options) {
 
 std::string plain_number(double value) {
   std::string text;
-  append_number(text, value);
+  table::append_number(text, value);
   return text;
 }
 
-void add_settings(const FitOptions& options, const ModelFrame& frame, FitReport& report) {
+void add_settings(const FitOptions& options,
+                  const statistics::ModelFrame& frame,
+                  FitReport& report) {
   report.settings = {{"formula", frame.formula},
                      {"data", name_of(options.data)},
                      {"response", frame.response},
@@ -246,10 +248,10 @@ void check(const FitOptions& options) {
   require_range("bootstrap", static_cast<double>(options.replicates), 0, 1e6);
 }
 
-std::vector<std::string> wanted_columns(const Formula& formula,
+std::vector<std::string> wanted_columns(const statistics::Formula& formula,
                                         const FitOptions& options,
                                         const Kind& kind) {
-  std::vector<std::string> columns = columns_of(formula, frame_options(options, kind));
+  std::vector<std::string> columns = statistics::columns_of(formula, frame_options(options, kind));
   if (!options.cause.empty()) {
     columns.push_back(options.cause);
   }
@@ -257,7 +259,7 @@ std::vector<std::string> wanted_columns(const Formula& formula,
 }
 
 /// The term whose column this is, if it has several.
-std::string factor_of(const ModelFrame& frame, const std::string& column) {
+std::string factor_of(const statistics::ModelFrame& frame, const std::string& column) {
   const auto found = std::find(frame.columns.begin(), frame.columns.end(), column);
   if (found == frame.columns.end()) {
     return "";
@@ -268,19 +270,20 @@ std::string factor_of(const ModelFrame& frame, const std::string& column) {
 }
 
 FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile& file) {
-  const Formula formula = parse_formula(options.formula);
-  const FrameOptions frame_option = frame_options(options, kind);
-  ModelFrame frame = model_frame(formula, file.table, frame_option);
-  FitReport report = has_error(frame.conditions) ? without_estimate(options)
-                                                 : kind.fit({options, formula, file.table, frame});
-  for (const Condition& condition : frame.conditions) {
+  const statistics::Formula formula = statistics::parse_formula(options.formula);
+  const statistics::FrameOptions frame_option = frame_options(options, kind);
+  statistics::ModelFrame frame = statistics::model_frame(formula, file.table, frame_option);
+  FitReport report = statistics::has_error(frame.conditions)
+                         ? without_estimate(options)
+                         : kind.fit({options, formula, file.table, frame});
+  for (const statistics::Condition& condition : frame.conditions) {
     const bool known = std::find(report.conditions.begin(), report.conditions.end(), condition) !=
                        report.conditions.end();
     if (!known) {
       report.conditions.push_back(condition);
     }
   }
-  report.conditions = one_per_factor(
+  report.conditions = statistics::one_per_factor(
       report.conditions, [&](const std::string& column) { return factor_of(frame, column); });
   add_settings(options, frame, report);
   name_outcome(formula, frame, report);
@@ -288,30 +291,36 @@ FitReport report_of(const FitOptions& options, const Kind& kind, const DataFile&
   return report;
 }
 
-bool has_factor_of(const Expression& expression, const std::string& column) {
+bool has_factor_of(const statistics::Expression& expression, const std::string& column) {
   const bool makes_factor =
       expression.is_call("factor") || expression.is_call("as.factor") || expression.is_call(":");
-  return std::any_of(
-      expression.arguments.begin(), expression.arguments.end(), [&](const Expression& argument) {
-        const bool is_column = argument.kind == Expression::Kind::column && argument.name == column;
-        return (makes_factor && is_column) || has_factor_of(argument, column);
-      });
+  return std::any_of(expression.arguments.begin(),
+                     expression.arguments.end(),
+                     [&](const statistics::Expression& argument) {
+                       const bool is_column =
+                           argument.kind == statistics::Expression::Kind::column &&
+                           argument.name == column;
+                       return (makes_factor && is_column) || has_factor_of(argument, column);
+                     });
 }
 
 /// \throws UsageError for a reference level that no factor of the formula would take.
-void require_references(const FrameOptions& frame, const Formula& formula, const DataTable& table) {
+void require_references(const statistics::FrameOptions& frame,
+                        const statistics::Formula& formula,
+                        const table::DataTable& table) {
   const std::vector<std::string> used = formula.columns();
   for (const auto& [column, level] : frame.reference) {
     if (std::find(used.begin(), used.end(), column) == used.end()) {
       throw UsageError("--ref: the formula has no column '" + column + "'" +
                        did_you_mean(column, used));
     }
-    const DataColumn* const data = table.find(column);
+    const table::DataColumn* const data = table.find(column);
     bool is_factor = data == nullptr || data->is_text || data->is_truth;
-    for (const Term& term : formula.terms) {
-      for (const Expression& variable : term.variables) {
+    for (const statistics::Term& term : formula.terms) {
+      for (const statistics::Expression& variable : term.variables) {
         is_factor =
-            is_factor || has_factor_of({Expression::Kind::call, 0.0, "I", {variable}}, column);
+            is_factor ||
+            has_factor_of({statistics::Expression::Kind::call, 0.0, "I", {variable}}, column);
       }
     }
     if (!is_factor) {
@@ -358,23 +367,23 @@ int run(Arguments arguments) {
   check(options);
   const ThreadLimit threads(common.threads);
   try {
-    const Formula formula = parse_formula(options.formula);
+    const statistics::Formula formula = statistics::parse_formula(options.formula);
     require_taken(options.kind, common.given, formula);
     const DataFile file =
         read_data_file(options.data, wanted_columns(formula, options, kind), common);
     require_references(frame_options(options, kind), formula, file.table);
     const FitReport report = report_of(options, kind, file);
-    for (const Condition& condition : report.conditions) {
-      say("tcert fit: " + to_string(condition));
+    for (const statistics::Condition& condition : report.conditions) {
+      say("tcert fit: " + statistics::to_string(condition));
     }
     const bool is_table = options.table.empty() || report.find(options.table) != nullptr;
-    if (has_error(report.conditions) && !is_table) {
+    if (statistics::has_error(report.conditions) && !is_table) {
       return exit_bad_data;  // what was asked for is missing because of the error
     }
     require_table(report, options.table);
     const std::string text = render(report, common.table_format(), options.table);
     write_or_print(text, "fit", file, common);
-    if (has_error(report.conditions)) {
+    if (statistics::has_error(report.conditions)) {
       return exit_bad_data;
     }
     if (!has_estimate(report)) {
@@ -383,7 +392,7 @@ int run(Arguments arguments) {
       return exit_bad_data;
     }
     return exit_done;
-  } catch (const FormulaError& error) {
+  } catch (const statistics::FormulaError& error) {
     throw UsageError(error.what());
   }
 }

@@ -62,9 +62,9 @@ struct FitOptions {
 /// A fit's inputs: the frame is without an error.
 struct FitRequest {
   const FitOptions& options;
-  const Formula& formula;
-  const DataTable& table;
-  ModelFrame& frame;
+  const statistics::Formula& formula;
+  const table::DataTable& table;
+  statistics::ModelFrame& frame;
 };
 
 [[nodiscard]] FitReport fit_glm(const FitRequest& request);

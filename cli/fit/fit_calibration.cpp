@@ -17,7 +17,7 @@ std::vector<double> as_vector(const Eigen::VectorXd& values) {
 
 /// The given probabilities: the formula's only predictor.
 std::vector<double> given(const FitRequest& request) {
-  const ModelFrame& frame = request.frame;
+  const statistics::ModelFrame& frame = request.frame;
   std::vector<double> values;
   std::size_t others = 0;
   for (std::size_t k = 0; k < frame.columns.size(); ++k) {
@@ -38,7 +38,7 @@ std::vector<double> given(const FitRequest& request) {
 }
 
 /// Folds of whole clusters; rows are their own without one.
-Folds folds_of(const LogisticInput& input, const FitOptions& options) {
+statistics::Folds folds_of(const statistics::LogisticInput& input, const FitOptions& options) {
   const auto rows = static_cast<std::size_t>(input.design.rows());
   std::vector<std::uint8_t> success(rows);
   for (std::size_t i = 0; i < rows; ++i) {
@@ -46,28 +46,29 @@ Folds folds_of(const LogisticInput& input, const FitOptions& options) {
   }
   std::vector<std::uint32_t> cluster(rows);
   std::iota(cluster.begin(), cluster.end(), 0U);
-  FoldOptions fold_options;
+  statistics::FoldOptions fold_options;
   fold_options.folds = static_cast<std::size_t>(options.folds);
   fold_options.seed = options.seed;
-  return assign_folds(success, input.cluster ? input.cluster->codes : cluster, fold_options);
+  return statistics::assign_folds(
+      success, input.cluster ? input.cluster->codes : cluster, fold_options);
 }
 
-void add(const Conditions& more, Conditions& conditions) {
+void add(const statistics::Conditions& more, statistics::Conditions& conditions) {
   conditions.insert(conditions.end(), more.begin(), more.end());
 }
 
-void predict(const LogisticInput& input,
+void predict(const statistics::LogisticInput& input,
              const FitOptions& options,
              CalibrationSource& source,
-             Conditions& conditions) {
-  const Folds folds = folds_of(input, options);
+             statistics::Conditions& conditions) {
+  const statistics::Folds folds = folds_of(input, options);
   add(folds.conditions, conditions);
   source.folds = folds.count;
   source.probability.assign(source.rows.size(), std::numeric_limits<double>::quiet_NaN());
   if (folds.count < 2) {
     return;
   }
-  OutOfFold predicted = out_of_fold_probabilities(input, folds);
+  statistics::OutOfFold predicted = statistics::out_of_fold_probabilities(input, folds);
   source.probability = std::move(predicted.probability);
   add(predicted.conditions, conditions);
   for (const std::uint32_t fold : folds.of_row) {
@@ -78,27 +79,27 @@ void predict(const LogisticInput& input,
 }  // namespace
 
 FitReport fit_calibration(const FitRequest& request) {
-  const LogisticInput input = logistic_input(request.frame);
+  const statistics::LogisticInput input = statistics::logistic_input(request.frame);
   if (input.trials.size() > 0 || input.weights.size() > 0) {
     throw UsageError("calibration takes one trial a row: no cbind() and no --weights");
   }
   CalibrationSource source;
   source.rows = request.frame.rows;
   source.predicted = request.options.predicted;
-  Conditions conditions = input.conditions;
-  ModelCalibration result;
-  if (!has_error(conditions)) {
+  statistics::Conditions conditions = input.conditions;
+  statistics::ModelCalibration result;
+  if (!statistics::has_error(conditions)) {
     source.outcome = as_vector(input.successes);
     if (source.predicted.empty()) {
       predict(input, request.options, source, conditions);
     } else {
       source.probability = given(request);
     }
-    CalibrationOptions options;
+    statistics::CalibrationOptions options;
     options.level = request.options.level;
     options.column = source.predicted;
-    options.place = [&](std::size_t row) { return place_of(request.frame, row); };
-    result = calibration(
+    options.place = [&](std::size_t row) { return statistics::place_of(request.frame, row); };
+    result = statistics::calibration(
         source.outcome, source.probability, input.cluster ? &*input.cluster : nullptr, options);
   } else {
     source.rows.clear();

@@ -13,37 +13,40 @@ namespace tcert::cli {
 namespace {
 
 /// Times as they are, or plain numbers as times of events, which then are rounded as times.
-SurvivalOutcome outcome_of(ModelFrame& frame, bool round) {
-  if (const auto* const survival = std::get_if<SurvivalOutcome>(&frame.outcome)) {
+statistics::SurvivalOutcome outcome_of(statistics::ModelFrame& frame, bool round) {
+  if (const auto* const survival = std::get_if<statistics::SurvivalOutcome>(&frame.outcome)) {
     return *survival;
   }
-  if (const auto* const numbers = std::get_if<NumberOutcome>(&frame.outcome)) {
-    SurvivalOutcome outcome = uncensored(numbers->values);
+  if (const auto* const numbers = std::get_if<statistics::NumberOutcome>(&frame.outcome)) {
+    statistics::SurvivalOutcome outcome = statistics::uncensored(numbers->values);
     if (round) {
-      add_rounding_conditions(round_times(outcome), frame.response, frame.conditions);
+      statistics::add_rounding_conditions(
+          statistics::round_times(outcome), frame.response, frame.conditions);
     }
     return outcome;
   }
-  throw FormulaError("'" + frame.response + "': C needs Surv() or a number as the outcome");
+  throw statistics::FormulaError("'" + frame.response +
+                                 "': C needs Surv() or a number as the outcome");
 }
 
 }  // namespace
 
 FitReport fit_concordance(const FitRequest& request) {
-  ModelFrame& frame = request.frame;
+  statistics::ModelFrame& frame = request.frame;
   const FrameColumns columns = predictor_columns(frame);
-  const LargerMeans larger =
-      request.options.reverse ? LargerMeans::shorter_time : LargerMeans::longer_time;
-  std::vector<Predictor> predictors;
+  const statistics::LargerMeans larger = request.options.reverse
+                                             ? statistics::LargerMeans::shorter_time
+                                             : statistics::LargerMeans::longer_time;
+  std::vector<statistics::Predictor> predictors;
   for (std::size_t k = 0; k < columns.names.size(); ++k) {
     predictors.push_back({columns.names[k], columns.values[k], larger});
   }
-  constexpr std::array kPairWeights{PairWeight::equal,
-                                    PairWeight::survival,
-                                    PairWeight::survival_by_censoring,
-                                    PairWeight::inverse_censoring_squared,
-                                    PairWeight::inverse_at_risk};
-  ConcordanceOptions options;
+  constexpr std::array kPairWeights{statistics::PairWeight::equal,
+                                    statistics::PairWeight::survival,
+                                    statistics::PairWeight::survival_by_censoring,
+                                    statistics::PairWeight::inverse_censoring_squared,
+                                    statistics::PairWeight::inverse_at_risk};
+  statistics::ConcordanceOptions options;
   options.level = request.options.level;
   options.pair_weight = kPairWeights[choice(
       "pair-weight", request.options.pair_weight, {"n", "S", "S/G", "n/G2", "I"})];
@@ -52,19 +55,21 @@ FitReport fit_concordance(const FitRequest& request) {
   if (frame.weights) {
     options.weights = {frame.weights->data(), static_cast<std::size_t>(frame.weights->size())};
   }
-  const SurvivalOutcome outcome = outcome_of(frame, !request.options.no_time_rounding);
-  if (outcome.left_truncated() && (options.pair_weight == PairWeight::survival_by_censoring ||
-                                   options.pair_weight == PairWeight::inverse_censoring_squared)) {
+  const statistics::SurvivalOutcome outcome = outcome_of(frame, !request.options.no_time_rounding);
+  if (outcome.left_truncated() &&
+      (options.pair_weight == statistics::PairWeight::survival_by_censoring ||
+       options.pair_weight == statistics::PairWeight::inverse_censoring_squared)) {
     throw UsageError(
         "--pair-weight: S/G and n/G2 need Surv(time, event); with (start, stop] rows "
         "take n, S or I");
   }
-  FitReport report = concordance_report(concordance(outcome, predictors, options), options.level);
-  if (request.options.replicates > 0 && !has_error(report.conditions)) {
-    require_plain_bootstrap(request, options.pair_weight == PairWeight::equal);
+  FitReport report =
+      concordance_report(statistics::concordance(outcome, predictors, options), options.level);
+  if (request.options.replicates > 0 && !statistics::has_error(report.conditions)) {
+    require_plain_bootstrap(request, options.pair_weight == statistics::PairWeight::equal);
     add_bootstrap(request,
                   columns.names,
-                  concordance_statistic(outcome, predictors, {}, options.strata),
+                  statistics::concordance_statistic(outcome, predictors, {}, options.strata),
                   report);
   }
   return report;

@@ -16,46 +16,50 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::array kTies{Ties::efron, Ties::breslow, Ties::exact};
-constexpr std::array kTransforms{
-    TimeTransform::km, TimeTransform::rank, TimeTransform::identity, TimeTransform::log};
+constexpr std::array kTies{
+    statistics::Ties::efron, statistics::Ties::breslow, statistics::Ties::exact};
+constexpr std::array kTransforms{statistics::TimeTransform::km,
+                                 statistics::TimeTransform::rank,
+                                 statistics::TimeTransform::identity,
+                                 statistics::TimeTransform::log};
 
 /// Of the linear predictor, within strata and by clusters, as R's summary gives it.
-std::optional<ConcordanceResult> concordance_of(const CoxData& data, const CoxFit& fit) {
-  if (fit.df == 0 || has_error(fit.conditions)) {
+std::optional<statistics::ConcordanceResult> concordance_of(const statistics::CoxData& data,
+                                                            const statistics::CoxFit& fit) {
+  if (fit.df == 0 || statistics::has_error(fit.conditions)) {
     return std::nullopt;
   }
-  const Predictor predictor{
+  const statistics::Predictor predictor{
       "linear predictor",
       {fit.linear_predictors.data(), static_cast<std::size_t>(fit.linear_predictors.size())},
-      LargerMeans::shorter_time};
-  ConcordanceOptions options;
+      statistics::LargerMeans::shorter_time};
+  statistics::ConcordanceOptions options;
   options.level = fit.level;
   options.strata = data.strata ? &*data.strata : nullptr;
   options.cluster = data.cluster ? &*data.cluster : nullptr;
   if (data.weights) {
     options.weights = {data.weights->data(), static_cast<std::size_t>(data.weights->size())};
   }
-  return concordance(data.outcome, {&predictor, 1}, options);
+  return statistics::concordance(data.outcome, {&predictor, 1}, options);
 }
 
 void add_residuals(const FitRequest& request,
-                   const CoxData& data,
-                   const CoxFit& fit,
+                   const statistics::CoxData& data,
+                   const statistics::CoxFit& fit,
                    FitReport& report) {
   const std::vector<std::string> known{
       "martingale", "deviance", "score", "dfbeta", "dfbetas", "schoenfeld", "scaledsch"};
   const std::vector<std::string> words = words_of(request.options.residuals);
   for (const std::string& word : words) {
     static_cast<void>(choice("residuals", word, known));
-    if (fit.ties == Ties::exact && word != "martingale" && word != "deviance") {
+    if (fit.ties == statistics::Ties::exact && word != "martingale" && word != "deviance") {
       throw UsageError("--residuals: with exact ties there are only martingale and deviance");
     }
   }
   if (words.empty()) {
     return;
   }
-  const CoxResiduals residuals = cox_residuals(data, fit);
+  const statistics::CoxResiduals residuals = statistics::cox_residuals(data, fit);
   for (const std::string& word : words) {
     report.details.push_back(residual_table(residuals, word, data.columns, request.frame.rows));
   }
@@ -78,8 +82,8 @@ std::vector<std::size_t> frame_rows(const FitRequest& request) {
 }
 
 void add_curves(const FitRequest& request,
-                const CoxData& data,
-                const CoxFit& fit,
+                const statistics::CoxData& data,
+                const statistics::CoxFit& fit,
                 FitReport& report) {
   const std::vector<std::size_t> rows = frame_rows(request);
   if (rows.empty()) {
@@ -100,19 +104,20 @@ void add_curves(const FitRequest& request,
     }
     names.push_back(request.frame.rows[rows[i]] + 1);
   }
-  report.details.push_back(curve_table(cox_curves(data, fit, design, offset), names));
+  report.details.push_back(curve_table(statistics::cox_curves(data, fit, design, offset), names));
 }
 
 /// Says from when on a cumulative baseline hazard is NA.
-void add_infinite_hazards(const std::vector<BaselineHazard>& baseline, FitReport& report) {
-  for (const BaselineHazard& one : baseline) {
+void add_infinite_hazards(const std::vector<statistics::BaselineHazard>& baseline,
+                          FitReport& report) {
+  for (const statistics::BaselineHazard& one : baseline) {
     const auto first = std::find_if(
         one.hazard.begin(), one.hazard.end(), [](double hazard) { return std::isinf(hazard); });
     if (first != one.hazard.end()) {
       const auto at = static_cast<std::size_t>(first - one.hazard.begin());
       report.conditions.push_back(
-          {ConditionKind::infinite_hazard,
-           ConditionSeverity::warning,
+          {statistics::ConditionKind::infinite_hazard,
+           statistics::ConditionSeverity::warning,
            "",
            "from " + significant(one.time[at], 9) + " on" +
                (one.stratum.empty() ? "" : ", stratum '" + one.stratum + "'")});
@@ -123,43 +128,46 @@ void add_infinite_hazards(const std::vector<BaselineHazard>& baseline, FitReport
 }  // namespace
 
 FitReport fit_cox_model(const FitRequest& request) {
-  if (!std::holds_alternative<SurvivalOutcome>(request.frame.outcome)) {
-    throw FormulaError("'" + request.frame.response + "': a Cox model needs Surv(time, event)");
+  if (!std::holds_alternative<statistics::SurvivalOutcome>(request.frame.outcome)) {
+    throw statistics::FormulaError("'" + request.frame.response +
+                                   "': a Cox model needs Surv(time, event)");
   }
-  CoxData data = cox_data(request.frame);
-  CoxOptions options;
+  statistics::CoxData data = statistics::cox_data(request.frame);
+  statistics::CoxOptions options;
   options.level = request.options.level;
   options.ties = kTies[choice("ties", request.options.ties, {"efron", "breslow", "exact"})];
   if (request.options.robust) {
     options.robust = true;
   }
-  if (options.ties == Ties::exact && (options.robust || data.cluster || data.weights)) {
+  if (options.ties == statistics::Ties::exact && (options.robust || data.cluster || data.weights)) {
     throw UsageError("--ties exact goes without --robust, --cluster, cluster() and --weights");
   }
-  const TimeTransform transform = kTransforms[choice(
+  const statistics::TimeTransform transform = kTransforms[choice(
       "transform", request.options.transform, {"km", "rank", "identity", "log"})];
-  const CoxFit fit = fit_cox(data, options);
+  const statistics::CoxFit fit = statistics::fit_cox(data, options);
   FitReport report = cox_report(fit, concordance_of(data, fit));
-  if (has_error(fit.conditions)) {
+  if (statistics::has_error(fit.conditions)) {
     return report;
   }
   if (!fit.at_limit) {
-    report.conditions.push_back({ConditionKind::not_converged,
-                                 ConditionSeverity::warning,
+    report.conditions.push_back({statistics::ConditionKind::not_converged,
+                                 statistics::ConditionSeverity::warning,
                                  "",
                                  "rounding stops it before the limit of the coefficients that run "
                                  "to infinity: no tests of terms and hazards, no baseline hazard, "
                                  "residuals and curves"});
     return report;
   }
-  if (fit.ties != Ties::exact && fit.df > 0) {
-    add_proportionality(
-        cox_zph(data, fit, transform, true), cox_zph(data, fit, transform, false), report);
+  if (fit.ties != statistics::Ties::exact && fit.df > 0) {
+    add_proportionality(statistics::cox_zph(data, fit, transform, true),
+                        statistics::cox_zph(data, fit, transform, false),
+                        report);
   }
   if (!fit.robust) {
-    add_term_tests(cox_anova(data, options), cox_drop1(data, options), report);
+    add_term_tests(
+        statistics::cox_anova(data, options), statistics::cox_drop1(data, options), report);
   }
-  const std::vector<BaselineHazard> baseline = cox_baseline(data, fit);
+  const std::vector<statistics::BaselineHazard> baseline = statistics::cox_baseline(data, fit);
   add_infinite_hazards(baseline, report);
   report.details.push_back(baseline_table(baseline));
   add_residuals(request, data, fit, report);

@@ -24,17 +24,17 @@ constexpr double kTestShare = 1.0 / 12.0;
 
 /// Whether profiles are wanted and, unless asked for, cheap; if they are not, that is said.
 bool takes_profiles(const FitOptions& options,
-                    const LogisticInput& input,
+                    const statistics::LogisticInput& input,
                     double work,
-                    Conditions& conditions) {
+                    statistics::Conditions& conditions) {
   if (options.no_profile) {
     return false;
   }
-  if (options.profile || work <= kMostProfileWork) {
+  if (options.profile || work <= statistics::kMostProfileWork) {
     return true;
   }
-  conditions.push_back({ConditionKind::no_profile,
-                        ConditionSeverity::note,
+  conditions.push_back({statistics::ConditionKind::no_profile,
+                        statistics::ConditionSeverity::note,
                         "",
                         fmt::format("{} coefficients on {} rows; Wald intervals stand alone",
                                     input.columns.size(),
@@ -43,39 +43,42 @@ bool takes_profiles(const FitOptions& options,
 }
 
 FitReport fit_penalised(const FitRequest& request) {
-  const LogisticInput input = logistic_input(request.frame);
+  const statistics::LogisticInput input = statistics::logistic_input(request.frame);
   if (input.cluster || request.options.robust) {
     throw UsageError("--firth goes without --cluster and --robust: its tests are of likelihoods");
   }
-  const double work = kFirthFactor * profile_work(input);
-  Conditions conditions;
+  const double work = kFirthFactor * statistics::profile_work(input);
+  statistics::Conditions conditions;
   Progress progress(kProgress, input.columns.size(), request.options.quiet);
-  FirthOptions options;
+  statistics::FirthOptions options;
   options.level = request.options.level;
   options.profiles = takes_profiles(request.options, input, work, conditions);
   options.advance = [&] { progress.advance(); };
-  if ((options.profiles ? work : kTestShare * work) > kMostProfileWork && !request.options.quiet) {
+  if ((options.profiles ? work : kTestShare * work) > statistics::kMostProfileWork &&
+      !request.options.quiet) {
     say(fmt::format("tcert fit: the penalised tests{} of {} coefficients on {} rows take long",
                     options.profiles ? " and profiles" : "",
                     input.columns.size(),
                     input.design.rows()));
   }
-  FirthFit fit = fit_firth(input, options);
+  statistics::FirthFit fit = statistics::fit_firth(input, options);
   fit.conditions.insert(fit.conditions.end(), conditions.begin(), conditions.end());
   return firth_report(fit);
 }
 
 /// What this command has for separated data.
-void point_to_firth(const LogisticInput& input, bool robust, Conditions& conditions) {
-  for (Condition& condition : conditions) {
-    const bool separated = condition.kind == ConditionKind::complete_separation ||
-                           condition.kind == ConditionKind::quasi_separation ||
-                           condition.kind == ConditionKind::near_separation;
+void point_to_firth(const statistics::LogisticInput& input,
+                    bool robust,
+                    statistics::Conditions& conditions) {
+  for (statistics::Condition& condition : conditions) {
+    const bool separated = condition.kind == statistics::ConditionKind::complete_separation ||
+                           condition.kind == statistics::ConditionKind::quasi_separation ||
+                           condition.kind == statistics::ConditionKind::near_separation;
     if (separated) {
-      condition.advice =
-          std::string(condition.kind == ConditionKind::near_separation ? "it says nothing"
-                                                                       : "no finite estimate") +
-          "; merge levels, leave the term out or fit with --firth";
+      condition.advice = std::string(condition.kind == statistics::ConditionKind::near_separation
+                                         ? "it says nothing"
+                                         : "no finite estimate") +
+                         "; merge levels, leave the term out or fit with --firth";
       condition.advice += input.cluster ? ", which goes without clusters"
                           : robust      ? ", which goes without --robust"
                                         : "";
@@ -86,7 +89,7 @@ void point_to_firth(const LogisticInput& input, bool robust, Conditions& conditi
 }  // namespace
 
 FitReport fit_glm(const FitRequest& request) {
-  if (std::holds_alternative<SurvivalOutcome>(request.frame.outcome)) {
+  if (std::holds_alternative<statistics::SurvivalOutcome>(request.frame.outcome)) {
     throw UsageError("'" + request.frame.response +
                      "': a logistic model needs a 0/1 outcome; use tcert fit cox");
   }
@@ -96,27 +99,27 @@ FitReport fit_glm(const FitRequest& request) {
   if (request.options.firth) {
     return fit_penalised(request);
   }
-  LogisticInput input = logistic_input(request.frame);
-  LogisticOptions options;
+  statistics::LogisticInput input = statistics::logistic_input(request.frame);
+  statistics::LogisticOptions options;
   options.level = request.options.level;
   const bool robust = input.cluster || request.options.robust;
   if (robust) {
-    options.variance = CoefficientVariance::robust;
+    options.variance = statistics::CoefficientVariance::robust;
     if (request.options.profile) {
       throw UsageError(
           "--profile goes without --cluster and --robust: profiles take the rows to be "
           "independent");
     }
   }
-  LogisticFit fit = fit_logistic(input, options);
+  statistics::LogisticFit fit = statistics::fit_logistic(input, options);
   point_to_firth(input, robust, fit.conditions);
-  std::vector<ProfileLimits> profiles;
+  std::vector<statistics::ProfileLimits> profiles;
   if (!robust && fit.log_likelihood &&
-      takes_profiles(request.options, input, profile_work(input), fit.conditions)) {
+      takes_profiles(request.options, input, statistics::profile_work(input), fit.conditions)) {
     Progress progress(kProgress, input.columns.size(), request.options.quiet);
-    profiles = profile_limits(input, options, [&] { progress.advance(); });
+    profiles = statistics::profile_limits(input, options, [&] { progress.advance(); });
   }
-  return logistic_report(fit, profiles, drop_terms(input));
+  return logistic_report(fit, profiles, statistics::drop_terms(input));
 }
 
 }  // namespace tcert::cli

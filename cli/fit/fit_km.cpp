@@ -13,11 +13,11 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::array kScales{IntervalScale::log,
-                             IntervalScale::log_log,
-                             IntervalScale::plain,
-                             IntervalScale::logit,
-                             IntervalScale::arcsin};
+constexpr std::array kScales{statistics::IntervalScale::log,
+                             statistics::IntervalScale::log_log,
+                             statistics::IntervalScale::plain,
+                             statistics::IntervalScale::logit,
+                             statistics::IntervalScale::arcsin};
 
 template <class Value>
 void keep(const std::vector<std::size_t>& rows, std::vector<Value>& values) {
@@ -31,16 +31,17 @@ void keep(const std::vector<std::size_t>& rows, std::vector<Value>& values) {
 }
 
 /// Leaves only these rows of the frame.
-void keep(const std::vector<std::size_t>& rows, ModelFrame& frame) {
-  auto& survival = std::get<SurvivalOutcome>(frame.outcome);
+void keep(const std::vector<std::size_t>& rows, statistics::ModelFrame& frame) {
+  auto& survival = std::get<statistics::SurvivalOutcome>(frame.outcome);
   keep(rows, survival.start);
   keep(rows, survival.stop);
   keep(rows, survival.event);
   keep(rows, frame.rows);
   keep(rows, frame.lines);
-  for (std::optional<Factor>* const factor : {&frame.groups, &frame.strata, &frame.cluster}) {
+  for (std::optional<table::Factor>* const factor :
+       {&frame.groups, &frame.strata, &frame.cluster}) {
     if (*factor) {
-      *factor = on_rows(**factor, rows);
+      *factor = statistics::on_rows(**factor, rows);
     }
   }
   if (frame.weights) {
@@ -54,22 +55,24 @@ void keep(const std::vector<std::size_t>& rows, ModelFrame& frame) {
 
 /// The cause of each row, 0 if it is censored. Events without a cause are no censored rows: they
 /// leave the frame, counted.
-CompetingOutcome competing_outcome(const FitRequest& request, Conditions& conditions) {
+statistics::CompetingOutcome competing_outcome(const FitRequest& request,
+                                               statistics::Conditions& conditions) {
   const std::string& column = request.options.cause;
-  refuse_missing_words(request.table, request.table.find(column));
-  const Factor all = evaluate_factor({Expression::Kind::column, 0.0, column, {}}, request.table);
-  ModelFrame& frame = request.frame;
-  auto& survival = std::get<SurvivalOutcome>(frame.outcome);
+  statistics::refuse_missing_words(request.table, request.table.find(column));
+  const table::Factor all = statistics::evaluate_factor(
+      {statistics::Expression::Kind::column, 0.0, column, {}}, request.table);
+  statistics::ModelFrame& frame = request.frame;
+  auto& survival = std::get<statistics::SurvivalOutcome>(frame.outcome);
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < frame.size(); ++row) {
-    if (survival.event[row] == 0 || all.codes[frame.rows[row]] != Factor::kMissing) {
+    if (survival.event[row] == 0 || all.codes[frame.rows[row]] != table::Factor::kMissing) {
       rows.push_back(row);
     }
   }
   const std::size_t left_out = frame.size() - rows.size();
   if (left_out > 0) {
-    conditions.push_back({ConditionKind::missing_rows,
-                          ConditionSeverity::warning,
+    conditions.push_back({statistics::ConditionKind::missing_rows,
+                          statistics::ConditionSeverity::warning,
                           column,
                           std::to_string(left_out) + " of " + std::to_string(frame.size()) +
                               " (events without a cause)"});
@@ -83,10 +86,10 @@ CompetingOutcome competing_outcome(const FitRequest& request, Conditions& condit
       number[all.codes[frame.rows[row]]] = 1;
     }
   }
-  CompetingOutcome outcome;
+  statistics::CompetingOutcome outcome;
   std::vector<bool> occurs(all.levels.size(), false);
   for (const std::size_t row : frame.rows) {
-    if (all.codes[row] != Factor::kMissing) {
+    if (all.codes[row] != table::Factor::kMissing) {
       occurs[all.codes[row]] = true;
     }
   }
@@ -95,8 +98,8 @@ CompetingOutcome competing_outcome(const FitRequest& request, Conditions& condit
       outcome.causes.push_back(all.levels[level]);
       number[level] = static_cast<std::uint32_t>(outcome.causes.size());
     } else if (occurs[level]) {
-      conditions.push_back({ConditionKind::no_such_event,
-                            ConditionSeverity::note,
+      conditions.push_back({statistics::ConditionKind::no_such_event,
+                            statistics::ConditionSeverity::note,
                             column,
                             "'" + all.levels[level] + "'"});
     }
@@ -112,20 +115,20 @@ CompetingOutcome competing_outcome(const FitRequest& request, Conditions& condit
 }  // namespace
 
 FitReport fit_km(const FitRequest& request) {
-  const auto* const survival = std::get_if<SurvivalOutcome>(&request.frame.outcome);
+  const auto* const survival = std::get_if<statistics::SurvivalOutcome>(&request.frame.outcome);
   if (survival == nullptr) {
-    throw FormulaError("'" + request.frame.response +
-                       "': a survival curve needs Surv(time, event)");
+    throw statistics::FormulaError("'" + request.frame.response +
+                                   "': a survival curve needs Surv(time, event)");
   }
-  Conditions conditions;
-  std::optional<CompetingOutcome> competing;
+  statistics::Conditions conditions;
+  std::optional<statistics::CompetingOutcome> competing;
   if (!request.options.cause.empty()) {
     competing = competing_outcome(request, conditions);
   }
-  const ModelFrame& frame = request.frame;
+  const statistics::ModelFrame& frame = request.frame;
   const bool by_strata = frame.terms.empty() && frame.strata;
-  const Factor* const groups = by_strata ? &*frame.strata : &*frame.groups;
-  const Factor* const cluster = frame.cluster ? &*frame.cluster : nullptr;
+  const table::Factor* const groups = by_strata ? &*frame.strata : &*frame.groups;
+  const table::Factor* const cluster = frame.cluster ? &*frame.cluster : nullptr;
   std::span<const double> weights;
   if (frame.weights) {
     weights = {frame.weights->data(), static_cast<std::size_t>(frame.weights->size())};
@@ -136,25 +139,28 @@ FitReport fit_km(const FitRequest& request) {
   shown.level = request.options.level;
   shown.times = request.options.times;
 
-  CurveOptions curve_options;
+  statistics::CurveOptions curve_options;
   curve_options.weights = weights;
   curve_options.groups = groups;
   curve_options.cluster = cluster;
-  std::optional<LogRankTest> test;
+  std::optional<statistics::LogRankTest> test;
   if (!frame.terms.empty() && frame.weights) {
-    conditions.push_back({ConditionKind::no_weighted_test, ConditionSeverity::note, "", ""});
+    conditions.push_back(
+        {statistics::ConditionKind::no_weighted_test, statistics::ConditionSeverity::note, "", ""});
   } else if (!frame.terms.empty()) {
-    test = log_rank_test(
+    test = statistics::log_rank_test(
         *survival, *groups, frame.strata ? &*frame.strata : nullptr, request.options.rho);
   }
-  FitReport report = survival_report(survival_curves(*survival, curve_options), test, shown);
+  FitReport report =
+      survival_report(statistics::survival_curves(*survival, curve_options), test, shown);
   report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
   if (competing) {
-    IncidenceOptions incidence;
+    statistics::IncidenceOptions incidence;
     incidence.weights = weights;
     incidence.groups = groups;
     incidence.cluster = cluster;
-    add_incidence(cumulative_incidence(std::move(*competing), incidence), shown, report);
+    add_incidence(
+        statistics::cumulative_incidence(std::move(*competing), incidence), shown, report);
   }
   return report;
 }

@@ -20,8 +20,8 @@ PartialRange partial_range(const std::string& text) {
   }
   PartialRange range;
   range.focus = choice("partial", text.substr(0, first), {"specificity", "sensitivity"}) == 0
-                    ? RocFocus::specificity
-                    : RocFocus::sensitivity;
+                    ? statistics::RocFocus::specificity
+                    : statistics::RocFocus::sensitivity;
   const std::vector<double> ends = numbers_of(
       "partial", text.substr(first + 1, second - first - 1) + ',' + text.substr(second + 1));
   if (ends.size() != 2 || !(ends[0] >= 0.0 && ends[0] < ends[1] && ends[1] <= 1.0)) {
@@ -35,9 +35,9 @@ PartialRange partial_range(const std::string& text) {
 }  // namespace
 
 FitReport fit_roc(const FitRequest& request) {
-  ModelFrame frame = request.frame;
-  require_binary(frame);
-  if (has_error(frame.conditions)) {
+  statistics::ModelFrame frame = request.frame;
+  statistics::require_binary(frame);
+  if (statistics::has_error(frame.conditions)) {
     FitReport report;
     report.model = "roc";
     report.summary.name = "summary";
@@ -45,32 +45,32 @@ FitReport fit_roc(const FitRequest& request) {
     report.conditions = frame.conditions;
     return report;
   }
-  const std::vector<double>& success = std::get<CountOutcome>(frame.outcome).successes;
+  const std::vector<double>& success = std::get<statistics::CountOutcome>(frame.outcome).successes;
   const FrameColumns columns = predictor_columns(frame);
-  std::vector<Score> scores;
+  std::vector<statistics::Score> scores;
   for (const std::vector<double>& values : columns.values) {
-    scores.push_back({values, HigherMeans::success});
+    scores.push_back({values, statistics::HigherMeans::success});
   }
-  AucOptions options;
+  statistics::AucOptions options;
   options.level = request.options.level;
   if (frame.cluster) {
     options.cluster = frame.cluster->codes;
   }
-  std::vector<RocCurve> curves;
+  std::vector<statistics::RocCurve> curves;
   curves.reserve(scores.size());
-  for (const Score& score : scores) {
-    curves.push_back(roc_curve(score.values, success, score.higher));
+  for (const statistics::Score& score : scores) {
+    curves.push_back(statistics::roc_curve(score.values, success, score.higher));
   }
   std::optional<PartialRange> partial;
   if (!request.options.partial.empty()) {
     partial = partial_range(request.options.partial);
   }
   FitReport report =
-      roc_report(columns.names, joint_auc(scores, success, options), curves, partial);
-  if (request.options.replicates > 0 && !has_error(report.conditions)) {
+      roc_report(columns.names, statistics::joint_auc(scores, success, options), curves, partial);
+  if (request.options.replicates > 0 && !statistics::has_error(report.conditions)) {
     require_plain_bootstrap(request, true);
     const std::vector<std::uint8_t> outcome(success.begin(), success.end());
-    add_bootstrap(request, columns.names, auc_statistic(scores, outcome), report);
+    add_bootstrap(request, columns.names, statistics::auc_statistic(scores, outcome), report);
   }
   return report;
 }

@@ -87,11 +87,12 @@ std::string kinds_where(const Taken& taken) {
   throw UsageError(what + " is for " + kinds);
 }
 
-bool has_product_with_strata(const Formula& formula) {
-  return std::any_of(formula.terms.begin(), formula.terms.end(), [](const Term& term) {
-    return std::any_of(term.variables.begin(),
-                       term.variables.end(),
-                       [](const Expression& variable) { return variable.is_call("strata"); });
+bool has_product_with_strata(const statistics::Formula& formula) {
+  return std::any_of(formula.terms.begin(), formula.terms.end(), [](const statistics::Term& term) {
+    return std::any_of(
+        term.variables.begin(), term.variables.end(), [](const statistics::Expression& variable) {
+          return variable.is_call("strata");
+        });
   });
 }
 
@@ -106,7 +107,7 @@ bool takes_option(std::string_view kind, std::string_view option) {
 
 void require_taken(const std::string& kind,
                    const std::vector<std::string>& given,
-                   const Formula& formula) {
+                   const statistics::Formula& formula) {
   for (const std::string& option : given) {
     if (!takes_option(kind, option)) {
       refuse("--" + option, kinds_where([&](const KindTakes& one) { return lists(one, option); }));
@@ -117,8 +118,8 @@ void require_taken(const std::string& kind,
     return;
   }
   if (kind != "glmm" && !formula.random_terms.empty()) {
-    throw UsageError("'(... | " + to_string(formula.random_terms.front().group) + ")': 'fit " +
-                     kind +
+    throw UsageError("'(... | " + statistics::to_string(formula.random_terms.front().group) +
+                     ")': 'fit " + kind +
                      "' fits no random effects; they are fitted by 'fit glmm'; for robust "
                      "variances use --cluster");
   }

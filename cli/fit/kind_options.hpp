@@ -17,7 +17,7 @@ namespace tcert::cli {
 /// \throws UsageError for an option or a part of the formula that would do nothing.
 void require_taken(const std::string& kind,
                    const std::vector<std::string>& given,
-                   const Formula& formula);
+                   const statistics::Formula& formula);
 
 /// The names that --table takes, a line for one kind, a line each if `kind` is empty.
 [[nodiscard]] std::string tables_in_words(std::string_view kind);

@@ -11,6 +11,8 @@ namespace tcert::cli {
 
 /// Puts the outcome's name into a title 'log odds of success'; says which of two texts is 1, in the
 /// settings event_level and reference_level and in a note.
-void name_outcome(const Formula& formula, const ModelFrame& frame, FitReport& report);
+void name_outcome(const statistics::Formula& formula,
+                  const statistics::ModelFrame& frame,
+                  FitReport& report);
 
 }  // namespace tcert::cli

@@ -137,11 +137,12 @@ BundleInfo describe(const std::string& path) {
   if (!is_json && !BundleFiles(path).contains("bundle.json")) {
     throw BadData("'" + path + "' holds no bundle.json: name a bundle or its bundle.json");
   }
-  BytesResult bytes = is_json ? read_file(path) : BundleFiles(path).read("bundle.json");
+  table::BytesResult bytes =
+      is_json ? table::read_file(path) : BundleFiles(path).read("bundle.json");
   if (!bytes.bytes) {
     throw BadData("'" + path + "': " + bytes.problem);
   }
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   auto info = parse_bundle_json(bytes.bytes->view(), problems);
   say(problems.take());
   if (!info) {
@@ -237,7 +238,7 @@ int run(Arguments arguments) {
   }
   require_known(options);
   const BundleInfo info = describe(options.bundle);
-  const ParameterSet parameters = effective_parameters(info.parameters, common);
+  const study::ParameterSet parameters = effective_parameters(info.parameters, common);
   const Robot robot = effective_robot(info, parameters);
   Certifier certifier(robot, info.course, parameters.certificate);
   Guards guards(parameters.speed_law,

@@ -16,7 +16,7 @@ namespace tcert::cli {
 namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
-  throw WriteError("cannot write the audit log '" + path + "': " + reason);
+  throw table::WriteError("cannot write the audit log '" + path + "': " + reason);
 }
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
@@ -33,7 +33,7 @@ bool may_be_written_over(int descriptor) {
 
 LiveAudit::LiveAudit(std::string path, const GuardParameters& parameters)
     : path_(std::move(path)), parameters_(parameters) {
-  require_output_place(path_);
+  table::require_output_place(path_);
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
     refuse(path_, reason_of(errno));

@@ -4,13 +4,13 @@
 
 namespace tcert::cli {
 
-BundleInfo info_of_record(BundleInfo info, const Robot& robot, ParameterSet parameters) {
+BundleInfo info_of_record(BundleInfo info, const Robot& robot, study::ParameterSet parameters) {
   info.robot = robot;
   info.provenance = "recorded by tcert live; described by: " + info.provenance;
   info.parameters.clear();
   parameters.robot = {};
-  const ParameterSet defaults;
-  for (const ParameterInfo& parameter : parameter_table()) {
+  const study::ParameterSet defaults;
+  for (const study::ParameterInfo& parameter : study::parameter_table()) {
     if (std::string value = parameter.get(parameters); value != parameter.get(defaults)) {
       info.parameters.emplace(parameter.key, std::move(value));
     }
@@ -33,7 +33,7 @@ void LiveRecord::add(const TickLine& line, const CertifiedTick& certified, Statu
   }
   try {
     recorder_->add(line.tick, line.speed_cmd_mps, line.yaw_rate_cmd_rps);
-  } catch (const WriteError& error) {
+  } catch (const table::WriteError& error) {
     give_up(error, status);
     ++lost_;
   }
@@ -58,14 +58,14 @@ bool LiveRecord::close(StatusLines& status) {
     const std::size_t ticks = recorder_->ticks();
     recorder_->close(std::move(row));
     status.say("tcert live: " + std::to_string(ticks) + " ticks recorded in '" + folder_ + "'.");
-  } catch (const WriteError& error) {
+  } catch (const table::WriteError& error) {
     give_up(error, status);
     return false;
   }
   return true;
 }
 
-void LiveRecord::give_up(const WriteError& error, StatusLines& status) {
+void LiveRecord::give_up(const table::WriteError& error, StatusLines& status) {
   status.say(std::string("tcert live: recording ended, the run goes on: ") + error.what() +
              "; what there is lies in '" + recorder_->staging().string() + "'");
   recorder_.reset();

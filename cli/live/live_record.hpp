@@ -18,7 +18,7 @@ namespace tcert::cli {
 /// bundle.json of a record: with everything in it that certifying the ticks again needs.
 [[nodiscard]] BundleInfo info_of_record(BundleInfo info,
                                         const Robot& robot,
-                                        ParameterSet parameters);
+                                        study::ParameterSet parameters);
 
 /// A record that may fail without ending the run: what went wrong is said.
 class LiveRecord {
@@ -33,7 +33,7 @@ class LiveRecord {
   [[nodiscard]] bool close(StatusLines& status);
 
  private:
-  void give_up(const WriteError& error, StatusLines& status);
+  void give_up(const table::WriteError& error, StatusLines& status);
 
   std::string folder_;
   std::optional<BundleRecorder> recorder_;

@@ -51,7 +51,7 @@ void RowSink::write_some() {
   } else if (errno == EPIPE) {
     throw BrokenPipe("stdout");
   } else if (errno != EINTR && errno != EAGAIN) {
-    throw WriteError("cannot write to stdout: " + std::generic_category().message(errno));
+    throw table::WriteError("cannot write to stdout: " + std::generic_category().message(errno));
   }
   if (at_ == pending_.size()) {
     pending_.clear();
@@ -105,7 +105,7 @@ void RowSink::finish(int patience_ms) {
 }
 
 void StatusLines::say(std::string_view line) {
-  std::string text = printable(line);
+  std::string text = table::printable(line);
   text.resize(std::min<std::size_t>(text.size(), PIPE_BUF - 1));
   text += '\n';
   if (!takes_more(STDERR_FILENO) ||

@@ -25,12 +25,12 @@ TickSource::TickSource(const Robot& robot,
   }
 }
 
-void TickSource::say(const std::vector<Diagnostic>& problems) {
+void TickSource::say(const std::vector<table::Diagnostic>& problems) {
   if (bad_ > kSaidInFull) {
     return;
   }
-  for (const Diagnostic& problem : problems) {
-    status_.say(to_string(problem));
+  for (const table::Diagnostic& problem : problems) {
+    status_.say(table::to_string(problem));
   }
   if (bad_ == kSaidInFull) {
     status_.say("tcert live: " + std::to_string(bad_) +
@@ -40,7 +40,7 @@ void TickSource::say(const std::vector<Diagnostic>& problems) {
 
 void TickSource::reject(const std::string& problem) {
   ++bad_;
-  say({{Severity::error, options_.name, number_, "", problem, "a tick", 1}});
+  say({{table::Severity::error, options_.name, number_, "", problem, "a tick", 1}});
 }
 
 // True if the line, which is the first of its kind, is a tick already.
@@ -49,7 +49,7 @@ bool TickSource::begin(std::string_view line) {
   if (first == std::string_view::npos || line[first] == '#') {
     return false;
   }
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   if (parser_) {
     parser_->restart(line, problems);
   } else {
@@ -70,7 +70,7 @@ bool TickSource::begin(std::string_view line) {
     throw BadData(options_.name + ": the first line is not " + expected);
   }
   ++bad_;
-  say({{Severity::error, options_.name, number_, "", "its first line", expected, 1}});
+  say({{table::Severity::error, options_.name, number_, "", "its first line", expected, 1}});
   return false;
 }
 

@@ -40,7 +40,7 @@ class TickSource {
 
  private:
   [[nodiscard]] bool begin(std::string_view line);
-  void say(const std::vector<Diagnostic>& problems);
+  void say(const std::vector<table::Diagnostic>& problems);
 
   const Robot& robot_;
   Options options_;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 /// A file of the bundle; none for a name that leads elsewhere.
 std::optional<std::string> find(const BundleFiles& files, const std::string& name) {
-  return files.problem().empty() && leads_below(name) ? files.find(name) : std::nullopt;
+  return files.problem().empty() && table::leads_below(name) ? files.find(name) : std::nullopt;
 }
 
 /// True unless the manifest names a trials.csv with another digest; of a .zip, results made of the
@@ -42,7 +42,7 @@ bool is_input_of(const Bundle& bundle, const Result& certified) {
     if (!archive) {
       return digest_file(bundle.path / *found).sha256 == input.digest.sha256;
     }
-    const BytesResult bytes = files.read(*found);
+    const table::BytesResult bytes = files.read(*found);
     return bytes.bytes && sha256(bytes.bytes->view()) == input.digest.sha256;
   });
 }
@@ -76,8 +76,9 @@ Courses::Courses(const Results& results, const Result& certified, const std::str
   }
   BundleResult opened = open_bundle(folder);
   if (!opened.bundle) {
-    throw BadData("'" + folder.string() + "' is not a bundle" +
-                  (opened.diagnostics.empty() ? "" : ": " + to_string(opened.diagnostics.front())));
+    throw BadData(
+        "'" + folder.string() + "' is not a bundle" +
+        (opened.diagnostics.empty() ? "" : ": " + table::to_string(opened.diagnostics.front())));
   }
   if (!is_input_of(*opened.bundle, certified)) {
     const std::string words = "'" + folder.filename().string() + "' is not the bundle that '" +
@@ -109,7 +110,7 @@ std::optional<std::string> Courses::block(std::string_view trial_id) const {
   const BundleFiles files(bundle_->path);
   World world;
   if (const auto found = find(files, name)) {
-    const BytesResult bytes = files.read(*found);
+    const table::BytesResult bytes = files.read(*found);
     if (!bytes.bytes) {
       throw BadData(name + ": " + bytes.problem);
     }

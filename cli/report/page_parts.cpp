@@ -46,12 +46,12 @@ std::vector<fs::path> files_of(const fs::path& folder) {
 
 /// A table of ours by its format word; other documents are not for the page.
 bool is_table(const fs::path& path) {
-  const BytesResult file = read_raw_file(path);
+  const table::BytesResult file = table::read_raw_file(path);
   if (!file.bytes) {
     throw BadData("'" + path.string() + "': " + file.problem);
   }
-  if (is_nested_too_deeply(file.bytes->view())) {
-    throw BadData("'" + path.string() + "': " + std::string(kNestedTooDeeply));
+  if (table::is_nested_too_deeply(file.bytes->view())) {
+    throw BadData("'" + path.string() + "': " + std::string(table::kNestedTooDeeply));
   }
   const auto json = nlohmann::json::parse(file.bytes->view(), nullptr, false);
   return json.is_object() && json.contains("columns") && json.contains("rows") &&
@@ -103,7 +103,7 @@ std::vector<PageFrames> page_frames(const Results& results, PageData& page) {
       if (type.empty()) {
         continue;
       }
-      const BytesResult bytes = read_raw_file(path);
+      const table::BytesResult bytes = table::read_raw_file(path);
       if (!bytes.bytes) {
         throw BadData("'" + path.string() + "': " + bytes.problem);
       }

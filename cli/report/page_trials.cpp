@@ -39,16 +39,16 @@ const Result* certified(const Results& results) {
   return found == results.all.end() ? nullptr : &*found;
 }
 
-std::optional<TextTable> table_of(const Result& result,
-                                  const char* file,
-                                  const std::vector<std::string>& required) {
+std::optional<table::TextTable> table_of(const Result& result,
+                                         const char* file,
+                                         const std::vector<std::string>& required) {
   if (!holds(result, file)) {
     return std::nullopt;
   }
-  TextTableResult read = read_text_table(result.folder / file, required);
+  table::TextTableResult read = table::read_text_table(result.folder / file, required);
   if (!read.table) {
     throw BadData(read.diagnostics.empty() ? "cannot read '" + (result.folder / file).string() + "'"
-                                           : to_string(read.diagnostics.front()));
+                                           : table::to_string(read.diagnostics.front()));
   }
   return std::move(read.table);
 }
@@ -67,22 +67,23 @@ std::vector<MapEdge> edges_of(const fs::path& path) {
   if (!fs::is_regular_file(path, error)) {
     return {};
   }
-  NumberOptions options;
+  table::NumberOptions options;
   options.time_column.clear();
   for (const char* name : {"a_x_m", "a_y_m", "b_x_m", "b_y_m", "margin_m"}) {
     options.columns.push_back({name, true, true});
   }
-  CsvOptions csv;
+  table::CsvOptions csv;
   csv.file = path.string();
-  BytesResult bytes = read_raw_file(path);
-  DiagnosticGroups problems;
-  std::optional<NumberTable> table;
+  table::BytesResult bytes = table::read_raw_file(path);
+  table::DiagnosticGroups problems;
+  std::optional<table::NumberTable> table;
   if (bytes.bytes) {
-    table = read_numbers(*bytes.bytes, csv, options, problems);
+    table = table::read_numbers(*bytes.bytes, csv, options, problems);
   }
   if (!table || problems.has_error()) {
-    const std::vector<Diagnostic> found = problems.take();
-    throw BadData(found.empty() ? "cannot read '" + path.string() + "'" : to_string(found.front()));
+    const std::vector<table::Diagnostic> found = problems.take();
+    throw BadData(found.empty() ? "cannot read '" + path.string() + "'"
+                                : table::to_string(found.front()));
   }
   std::vector<MapEdge> edges;
   for (std::size_t i = 0; i < table->rows(); ++i) {
@@ -92,8 +93,8 @@ std::vector<MapEdge> edges_of(const fs::path& path) {
   return edges;
 }
 
-NumberTable series_of(const fs::path& path) {
-  BytesResult bytes = read_raw_file(path);
+table::NumberTable series_of(const fs::path& path) {
+  table::BytesResult bytes = table::read_raw_file(path);
   if (!bytes.bytes) {
     throw BadData("'" + path.string() + "': " + bytes.problem);
   }
@@ -159,13 +160,13 @@ std::size_t add_trials(const Results& results,
   std::vector<Sparkline> sparks(trials.size());
   WorldBlocks worlds(page.worlds);
   Progress progress("packing trials", trials.size(), options.quiet);
-  in_order(trials.size(), options.threads, [&](std::size_t i) -> std::function<bool()> {
-    if (!is_file_name(trials.id(i))) {
-      throw BadData("'" + result->name + "': the trial_id '" + shortened(trials.id(i)) +
-                    "' is not " + std::string(kFileNameRule));
+  study::in_order(trials.size(), options.threads, [&](std::size_t i) -> std::function<bool()> {
+    if (!table::is_file_name(trials.id(i))) {
+      throw BadData("'" + result->name + "': the trial_id '" + table::shortened(trials.id(i)) +
+                    "' is not " + std::string(table::kFileNameRule));
     }
     const std::string file = trials.id(i) + ".csv";
-    const NumberTable series = series_of(result->folder / "series" / file);
+    const table::NumberTable series = series_of(result->folder / "series" / file);
     TrialMap map;
     map.edges = edges_of(result->folder / "edges" / file);
     map.bottleneck = point_of(trials, i, "bottleneck_x_m", "bottleneck_y_m");

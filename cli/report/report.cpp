@@ -159,7 +159,7 @@ int run(Arguments arguments) {
   }
   const std::string output = common.output.empty() ? "report.html" : common.output;
   require_own_file(output);
-  require_output_place(options.figures);
+  table::require_output_place(options.figures);
   const PageAssets assets = page_assets();
   const Results results = checked_results(options.results);
 

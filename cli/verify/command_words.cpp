@@ -265,7 +265,7 @@ class Reader {
   }
 
   void require_name(const std::string& name) const {
-    if (!is_path_step(name) || is_temporary_name(name)) {
+    if (!table::is_path_step(name) || table::is_temporary_name(name)) {
       refuse("the input " + shown_word(name));
     }
   }

@@ -29,7 +29,7 @@ std::vector<fs::path> candidates_of(const std::string& name,
     if (beside == folder || target.result.name == ".") {
       std::vector<fs::path> parts;
       for (const auto& entry : fs::directory_iterator(beside)) {
-        if (entry.is_directory() && !is_temporary_name(entry.path().filename().native())) {
+        if (entry.is_directory() && !table::is_temporary_name(entry.path().filename().native())) {
           parts.push_back(entry.path() / name);
         }
       }

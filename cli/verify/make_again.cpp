@@ -28,7 +28,8 @@ bool is_drawn_of(const VerifyTarget& target, const fs::path& results) {
          !manifest.inputs.empty() &&
          std::all_of(
              manifest.inputs.begin(), manifest.inputs.end(), [&](const ManifestFile& input) {
-               return leads_below(input.path) && fs::is_regular_file(results / input.path, error);
+               return table::leads_below(input.path) &&
+                      fs::is_regular_file(results / input.path, error);
              });
 }
 

@@ -33,7 +33,7 @@ struct Entries {
 Entries entries_of(const fs::path& folder) {
   Entries entries;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (is_temporary_name(entry.path().filename().native())) {
+    if (table::is_temporary_name(entry.path().filename().native())) {
       continue;
     }
     (entry.is_directory() ? entries.folders : entries.files)

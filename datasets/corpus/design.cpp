@@ -19,7 +19,7 @@ namespace {
 constexpr double kCalibrationBiasSd = 0.004;
 
 template <class T>
-void shuffle(std::vector<T>& items, RandomStream& random) {
+void shuffle(std::vector<T>& items, table::RandomStream& random) {
   for (std::size_t i = items.size(); i > 1; --i) {
     std::swap(items[i - 1], items[random.below(static_cast<std::uint32_t>(i))]);
   }
@@ -55,7 +55,7 @@ struct Day {
 /// Normal scores in random order rather than free draws: 22 draws would let the intraclass
 /// correlation of a corpus wander with the seed.
 std::vector<Day> days_of_block(std::uint64_t seed, std::uint64_t block) {
-  RandomStream random(seed, draws::kDayEffects, block);
+  table::RandomStream random(seed, draws::kDayEffects, block);
   std::vector<double> levels(kDaysPerBlock);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     levels[i] =
@@ -71,7 +71,7 @@ std::vector<Day> days_of_block(std::uint64_t seed, std::uint64_t block) {
 
 /// The trials of a block cell by cell, with a random choice of failures in each cell.
 std::vector<TrialDesign> trials_by_cell(const CorpusOptions& options, std::uint64_t block) {
-  RandomStream random(options.seed, draws::kOutcomes, block);
+  table::RandomStream random(options.seed, draws::kOutcomes, block);
   std::vector<TrialDesign> trials;
   trials.reserve(kTrialsPerBlock);
   for (const Cell& cell : table_of_cells()) {
@@ -93,7 +93,8 @@ std::vector<TrialDesign> trials_by_cell(const CorpusOptions& options, std::uint6
 }
 
 /// Deals trials that lie cell by cell to the days, 22 at a time, each time in a new order of days.
-std::vector<std::vector<std::size_t>> deal_to_days(std::size_t trials, RandomStream& random) {
+std::vector<std::vector<std::size_t>> deal_to_days(std::size_t trials,
+                                                   table::RandomStream& random) {
   std::vector<std::vector<std::size_t>> hands(kDaysPerBlock);
   std::vector<std::size_t> order(kDaysPerBlock);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -169,7 +170,7 @@ void validate(const CorpusOptions& options) {
 std::vector<TrialDesign> design_block(const CorpusOptions& options, std::uint64_t block) {
   const std::vector<TrialDesign> by_cell = trials_by_cell(options, block);
   const std::vector<Day> days = days_of_block(options.seed, block);
-  RandomStream random(options.seed, draws::kDays, block);
+  table::RandomStream random(options.seed, draws::kDays, block);
   const auto hands = deal_to_days(by_cell.size(), random);
   std::vector<TrialDesign> trials;
   trials.reserve(by_cell.size());

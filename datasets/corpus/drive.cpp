@@ -34,7 +34,7 @@ class Wander {
  public:
   explicit Wander(double time_s)
       : keep_(elementary::exp(-kDriveStep / time_s)), add_(std::sqrt(1.0 - keep_ * keep_)) {}
-  double next(RandomStream& random) noexcept {
+  double next(table::RandomStream& random) noexcept {
     value_ = keep_ * value_ + add_ * random.normal();
     return value_;
   }
@@ -88,7 +88,7 @@ class Progress {
 
 class Driver {
  public:
-  Driver(const DrivePlan& plan, const WallIndex& walls, RandomStream random)
+  Driver(const DrivePlan& plan, const WallIndex& walls, table::RandomStream random)
       : plan_(plan), walls_(walls), random_(random), pose_(plan.start) {
     trial_speed_ = elementary::exp(kTrialSpeedSd * random_.normal());
     stand_until_ = random_.uniform(0.3, 1.0);
@@ -270,7 +270,7 @@ class Driver {
 
   const DrivePlan& plan_;
   const WallIndex& walls_;
-  RandomStream random_;
+  table::RandomStream random_;
   Drive drive_;
 
   Pose pose_;
@@ -303,7 +303,7 @@ class Driver {
 
 }  // namespace
 
-Drive drive(const DrivePlan& plan, const WallIndex& walls, RandomStream random) {
+Drive drive(const DrivePlan& plan, const WallIndex& walls, table::RandomStream random) {
   return Driver(plan, walls, random).run();
 }
 

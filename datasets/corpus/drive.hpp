@@ -41,6 +41,8 @@ struct Drive {
 
 /// Drives until the robot has stood in G for 1 s, has pushed in vain for some seconds (wedged), has
 /// been stopped after a push (collision), or has run out of time trying again and again.
-[[nodiscard]] Drive drive(const DrivePlan& plan, const WallIndex& walls, RandomStream random);
+[[nodiscard]] Drive drive(const DrivePlan& plan,
+                          const WallIndex& walls,
+                          table::RandomStream random);
 
 }  // namespace tcert

@@ -37,7 +37,7 @@ struct Pass {
 
 /// Gates and sides in a random order of their own.
 Pass pass_of(std::uint64_t seed, std::uint64_t index) {
-  RandomStream random(seed, draws::kMicroStudy, kEverything);
+  table::RandomStream random(seed, draws::kMicroStudy, kEverything);
   std::vector<std::uint64_t> order(kGatePasses);
   std::iota(order.begin(), order.end(), std::uint64_t{0});
   for (std::size_t i = order.size(); i > 1; --i) {
@@ -91,7 +91,7 @@ DrivePlan plan_pass(const Pass& pass, bool success) {
 
 SimulatedTrial simulate_gate_pass(std::uint64_t seed, std::uint64_t index) {
   const Pass pass = pass_of(seed, index);
-  RandomStream random(seed, draws::kMicroStudy, index);
+  table::RandomStream random(seed, draws::kMicroStudy, index);
   const double margin = pass.gate_width_m - corpus_robot().body_width_m;
   const bool success = random.uniform() < 1.0 / (1.0 + elementary::exp(-margin / kScale));
 
@@ -101,8 +101,8 @@ SimulatedTrial simulate_gate_pass(std::uint64_t seed, std::uint64_t index) {
   trial.world.seed = seed;
   trial.world.name = fmt::format("g{:03}", index);
   const WallIndex walls(trial.world, kSensingRange);
-  const Drive driven =
-      drive(plan_pass(pass, success), walls, RandomStream(seed, draws::kMicroStudy, 1000 + index));
+  const Drive driven = drive(
+      plan_pass(pass, success), walls, table::RandomStream(seed, draws::kMicroStudy, 1000 + index));
   if ((driven.end_reason == EndReason::goal) != success) {
     throw std::logic_error(
         fmt::format("gate pass {} of seed {} did not end as drawn", index, seed));

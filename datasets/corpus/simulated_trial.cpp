@@ -19,7 +19,7 @@ constexpr double kSensingRange = 0.70;  // from the body's centre to the tip of 
 constexpr double kTypicalRadius = 0.8;
 
 /// How a failure shows: most wedge, some are stopped after a push, some try until time is up.
-EndReason ending(RandomStream& random) {
+EndReason ending(table::RandomStream& random) {
   const double u = random.uniform();
   if (u < 0.65) {
     return EndReason::wedged;
@@ -27,7 +27,9 @@ EndReason ending(RandomStream& random) {
   return u < 0.85 ? EndReason::collision : EndReason::timeout;
 }
 
-DrivePlan plan_drive(const TrialDesign& design, const TrialCourse& trial, RandomStream& random) {
+DrivePlan plan_drive(const TrialDesign& design,
+                     const TrialCourse& trial,
+                     table::RandomStream& random) {
   DrivePlan plan;
   plan.policy = policy_of(design.algorithm, design.lighting);
   plan.policy.cruise_mps *= lane_length(trial.course) / lane_length({kTypicalRadius, 1.2});
@@ -54,10 +56,10 @@ SimulatedTrial simulate_trial(const TrialDesign& design) {
   simulated.true_margin_m = trial.true_margin_m;
 
   const WallIndex walls(simulated.world, kSensingRange);
-  RandomStream random(design.seed, draws::kDrive, 2 * design.index);
+  table::RandomStream random(design.seed, draws::kDrive, 2 * design.index);
   const DrivePlan plan = plan_drive(design, trial, random);
   const Drive driven =
-      drive(plan, walls, RandomStream(design.seed, draws::kDrive, 2 * design.index + 1));
+      drive(plan, walls, table::RandomStream(design.seed, draws::kDrive, 2 * design.index + 1));
   if ((driven.end_reason == EndReason::goal) != design.success) {
     throw std::logic_error(fmt::format("trial {} of seed {} was designed to {}, but did not",
                                        design.index,

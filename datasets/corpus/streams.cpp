@@ -28,7 +28,7 @@ double rounded(double value, double scale) { return std::round(value * scale) / 
 std::vector<std::int64_t> sample_times(double rate_hz,
                                        double end_s,
                                        bool native_rates,
-                                       RandomStream& random) {
+                                       table::RandomStream& random) {
   std::vector<std::int64_t> times;
   const double period = 1.0 / rate_hz;
   times.reserve(static_cast<std::size_t>(end_s * rate_hz) + 1);
@@ -67,8 +67,8 @@ double speed_at(const Drive& drive, std::int64_t time_ns) {
 }
 
 PoseStream log_pose(const Drive& drive, double end_s, const StreamOptions& options) {
-  RandomStream clock(options.seed, draws::kPose, 2 * options.index);
-  RandomStream random(options.seed, draws::kPose, 2 * options.index + 1);
+  table::RandomStream clock(options.seed, draws::kPose, 2 * options.index);
+  table::RandomStream random(options.seed, draws::kPose, 2 * options.index + 1);
   PoseStream stream;
   stream.time_ns = sample_times(20.0, end_s, options.native_rates, clock);
   stream.poses.reserve(stream.time_ns.size());
@@ -86,9 +86,10 @@ TactileStream log_tactile(const Drive& drive,
                           const WallIndex& walls,
                           double end_s,
                           const StreamOptions& options) {
-  RandomStream clock(options.seed, draws::kTactile, 2 * options.index);
-  TentacleSensors sensors(options.calibration_bias_m,
-                          RandomStream(options.seed, draws::kTactile, 2 * options.index + 1));
+  table::RandomStream clock(options.seed, draws::kTactile, 2 * options.index);
+  TentacleSensors sensors(
+      options.calibration_bias_m,
+      table::RandomStream(options.seed, draws::kTactile, 2 * options.index + 1));
   TactileStream stream;
   stream.rays = kTentacles;
   stream.time_ns =
@@ -102,8 +103,8 @@ TactileStream log_tactile(const Drive& drive,
 }
 
 ControlStream log_control(const Drive& drive, double end_s, const StreamOptions& options) {
-  RandomStream clock(options.seed, draws::kControl, 2 * options.index);
-  RandomStream random(options.seed, draws::kControl, 2 * options.index + 1);
+  table::RandomStream clock(options.seed, draws::kControl, 2 * options.index);
+  table::RandomStream random(options.seed, draws::kControl, 2 * options.index + 1);
   ControlStream stream;
   stream.time_ns =
       sample_times(options.native_rates ? 50.0 : 20.0, end_s, options.native_rates, clock);

@@ -72,7 +72,7 @@ std::array<double, kTentacles> cast_tentacles(const WallIndex& walls, const Pose
   return clearances;
 }
 
-TentacleSensors::TentacleSensors(double calibration_bias_m, RandomStream random)
+TentacleSensors::TentacleSensors(double calibration_bias_m, table::RandomStream random)
     : calibration_bias_m_(calibration_bias_m), random_(random) {
   for (double& noise : noise_m_) {
     noise = random_.uniform(0.005, 0.008);

@@ -31,7 +31,7 @@ class TentacleSensors {
  public:
   /// Noise is drawn per tentacle: 5 to 8 mm of clearance, one standard deviation. Most of it is
   /// the wall's texture, waves of 6 to 20 cm of travel; 1.5 mm of it is white.
-  TentacleSensors(double calibration_bias_m, RandomStream random);
+  TentacleSensors(double calibration_bias_m, table::RandomStream random);
 
   /// Readings at the next sample, at a true speed of `speed_mps`. A tentacle touches when its wall
   /// comes 4 mm into reach, which is what it takes to load the force sensor, and lets go when the
@@ -54,7 +54,7 @@ class TentacleSensors {
   [[nodiscard]] double texture(std::size_t tentacle) const noexcept;
 
   double calibration_bias_m_ = 0.0;
-  RandomStream random_;
+  table::RandomStream random_;
   std::array<double, kTentacles> noise_m_{};
   std::array<std::array<Wave, kWaves>, kTentacles> texture_{};
   double travelled_m_ = 0.0;

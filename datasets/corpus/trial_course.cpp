@@ -44,8 +44,8 @@ double softly_above(double value, double floor) {
 void add_gates(TrialCourse& trial,
                Lane lane,
                double tightest_width,
-               RandomStream& course_random,
-               RandomStream& tightness_random) {
+               table::RandomStream& course_random,
+               table::RandomStream& tightness_random) {
   const double end = std::min(kLastGate, walled_length(trial.course) - kWallClearance);
   const double first = course_random.uniform(kFirstGateFrom, std::min(kFirstGateTo, end));
   const double spacing = kGateSpacing + 0.2 * course_random.uniform();
@@ -65,7 +65,7 @@ void add_gates(TrialCourse& trial,
 bool same(Lane a, Lane b) { return a.at_goal == b.at_goal && a.upper == b.upper; }
 
 /// Makes one of the gates of the route's second lane too narrow.
-void add_wedge(TrialCourse& trial, double shift, RandomStream& random) {
+void add_wedge(TrialCourse& trial, double shift, table::RandomStream& random) {
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < trial.gates.size(); ++i) {
     if (same(trial.gates[i].lane, trial.route.second)) {
@@ -91,9 +91,9 @@ double least_margin(const TrialCourse& trial) {
 }  // namespace
 
 TrialCourse draw_course(const TrialDesign& design) {
-  RandomStream course_random(design.seed, draws::kCourse, design.index);
-  RandomStream tightness_random(design.seed, draws::kTightness, design.index);
-  RandomStream wedge_random(design.seed, draws::kWedge, design.index);
+  table::RandomStream course_random(design.seed, draws::kCourse, design.index);
+  table::RandomStream tightness_random(design.seed, draws::kTightness, design.index);
+  table::RandomStream wedge_random(design.seed, draws::kWedge, design.index);
   const double shift = kDaySd * design.day_level;
   const double level = kMeanLevel - (design.success ? 0.0 : kOutcomeStep * design.effect) + shift +
                        kTrialSd * tightness_random.normal();

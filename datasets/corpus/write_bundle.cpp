@@ -31,14 +31,14 @@ void write_file(const fs::path& path, std::string_view bytes) {
   const bool written =
       file && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   if (!written || std::fclose(file.release()) != 0) {
-    throw WriteError(fmt::format(
+    throw table::WriteError(fmt::format(
         "cannot write '{}': {}", path.string(), std::generic_category().message(errno)));
   }
 }
 
 void append_cell(std::string& text, double value) {
   text += ',';
-  append_number(text, value);
+  table::append_number(text, value);
 }
 
 std::string control_csv(const ControlStream& stream, std::string_view first_line) {
@@ -46,7 +46,7 @@ std::string control_csv(const ControlStream& stream, std::string_view first_line
   text.reserve(text.size() + 32 * (stream.time_ns.size() + 2));
   text += "time_s,speed_cmd_mps,yaw_rate_cmd_rps,loop_latency_ms\n";
   for (std::size_t i = 0; i < stream.time_ns.size(); ++i) {
-    append_seconds(text, stream.time_ns[i]);
+    table::append_seconds(text, stream.time_ns[i]);
     append_cell(text, stream.speed_cmd_mps[i]);
     append_cell(text, stream.yaw_rate_cmd_rps[i]);
     append_cell(text, stream.loop_latency_ms[i]);
@@ -61,7 +61,7 @@ std::string pose_csv(const PoseStream& stream, std::string_view first_line) {
   text += "time_s,x_m,y_m,yaw_rad\n";
   for (std::size_t i = 0; i < stream.time_ns.size(); ++i) {
     const Pose& pose = stream.poses[i];
-    append_seconds(text, stream.time_ns[i]);
+    table::append_seconds(text, stream.time_ns[i]);
     append_cell(text, pose.position.x_m);
     append_cell(text, pose.position.y_m);
     append_cell(text, pose.yaw_rad);
@@ -81,7 +81,7 @@ std::string tactile_csv(const TactileStream& stream,
   }
   text += '\n';
   for (std::size_t i = 0; i < stream.time_ns.size(); ++i) {
-    append_seconds(text, stream.time_ns[i]);
+    table::append_seconds(text, stream.time_ns[i]);
     for (std::size_t k = 0; k < stream.rays; ++k) {
       const RayReading& reading = stream.readings[i * stream.rays + k];
       append_cell(text, reading.value);
@@ -111,7 +111,7 @@ void write_simulated_bundle(const fs::path& folder,
                             const SimulatedBundle& bundle,
                             const TrialProgress& progress,
                             bool replace) {
-  AtomicFolder output(folder, replace);
+  table::AtomicFolder output(folder, replace);
   const fs::path& staging = output.staging();
   fs::create_directory(staging / "logs");
   fs::create_directory(staging / "worlds");

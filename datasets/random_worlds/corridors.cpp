@@ -14,7 +14,7 @@ constexpr double kFirstGate = 0.75;  // from S's middle, and the last one's from
 constexpr double kGateSpacing = 0.55;
 constexpr double kIntoGoal = 0.15;  // driven beyond G's middle
 
-void draw_lane_gates(WalledLane& lane, std::uint32_t most, RandomStream& random) {
+void draw_lane_gates(WalledLane& lane, std::uint32_t most, table::RandomStream& random) {
   const double last = length_of(lane) - kStart - kFirstGate;
   const std::uint32_t count = random.below(most + 1);
   double along = kStart + kFirstGate;
@@ -34,7 +34,7 @@ void draw_lane_gates(WalledLane& lane, std::uint32_t most, RandomStream& random)
   }
 }
 
-RandomWorld corridor_world(const WalledLane& lane, RandomStream& random) {
+RandomWorld corridor_world(const WalledLane& lane, table::RandomStream& random) {
   RandomWorld drawn;
   const double goal = length_of(lane) - kStart;
   drawn.world.start = Disc{pose_at(lane, kStart).position, kRandomRegionRadius};
@@ -63,12 +63,12 @@ RandomWorld corridor_world(const WalledLane& lane, RandomStream& random) {
 
 }  // namespace
 
-double draw_gate_width(RandomStream& random) {
+double draw_gate_width(table::RandomStream& random) {
   return corpus_robot().body_width_m +
          (random.uniform() < 0.05 ? random.uniform(-0.02, 0.004) : random.uniform(0.004, 0.25));
 }
 
-RandomWorld draw_gates(RandomStream& random) {
+RandomWorld draw_gates(table::RandomStream& random) {
   WalledLane lane;
   lane.begin = {{0.0, 0.0}, random.uniform(-std::numbers::pi, std::numbers::pi)};
   lane.pieces = {{random.uniform(3.0, 4.2), 0.0}};
@@ -78,7 +78,7 @@ RandomWorld draw_gates(RandomStream& random) {
 }
 
 // The heading stays within 80 degrees of the first, so the lane never meets itself.
-RandomWorld draw_bends(RandomStream& random) {
+RandomWorld draw_bends(table::RandomStream& random) {
   constexpr double kMostTurn = 80.0 * std::numbers::pi / 180.0;
   WalledLane lane;
   lane.begin = {{0.0, 0.0}, random.uniform(-std::numbers::pi, std::numbers::pi)};
@@ -105,7 +105,7 @@ RandomWorld draw_bends(RandomStream& random) {
 // Two straights joined by a half turn about the end of the wall, half of them too narrow for the
 // turning limit. The end room is longer than the corridors are wide, so that only the outer walls
 // limit the turn.
-RandomWorld draw_u_turn(RandomStream& random) {
+RandomWorld draw_u_turn(table::RandomStream& random) {
   RandomWorld drawn;
   drawn.corridor_m =
       random.below(2) == 0 ? random.uniform(0.465, 0.60) : random.uniform(0.60, 0.95);

@@ -35,7 +35,7 @@ double distance_to(const std::vector<Point>& path, Point p) {
 }  // namespace
 
 // The path comes first; discs that would stand in its way are drawn again.
-RandomWorld draw_discs(RandomStream& random) {
+RandomWorld draw_discs(table::RandomStream& random) {
   RandomWorld drawn;
   const double length = random.uniform(2.6, 3.6);
   const double half = random.uniform(0.7, 1.4);

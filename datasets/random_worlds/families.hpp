@@ -8,14 +8,14 @@ namespace tcert {
 
 inline constexpr double kRandomRegionRadius = 0.35;  // of S and of G
 
-[[nodiscard]] RandomWorld draw_gates(RandomStream& random);
-[[nodiscard]] RandomWorld draw_bends(RandomStream& random);
-[[nodiscard]] RandomWorld draw_discs(RandomStream& random);
-[[nodiscard]] RandomWorld draw_figure_eight(RandomStream& random);
-[[nodiscard]] RandomWorld draw_loop(RandomStream& random);
-[[nodiscard]] RandomWorld draw_u_turn(RandomStream& random);
+[[nodiscard]] RandomWorld draw_gates(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_bends(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_discs(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_figure_eight(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_loop(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_u_turn(table::RandomStream& random);
 
 /// Width of a gate: the body's plus -0.02 to 0.25 m, most of them passable.
-[[nodiscard]] double draw_gate_width(RandomStream& random);
+[[nodiscard]] double draw_gate_width(table::RandomStream& random);
 
 }  // namespace tcert

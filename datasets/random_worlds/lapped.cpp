@@ -69,7 +69,7 @@ WalledLane half_ring(double radius, double width, double side) {
 }  // namespace
 
 // S lies at angle pi of the ring, G at 0.
-RandomWorld draw_loop(RandomStream& random) {
+RandomWorld draw_loop(table::RandomStream& random) {
   const double radius = random.uniform(0.9, 1.3);
   const double width = random.uniform(0.7, 1.0);
   std::array<WalledLane, 2> halves{half_ring(radius, width, 1.0), half_ring(radius, width, -1.0)};
@@ -118,7 +118,7 @@ RandomWorld draw_loop(RandomStream& random) {
 
 // From S to G and back by the other two lanes, as often as drawn; or once, with a look into the
 // lane that is not taken.
-RandomWorld draw_figure_eight(RandomStream& random) {
+RandomWorld draw_figure_eight(table::RandomStream& random) {
   TrialCourse trial;
   trial.course = {random.uniform(0.7, 1.0), random.uniform(1.0, 1.2)};
   RandomWorld drawn;

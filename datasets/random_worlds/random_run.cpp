@@ -36,7 +36,7 @@ struct Waves {
   }
 };
 
-Waves draw_waves(RandomStream& random) {
+Waves draw_waves(table::RandomStream& random) {
   Waves waves;
   for (std::size_t k = 0; k < waves.phase.size(); ++k) {
     waves.per_metre[k] = 2.0 * kPi / random.uniform(0.8, 2.0);
@@ -173,7 +173,7 @@ Drive follow_legs(const RandomWorld& drawn,
                   const WallIndex& walls,
                   std::uint64_t seed,
                   std::uint64_t index) {
-  RandomStream random(seed, kStray, index);
+  table::RandomStream random(seed, kStray, index);
   std::vector<Waves> waves;
   for (std::size_t i = 0; i < drawn.legs.size(); ++i) {
     waves.push_back(draw_waves(random));
@@ -226,7 +226,7 @@ TickTable logged_ticks(const Drive& drive,
   StreamOptions options;
   options.seed = seed;
   options.index = index;
-  options.calibration_bias_m = kBiasSd * RandomStream(seed, kBias, index).normal();
+  options.calibration_bias_m = kBiasSd * table::RandomStream(seed, kBias, index).normal();
   return resample(log_drive(drive, walls, options));
 }
 

@@ -26,7 +26,7 @@ WorldFamily mixed_family(std::uint64_t index) noexcept {
 }
 
 RandomWorld draw_random_world(WorldFamily family, std::uint64_t seed, std::uint64_t index) {
-  RandomStream random(seed, kWorld + static_cast<std::uint32_t>(family), index);
+  table::RandomStream random(seed, kWorld + static_cast<std::uint32_t>(family), index);
   RandomWorld drawn;
   switch (family) {
     case WorldFamily::gates:

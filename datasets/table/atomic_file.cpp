@@ -14,7 +14,7 @@
 #include <table/temporary_name.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -310,4 +310,4 @@ void remove_unfinished() noexcept {
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

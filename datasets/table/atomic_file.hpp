@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 /// A file or folder could not be written. Exit code 73.
 class WriteError : public std::runtime_error {
@@ -108,4 +108,4 @@ void forget_interrupted(const std::filesystem::path& path) noexcept;
 /// about to end: whoever would create or commit one afterwards waits for ever.
 void remove_unfinished() noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::table

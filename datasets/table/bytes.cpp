@@ -14,7 +14,7 @@
 #include <table/regular_file.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -230,4 +230,4 @@ BytesResult read_file(const std::filesystem::path& path) {
   return decompress(std::move(*result.bytes), compression_of(path.filename().string()));
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 /// Bytes of a file. A line feed and zeros follow the last byte, so that a scanner may look ahead
 /// kPadding bytes and always meets a line end. Movable, not copyable.
@@ -64,4 +64,4 @@ enum class Compression { none, gzip, zstd };
 /// Reads a file and expands it according to its name.
 [[nodiscard]] BytesResult read_file(const std::filesystem::path& path);
 
-}  // namespace tcert
+}  // namespace tcert::table

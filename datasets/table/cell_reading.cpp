@@ -12,7 +12,7 @@
 #include <table/nearest_name.hpp>
 #include <table/trimmed.hpp>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -123,4 +123,4 @@ CellReading read_cell(std::string_view cell, char decimal_point) {
 
 bool is_missing_cell(std::string_view cell) noexcept { return is_missing(trimmed(cell)); }
 
-}  // namespace tcert
+}  // namespace tcert::table

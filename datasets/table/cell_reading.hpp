@@ -11,7 +11,7 @@
 
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 enum class CellMeaning {
   number,  ///< Finite or infinite.
@@ -35,4 +35,4 @@ struct CellReading {
 /// The sentence that ends a refusal: how a missing cell is written.
 inline constexpr std::string_view kHowMissingIsWritten = "a missing cell is empty, NA or nan";
 
-}  // namespace tcert
+}  // namespace tcert::table

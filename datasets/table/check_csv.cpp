@@ -11,7 +11,7 @@
 #include <table/unlike_times.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -353,4 +353,4 @@ CsvCheckResult check_csv_file(const std::filesystem::path& path, double max_gap_
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

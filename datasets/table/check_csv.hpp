@@ -10,7 +10,7 @@
 #include <table/diagnostic.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 /// One column: how many of its cells are what, and the range of its numbers.
 struct ColumnCheck {
@@ -66,4 +66,4 @@ struct CsvCheckResult {
                                             double max_gap_s = 1.0,
                                             CsvOptions csv = {});
 
-}  // namespace tcert
+}  // namespace tcert::table

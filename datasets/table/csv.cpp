@@ -5,7 +5,7 @@
 #include <table/cell_reading.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -274,4 +274,4 @@ TextTableResult read_text_table(const std::filesystem::path& path,
   return {std::move(table), problems.take()};
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

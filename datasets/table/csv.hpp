@@ -13,7 +13,7 @@
 #include <table/diagnostic.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 struct NumberColumn {
   std::string name;
@@ -91,4 +91,4 @@ struct TextTableResult {
                                               const std::vector<std::string>& required = {},
                                               CsvOptions csv = {});
 
-}  // namespace tcert
+}  // namespace tcert::table

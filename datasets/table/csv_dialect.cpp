@@ -4,7 +4,7 @@
 #include <cstring>
 #include <map>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -186,4 +186,4 @@ char detect_separator(std::string_view text, std::size_t& fields) {
   return best;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 /// In order of preference where a file fits several: a separator that is rare in plain text first.
 inline constexpr std::array<char, 4> kCsvSeparators{'\t', ';', ',', ' '};
@@ -53,4 +53,4 @@ bool scan_record(CsvCursor& cursor, char separator, std::vector<std::string>& fi
 /// ',' if none does. `fields` receives that number.
 [[nodiscard]] char detect_separator(std::string_view text, std::size_t& fields);
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -5,7 +5,7 @@
 #include <table/nearest_name.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -208,4 +208,4 @@ std::optional<CsvHeader> guess_header(std::string_view text,
   return header;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

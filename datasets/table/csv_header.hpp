@@ -12,7 +12,7 @@
 #include <table/diagnostic.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 /// How to read a CSV file; the same for numbers and for text.
 struct CsvOptions {
@@ -51,4 +51,4 @@ struct CsvHeader {
                                                     const CsvOptions& options,
                                                     DiagnosticGroups& problems);
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -8,7 +8,7 @@
 #include <table/cell_reading.hpp>
 #include <table/decimal.hpp>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -159,4 +159,4 @@ bool scan_row(const RowPlan& plan,
   return scan_carefully(plan, cursor, position, time_ns, values, problems);
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -8,7 +8,7 @@
 #include <table/csv_dialect.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 enum class CellKind : std::uint8_t {
   ignored,
@@ -53,4 +53,4 @@ struct RowProblems {
                             double* values,
                             RowProblems& problems);
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -64,4 +64,4 @@ void append_text(std::string& out, std::string_view text) {
   out += '"';
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

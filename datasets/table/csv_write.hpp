@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 /// Shortest decimal that reads back as `value`; nothing for NaN, which is an empty cell.
 void append_number(std::string& out, double value);
@@ -17,4 +17,4 @@ void append_seconds(std::string& out, std::int64_t time_ns);
 /// `text` as one cell, quoted if it holds a comma, a quote, a line end or outer spaces.
 void append_text(std::string& out, std::string_view text);
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -7,7 +7,7 @@
 #include <table/decimal.hpp>
 #include <unordered_map>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 /// Cells within the padded bytes may be scanned ahead; those that were quoted lie elsewhere.
@@ -310,4 +310,4 @@ DataTableResult read_data_table(const std::filesystem::path& path,
   return read_data_table(*file.bytes, wanted, csv);
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

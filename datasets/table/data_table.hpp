@@ -15,7 +15,7 @@
 #include <table/mixed_cells.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 /// A column is numeric if every cell is a number, infinite or missing; or a truth value, alone or
 /// beside nothing but 0 and 1. Otherwise it is text, and each distinct cell a level.
@@ -57,4 +57,4 @@ struct DataTableResult {
                                               std::span<const std::string> wanted,
                                               const CsvOptions& csv);
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace decimal_detail {
 
@@ -126,4 +126,4 @@ const char* scan_seconds(const char* p, char point, std::int64_t& time_ns) noexc
   return digits.end;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

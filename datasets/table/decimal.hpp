@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace tcert {
+namespace tcert::table {
 
 /// Largest |time_s| that is taken: differences of two such times fit in 64 bits of nanoseconds.
 inline constexpr std::int64_t kLongestTimeS = 4'000'000'000;
@@ -135,4 +135,4 @@ inline constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4
 /// \pre as scan_number.
 [[nodiscard]] const char* scan_seconds(const char* p, char point, std::int64_t& time_ns) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::table

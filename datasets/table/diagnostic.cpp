@@ -5,7 +5,7 @@
 #include <table/printable.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<Diagnostic> DiagnosticGroups::take() {
   return std::exchange(groups_, {});
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

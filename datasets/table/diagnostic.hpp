@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 enum class Severity {
   note,     ///< Worth knowing; the data are used as they are.
@@ -55,4 +55,4 @@ class DiagnosticGroups {
   std::map<Kind, std::size_t> index_;
 };
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 /// `levels` are sorted by byte (R's C locale) unless the maker says otherwise; a code indexes them.
 struct Factor {
@@ -20,4 +20,4 @@ struct Factor {
   [[nodiscard]] std::size_t rows() const noexcept { return codes.size(); }
 };
 
-}  // namespace tcert
+}  // namespace tcert::table

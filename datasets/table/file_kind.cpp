@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 using namespace std::string_view_literals;
@@ -86,4 +86,4 @@ std::string text_expected(const FileKind& kind) {
   return "text, but this is " + kind.name + ", not text: " + kind.way_out;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

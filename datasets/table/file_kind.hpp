@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 /// "a GeoTIFF", and the command or change that makes text of it.
 struct FileKind {
@@ -23,4 +23,4 @@ struct FileKind {
 /// Fit to follow "expected ": "text, but this is a GeoTIFF, not text: gdal_translate ...".
 [[nodiscard]] std::string text_expected(const FileKind& kind);
 
-}  // namespace tcert
+}  // namespace tcert::table

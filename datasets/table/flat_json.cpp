@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::optional<std::vector<FlatMember>> parse_flat_json(std::string_view text) {
   return std::move(handler.members);
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

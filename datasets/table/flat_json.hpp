@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 struct FlatMember {
   enum class Kind { number, flag, null, other };
@@ -20,4 +20,4 @@ struct FlatMember {
 /// an array or another object.
 [[nodiscard]] std::optional<std::vector<FlatMember>> parse_flat_json(std::string_view text);
 
-}  // namespace tcert
+}  // namespace tcert::table

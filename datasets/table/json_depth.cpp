@@ -1,6 +1,6 @@
 #include <table/json_depth.hpp>
 
-namespace tcert {
+namespace tcert::table {
 
 bool is_nested_too_deeply(std::string_view text) noexcept {
   std::size_t depth = 0;
@@ -26,4 +26,4 @@ bool is_nested_too_deeply(std::string_view text) noexcept {
   return false;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

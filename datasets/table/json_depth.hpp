@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 inline constexpr std::size_t kDeepestJson = 64;
 
@@ -16,4 +16,4 @@ inline constexpr std::string_view kNestedTooDeeply = "nested too deeply: more th
 /// not it is JSON otherwise. To be asked before a document is parsed. O(bytes).
 [[nodiscard]] bool is_nested_too_deeply(std::string_view text) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -197,4 +197,4 @@ std::string shown(const json& value) {
   return shortened(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -10,7 +10,7 @@
 #include <table/diagnostic.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 /// Parses `text`; a syntax error and a key given twice are errors, and then there is no value.
 [[nodiscard]] std::optional<nlohmann::json> parse_json(std::string_view text,
@@ -66,4 +66,4 @@ class JsonObject {
 /// `value` as text on one line, shortened.
 [[nodiscard]] std::string shown(const nlohmann::json& value);
 
-}  // namespace tcert
+}  // namespace tcert::table

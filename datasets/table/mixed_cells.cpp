@@ -1,6 +1,6 @@
 #include <table/mixed_cells.hpp>
 
-namespace tcert {
+namespace tcert::table {
 
 bool MixedCells::is_spoiled() const noexcept {
   if (has_missing_words()) {
@@ -19,4 +19,4 @@ bool MixedCells::is_spoiled() const noexcept {
   return numbers >= kNumbersPerText * strays || look_measured;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace tcert {
+namespace tcert::table {
 
 /// How many cells of a column are what, by read_cell(); missing ones are not counted.
 struct MixedCells {
@@ -33,4 +33,4 @@ struct MixedCells {
   [[nodiscard]] bool is_spoiled() const noexcept;
 };
 
-}  // namespace tcert
+}  // namespace tcert::table

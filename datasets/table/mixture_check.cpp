@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 
 void MixtureCheck::remember(Found& first, const std::string& cell, std::size_t line) {
   if (first.line == 0) {
@@ -92,4 +92,4 @@ void MixtureCheck::finish(const std::string& file,
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -11,7 +11,7 @@
 #include <table/diagnostic.hpp>
 #include <table/mixed_cells.hpp>
 
-namespace tcert {
+namespace tcert::table {
 
 class MixtureCheck {
  public:
@@ -45,4 +45,4 @@ class MixtureCheck {
   Found first_text_;  ///< Of the words too.
 };
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
   return nearest;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 /// `text` with A-Z in lower case; other bytes as they are.
 [[nodiscard]] std::string case_folded(std::string_view text);
@@ -18,4 +18,4 @@ namespace tcert {
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> names);
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -7,7 +7,7 @@
 #include <table/nearest_name.hpp>
 #include <table/trimmed.hpp>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 /// Case-folded; truth values and numbers are read_cell()'s.
@@ -44,4 +44,4 @@ OutcomeWord outcome_of_cell(std::string_view cell, char decimal_point) {
                                                              : OutcomeWord::unknown;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 enum class OutcomeWord : std::uint8_t { failure, success, missing, unknown };
 
@@ -20,4 +20,4 @@ inline constexpr std::string_view kOutcomeWords =
     "1 or 0, true or false, success or failure, s or f, ok or fail, pass or fail, yes or no, in "
     "any case";
 
-}  // namespace tcert
+}  // namespace tcert::table

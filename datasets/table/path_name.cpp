@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 bool is_control(char c) noexcept {
@@ -55,4 +55,4 @@ bool is_temporary_name(std::string_view name) noexcept {
   return name.size() > 5 && name.starts_with('.') && name.ends_with(".tmp");
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

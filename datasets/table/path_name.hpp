@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 /// Longest name in bytes: with what is put round it ("trial_<id>_series.vl.json") it stays below
 /// the 255 bytes that file systems allow.
@@ -38,4 +38,4 @@ inline constexpr std::string_view kFileNameRule =
 /// behind. Such a thing is never a result, nor an input.
 [[nodiscard]] bool is_temporary_name(std::string_view name) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 constexpr std::size_t kLongestCharacter = 4;
@@ -105,4 +105,4 @@ std::string printable_lines(std::string_view text) {
   return out;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

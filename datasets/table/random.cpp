@@ -6,7 +6,7 @@
 #include <numbers>
 #include <tcert/elementary.hpp>
 
-namespace tcert {
+namespace tcert::table {
 
 RandomStream::RandomStream(std::uint64_t seed, std::uint32_t purpose, std::uint64_t index) noexcept
     : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)},
@@ -67,4 +67,4 @@ std::uint32_t RandomStream::below(std::uint32_t n) noexcept {
   return static_cast<std::uint32_t>(product >> 32U);
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

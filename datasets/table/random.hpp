@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace tcert {
+namespace tcert::table {
 
 /// Philox4x32-10 keyed by (seed, purpose, index): draw k of stream (a, b, c) is always the same.
 class RandomStream {
@@ -30,4 +30,4 @@ class RandomStream {
   bool has_spare_ = false;
 };
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 constexpr std::size_t kPlausibleSize = std::size_t{64} << 20U;
@@ -47,4 +47,4 @@ bool is_plausible_expansion(std::size_t packed, std::size_t size) noexcept {
   return size <= kPlausibleSize || size / kLargestRatio <= packed;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace tcert {
+namespace tcert::table {
 
 /// The system has too little of something: descriptors, memory. No fault of what is read, so it
 /// ends the run instead of rejecting a trial. Exit code 71.
@@ -28,4 +28,4 @@ void require_resources(const std::filesystem::path& path, int error);
 /// fill the memory: more than 64 MiB, and 200 times as long as the file, as no log is.
 [[nodiscard]] bool is_plausible_expansion(std::size_t packed, std::size_t size) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::table

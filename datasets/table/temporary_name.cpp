@@ -13,7 +13,7 @@
 #include <system_error>
 #include <table/path_name.hpp>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 namespace fs = std::filesystem;
@@ -126,4 +126,4 @@ void sweep_leftovers(const fs::path& path) noexcept {
 
 void sweep_leftovers_in(const fs::path& folder) noexcept { sweep(folder, nullptr); }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <table/atomic_file.hpp>
 
-namespace tcert {
+namespace tcert::table {
 
 /// The name of `path` as its temporaries have it: the first 210 bytes.
 [[nodiscard]] std::string name_in_temporary(const std::filesystem::path& path);
@@ -33,4 +33,4 @@ struct TemporaryName {
 [[nodiscard]] bool is_forsaken(const std::filesystem::path& path,
                                const TemporaryName& name) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace tcert {
+namespace tcert::table {
 
 /// Without blanks, tabs and ends of lines at either end. O(length).
 [[nodiscard]] inline std::string_view trimmed(std::string_view text) noexcept {
@@ -15,4 +15,4 @@ namespace tcert {
                                          : text.substr(first, last - first + 1);
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -6,7 +6,7 @@
 #include <table/csv_write.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 constexpr double kFar = 1000.0;
@@ -58,4 +58,4 @@ std::string distance_in_words(const UnlikeTimes& unlike) {
   return text;
 }
 
-}  // namespace tcert
+}  // namespace tcert::table

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace tcert {
+namespace tcert::table {
 
 /// Times that are far from the others.
 struct UnlikeTimes {
@@ -29,4 +29,4 @@ struct UnlikeTimes {
 /// "1.36e+08 times the median of 13".
 [[nodiscard]] std::string distance_in_words(const UnlikeTimes& unlike);
 
-}  // namespace tcert
+}  // namespace tcert::table

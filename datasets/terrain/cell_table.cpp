@@ -152,7 +152,7 @@ class Reader {
         } else {
           report(number,
                  std::to_string(columns),
-                 shortened(cell),
+                 table::shortened(cell),
                  "a finite number in every cell, or a gap: nothing, nan or NA");
         }
       }
@@ -195,7 +195,7 @@ class Reader {
   }
 
   void report(std::size_t line, std::string column, std::string value, std::string expectation) {
-    problems_.add({Severity::error,
+    problems_.add({table::Severity::error,
                    file_,
                    line,
                    std::move(column),
@@ -206,7 +206,7 @@ class Reader {
 
   std::string file_;
   CellTable table_;
-  DiagnosticGroups problems_;
+  table::DiagnosticGroups problems_;
   std::size_t ends_in_nothing_ = 0;
   char separator_ = ',';
   bool full_ = false;
@@ -216,9 +216,9 @@ class Reader {
 
 bool to_number(std::string_view cell, double& value) {
   double number = 0.0;
-  if (cell.empty() || scan_number(cell.data(), '.', number) != cell.data() + cell.size()) {
-    const CellReading reading = read_cell(cell);
-    if (reading.meaning != CellMeaning::number || !std::isfinite(reading.value)) {
+  if (cell.empty() || table::scan_number(cell.data(), '.', number) != cell.data() + cell.size()) {
+    const table::CellReading reading = table::read_cell(cell);
+    if (reading.meaning != table::CellMeaning::number || !std::isfinite(reading.value)) {
       return false;
     }
     number = reading.value;
@@ -228,16 +228,16 @@ bool to_number(std::string_view cell, double& value) {
 }
 
 bool is_gap_word(std::string_view cell) {
-  const CellReading reading = read_cell(cell);
+  const table::CellReading reading = table::read_cell(cell);
   switch (reading.meaning) {
-    case CellMeaning::missing:
-    case CellMeaning::missing_word:
+    case table::CellMeaning::missing:
+    case table::CellMeaning::missing_word:
       return true;
-    case CellMeaning::number:
+    case table::CellMeaning::number:
       return !std::isfinite(reading.value);
-    case CellMeaning::truth:
+    case table::CellMeaning::truth:
       return false;
-    case CellMeaning::text:
+    case table::CellMeaning::text:
       break;
   }
   std::string lower(cell);

@@ -20,7 +20,7 @@ struct CellTable {
   std::size_t columns = 0;              ///< Of those lines; of the first if there are none.
   std::vector<double> values;           ///< Of those lines, row by row; a gap is NaN.
   std::size_t words = 0;                ///< Cells among them that are empty or a word for a gap.
-  std::vector<Diagnostic> problems;
+  std::vector<table::Diagnostic> problems;
 };
 
 /// Comma, semicolon, tab or blanks between the cells, whichever the first line with a number uses;

@@ -78,11 +78,11 @@ class Reader {
 
  private:
   bool fail(std::size_t line, std::string column, std::string_view value, std::string expected) {
-    problems_.add({Severity::error,
+    problems_.add({table::Severity::error,
                    file_,
                    line,
                    std::move(column),
-                   shortened(value),
+                   table::shortened(value),
                    std::move(expected),
                    1});
     return false;
@@ -199,7 +199,7 @@ class Reader {
   std::string file_;
   Header header_;
   EsriGrid grid_;
-  DiagnosticGroups problems_;
+  table::DiagnosticGroups problems_;
   std::size_t number_ = 0;
 };
 

@@ -17,7 +17,7 @@ struct EsriGrid {
       terrain;  ///< x counts the file's rows, from north to south; y its columns, to the east.
   std::optional<double> nodata;
   std::string note;
-  std::vector<Diagnostic> problems;
+  std::vector<table::Diagnostic> problems;
 };
 
 /// Whether the first line begins with one of the header's names.

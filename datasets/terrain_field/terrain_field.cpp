@@ -38,7 +38,7 @@ TerrainGrid random_terrain(const TerrainFieldOptions& o) {
   const auto rows = static_cast<std::size_t>(o.rows);
   const auto columns = static_cast<std::size_t>(o.columns);
   terrain.values.assign(rows * columns, 0.0);
-  RandomStream random(o.seed, kPurpose, o.number);
+  table::RandomStream random(o.seed, kPurpose, o.number);
   for (int k = 0; k < kWaves; ++k) {
     const double along_x = random.normal() / o.length_scale;
     const double along_y = random.normal() / o.length_scale;

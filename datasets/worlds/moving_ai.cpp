@@ -38,21 +38,21 @@ class Lines {
 
 class Reader {
  public:
-  Reader(const Bytes& bytes, const std::string& file) : lines_(bytes.view()), file_(file) {}
+  Reader(const table::Bytes& bytes, const std::string& file) : lines_(bytes.view()), file_(file) {}
 
   [[nodiscard]] bool read(Raster& raster) {
     return read_header(raster) && read_cells(raster) && read_end(raster);
   }
 
-  [[nodiscard]] std::vector<Diagnostic> take() { return std::move(problems_); }
+  [[nodiscard]] std::vector<table::Diagnostic> take() { return std::move(problems_); }
 
  private:
   bool fail(std::string expectation) {
-    problems_.push_back({Severity::error,
+    problems_.push_back({table::Severity::error,
                          file_,
                          lines_.number,
                          "",
-                         shortened(lines_.line),
+                         table::shortened(lines_.line),
                          std::move(expectation),
                          1});
     return false;
@@ -167,12 +167,12 @@ class Reader {
   std::string file_;
   std::string free_;
   std::string obstacle_;
-  std::vector<Diagnostic> problems_;
+  std::vector<table::Diagnostic> problems_;
 };
 
 }  // namespace
 
-WorldsResult world_from_moving_ai(const Bytes& bytes,
+WorldsResult world_from_moving_ai(const table::Bytes& bytes,
                                   const std::string& file,
                                   const WorldFrame& frame) {
   WorldsResult result;

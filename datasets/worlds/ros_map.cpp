@@ -146,7 +146,7 @@ struct Pgm {
 std::string read_pgm(std::string_view text, const std::string& file, Pgm& image) {
   const bool plain = text.substr(0, 2) == "P2";
   if (!plain && text.substr(0, 2) != "P5") {
-    const auto kind = kind_of_binary(text, file);
+    const auto kind = table::kind_of_binary(text, file);
     return "a PGM image: P2 or P5" +
            (kind ? ", but this is " + kind->name + ": convert it to PGM (convert " + file +
                        " map.pgm) and name that in the YAML"
@@ -200,20 +200,20 @@ std::string read_pgm(std::string_view text, const std::string& file, Pgm& image)
 
 }  // namespace
 
-std::optional<RosMap> read_ros_yaml(const Bytes& bytes,
+std::optional<RosMap> read_ros_yaml(const table::Bytes& bytes,
                                     const std::string& file,
-                                    std::vector<Diagnostic>& diagnostics) {
+                                    std::vector<table::Diagnostic>& diagnostics) {
   RosMap map;
   std::string_view text = bytes.view();
   bool good = true;
   const auto take = [&](std::string_view key, std::string_view value, std::size_t number) {
     if (const char* const expected = read_key(key, value, map)) {
       const bool unknown = expected == kUnknownKey;
-      diagnostics.push_back({unknown ? Severity::warning : Severity::error,
+      diagnostics.push_back({unknown ? table::Severity::warning : table::Severity::error,
                              file,
                              number,
-                             shortened(key),
-                             shortened(value),
+                             table::shortened(key),
+                             table::shortened(value),
                              expected,
                              1});
       good = good && unknown;
@@ -254,13 +254,13 @@ std::optional<RosMap> read_ros_yaml(const Bytes& bytes,
   }
   end_list();
   if (good && (map.image.empty() || !(map.resolution_m > 0.0))) {
-    diagnostics.push_back({Severity::error, file, 0, "", "", "image and resolution", 1});
+    diagnostics.push_back({table::Severity::error, file, 0, "", "", "image and resolution", 1});
     good = false;
   }
   return good ? std::optional(map) : std::nullopt;
 }
 
-WorldsResult world_from_pgm(const Bytes& bytes,
+WorldsResult world_from_pgm(const table::Bytes& bytes,
                             const std::string& file,
                             const RosMap& map,
                             const WorldFrame& frame) {
@@ -268,7 +268,7 @@ WorldsResult world_from_pgm(const Bytes& bytes,
   Pgm image;
   const std::string expected = read_pgm(bytes.view(), file, image);
   if (!expected.empty()) {
-    result.diagnostics.push_back({Severity::error, file, 0, "", "", expected, 1});
+    result.diagnostics.push_back({table::Severity::error, file, 0, "", "", expected, 1});
     return result;
   }
   Raster raster{image.columns, image.rows, {}};

@@ -12,17 +12,17 @@ namespace fs = std::filesystem;
 
 void reject(WorldsResult& result, const fs::path& path, std::string expectation) {
   result.diagnostics.push_back(
-      {Severity::error, path.string(), 0, "", "", std::move(expectation), 1});
+      {table::Severity::error, path.string(), 0, "", "", std::move(expectation), 1});
 }
 
-WorldsResult read_ros_map(const Bytes& yaml, const fs::path& path, const WorldFrame& frame) {
+WorldsResult read_ros_map(const table::Bytes& yaml, const fs::path& path, const WorldFrame& frame) {
   WorldsResult result;
   const auto map = read_ros_yaml(yaml, path.string(), result.diagnostics);
   if (!map) {
     return result;
   }
   const fs::path image = path.parent_path() / map->image;
-  const BytesResult bytes = read_file(image);
+  const table::BytesResult bytes = table::read_file(image);
   if (!bytes.bytes) {
     reject(result, image, "a readable file: " + bytes.problem);
     return result;
@@ -32,13 +32,13 @@ WorldsResult read_ros_map(const Bytes& yaml, const fs::path& path, const WorldFr
 
 WorldsResult read_any(const fs::path& path, const fs::path& name, const WorldFrame& frame) {
   WorldsResult result;
-  const BytesResult bytes = read_file(path);
+  const table::BytesResult bytes = table::read_file(path);
   if (!bytes.bytes) {
     reject(result, path, "a readable file: " + bytes.problem);
     return result;
   }
-  if (const auto binary = kind_of_binary(bytes.bytes->view(), path.string())) {
-    reject(result, path, text_expected(*binary));
+  if (const auto binary = table::kind_of_binary(bytes.bytes->view(), path.string())) {
+    reject(result, path, table::text_expected(*binary));
     return result;
   }
   const std::string kind = name.extension().string();
@@ -67,7 +67,7 @@ WorldsResult read_any(const fs::path& path, const fs::path& name, const WorldFra
 
 WorldsResult read_worlds(const fs::path& path, const WorldFrame& frame) {
   fs::path name = path.filename();
-  if (compression_of(name.string()) != Compression::none) {
+  if (table::compression_of(name.string()) != table::Compression::none) {
     name = name.stem();
   }
   WorldsResult read = read_any(path, name, frame);
@@ -84,12 +84,12 @@ WorldsResult read_worlds(const fs::path& path, const WorldFrame& frame) {
       problems.emplace_back("a name of its own");
     }
     for (const std::string& problem : problems) {
-      result.diagnostics.push_back({Severity::error,
+      result.diagnostics.push_back({table::Severity::error,
                                     path.string(),
                                     0,
                                     "",
                                     "",
-                                    "of world '" + shortened(world.name) + "' " + problem,
+                                    "of world '" + table::shortened(world.name) + "' " + problem,
                                     1});
     }
     if (problems.empty()) {

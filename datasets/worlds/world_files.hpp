@@ -25,14 +25,14 @@ struct WorldFrame {
 /// whose `column` is the world's name; the others go on.
 struct WorldsResult {
   std::vector<World> worlds;
-  std::vector<Diagnostic> diagnostics;
+  std::vector<table::Diagnostic> diagnostics;
 };
 
 /// The tool's own JSON: one world, an array of worlds, or one a line.
-[[nodiscard]] WorldsResult worlds_from_json(const Bytes& bytes, const std::string& file);
+[[nodiscard]] WorldsResult worlds_from_json(const table::Bytes& bytes, const std::string& file);
 
 /// CSV with columns world, x_m, y_m, radius_m: a row a disc; rows of a world may lie anywhere.
-[[nodiscard]] WorldsResult worlds_from_disc_csv(const Bytes& bytes,
+[[nodiscard]] WorldsResult worlds_from_disc_csv(const table::Bytes& bytes,
                                                 const std::string& file,
                                                 const WorldFrame& frame);
 
@@ -40,7 +40,7 @@ struct WorldsResult {
 /// MapData. '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' are not, unless header lines 'free .'
 /// or 'obstacle @' say otherwise of a sign. The first row lies at high y, the low corner at the
 /// origin.
-[[nodiscard]] WorldsResult world_from_moving_ai(const Bytes& bytes,
+[[nodiscard]] WorldsResult world_from_moving_ai(const table::Bytes& bytes,
                                                 const std::string& file,
                                                 const WorldFrame& frame);
 
@@ -56,12 +56,12 @@ struct RosMap {
 
 /// image, resolution, origin [x, y, 0] (or a line each), negate, occupied_thresh, free_thresh; mode
 /// trinary. Another key is a warning and has no effect.
-[[nodiscard]] std::optional<RosMap> read_ros_yaml(const Bytes& bytes,
+[[nodiscard]] std::optional<RosMap> read_ros_yaml(const table::Bytes& bytes,
                                                   const std::string& file,
-                                                  std::vector<Diagnostic>& diagnostics);
+                                                  std::vector<table::Diagnostic>& diagnostics);
 
 /// p = (max - x) / max, or x / max with `negate`; free iff p < free_threshold: unknown is occupied.
-[[nodiscard]] WorldsResult world_from_pgm(const Bytes& bytes,
+[[nodiscard]] WorldsResult world_from_pgm(const table::Bytes& bytes,
                                           const std::string& file,
                                           const RosMap& map,
                                           const WorldFrame& frame);

@@ -33,22 +33,23 @@ Bounds bounds_of(const World& world) {
 }
 
 std::optional<double> number_of(std::string_view cell) {
-  const CellReading reading = read_cell(cell);
-  const bool is_number = reading.meaning == CellMeaning::number && std::isfinite(reading.value);
+  const table::CellReading reading = table::read_cell(cell);
+  const bool is_number =
+      reading.meaning == table::CellMeaning::number && std::isfinite(reading.value);
   return is_number ? std::optional(reading.value) : std::nullopt;
 }
 
 }  // namespace
 
-WorldsResult worlds_from_disc_csv(const Bytes& bytes,
+WorldsResult worlds_from_disc_csv(const table::Bytes& bytes,
                                   const std::string& file,
                                   const WorldFrame& frame) {
   WorldsResult result;
-  DiagnosticGroups problems;
-  CsvOptions csv;
+  table::DiagnosticGroups problems;
+  table::CsvOptions csv;
   csv.file = file;
   const std::vector<std::string> names{"world", "x_m", "y_m", "radius_m"};
-  const auto table = read_text_table(bytes, csv, names, problems);
+  const auto table = table::read_text_table(bytes, csv, names, problems);
   if (!table) {
     result.diagnostics = problems.take();
     return result;
@@ -70,13 +71,13 @@ WorldsResult worlds_from_disc_csv(const Bytes& bytes,
       const std::string& cell = table->at(row, *table->find(names[k + 1]));
       const auto value = number_of(cell);
       if (!value || (k == 2 && !(*value > 0.0))) {
-        problems.add({Severity::error,
+        problems.add({table::Severity::error,
                       file,
                       table->lines[row],
                       names[k + 1],
-                      shortened(cell),
+                      table::shortened(cell),
                       std::string(k == 2 ? "a positive number" : "a finite number") + "; world '" +
-                          shortened(name) + "' is left out",
+                          table::shortened(name) + "' is left out",
                       1});
         good = false;
       } else {
@@ -102,7 +103,7 @@ WorldsResult worlds_from_disc_csv(const Bytes& bytes,
   }
   result.worlds = std::move(kept);
   if (table->rows() == 0) {
-    problems.add({Severity::error, file, 0, "", "", "a disc, but the file has no rows", 1});
+    problems.add({table::Severity::error, file, 0, "", "", "a disc, but the file has no rows", 1});
   }
   result.diagnostics = problems.take();
   return result;

@@ -20,7 +20,7 @@ class Worlds {
       }
       result_.worlds.push_back(std::move(world));
     } catch (const WorldFormatError& error) {
-      result_.diagnostics.push_back({Severity::error,
+      result_.diagnostics.push_back({table::Severity::error,
                                      file_,
                                      line,
                                      "#" + std::to_string(number),
@@ -57,7 +57,7 @@ bool is_one_a_line(std::string_view text) {
 
 }  // namespace
 
-WorldsResult worlds_from_json(const Bytes& bytes, const std::string& file) {
+WorldsResult worlds_from_json(const table::Bytes& bytes, const std::string& file) {
   Worlds worlds(file);
   std::string_view text = bytes.view();
   std::size_t number = 0;
@@ -72,7 +72,7 @@ WorldsResult worlds_from_json(const Bytes& bytes, const std::string& file) {
     return worlds.take();
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && text[first] == '[' && !is_nested_too_deeply(text)) {
+  if (first != std::string_view::npos && text[first] == '[' && !table::is_nested_too_deeply(text)) {
     const auto array = nlohmann::ordered_json::parse(text, nullptr, false);
     if (!array.is_discarded()) {
       for (const auto& world : array) {

@@ -19,10 +19,10 @@ TableCell estimate(const Score& score) {
 }
 
 /// The rival over which the certificate gains least; null without a rival that has a gain.
-const H1Row* strongest_rival(const H1Panel& panel, H1Score H1Row::*gain) {
-  const H1Row* strongest = nullptr;
-  for (const H1Row& row : panel.rows) {
-    const bool counts = row.kind == H1RowKind::rival && (row.*gain).value;
+const study::H1Row* strongest_rival(const study::H1Panel& panel, study::H1Score H1Row::*gain) {
+  const study::H1Row* strongest = nullptr;
+  for (const study::H1Row& row : panel.rows) {
+    const bool counts = row.kind == study::H1RowKind::rival && (row.*gain).value;
     if (counts && (strongest == nullptr || *(row.*gain).value < *(strongest->*gain).value)) {
       strongest = &row;
     }
@@ -30,18 +30,18 @@ const H1Row* strongest_rival(const H1Panel& panel, H1Score H1Row::*gain) {
   return strongest;
 }
 
-void add_rival(const H1Panel& panel,
-               H1Score H1Row::*gain,
+void add_rival(const study::H1Panel& panel,
+               study::H1Score H1Row::*gain,
                std::optional<double> H1Row::*holm,
                std::vector<TableCell>& cells) {
-  const H1Row* const rival = strongest_rival(panel, gain);
+  const study::H1Row* const rival = strongest_rival(panel, gain);
   cells.push_back(rival != nullptr ? TableCell{rival->name} : TableCell{});
   cells.push_back(rival != nullptr ? estimate(rival->*gain) : TableCell{});
   cells.push_back(rival != nullptr ? p_cell(rival->*holm) : TableCell{});
 }
 
 /// Gains of the cell over the full method; NA for the full method itself.
-const H1Row* row_against(const CellScores& scores, std::size_t panel) {
+const study::H1Row* row_against(const study::CellScores& scores, std::size_t panel) {
   if (!scores.against_full || panel >= scores.against_full->panels.size()) {
     return nullptr;
   }
@@ -50,7 +50,7 @@ const H1Row* row_against(const CellScores& scores, std::size_t panel) {
 }
 
 /// Why a panel has no intervals and no p; or only its changes from full have none.
-std::string withheld_of(const CellScores& scores, std::size_t panel) {
+std::string withheld_of(const study::CellScores& scores, std::size_t panel) {
   const std::string& own = scores.own.panels[panel].withheld;
   const bool compared =
       scores.against_full && panel < scores.against_full->panels.size() && own.empty();
@@ -59,10 +59,10 @@ std::string withheld_of(const CellScores& scores, std::size_t panel) {
 }
 
 /// Why rates have no intervals: one reason for each algorithm that is few.
-std::string withheld_of(const H3Group& group) {
+std::string withheld_of(const study::H3Group& group) {
   std::string all;
-  for (const Condition& condition : group.conditions) {
-    if (condition.kind == ConditionKind::withheld) {
+  for (const statistics::Condition& condition : group.conditions) {
+    if (condition.kind == statistics::ConditionKind::withheld) {
       all += (all.empty() ? "" : "; ") + condition.detail;
     }
   }
@@ -71,12 +71,12 @@ std::string withheld_of(const H3Group& group) {
 
 TableCell words(const std::string& text) { return text.empty() ? TableCell{} : TableCell{text}; }
 
-std::vector<TableCell> scores_row(const CellScores& scores, std::size_t at) {
-  const H1Panel& panel = scores.own.panels[at];
-  const H1Row empty;
-  const H1Row& own = panel.rows.empty() ? empty : panel.rows.front();
-  const H1Row* const against = row_against(scores, at);
-  std::vector<TableCell> cells = {std::string(to_string(panel.kind)),
+std::vector<TableCell> scores_row(const study::CellScores& scores, std::size_t at) {
+  const study::H1Panel& panel = scores.own.panels[at];
+  const study::H1Row empty;
+  const study::H1Row& own = panel.rows.empty() ? empty : panel.rows.front();
+  const study::H1Row* const against = row_against(scores, at);
+  std::vector<TableCell> cells = {std::string(study::to_string(panel.kind)),
                                   integer_cell(panel.complete),
                                   integer_cell(panel.successes),
                                   integer_cell(panel.clusters),
@@ -84,11 +84,11 @@ std::vector<TableCell> scores_row(const CellScores& scores, std::size_t at) {
                                   estimate(own.auc),
                                   against != nullptr ? estimate(against->auc_gain) : TableCell{},
                                   against != nullptr ? p_cell(against->auc_p) : TableCell{}};
-  add_rival(panel, &H1Row::auc_gain, &H1Row::auc_holm, cells);
+  add_rival(panel, &study::H1Row::auc_gain, &study::H1Row::auc_holm, cells);
   cells.push_back(estimate(own.c));
   cells.push_back(against != nullptr ? estimate(against->c_gain) : TableCell{});
   cells.push_back(against != nullptr ? p_cell(against->c_p) : TableCell{});
-  add_rival(panel, &H1Row::c_gain, &H1Row::c_holm, cells);
+  add_rival(panel, &study::H1Row::c_gain, &study::H1Row::c_holm, cells);
   cells.push_back(words(withheld_of(scores, at)));
   return cells;
 }
@@ -97,11 +97,11 @@ TableCell share(std::size_t part, std::size_t whole) {
   return whole == 0 ? TableCell{} : Number{static_cast<double>(part) / static_cast<double>(whole)};
 }
 
-std::vector<TableCell> named(const Cell& cell,
+std::vector<TableCell> named(const study::Cell& cell,
                              const std::string& status,
                              const std::vector<TableCell>& rest,
                              const Table& table) {
-  std::vector<TableCell> cells = {cell.name, overrides_text(cell), status};
+  std::vector<TableCell> cells = {cell.name, study::overrides_text(cell), status};
   cells.insert(cells.end(), rest.begin(), rest.end());
   cells.resize(table.columns.size());
   return cells;
@@ -115,7 +115,7 @@ std::vector<Column> name_columns() {
 
 }  // namespace
 
-std::vector<std::vector<TableCell>> cell_panels(const CellScores& scores) {
+std::vector<std::vector<TableCell>> cell_panels(const study::CellScores& scores) {
   std::vector<std::vector<TableCell>> rows;
   for (std::size_t panel = 0; panel < scores.own.panels.size(); ++panel) {
     rows.push_back(scores_row(scores, panel));
@@ -123,7 +123,7 @@ std::vector<std::vector<TableCell>> cell_panels(const CellScores& scores) {
   return rows;
 }
 
-std::vector<TableCell> cell_issuance(const CellIssuance& count) {
+std::vector<TableCell> cell_issuance(const study::CellIssuance& count) {
   return {integer_cell(count.successes),
           integer_cell(count.issued_successes),
           share(count.issued_successes, count.successes),
@@ -204,12 +204,12 @@ Table cell_issuance_table() {
   return table;
 }
 
-std::vector<TableCell> cell_speed(const H3Table& h3) {
+std::vector<TableCell> cell_speed(const study::H3Table& h3) {
   if (h3.groups.empty() || h3.groups.front().cases.empty()) {
     return {};
   }
-  const H3Group& all = h3.groups.front();
-  const H3Case& one = all.cases.front();
+  const study::H3Group& all = h3.groups.front();
+  const study::H3Case& one = all.cases.front();
   const TableCell retained = estimate_cell(one.retained, one.retained_interval);
   return {integer_cell(all.trials),
           integer_cell(all.successes),
@@ -258,7 +258,7 @@ Table cell_speed_table(const BatchNotes& notes) {
   return table;
 }
 
-void add_cell(const Cell& cell,
+void add_cell(const study::Cell& cell,
               const std::string& status,
               const std::vector<std::vector<TableCell>>& rows,
               Table& table) {

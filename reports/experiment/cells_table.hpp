@@ -19,7 +19,7 @@ struct BatchNotes {
   double level = 0.95;
   std::size_t replicates = 0;
   std::string cluster;
-  BootstrapMethod interval = BootstrapMethod::expanded;
+  statistics::BootstrapMethod interval = statistics::BootstrapMethod::expanded;
 };
 
 /// Columns, no rows. Each begins with the cell's name, parameters and status.
@@ -29,13 +29,13 @@ struct BatchNotes {
 
 /// What a cell has in these tables behind its name: one row per panel; one row; one row of the
 /// first case of all lightings together, or an empty one.
-[[nodiscard]] std::vector<std::vector<TableCell>> cell_panels(const CellScores& scores);
-[[nodiscard]] std::vector<TableCell> cell_issuance(const CellIssuance& count);
-[[nodiscard]] std::vector<TableCell> cell_speed(const H3Table& h3);
+[[nodiscard]] std::vector<std::vector<TableCell>> cell_panels(const study::CellScores& scores);
+[[nodiscard]] std::vector<TableCell> cell_issuance(const study::CellIssuance& count);
+[[nodiscard]] std::vector<TableCell> cell_speed(const study::H3Table& h3);
 
 /// Appends a cell with its rows, or with one row of missing cells if there are none. `status` is
 /// "done" or why there is nothing.
-void add_cell(const Cell& cell,
+void add_cell(const study::Cell& cell,
               const std::string& status,
               const std::vector<std::vector<TableCell>>& rows,
               Table& table);

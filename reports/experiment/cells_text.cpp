@@ -75,8 +75,8 @@ std::string to_text(const CellRows& rows) {
 }
 
 CellRows cell_rows_from(const std::string& text) {
-  if (is_nested_too_deeply(text)) {
-    throw std::invalid_argument(std::string(kNestedTooDeeply));
+  if (table::is_nested_too_deeply(text)) {
+    throw std::invalid_argument(std::string(table::kNestedTooDeeply));
   }
   try {
     CellRows rows;

@@ -53,20 +53,20 @@ std::string text_at(const Table& table, std::size_t row, std::string_view column
   return text != nullptr ? *text : std::string();
 }
 
-std::string text_at(const DataTable& table, std::size_t row, std::string_view column) {
-  const DataColumn* const found = table.find(column);
+std::string text_at(const table::DataTable& table, std::size_t row, std::string_view column) {
+  const table::DataColumn* const found = table.find(column);
   if (found == nullptr) {
     return {};
   }
   if (!found->is_text) {
     std::string text;
     if (!std::isnan(found->numbers[row])) {
-      append_number(text, found->numbers[row]);
+      table::append_number(text, found->numbers[row]);
     }
     return text;
   }
   const std::uint32_t code = found->text.codes[row];
-  return code == Factor::kMissing ? std::string() : found->text.levels[code];
+  return code == table::Factor::kMissing ? std::string() : found->text.levels[code];
 }
 
 double number_at(const Table& table, std::size_t row, std::string_view column) {
@@ -77,8 +77,8 @@ double number_at(const Table& table, std::size_t row, std::string_view column) {
   return std::isnan(low) ? bound_at(table, row, column, true) : low;
 }
 
-double number_at(const DataTable& table, std::size_t row, std::string_view column) {
-  const DataColumn* const found = table.find(column);
+double number_at(const table::DataTable& table, std::size_t row, std::string_view column) {
+  const table::DataColumn* const found = table.find(column);
   return found == nullptr || found->is_text ? kNaN : found->numbers[row];
 }
 

@@ -20,11 +20,15 @@ namespace tcert {
 
 /// Text of a cell; empty if it is missing or there is no such column.
 [[nodiscard]] std::string text_at(const Table& table, std::size_t row, std::string_view column);
-[[nodiscard]] std::string text_at(const DataTable& table, std::size_t row, std::string_view column);
+[[nodiscard]] std::string text_at(const table::DataTable& table,
+                                  std::size_t row,
+                                  std::string_view column);
 
 /// A number of any kind, x_low and x_high of an estimate x; NaN if it is missing or not there.
 [[nodiscard]] double number_at(const Table& table, std::size_t row, std::string_view column);
-[[nodiscard]] double number_at(const DataTable& table, std::size_t row, std::string_view column);
+[[nodiscard]] double number_at(const table::DataTable& table,
+                               std::size_t row,
+                               std::string_view column);
 
 /// "95 % expanded intervals": level and method as the brackets of a column's heading have them;
 /// "intervals" if it has none.

@@ -83,7 +83,7 @@ std::optional<World> world_of(const Results& results, const std::string& trial_i
     return std::nullopt;
   }
   const auto path = corpus->folder / "worlds" / (trial_id + ".json");
-  const BytesResult file = read_raw_file(path);
+  const table::BytesResult file = table::read_raw_file(path);
   if (!file.bytes) {
     return std::nullopt;
   }
@@ -127,7 +127,7 @@ StudyFigures study_figures(const Results& results) {
                       all.table(ResultKind::gate, "gate_calibration")),
           all.without(ResultKind::gate, "gate"));
   const Result* const certificates = results.find(ResultKind::certificates);
-  const std::optional<DataTable> features =
+  const std::optional<table::DataTable> features =
       certificates != nullptr ? result_data(*certificates, "features.csv") : std::nullopt;
   const Table speed = all.table(ResultKind::certificates, "speed");
   for (const char* const grouped_by : {"algorithm", "lighting"}) {
@@ -147,10 +147,11 @@ StudyFigures study_figures(const Results& results) {
 
 std::optional<TrialPicture> trial_picture(const Results& results, const std::string& trial_id) {
   const Result* const certificates = results.find(ResultKind::certificates);
-  if (certificates == nullptr || !is_file_name(trial_id)) {
+  if (certificates == nullptr || !table::is_file_name(trial_id)) {
     return std::nullopt;
   }
-  std::optional<DataTable> series = result_data(*certificates, "series/" + trial_id + ".csv");
+  std::optional<table::DataTable> series =
+      result_data(*certificates, "series/" + trial_id + ".csv");
   if (!series) {
     return std::nullopt;
   }
@@ -174,7 +175,7 @@ std::optional<TrialPicture> trial_picture(const Results& results, const std::str
 
 std::vector<std::string> typical_trials(const Results& results) {
   const Result* const certificates = results.find(ResultKind::certificates);
-  const std::optional<DataTable> rows =
+  const std::optional<table::DataTable> rows =
       certificates != nullptr ? result_data(*certificates, "certificates.csv") : std::nullopt;
   std::vector<std::string> chosen;
   if (!rows) {

@@ -213,7 +213,7 @@ std::string quoted(const std::string& text) {
 
 std::string number(double value) {
   std::string text;
-  append_number(text, value);
+  table::append_number(text, value);
   return text;
 }
 

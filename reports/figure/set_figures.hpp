@@ -34,12 +34,12 @@ namespace tcert {
 /// Commanded speed by algorithm or by lighting (Figures 1 and 2 of the paper): pooled medians and
 /// what the paper prints from `speed`, the trials' own medians from features.csv.
 [[nodiscard]] std::optional<Figure> speed_figure(const Table& speed,
-                                                 const DataTable& features,
+                                                 const table::DataTable& features,
                                                  const std::string& grouped_by);
 
 /// The truth T(E; A) against the certificate T_t, from features.csv with the columns truth_lower_m
 /// and truth_upper_m: the proven interval, its upper bound, and the certificates that it refutes.
-[[nodiscard]] std::optional<Figure> truth_figure(const DataTable& features,
+[[nodiscard]] std::optional<Figure> truth_figure(const table::DataTable& features,
                                                  const std::optional<SyntheticLabel>& synthetic);
 
 }  // namespace tcert

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<double> values_of_group(const DataTable& features,
+std::vector<double> values_of_group(const table::DataTable& features,
                                     const std::string& column,
                                     const std::string& group) {
   std::vector<double> values;
@@ -29,7 +29,7 @@ std::vector<double> values_of_group(const DataTable& features,
 }  // namespace
 
 std::optional<Figure> speed_figure(const Table& speed,
-                                   const DataTable& features,
+                                   const table::DataTable& features,
                                    const std::string& grouped_by) {
   Figure figure =
       named("speed_by_" + grouped_by, "Commanded speed by " + grouped_by, speed.synthetic);
@@ -55,7 +55,9 @@ std::optional<Figure> speed_figure(const Table& speed,
     one.x.categories.push_back(group);
     const std::vector<double> values =
         values_of_group(features, grouped_by, group == "(none)" ? "" : group);
-    const auto at = [&](double share) { return quantile(values, share).value_or(kNaN); };
+    const auto at = [&](double share) {
+      return statistics::quantile(values, share).value_or(kNaN);
+    };
     const double pooled = number_at(speed, row, "speed_mps");
     measured = measured || std::isfinite(pooled) || !values.empty();
     for (const double value : {pooled, at(0.95), number_at(speed, row, "published_speed_mps")}) {

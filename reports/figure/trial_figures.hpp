@@ -15,9 +15,9 @@ namespace tcert {
 /// What is drawn of a trial. Tables are as `certify` writes them.
 struct TrialPicture {
   std::string trial_id;
-  DataTable series;                ///< series/<trial_id>.csv
-  std::optional<DataTable> edges;  ///< edges/<trial_id>.csv
-  std::optional<World> world;      ///< Where it is known; else the map has what the rays felt.
+  table::DataTable series;                ///< series/<trial_id>.csv
+  std::optional<table::DataTable> edges;  ///< edges/<trial_id>.csv
+  std::optional<World> world;  ///< Where it is known; else the map has what the rays felt.
   std::optional<double> bottleneck_x_m;
   std::optional<double> bottleneck_y_m;
   std::optional<double> issued_s;
@@ -25,7 +25,7 @@ struct TrialPicture {
 };
 
 /// Seconds since the first tick, of each row: a log may count from 1970.
-[[nodiscard]] std::vector<double> trial_times(const DataTable& series);
+[[nodiscard]] std::vector<double> trial_times(const table::DataTable& series);
 
 /// T_t, V_t, the edge margin and the tick margin over time since the first tick; below it the
 /// speed, measured over the last second and as the law allows. Empty if the series has no value.

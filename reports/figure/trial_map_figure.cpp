@@ -96,7 +96,7 @@ void add_world(const World& world, MapData& data) {
 }
 
 /// Where the rays prove the sides free: no walls are known.
-void add_sides(const DataTable& series, MapData& data) {
+void add_sides(const table::DataTable& series, MapData& data) {
   for (std::size_t row = 0; row < series.rows; ++row) {
     const double x = number_at(series, row, "x_m");
     const double y = number_at(series, row, "y_m");
@@ -113,7 +113,7 @@ void add_sides(const DataTable& series, MapData& data) {
 }
 
 void add_path(const TrialPicture& trial, MapData& data) {
-  const DataTable& series = trial.series;
+  const table::DataTable& series = trial.series;
   const std::vector<double> times = trial_times(series);
   bool issued = false;
   for (std::size_t row = 0; row < series.rows; ++row) {
@@ -129,7 +129,7 @@ void add_path(const TrialPicture& trial, MapData& data) {
   }
 }
 
-void add_edges(const DataTable& edges, MapData& data) {
+void add_edges(const table::DataTable& edges, MapData& data) {
   for (std::size_t row = 0; row < edges.rows; ++row) {
     data.add("edge",
              "",

@@ -25,7 +25,9 @@ constexpr Line kMargins[] = {{"margin_m", "tick margin m_t"},
                              {"certificate_m", "certificate T_t"}};
 
 /// Speed over the window that ends at `row`.
-double measured_speed(const DataTable& series, const std::vector<double>& time, std::size_t row) {
+double measured_speed(const table::DataTable& series,
+                      const std::vector<double>& time,
+                      std::size_t row) {
   double way = 0.0;
   std::size_t i = row;
   while (i > 0 && time[row] - time[i - 1] <= kSpeedWindow + 1e-9) {
@@ -38,7 +40,7 @@ double measured_speed(const DataTable& series, const std::vector<double>& time, 
 }
 
 /// A line over time as rows; the value is held, so rows that repeat it are left out.
-void add_series(const DataTable& series,
+void add_series(const table::DataTable& series,
                 const std::vector<double>& time,
                 const Line& line,
                 Table& data) {
@@ -70,7 +72,7 @@ Extent extent_of(const Table& data, const std::string& panel) {
 
 }  // namespace
 
-std::vector<double> trial_times(const DataTable& series) {
+std::vector<double> trial_times(const table::DataTable& series) {
   // Of stamps since 1970 a double has no finer steps than a quarter of a microsecond.
   constexpr double kMicrosecond = 1e6;
   std::vector<double> times;

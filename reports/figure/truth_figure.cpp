@@ -22,7 +22,7 @@ const char* outcome(double success) {
 
 }  // namespace
 
-std::optional<Figure> truth_figure(const DataTable& features,
+std::optional<Figure> truth_figure(const table::DataTable& features,
                                    const std::optional<SyntheticLabel>& synthetic) {
   Figure figure = named("truth", "The certificate against the truth", synthetic);
   figure.caption =

@@ -29,17 +29,17 @@ BootstrapTable::BootstrapTable(double level) : level_(level) {
 }
 
 void BootstrapTable::add(const std::string& name,
-                         const BootstrapResult& result,
+                         const statistics::BootstrapResult& result,
                          std::size_t value) {
-  const BootstrapEstimate bca = bootstrap_estimate(result, value, level_);
+  const statistics::BootstrapEstimate bca = statistics::bootstrap_estimate(result, value, level_);
   std::vector<TableCell> cells{
       name, number_cell(bca.observed), number_cell(bca.bias), number_cell(bca.standard_error)};
-  for (const BootstrapMethod method : {BootstrapMethod::bca,
-                                       BootstrapMethod::expanded,
-                                       BootstrapMethod::percentile,
-                                       BootstrapMethod::basic,
-                                       BootstrapMethod::normal}) {
-    const auto interval = bootstrap_estimate(result, value, level_, method).interval;
+  for (const statistics::BootstrapMethod method : {statistics::BootstrapMethod::bca,
+                                                   statistics::BootstrapMethod::expanded,
+                                                   statistics::BootstrapMethod::percentile,
+                                                   statistics::BootstrapMethod::basic,
+                                                   statistics::BootstrapMethod::normal}) {
+    const auto interval = statistics::bootstrap_estimate(result, value, level_, method).interval;
     cells.push_back(low_cell(interval));
     cells.push_back(high_cell(interval));
   }
@@ -48,7 +48,7 @@ void BootstrapTable::add(const std::string& name,
   cells.push_back(integer_cell(static_cast<std::size_t>(std::count_if(
       replicates.begin(), replicates.end(), [](double one) { return std::isfinite(one); }))));
   table_.add_row(std::move(cells));
-  for (Condition condition : bca.conditions) {
+  for (statistics::Condition condition : bca.conditions) {
     condition.column = name;
     conditions_.push_back(std::move(condition));
   }

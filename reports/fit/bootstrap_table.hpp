@@ -15,7 +15,7 @@ class BootstrapTable {
   explicit BootstrapTable(double level);
 
   /// One row: the value, bias, standard error, acceleration, and all intervals.
-  void add(const std::string& name, const BootstrapResult& result, std::size_t value);
+  void add(const std::string& name, const statistics::BootstrapResult& result, std::size_t value);
 
   /// Adds the table and the conditions met to `report`.
   void append_to(FitReport& report) const;
@@ -23,7 +23,7 @@ class BootstrapTable {
  private:
   double level_;
   Table table_;
-  Conditions conditions_;
+  statistics::Conditions conditions_;
 };
 
 }  // namespace tcert

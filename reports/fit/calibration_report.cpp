@@ -6,7 +6,7 @@
 namespace tcert {
 namespace {
 
-Table coefficient_table(const ModelCalibration& calibration, double level) {
+Table coefficient_table(const statistics::ModelCalibration& calibration, double level) {
   Table table;
   table.name = "calibration";
   table.title = "Calibration of predicted probabilities";
@@ -21,20 +21,22 @@ Table coefficient_table(const ModelCalibration& calibration, double level) {
     append_columns(t_columns(false), table.columns);
   }
   table.columns.push_back(number_column("ideal", "ideal"));
-  const auto add = [&](const char* name, const CalibrationCoefficient& one, double ideal) {
-    std::vector<TableCell> cells{std::string(name),
-                                 number_cell(one.estimate),
-                                 number_cell(one.standard_error),
-                                 low_cell(one.interval),
-                                 high_cell(one.interval)};
-    if (clustered) {
-      append_t(by_cluster_t(one.estimate, one.standard_error, {}, calibration.clusters, level),
-               cells,
-               false);
-    }
-    cells.push_back(number_cell(ideal));
-    table.add_row(std::move(cells));
-  };
+  const auto add =
+      [&](const char* name, const statistics::CalibrationCoefficient& one, double ideal) {
+        std::vector<TableCell> cells{std::string(name),
+                                     number_cell(one.estimate),
+                                     number_cell(one.standard_error),
+                                     low_cell(one.interval),
+                                     high_cell(one.interval)};
+        if (clustered) {
+          append_t(statistics::by_cluster_t(
+                       one.estimate, one.standard_error, {}, calibration.clusters, level),
+                   cells,
+                   false);
+        }
+        cells.push_back(number_cell(ideal));
+        table.add_row(std::move(cells));
+      };
   add("slope", calibration.slope, 1.0);
   add("intercept", calibration.intercept, 0.0);
   add("intercept, slope 1", calibration.in_the_large, 0.0);
@@ -52,7 +54,7 @@ Table coefficient_table(const ModelCalibration& calibration, double level) {
   return table;
 }
 
-Table bin_table(const ModelCalibration& calibration) {
+Table bin_table(const statistics::ModelCalibration& calibration) {
   Table table;
   table.name = "bins";
   table.title = "Observed by predicted: bins of equal size";
@@ -66,7 +68,7 @@ Table bin_table(const ModelCalibration& calibration) {
                    number_column("observed", "observed"),
                    number_column("conf.low", "Wilson low"),
                    number_column("conf.high", "Wilson high")};
-  for (const CalibrationBin& bin : calibration.bins) {
+  for (const statistics::CalibrationBin& bin : calibration.bins) {
     table.add_row({number_cell(bin.low),
                    number_cell(bin.high),
                    integer_cell(bin.trials),
@@ -80,17 +82,19 @@ Table bin_table(const ModelCalibration& calibration) {
   return table;
 }
 
-Table brier_table(const ModelCalibration& calibration) {
+Table brier_table(const statistics::ModelCalibration& calibration) {
   Record record("brier", "Brier score and its parts");
   const auto part = [&](double BrierParts::*member) {
     return calibration.brier ? std::optional((*calibration.brier).*member) : std::nullopt;
   };
-  record.number("score", "Brier score", part(&BrierParts::score))
-      .number("reliability", "reliability", part(&BrierParts::reliability))
-      .number("resolution", "resolution", part(&BrierParts::resolution))
-      .number("uncertainty", "uncertainty", part(&BrierParts::uncertainty))
-      .number("within_variance", "within bins: variance", part(&BrierParts::within_variance))
-      .number("within_covariance", "covariance", part(&BrierParts::within_covariance));
+  record.number("score", "Brier score", part(&statistics::BrierParts::score))
+      .number("reliability", "reliability", part(&statistics::BrierParts::reliability))
+      .number("resolution", "resolution", part(&statistics::BrierParts::resolution))
+      .number("uncertainty", "uncertainty", part(&statistics::BrierParts::uncertainty))
+      .number("within_variance",
+              "within bins: variance",
+              part(&statistics::BrierParts::within_variance))
+      .number("within_covariance", "covariance", part(&statistics::BrierParts::within_covariance));
   Table table = std::move(record).table();
   table.footnotes = {
       "Score = reliability - resolution + uncertainty + variance - covariance, exactly; the last "
@@ -118,7 +122,7 @@ Table prediction_table(const CalibrationSource& source) {
 
 }  // namespace
 
-FitReport calibration_report(const ModelCalibration& calibration,
+FitReport calibration_report(const statistics::ModelCalibration& calibration,
                              const CalibrationSource& source,
                              double level) {
   FitReport report;

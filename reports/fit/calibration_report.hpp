@@ -22,7 +22,7 @@ struct CalibrationSource {
   std::string predicted;            ///< The column of given probabilities.
 };
 
-[[nodiscard]] FitReport calibration_report(const ModelCalibration& calibration,
+[[nodiscard]] FitReport calibration_report(const statistics::ModelCalibration& calibration,
                                            const CalibrationSource& source,
                                            double level);
 

@@ -16,16 +16,16 @@ TableCell p_cell(const std::optional<double>& value) {
   return value && !std::isnan(*value) ? TableCell{PValue{*value}} : TableCell{};
 }
 
-TableCell low_cell(const std::optional<Interval>& interval) {
+TableCell low_cell(const std::optional<statistics::Interval>& interval) {
   return interval ? number_cell(interval->low) : TableCell{};
 }
 
-TableCell high_cell(const std::optional<Interval>& interval) {
+TableCell high_cell(const std::optional<statistics::Interval>& interval) {
   return interval ? number_cell(interval->high) : TableCell{};
 }
 
 TableCell estimate_cell(const std::optional<double>& value,
-                        const std::optional<Interval>& interval) {
+                        const std::optional<statistics::Interval>& interval) {
   if (!value) {
     return {};
   }

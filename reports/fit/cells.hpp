@@ -20,12 +20,12 @@ inline constexpr int kShownDigits = 4;
 [[nodiscard]] TableCell integer_cell(std::size_t value);
 [[nodiscard]] TableCell number_cell(const std::optional<double>& value);
 [[nodiscard]] TableCell p_cell(const std::optional<double>& value);
-[[nodiscard]] TableCell low_cell(const std::optional<Interval>& interval);
-[[nodiscard]] TableCell high_cell(const std::optional<Interval>& interval);
+[[nodiscard]] TableCell low_cell(const std::optional<statistics::Interval>& interval);
+[[nodiscard]] TableCell high_cell(const std::optional<statistics::Interval>& interval);
 
 /// The value with its interval, if there is one; missing without a value.
 [[nodiscard]] TableCell estimate_cell(const std::optional<double>& value,
-                                      const std::optional<Interval>& interval);
+                                      const std::optional<statistics::Interval>& interval);
 /// "yes", "no" or missing.
 [[nodiscard]] TableCell yes_or_no_cell(const std::optional<bool>& answer);
 

@@ -6,27 +6,28 @@
 
 namespace tcert {
 
-std::string_view reason_without_estimate(CoefficientKind kind) {
+std::string_view reason_without_estimate(statistics::CoefficientKind kind) {
   switch (kind) {
-    case CoefficientKind::finite:
+    case statistics::CoefficientKind::finite:
       return "";
-    case CoefficientKind::not_estimable:
+    case statistics::CoefficientKind::not_estimable:
       return "not estimable";
-    case CoefficientKind::plus_infinity:
+    case statistics::CoefficientKind::plus_infinity:
       return "+infinity";
-    case CoefficientKind::minus_infinity:
+    case statistics::CoefficientKind::minus_infinity:
       return "-infinity";
-    case CoefficientKind::diverging:
+    case statistics::CoefficientKind::diverging:
       return "diverging";
-    case CoefficientKind::ran_away:
+    case statistics::CoefficientKind::ran_away:
       return "near-separation";
-    case CoefficientKind::unknown:
+    case statistics::CoefficientKind::unknown:
       return "unknown";
   }
   return "";
 }
 
-Table drop_table(const std::vector<DroppedTerm>& dropped, std::string_view deviance_heading) {
+Table drop_table(const std::vector<statistics::DroppedTerm>& dropped,
+                 std::string_view deviance_heading) {
   Table table;
   table.name = "drop1";
   table.title = "Likelihood-ratio test of each term";
@@ -36,7 +37,7 @@ Table drop_table(const std::vector<DroppedTerm>& dropped, std::string_view devia
                    number_column("AIC", "AIC without"),
                    number_column("statistic", "chi-squared"),
                    p_column()};
-  for (const DroppedTerm& one : dropped) {
+  for (const statistics::DroppedTerm& one : dropped) {
     table.add_row({one.term,
                    integer_cell(one.df),
                    number_cell(one.deviance),

@@ -12,10 +12,10 @@
 namespace tcert {
 
 /// "" for a finite coefficient, else why there is no number: "not estimable", "+infinity".
-[[nodiscard]] std::string_view reason_without_estimate(CoefficientKind kind);
+[[nodiscard]] std::string_view reason_without_estimate(statistics::CoefficientKind kind);
 
 /// The table `drop1`. `deviance_heading` says which deviance it is.
-[[nodiscard]] Table drop_table(const std::vector<DroppedTerm>& dropped,
+[[nodiscard]] Table drop_table(const std::vector<statistics::DroppedTerm>& dropped,
                                std::string_view deviance_heading);
 
 }  // namespace tcert

@@ -6,7 +6,7 @@
 namespace tcert {
 namespace {
 
-Table estimate_table(const ConcordanceResult& result, double level) {
+Table estimate_table(const statistics::ConcordanceResult& result, double level) {
   Table table;
   table.name = "concordance";
   table.title = "Concordance C: Pr(the row with the longer time has the better value)";
@@ -30,7 +30,7 @@ Table estimate_table(const ConcordanceResult& result, double level) {
     append_columns(t_columns(false), table.columns);
     table.footnotes.push_back(t_footnote(result.clusters));
   }
-  for (const ConcordanceEstimate& one : result.estimates) {
+  for (const statistics::ConcordanceEstimate& one : result.estimates) {
     std::vector<TableCell> cells{one.name,
                                  number_cell(one.c),
                                  number_cell(one.std_error),
@@ -44,15 +44,16 @@ Table estimate_table(const ConcordanceResult& result, double level) {
                                  number_cell(one.counts.tied_y),
                                  number_cell(one.counts.tied_xy)};
     if (result.clusters > 0) {
-      append_t(
-          clipped(by_cluster_t(one.c, one.std_error, {}, result.clusters, level)), cells, false);
+      append_t(clipped(statistics::by_cluster_t(one.c, one.std_error, {}, result.clusters, level)),
+               cells,
+               false);
     }
     table.add_row(std::move(cells));
   }
   return table;
 }
 
-Table difference_table(const ConcordanceResult& result, double level) {
+Table difference_table(const statistics::ConcordanceResult& result, double level) {
   Table table;
   table.name = "differences";
   table.title = "Paired differences of C";
@@ -67,7 +68,7 @@ Table difference_table(const ConcordanceResult& result, double level) {
   if (result.clusters > 0) {
     append_columns(t_columns(), table.columns);
   }
-  for (const ConcordanceDifference& one : result.differences) {
+  for (const statistics::ConcordanceDifference& one : result.differences) {
     std::vector<TableCell> cells{result.estimates[one.first].name,
                                  result.estimates[one.second].name,
                                  number_cell(one.difference),
@@ -77,7 +78,9 @@ Table difference_table(const ConcordanceResult& result, double level) {
                                  low_cell(one.interval),
                                  high_cell(one.interval)};
     if (result.clusters > 0) {
-      append_t(by_cluster_t(one.difference, one.std_error, one.z, result.clusters, level), cells);
+      append_t(
+          statistics::by_cluster_t(one.difference, one.std_error, one.z, result.clusters, level),
+          cells);
     }
     table.add_row(std::move(cells));
   }
@@ -86,7 +89,7 @@ Table difference_table(const ConcordanceResult& result, double level) {
 
 }  // namespace
 
-FitReport concordance_report(const ConcordanceResult& result, double level) {
+FitReport concordance_report(const statistics::ConcordanceResult& result, double level) {
   FitReport report;
   report.model = "concordance";
   report.tables = {estimate_table(result, level)};
@@ -100,13 +103,13 @@ FitReport concordance_report(const ConcordanceResult& result, double level) {
       .integer("missing", "rows without a predictor", result.missing);
   report.summary = std::move(summary).table();
   std::vector<std::string> names;
-  for (const ConcordanceEstimate& one : result.estimates) {
+  for (const statistics::ConcordanceEstimate& one : result.estimates) {
     names.push_back(one.name);
     report.conditions.insert(report.conditions.end(), one.conditions.begin(), one.conditions.end());
   }
   report.conditions.insert(
       report.conditions.begin(), result.conditions.begin(), result.conditions.end());
-  for (const ConcordanceDifference& one : result.differences) {
+  for (const statistics::ConcordanceDifference& one : result.differences) {
     report.conditions.insert(report.conditions.end(), one.conditions.begin(), one.conditions.end());
   }
   point_to_t(report.conditions);

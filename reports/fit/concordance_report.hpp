@@ -10,6 +10,7 @@
 
 namespace tcert {
 
-[[nodiscard]] FitReport concordance_report(const ConcordanceResult& result, double level);
+[[nodiscard]] FitReport concordance_report(const statistics::ConcordanceResult& result,
+                                           double level);
 
 }  // namespace tcert

@@ -10,7 +10,7 @@
 namespace tcert {
 namespace {
 
-Table coefficient_table(const CoxFit& fit) {
+Table coefficient_table(const statistics::CoxFit& fit) {
   Table table;
   table.name = "coefficients";
   table.title = "Cox model: log hazard ratios";
@@ -31,7 +31,7 @@ Table coefficient_table(const CoxFit& fit) {
     table.footnotes.push_back(t_footnote(fit.clusters));
   }
   append_columns(ratio_columns(hazard_ratio_name(), others), table.columns);
-  for (const CoxCoefficient& one : fit.coefficients) {
+  for (const statistics::CoxCoefficient& one : fit.coefficients) {
     std::vector<TableCell> cells{one.column,
                                  number_cell(one.estimate),
                                  number_cell(one.model_se),
@@ -40,7 +40,8 @@ Table coefficient_table(const CoxFit& fit) {
                                  p_cell(one.p_value),
                                  low_cell(one.interval),
                                  high_cell(one.interval)};
-    const ClusterT by_t = by_cluster_t(one.estimate, one.robust_se, one.z, fit.clusters, fit.level);
+    const statistics::ClusterT by_t =
+        statistics::by_cluster_t(one.estimate, one.robust_se, one.z, fit.clusters, fit.level);
     if (clustered) {
       append_t(by_t, cells);
     }
@@ -56,14 +57,15 @@ Table coefficient_table(const CoxFit& fit) {
 
 void add_test(const std::string& name,
               const std::string& heading,
-              const std::optional<ChiSquareTest>& test,
+              const std::optional<statistics::ChiSquareTest>& test,
               Record& summary) {
   summary.number(
       "statistic." + name, heading, test ? std::optional(test->statistic) : std::nullopt);
   summary.p("p.value." + name, heading + " p", test ? std::optional(test->p_value) : std::nullopt);
 }
 
-Table summary_of(const CoxFit& fit, const std::optional<ConcordanceResult>& concordance) {
+Table summary_of(const statistics::CoxFit& fit,
+                 const std::optional<statistics::ConcordanceResult>& concordance) {
   Record summary("summary", "Fit");
   summary.integer("n", "rows", fit.rows)
       .integer("nevent", "events", fit.events)
@@ -75,16 +77,18 @@ Table summary_of(const CoxFit& fit, const std::optional<ConcordanceResult>& conc
   add_test("sc" + suffix, "score" + rows_independent, fit.score, summary);
   add_test("wald", "Wald", fit.wald, summary);
   add_test("robust", "robust score", fit.robust_score, summary);
-  const ConcordanceEstimate* const c = concordance ? &concordance->estimates.front() : nullptr;
+  const statistics::ConcordanceEstimate* const c =
+      concordance ? &concordance->estimates.front() : nullptr;
   summary.number("concordance", "C", c != nullptr ? c->c : std::nullopt)
       .number("std.error.concordance", "SE of C", c != nullptr ? c->std_error : std::nullopt)
       .number("logLik.null", "null log-likelihood", fit.loglik_null)
       .number("logLik", "log-likelihood", fit.loglik)
       .number("AIC", "AIC", fit.aic)
       .number("BIC", "BIC", fit.bic)
-      .text("ties", "ties", std::string(to_string(fit.ties)))
+      .text("ties", "ties", std::string(statistics::to_string(fit.ties)))
       .text("variance", "variance", fit.robust ? "robust" : "model")
-      .text("termination", "termination", std::string(to_string(fit.summary.termination)))
+      .text(
+          "termination", "termination", std::string(statistics::to_string(fit.summary.termination)))
       .integer("iterations", "iterations", fit.summary.iterations)
       .number("gradient_norm", "gradient norm", fit.summary.gradient_norm)
       .number("last_step", "last step", fit.summary.last_step)
@@ -94,14 +98,15 @@ Table summary_of(const CoxFit& fit, const std::optional<ConcordanceResult>& conc
   return std::move(summary).table();
 }
 
-void append_tests(const ProportionalityTests& tests, bool with_global, Table& table) {
-  const auto append = [&](const std::string& name, const std::optional<ChiSquareTest>& test) {
+void append_tests(const statistics::ProportionalityTests& tests, bool with_global, Table& table) {
+  const auto append = [&](const std::string& name,
+                          const std::optional<statistics::ChiSquareTest>& test) {
     table.add_row({name,
                    test ? number_cell(test->statistic) : TableCell{},
                    test ? integer_cell(test->df) : TableCell{},
                    test ? p_cell(test->p_value) : TableCell{}});
   };
-  for (const ProportionalityTest& part : tests.parts) {
+  for (const statistics::ProportionalityTest& part : tests.parts) {
     append(part.name, part.test);
   }
   if (with_global) {
@@ -122,13 +127,14 @@ Table proportionality_table(std::string name, std::string title) {
 
 }  // namespace
 
-FitReport cox_report(const CoxFit& fit, const std::optional<ConcordanceResult>& concordance) {
+FitReport cox_report(const statistics::CoxFit& fit,
+                     const std::optional<statistics::ConcordanceResult>& concordance) {
   FitReport report;
   report.model = "cox";
   report.tables = {coefficient_table(fit)};
   report.summary = summary_of(fit, concordance);
   std::vector<std::string> names;
-  for (const CoxCoefficient& one : fit.coefficients) {
+  for (const statistics::CoxCoefficient& one : fit.coefficients) {
     names.push_back(one.column);
   }
   const auto p = static_cast<Eigen::Index>(names.size());
@@ -143,12 +149,12 @@ FitReport cox_report(const CoxFit& fit, const std::optional<ConcordanceResult>& 
   return report;
 }
 
-void add_proportionality(const ProportionalityTests& by_term,
-                         const ProportionalityTests& by_column,
+void add_proportionality(const statistics::ProportionalityTests& by_term,
+                         const statistics::ProportionalityTests& by_column,
                          FitReport& report) {
-  Table terms = proportionality_table(
-      "zph",
-      "Test of proportional hazards, time scale " + std::string(to_string(by_term.transform)));
+  Table terms = proportionality_table("zph",
+                                      "Test of proportional hazards, time scale " +
+                                          std::string(statistics::to_string(by_term.transform)));
   append_tests(by_term, true, terms);
   report.tables.push_back(std::move(terms));
   Table columns = proportionality_table("zph_columns", "The same by coefficient");
@@ -158,27 +164,31 @@ void add_proportionality(const ProportionalityTests& by_term,
       report.conditions.end(), by_term.conditions.begin(), by_term.conditions.end());
 }
 
-void add_term_tests(const TermTests& anova, const TermTests& drop1, FitReport& report) {
-  const auto table_of = [](const TermTests& tests, std::string name, std::string title) {
-    Table table = proportionality_table(std::move(name), std::move(title));
-    table.columns.push_back(number_column("logLik", "log-likelihood"));
-    table.columns.push_back(number_column("AIC", "AIC"));
-    for (const TermTest& one : tests.rows) {
-      table.add_row({one.term,
-                     one.test ? number_cell(one.test->statistic) : TableCell{},
-                     one.test ? integer_cell(one.test->df) : TableCell{},
-                     one.test ? p_cell(one.test->p_value) : TableCell{},
-                     number_cell(one.loglik),
-                     number_cell(one.aic)});
-    }
-    return table;
-  };
+void add_term_tests(const statistics::TermTests& anova,
+                    const statistics::TermTests& drop1,
+                    FitReport& report) {
+  const auto table_of =
+      [](const statistics::TermTests& tests, std::string name, std::string title) {
+        Table table = proportionality_table(std::move(name), std::move(title));
+        table.columns.push_back(number_column("logLik", "log-likelihood"));
+        table.columns.push_back(number_column("AIC", "AIC"));
+        for (const statistics::TermTest& one : tests.rows) {
+          table.add_row({one.term,
+                         one.test ? number_cell(one.test->statistic) : TableCell{},
+                         one.test ? integer_cell(one.test->df) : TableCell{},
+                         one.test ? p_cell(one.test->p_value) : TableCell{},
+                         number_cell(one.loglik),
+                         number_cell(one.aic)});
+        }
+        return table;
+      };
   report.tables.push_back(table_of(drop1, "drop1", "Likelihood-ratio test of each term"));
   report.details.push_back(table_of(anova, "anova", "Terms added in turn"));
-  for (const TermTests* const tests : {&anova, &drop1}) {
+  for (const statistics::TermTests* const tests : {&anova, &drop1}) {
     // Without a refit there is no test; the fit itself stands.
-    for (Condition condition : tests->rows.empty() ? tests->conditions : Conditions{}) {
-      condition.severity = std::min(condition.severity, ConditionSeverity::warning);
+    for (statistics::Condition condition :
+         tests->rows.empty() ? tests->conditions : statistics::Conditions{}) {
+      condition.severity = std::min(condition.severity, statistics::ConditionSeverity::warning);
       condition.detail += condition.detail.empty() ? "" : "; ";
       condition.detail += tests == &anova ? "no anova" : "no drop1";
       report.conditions.push_back(std::move(condition));
@@ -186,14 +196,14 @@ void add_term_tests(const TermTests& anova, const TermTests& drop1, FitReport& r
   }
 }
 
-Table baseline_table(const std::vector<BaselineHazard>& hazards) {
+Table baseline_table(const std::vector<statistics::BaselineHazard>& hazards) {
   Table table;
   table.name = "basehaz";
   table.title = "Cumulative baseline hazard, all covariates 0";
   table.columns = {text_column("strata", "stratum"),
                    time_column("time", "time"),
                    number_column("hazard", "hazard")};
-  for (const BaselineHazard& one : hazards) {
+  for (const statistics::BaselineHazard& one : hazards) {
     for (std::size_t i = 0; i < one.time.size(); ++i) {
       const bool is_finite = std::isfinite(one.hazard[i]);
       table.add_row({one.stratum,
@@ -204,7 +214,8 @@ Table baseline_table(const std::vector<BaselineHazard>& hazards) {
   return table;
 }
 
-Table curve_table(const std::vector<CoxCurve>& curves, const std::vector<std::size_t>& rows) {
+Table curve_table(const std::vector<statistics::CoxCurve>& curves,
+                  const std::vector<std::size_t>& rows) {
   Table table;
   table.name = "curves";
   table.title = "Predicted survival";
@@ -215,7 +226,7 @@ Table curve_table(const std::vector<CoxCurve>& curves, const std::vector<std::si
                    number_column("std.error", "SE"),
                    number_column("conf.low", "low"),
                    number_column("conf.high", "high")};
-  for (const CoxCurve& one : curves) {
+  for (const statistics::CoxCurve& one : curves) {
     for (std::size_t i = 0; i < one.time.size(); ++i) {
       table.add_row({integer_cell(rows[one.row]),
                      one.stratum,
@@ -229,7 +240,7 @@ Table curve_table(const std::vector<CoxCurve>& curves, const std::vector<std::si
   return table;
 }
 
-Table residual_table(const CoxResiduals& residuals,
+Table residual_table(const statistics::CoxResiduals& residuals,
                      const std::string& word,
                      const std::vector<std::string>& columns,
                      const std::vector<std::size_t>& rows) {

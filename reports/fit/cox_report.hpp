@@ -17,26 +17,28 @@
 namespace tcert {
 
 /// The coefficients, the tests of the whole model, C of the linear predictor if it is there.
-[[nodiscard]] FitReport cox_report(const CoxFit& fit,
-                                   const std::optional<ConcordanceResult>& concordance);
+[[nodiscard]] FitReport cox_report(const statistics::CoxFit& fit,
+                                   const std::optional<statistics::ConcordanceResult>& concordance);
 
 /// The test of proportional hazards, by term and by coefficient.
-void add_proportionality(const ProportionalityTests& by_term,
-                         const ProportionalityTests& by_column,
+void add_proportionality(const statistics::ProportionalityTests& by_term,
+                         const statistics::ProportionalityTests& by_column,
                          FitReport& report);
 
 /// Likelihood-ratio tests: terms added in turn, and each taken out.
-void add_term_tests(const TermTests& anova, const TermTests& drop1, FitReport& report);
+void add_term_tests(const statistics::TermTests& anova,
+                    const statistics::TermTests& drop1,
+                    FitReport& report);
 
-[[nodiscard]] Table baseline_table(const std::vector<BaselineHazard>& hazards);
+[[nodiscard]] Table baseline_table(const std::vector<statistics::BaselineHazard>& hazards);
 
 /// `rows` names the new rows of the curves, counted from 1.
-[[nodiscard]] Table curve_table(const std::vector<CoxCurve>& curves,
+[[nodiscard]] Table curve_table(const std::vector<statistics::CoxCurve>& curves,
                                 const std::vector<std::size_t>& rows);
 
 /// Which residuals: martingale, deviance, score, dfbeta, dfbetas, schoenfeld, scaledsch.
 /// \throws std::invalid_argument for another word, or if the fit has none of that kind.
-[[nodiscard]] Table residual_table(const CoxResiduals& residuals,
+[[nodiscard]] Table residual_table(const statistics::CoxResiduals& residuals,
                                    const std::string& word,
                                    const std::vector<std::string>& columns,
                                    const std::vector<std::size_t>& rows);

@@ -10,15 +10,15 @@
 namespace tcert {
 namespace {
 
-std::optional<double> statistic(const std::optional<ChiSquareTest>& test) {
+std::optional<double> statistic(const std::optional<statistics::ChiSquareTest>& test) {
   return test ? std::optional(test->statistic) : std::nullopt;
 }
 
-std::optional<double> p_value(const std::optional<ChiSquareTest>& test) {
+std::optional<double> p_value(const std::optional<statistics::ChiSquareTest>& test) {
   return test ? std::optional(test->p_value) : std::nullopt;
 }
 
-Table coefficient_table(const FirthFit& fit) {
+Table coefficient_table(const statistics::FirthFit& fit) {
   Table table;
   table.name = "coefficients";
   table.title = "Logistic regression with Firth's penalty: log odds of success";
@@ -33,7 +33,7 @@ Table coefficient_table(const FirthFit& fit) {
   append_columns(profile_columns(), table.columns);
   append_columns(ratio_columns(odds_ratio_name(), {"profile"}), table.columns);
   table.columns.push_back(text_column("kind", ""));
-  for (const FirthCoefficient& one : fit.coefficients) {
+  for (const statistics::FirthCoefficient& one : fit.coefficients) {
     std::vector<TableCell> cells{one.column,
                                  number_cell(one.estimate),
                                  number_cell(one.standard_error),
@@ -55,7 +55,7 @@ Table coefficient_table(const FirthFit& fit) {
   return table;
 }
 
-Table term_table(const FirthFit& fit) {
+Table term_table(const statistics::FirthFit& fit) {
   Table table;
   table.name = "drop1";
   table.title = "Penalised likelihood-ratio test of each term";
@@ -63,7 +63,7 @@ Table term_table(const FirthFit& fit) {
                    integer_column("df", "df"),
                    number_column("statistic", "chi-squared"),
                    p_column()};
-  for (const FirthTerm& one : fit.terms) {
+  for (const statistics::FirthTerm& one : fit.terms) {
     table.add_row({one.term,
                    integer_cell(one.df),
                    number_cell(statistic(one.test)),
@@ -74,7 +74,7 @@ Table term_table(const FirthFit& fit) {
 
 }  // namespace
 
-FitReport firth_report(const FirthFit& fit) {
+FitReport firth_report(const statistics::FirthFit& fit) {
   FitReport report;
   report.model = "glm";
   report.tables = {coefficient_table(fit), term_table(fit)};
@@ -87,14 +87,14 @@ FitReport firth_report(const FirthFit& fit) {
       .integer("df", "df", fit.likelihood_ratio ? fit.likelihood_ratio->df : 0)
       .p("p.value", "p", p_value(fit.likelihood_ratio))
       .text("penalty", "penalty", "Firth")
-      .text("separation", "separation", std::string(to_string(fit.separation)))
-      .text("termination", "termination", std::string(to_string(fit.termination)))
+      .text("separation", "separation", std::string(statistics::to_string(fit.separation)))
+      .text("termination", "termination", std::string(statistics::to_string(fit.termination)))
       .integer("iterations", "iterations", static_cast<std::size_t>(fit.iterations))
       .number("gradient_norm", "gradient norm", fit.gradient_norm)
       .number("last_step", "last step [SE]", fit.last_step);
   report.summary = std::move(summary).table();
   std::vector<std::string> names;
-  for (const FirthCoefficient& one : fit.coefficients) {
+  for (const statistics::FirthCoefficient& one : fit.coefficients) {
     names.push_back(one.column);
   }
   report.details.push_back(

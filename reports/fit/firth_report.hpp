@@ -9,6 +9,6 @@
 namespace tcert {
 
 /// `statistic` and `p.value` are those of the penalised likelihood ratio, not Wald's.
-[[nodiscard]] FitReport firth_report(const FirthFit& fit);
+[[nodiscard]] FitReport firth_report(const statistics::FirthFit& fit);
 
 }  // namespace tcert

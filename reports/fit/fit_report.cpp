@@ -27,7 +27,7 @@ Table name_and_value(const Table& record) {
   return table;
 }
 
-Table conditions_table(const Conditions& conditions) {
+Table conditions_table(const statistics::Conditions& conditions) {
   Table table;
   table.name = "conditions";
   table.title = "Conditions";
@@ -36,24 +36,24 @@ Table conditions_table(const Conditions& conditions) {
                    {"column", "column", "", ColumnKind::text},
                    {"detail", "found", "", ColumnKind::text},
                    {"advice", "what to do", "", ColumnKind::text}};
-  for (const Condition& condition : conditions) {
-    table.add_row({std::string(to_string(condition.severity)),
-                   std::string(words(condition.kind)),
+  for (const statistics::Condition& condition : conditions) {
+    table.add_row({std::string(statistics::to_string(condition.severity)),
+                   std::string(statistics::words(condition.kind)),
                    condition.column,
                    condition.detail,
-                   std::string(advice(condition))});
+                   std::string(statistics::advice(condition))});
   }
   return table;
 }
 
-Json json_of(const Conditions& conditions) {
+Json json_of(const statistics::Conditions& conditions) {
   Json list = Json::array();
-  for (const Condition& condition : conditions) {
-    list.push_back({{"name", name_of(condition.kind)},
-                    {"severity", to_string(condition.severity)},
+  for (const statistics::Condition& condition : conditions) {
+    list.push_back({{"name", statistics::name_of(condition.kind)},
+                    {"severity", statistics::to_string(condition.severity)},
                     {"column", condition.column.empty() ? Json(nullptr) : Json(condition.column)},
                     {"detail", condition.detail},
-                    {"message", to_string(condition)}});
+                    {"message", statistics::to_string(condition)}});
   }
   return list;
 }
@@ -128,7 +128,7 @@ std::vector<std::string> FitReport::table_names() const {
 
 bool has_estimate(const FitReport& report) {
   if (report.tables.empty()) {
-    return !has_error(report.conditions);
+    return !statistics::has_error(report.conditions);
   }
   const Table& main = report.tables.front();
   const auto column_of = [&](std::string_view name) {
@@ -175,7 +175,7 @@ std::string render(const FitReport& report, TableFormat format, std::string_view
   if (format == TableFormat::csv || format == TableFormat::jsonl) {
     return report.tables.empty() ? labelled(report.summary) : labelled(report.tables.front());
   }
-  if (has_error(report.conditions) && !has_number(report)) {
+  if (statistics::has_error(report.conditions) && !has_number(report)) {
     return labelled(conditions_table(report.conditions));
   }
   std::string out;

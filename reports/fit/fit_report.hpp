@@ -19,7 +19,7 @@ struct FitReport {
   Table summary;               ///< One row: n, events, tests of the whole model, how the fit ended.
   std::vector<Table> tables;   ///< For people and programs; the first one is the main table.
   std::vector<Table> details;  ///< For programs: covariances, residuals, curves.
-  Conditions conditions;
+  statistics::Conditions conditions;
   std::optional<SyntheticLabel> synthetic;
 
   /// Null if there is no table of that name.

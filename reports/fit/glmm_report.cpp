@@ -9,21 +9,25 @@
 namespace tcert {
 namespace {
 
-std::optional<Interval> at(const std::vector<std::optional<Interval>>& list, std::size_t k) {
+std::optional<statistics::Interval> at(const std::vector<std::optional<statistics::Interval>>& list,
+                                       std::size_t k) {
   return k < list.size() ? list[k] : std::nullopt;
 }
 
-std::string title_of(const GlmmFit& fit) {
+std::string title_of(const statistics::GlmmFit& fit) {
   return fit.quadrature > 1 ? "Logistic mixed model: log odds of success, adaptive quadrature by " +
                                   std::to_string(fit.quadrature) + " points"
                             : "Logistic mixed model: log odds of success, Laplace";
 }
 
-void add_fixed_rows(const GlmmFit& fit, const GlmmProfile& profile, Table& table) {
+void add_fixed_rows(const statistics::GlmmFit& fit,
+                    const statistics::GlmmProfile& profile,
+                    Table& table) {
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
-    const LogisticCoefficient& one = fit.coefficients[k];
-    const std::optional<Interval> by_profile =
-        one.kind == CoefficientKind::finite ? at(profile.coefficients, k) : std::nullopt;
+    const statistics::LogisticCoefficient& one = fit.coefficients[k];
+    const std::optional<statistics::Interval> by_profile =
+        one.kind == statistics::CoefficientKind::finite ? at(profile.coefficients, k)
+                                                        : std::nullopt;
     std::vector<TableCell> cells{std::string("fixed"),
                                  TableCell{},
                                  one.column,
@@ -47,7 +51,7 @@ void add_fixed_rows(const GlmmFit& fit, const GlmmProfile& profile, Table& table
 void add_parameter_row(const std::string& group,
                        const std::string& name,
                        double value,
-                       const std::optional<Interval>& profile,
+                       const std::optional<statistics::Interval>& profile,
                        Table& table) {
   std::vector<TableCell> row(table.columns.size());
   row[0] = std::string("ran_pars");
@@ -60,9 +64,11 @@ void add_parameter_row(const std::string& group,
   table.add_row(std::move(row));
 }
 
-void add_random_rows(const GlmmFit& fit, const GlmmProfile& profile, Table& table) {
+void add_random_rows(const statistics::GlmmFit& fit,
+                     const statistics::GlmmProfile& profile,
+                     Table& table) {
   for (std::size_t t = 0; t < fit.random.size(); ++t) {
-    const GlmmRandomTerm& term = fit.random[t];
+    const statistics::GlmmRandomTerm& term = fit.random[t];
     for (std::size_t a = 0; a < term.columns.size(); ++a) {
       add_parameter_row(
           term.group, "sd__" + term.columns[a], term.sd[a], at(profile.sds, t), table);
@@ -80,7 +86,7 @@ void add_random_rows(const GlmmFit& fit, const GlmmProfile& profile, Table& tabl
   }
 }
 
-Table coefficient_table(const GlmmFit& fit, const GlmmProfile& profile) {
+Table coefficient_table(const statistics::GlmmFit& fit, const statistics::GlmmProfile& profile) {
   Table table;
   table.name = "coefficients";
   table.title = title_of(fit);
@@ -104,7 +110,7 @@ Table coefficient_table(const GlmmFit& fit, const GlmmProfile& profile) {
 }
 
 /// Half chi-squared with df - 1, half with df degrees of freedom.
-Table boundary_table(const GlmmFit& fit) {
+Table boundary_table(const statistics::GlmmFit& fit) {
   Table table;
   table.name = "random";
   table.title = "Random effects, each against the model without it (on the boundary)";
@@ -115,7 +121,7 @@ Table boundary_table(const GlmmFit& fit) {
                    number_column("statistic", "chi-squared"),
                    number_column("df", "df up to"),
                    p_column()};
-  for (const GlmmRandomTerm& term : fit.random) {
+  for (const statistics::GlmmRandomTerm& term : fit.random) {
     const auto& test = term.test;
     table.add_row({term.group,
                    integer_cell(term.levels.size()),
@@ -128,7 +134,7 @@ Table boundary_table(const GlmmFit& fit) {
   return table;
 }
 
-Table mode_table(const GlmmFit& fit) {
+Table mode_table(const statistics::GlmmFit& fit) {
   Table table;
   table.name = "ran_vals";
   table.title = "Conditional modes of the random effects";
@@ -138,7 +144,7 @@ Table mode_table(const GlmmFit& fit) {
                    text_column("term", "term"),
                    number_column("estimate", "mode"),
                    number_column("std.error", "SD")};
-  for (const GlmmRandomTerm& term : fit.random) {
+  for (const statistics::GlmmRandomTerm& term : fit.random) {
     for (std::size_t level = 0; level < term.levels.size(); ++level) {
       for (std::size_t k = 0; k < term.columns.size(); ++k) {
         const auto row = static_cast<Eigen::Index>(level);
@@ -155,13 +161,13 @@ Table mode_table(const GlmmFit& fit) {
   return table;
 }
 
-std::optional<double> residual_df(const GlmmFit& fit) {
+std::optional<double> residual_df(const statistics::GlmmFit& fit) {
   return fit.log_likelihood
              ? std::optional(static_cast<double>(fit.rows) - static_cast<double>(fit.parameters))
              : std::nullopt;
 }
 
-Table summary_table(const GlmmFit& fit) {
+Table summary_table(const statistics::GlmmFit& fit) {
   Record summary("summary", "Fit");
   summary.integer("nobs", "rows", fit.rows)
       .integer("nAGQ", "quadrature points", static_cast<std::size_t>(fit.quadrature))
@@ -176,7 +182,7 @@ Table summary_table(const GlmmFit& fit) {
       .number("R2_marginal", "marginal R2", fit.r2_marginal)
       .number("R2_conditional", "conditional R2", fit.r2_conditional)
       .text("singular", "singular", fit.singular ? "yes" : "no")
-      .text("termination", "termination", std::string(to_string(fit.termination)))
+      .text("termination", "termination", std::string(statistics::to_string(fit.termination)))
       .integer("iterations", "iterations", static_cast<std::size_t>(fit.iterations))
       .integer("evaluations", "evaluations", static_cast<std::size_t>(fit.evaluations))
       .number("gradient_norm", "largest gradient", fit.gradient_norm)
@@ -187,9 +193,9 @@ Table summary_table(const GlmmFit& fit) {
 
 }  // namespace
 
-FitReport glmm_report(const GlmmFit& fit,
-                      const GlmmProfile& profile,
-                      const std::vector<DroppedTerm>& dropped) {
+FitReport glmm_report(const statistics::GlmmFit& fit,
+                      const statistics::GlmmProfile& profile,
+                      const std::vector<statistics::DroppedTerm>& dropped) {
   FitReport report;
   report.model = "glmm";
   report.summary = summary_table(fit);
@@ -198,7 +204,7 @@ FitReport glmm_report(const GlmmFit& fit,
     report.tables.push_back(drop_table(dropped, "-2 log-likelihood without"));
   }
   std::vector<std::string> names;
-  for (const LogisticCoefficient& one : fit.coefficients) {
+  for (const statistics::LogisticCoefficient& one : fit.coefficients) {
     names.push_back(one.column);
   }
   if (fit.covariance.rows() == static_cast<Eigen::Index>(names.size())) {

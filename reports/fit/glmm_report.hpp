@@ -12,8 +12,8 @@
 namespace tcert {
 
 /// `profile` and `dropped` are empty if they were not asked for.
-[[nodiscard]] FitReport glmm_report(const GlmmFit& fit,
-                                    const GlmmProfile& profile,
-                                    const std::vector<DroppedTerm>& dropped);
+[[nodiscard]] FitReport glmm_report(const statistics::GlmmFit& fit,
+                                    const statistics::GlmmProfile& profile,
+                                    const std::vector<statistics::DroppedTerm>& dropped);
 
 }  // namespace tcert

@@ -8,7 +8,7 @@
 namespace tcert {
 namespace {
 
-std::string open_words(const ProfileLimits& limits) {
+std::string open_words(const statistics::ProfileLimits& limits) {
   if (limits.open_low && limits.open_high) {
     return "no limits";
   }
@@ -38,7 +38,8 @@ TableCell ratio_cell(const std::optional<double>& log_ratio) {
   return number_cell(log_ratio ? std::optional(std::exp(*log_ratio)) : std::nullopt);
 }
 
-void append_ratios(const std::optional<Interval>& log_ratio, std::vector<TableCell>& cells) {
+void append_ratios(const std::optional<statistics::Interval>& log_ratio,
+                   std::vector<TableCell>& cells) {
   cells.push_back(ratio_cell(log_ratio ? std::optional(log_ratio->low) : std::nullopt));
   cells.push_back(ratio_cell(log_ratio ? std::optional(log_ratio->high) : std::nullopt));
 }
@@ -49,14 +50,14 @@ std::vector<Column> profile_columns() {
           text_column("profile.open", "open end")};
 }
 
-void append_profile(const ProfileLimits& limits, std::vector<TableCell>& cells) {
+void append_profile(const statistics::ProfileLimits& limits, std::vector<TableCell>& cells) {
   cells.push_back(number_cell(limits.low));
   cells.push_back(number_cell(limits.high));
   cells.emplace_back(open_words(limits));
 }
 
-ProfileLimits limits_of(const std::optional<Interval>& profile) {
-  ProfileLimits limits;
+statistics::ProfileLimits limits_of(const std::optional<statistics::Interval>& profile) {
+  statistics::ProfileLimits limits;
   if (profile) {
     limits.low = profile->low;
     limits.high = profile->high;
@@ -72,7 +73,7 @@ std::vector<Column> t_columns(bool with_p) {
   return columns;
 }
 
-void append_t(const ClusterT& by_t, std::vector<TableCell>& cells, bool with_p) {
+void append_t(const statistics::ClusterT& by_t, std::vector<TableCell>& cells, bool with_p) {
   if (with_p) {
     cells.push_back(p_cell(by_t.p_value));
   }
@@ -80,7 +81,7 @@ void append_t(const ClusterT& by_t, std::vector<TableCell>& cells, bool with_p) 
   cells.push_back(high_cell(by_t.interval));
 }
 
-ClusterT clipped(ClusterT by_t) {
+statistics::ClusterT clipped(statistics::ClusterT by_t) {
   if (by_t.interval) {
     by_t.interval->low = std::max(0.0, by_t.interval->low);
     by_t.interval->high = std::min(1.0, by_t.interval->high);
@@ -97,11 +98,11 @@ std::string t_footnote(std::size_t clusters) {
          "them.";
 }
 
-void point_to_t(Conditions& conditions) {
-  for (Condition& condition : conditions) {
-    if (condition.kind == ConditionKind::few_clusters && condition.advice.empty()) {
+void point_to_t(statistics::Conditions& conditions) {
+  for (statistics::Condition& condition : conditions) {
+    if (condition.kind == statistics::ConditionKind::few_clusters && condition.advice.empty()) {
       condition.advice =
-          condition.severity == ConditionSeverity::note
+          condition.severity == statistics::ConditionSeverity::note
               ? "intervals by the normal distribution tend to be too narrow; those by t stand "
                 "beside them"
               : "intervals and p by the normal distribution are not to be believed; read those by "

@@ -37,25 +37,27 @@ struct RatioName {
 /// exp of an end; missing if it is, or if it is too large to be a number.
 [[nodiscard]] TableCell ratio_cell(const std::optional<double>& log_ratio);
 /// exp of both ends.
-void append_ratios(const std::optional<Interval>& log_ratio, std::vector<TableCell>& cells);
+void append_ratios(const std::optional<statistics::Interval>& log_ratio,
+                   std::vector<TableCell>& cells);
 
 /// profile.low, profile.high, profile.open.
 [[nodiscard]] std::vector<Column> profile_columns();
-void append_profile(const ProfileLimits& limits, std::vector<TableCell>& cells);
-[[nodiscard]] ProfileLimits limits_of(const std::optional<Interval>& profile);
+void append_profile(const statistics::ProfileLimits& limits, std::vector<TableCell>& cells);
+[[nodiscard]] statistics::ProfileLimits limits_of(
+    const std::optional<statistics::Interval>& profile);
 
 /// t.p.value, t.low, t.high; without the p for what has no test.
 [[nodiscard]] std::vector<Column> t_columns(bool with_p = true);
-void append_t(const ClusterT& by_t, std::vector<TableCell>& cells, bool with_p = true);
+void append_t(const statistics::ClusterT& by_t, std::vector<TableCell>& cells, bool with_p = true);
 
 /// The interval within [0, 1], as that of a probability.
-[[nodiscard]] ClusterT clipped(ClusterT by_t);
+[[nodiscard]] statistics::ClusterT clipped(statistics::ClusterT by_t);
 
 /// What the t columns are.
 [[nodiscard]] std::string t_footnote(std::size_t clusters);
 
 /// Few clusters are pointed to the t columns.
-void point_to_t(Conditions& conditions);
+void point_to_t(statistics::Conditions& conditions);
 
 void append_columns(const std::vector<Column>& more, std::vector<Column>& columns);
 

@@ -7,9 +7,12 @@
 namespace tcert {
 namespace {
 
-bool is_robust(const LogisticFit& fit) { return fit.variance == CoefficientVariance::robust; }
+bool is_robust(const statistics::LogisticFit& fit) {
+  return fit.variance == statistics::CoefficientVariance::robust;
+}
 
-Table coefficient_table(const LogisticFit& fit, const std::vector<ProfileLimits>& profiles) {
+Table coefficient_table(const statistics::LogisticFit& fit,
+                        const std::vector<statistics::ProfileLimits>& profiles) {
   Table table;
   table.name = "coefficients";
   table.title = "Logistic regression: log odds of success";
@@ -32,10 +35,11 @@ Table coefficient_table(const LogisticFit& fit, const std::vector<ProfileLimits>
   append_columns(ratio_columns(odds_ratio_name(), others), table.columns);
   table.columns.push_back(text_column("kind", ""));
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
-    const LogisticCoefficient& one = fit.coefficients[k];
-    const ProfileLimits profile = k < profiles.size() ? profiles[k] : ProfileLimits{};
-    const ClusterT by_t =
-        by_cluster_t(one.estimate, one.standard_error, one.z, fit.clusters, fit.options.level);
+    const statistics::LogisticCoefficient& one = fit.coefficients[k];
+    const statistics::ProfileLimits profile =
+        k < profiles.size() ? profiles[k] : statistics::ProfileLimits{};
+    const statistics::ClusterT by_t = statistics::by_cluster_t(
+        one.estimate, one.standard_error, one.z, fit.clusters, fit.options.level);
     std::vector<TableCell> cells{one.column,
                                  number_cell(one.estimate),
                                  number_cell(one.standard_error),
@@ -62,7 +66,7 @@ Table coefficient_table(const LogisticFit& fit, const std::vector<ProfileLimits>
   return table;
 }
 
-std::optional<double> df_null(const LogisticFit& fit) {
+std::optional<double> df_null(const statistics::LogisticFit& fit) {
   const bool intercept =
       !fit.coefficients.empty() && fit.coefficients.front().column == "(Intercept)";
   return fit.rows == 0 ? std::nullopt
@@ -71,9 +75,9 @@ std::optional<double> df_null(const LogisticFit& fit) {
 
 }  // namespace
 
-FitReport logistic_report(const LogisticFit& fit,
-                          const std::vector<ProfileLimits>& profiles,
-                          const std::vector<DroppedTerm>& dropped) {
+FitReport logistic_report(const statistics::LogisticFit& fit,
+                          const std::vector<statistics::ProfileLimits>& profiles,
+                          const std::vector<statistics::DroppedTerm>& dropped) {
   FitReport report;
   report.model = "glm";
   report.tables = {coefficient_table(fit, profiles)};
@@ -101,15 +105,15 @@ FitReport logistic_report(const LogisticFit& fit,
       .text("variance", "variance", is_robust(fit) ? "robust" : "model")
       .text("termination",
             "termination",
-            has_error(fit.conditions) && !fit.log_likelihood && fit.iterations == 0
+            statistics::has_error(fit.conditions) && !fit.log_likelihood && fit.iterations == 0
                 ? "no fit"
-                : std::string(to_string(fit.termination)))
+                : std::string(statistics::to_string(fit.termination)))
       .integer("iterations", "iterations", static_cast<std::size_t>(fit.iterations))
       .number("gradient_norm", "gradient norm", fit.gradient_norm)
       .number("last_step", "last step [SE]", fit.last_step);
   report.summary = std::move(summary).table();
   std::vector<std::string> names;
-  for (const LogisticCoefficient& one : fit.coefficients) {
+  for (const statistics::LogisticCoefficient& one : fit.coefficients) {
     names.push_back(one.column);
   }
   if (fit.covariance.rows() == static_cast<Eigen::Index>(names.size())) {

@@ -14,8 +14,8 @@ namespace tcert {
 /// `profiles` holds the limits of each coefficient, or is empty if none was asked for. With a
 /// robust variance there is no table of likelihood-ratio tests: they take the rows to be
 /// independent.
-[[nodiscard]] FitReport logistic_report(const LogisticFit& fit,
-                                        const std::vector<ProfileLimits>& profiles,
-                                        const std::vector<DroppedTerm>& dropped);
+[[nodiscard]] FitReport logistic_report(const statistics::LogisticFit& fit,
+                                        const std::vector<statistics::ProfileLimits>& profiles,
+                                        const std::vector<statistics::DroppedTerm>& dropped);
 
 }  // namespace tcert

@@ -12,11 +12,11 @@ std::optional<double> root(const std::optional<double>& variance) {
   return variance ? std::optional(std::sqrt(*variance)) : std::nullopt;
 }
 
-bool is_clustered(const JointAuc& joint) { return joint.markers.front().clusters > 0; }
+bool is_clustered(const statistics::JointAuc& joint) { return joint.markers.front().clusters > 0; }
 
 Table auc_table(const std::vector<std::string>& names,
-                const JointAuc& joint,
-                const std::vector<RocCurve>& curves,
+                const statistics::JointAuc& joint,
+                const std::vector<statistics::RocCurve>& curves,
                 const std::optional<PartialRange>& partial) {
   Table table;
   table.name = "auc";
@@ -38,7 +38,7 @@ Table auc_table(const std::vector<std::string>& names,
     table.columns.push_back(number_column("partial.corrected", "corrected"));
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const AucEstimate& one = joint.markers[k];
+    const statistics::AucEstimate& one = joint.markers[k];
     std::vector<TableCell> cells{names[k],
                                  number_cell(one.auc),
                                  number_cell(root(one.variance)),
@@ -46,12 +46,14 @@ Table auc_table(const std::vector<std::string>& names,
                                  high_cell(one.interval),
                                  number_cell(one.variance)};
     if (is_clustered(joint)) {
-      append_t(clipped(by_cluster_t(one.auc, root(one.variance), {}, one.clusters, joint.level)),
+      append_t(clipped(statistics::by_cluster_t(
+                   one.auc, root(one.variance), {}, one.clusters, joint.level)),
                cells,
                false);
     }
     if (partial) {
-      const PartialAuc area = partial_auc(curves[k], partial->low, partial->high, partial->focus);
+      const statistics::PartialAuc area =
+          statistics::partial_auc(curves[k], partial->low, partial->high, partial->focus);
       cells.push_back(number_cell(area.area));
       cells.push_back(number_cell(area.corrected));
     }
@@ -62,8 +64,8 @@ Table auc_table(const std::vector<std::string>& names,
 
 /// Every pair; its conditions go to the report.
 Table difference_table(const std::vector<std::string>& names,
-                       const JointAuc& joint,
-                       Conditions& conditions) {
+                       const statistics::JointAuc& joint,
+                       statistics::Conditions& conditions) {
   Table table;
   table.name = "differences";
   table.title = "Paired differences of AUC";
@@ -80,7 +82,7 @@ Table difference_table(const std::vector<std::string>& names,
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = i + 1; j < names.size(); ++j) {
-      const AucDifference one = auc_contrast(joint, i, j);
+      const statistics::AucDifference one = statistics::auc_contrast(joint, i, j);
       std::vector<TableCell> cells{names[i],
                                    names[j],
                                    number_cell(one.difference),
@@ -90,13 +92,14 @@ Table difference_table(const std::vector<std::string>& names,
                                    low_cell(one.interval),
                                    high_cell(one.interval)};
       if (is_clustered(joint)) {
-        append_t(by_cluster_t(one.difference, root(one.variance), one.z, one.clusters, joint.level),
+        append_t(statistics::by_cluster_t(
+                     one.difference, root(one.variance), one.z, one.clusters, joint.level),
                  cells);
       }
       table.add_row(std::move(cells));
-      for (Condition condition : one.conditions) {
-        if (condition.kind == ConditionKind::same_ranking ||
-            condition.kind == ConditionKind::zero_variance) {
+      for (statistics::Condition condition : one.conditions) {
+        if (condition.kind == statistics::ConditionKind::same_ranking ||
+            condition.kind == statistics::ConditionKind::zero_variance) {
           condition.column = names[i] + ", " + names[j];
           conditions.push_back(std::move(condition));
         }
@@ -106,7 +109,8 @@ Table difference_table(const std::vector<std::string>& names,
   return table;
 }
 
-Table threshold_table(const std::vector<std::string>& names, const std::vector<RocCurve>& curves) {
+Table threshold_table(const std::vector<std::string>& names,
+                      const std::vector<statistics::RocCurve>& curves) {
   Table table;
   table.name = "thresholds";
   table.title = "Best thresholds, chosen and measured on the same rows";
@@ -119,9 +123,12 @@ Table threshold_table(const std::vector<std::string>& names, const std::vector<R
                    number_column("ppv", "PPV"),
                    number_column("npv", "NPV")};
   for (std::size_t k = 0; k < names.size(); ++k) {
-    for (const BestBy criterion : {BestBy::youden, BestBy::closest_topleft}) {
-      const std::string word = criterion == BestBy::youden ? "youden" : "closest.topleft";
-      for (const RocThreshold& best : best_thresholds(curves[k], criterion)) {
+    for (const statistics::BestBy criterion :
+         {statistics::BestBy::youden, statistics::BestBy::closest_topleft}) {
+      const std::string word =
+          criterion == statistics::BestBy::youden ? "youden" : "closest.topleft";
+      for (const statistics::RocThreshold& best :
+           statistics::best_thresholds(curves[k], criterion)) {
         table.add_row({names[k],
                        word,
                        number_cell(best.point.threshold),
@@ -136,7 +143,8 @@ Table threshold_table(const std::vector<std::string>& names, const std::vector<R
   return table;
 }
 
-Table point_table(const std::vector<std::string>& names, const std::vector<RocCurve>& curves) {
+Table point_table(const std::vector<std::string>& names,
+                  const std::vector<statistics::RocCurve>& curves) {
   Table table;
   table.name = "points";
   table.title = "ROC curve";
@@ -145,7 +153,7 @@ Table point_table(const std::vector<std::string>& names, const std::vector<RocCu
                    number_column("sensitivity", "sensitivity"),
                    number_column("specificity", "specificity")};
   for (std::size_t k = 0; k < names.size(); ++k) {
-    for (const RocPoint& point : curves[k].points) {
+    for (const statistics::RocPoint& point : curves[k].points) {
       table.add_row({names[k],
                      number_cell(point.threshold),
                      number_cell(point.sensitivity),
@@ -158,15 +166,15 @@ Table point_table(const std::vector<std::string>& names, const std::vector<RocCu
 }  // namespace
 
 FitReport roc_report(const std::vector<std::string>& names,
-                     const JointAuc& joint,
-                     const std::vector<RocCurve>& curves,
+                     const statistics::JointAuc& joint,
+                     const std::vector<statistics::RocCurve>& curves,
                      const std::optional<PartialRange>& partial) {
   FitReport report;
   report.model = "roc";
   for (std::size_t k = 0; k < names.size(); ++k) {
-    for (Condition condition : joint.markers[k].conditions) {
-      const bool of_marker =
-          condition.kind == ConditionKind::all_tied || condition.kind == ConditionKind::separated;
+    for (statistics::Condition condition : joint.markers[k].conditions) {
+      const bool of_marker = condition.kind == statistics::ConditionKind::all_tied ||
+                             condition.kind == statistics::ConditionKind::separated;
       if (of_marker || k == 0) {
         condition.column = of_marker ? names[k] : condition.column;
         report.conditions.push_back(std::move(condition));
@@ -179,7 +187,7 @@ FitReport roc_report(const std::vector<std::string>& names,
   }
   report.tables.push_back(threshold_table(names, curves));
   point_to_t(report.conditions);
-  const AucEstimate& first = joint.markers.front();
+  const statistics::AucEstimate& first = joint.markers.front();
   Record summary("summary", "Rows");
   summary.integer("nobs", "rows", first.successes + first.failures)
       .integer("successes", "successes", first.successes)

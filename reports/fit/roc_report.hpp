@@ -14,15 +14,15 @@ namespace tcert {
 
 /// Part of an axis that a partial area is taken over.
 struct PartialRange {
-  RocFocus focus = RocFocus::specificity;
+  statistics::RocFocus focus = statistics::RocFocus::specificity;
   double low = 0.9;
   double high = 1.0;
 };
 
 /// One name and one curve a marker of `joint`.
 [[nodiscard]] FitReport roc_report(const std::vector<std::string>& names,
-                                   const JointAuc& joint,
-                                   const std::vector<RocCurve>& curves,
+                                   const statistics::JointAuc& joint,
+                                   const std::vector<statistics::RocCurve>& curves,
                                    const std::optional<PartialRange>& partial);
 
 }  // namespace tcert

@@ -36,7 +36,7 @@ std::vector<double> shown_times(const SurvivalReportOptions& options,
   }
   std::vector<double> times;
   for (const double share : kShownShares) {
-    if (const auto time = quantile(event_times, share)) {
+    if (const auto time = statistics::quantile(event_times, share)) {
       const double shown = rounded(*time);
       if (shown < options.limit.value_or(std::numeric_limits<double>::infinity())) {
         times.push_back(shown);
@@ -51,11 +51,11 @@ std::vector<double> shown_times(const SurvivalReportOptions& options,
 }
 
 /// Of every group; all times if there is no event.
-std::vector<double> event_times(const std::vector<SurvivalCurve>& curves) {
+std::vector<double> event_times(const std::vector<statistics::SurvivalCurve>& curves) {
   std::vector<double> times;
   std::vector<double> all;
-  for (const SurvivalCurve& curve : curves) {
-    for (const SurvivalPoint& point : curve.points) {
+  for (const statistics::SurvivalCurve& curve : curves) {
+    for (const statistics::SurvivalPoint& point : curve.points) {
       all.push_back(point.time);
       if (point.events > 0.0) {
         times.push_back(point.time);
@@ -65,12 +65,12 @@ std::vector<double> event_times(const std::vector<SurvivalCurve>& curves) {
   return times.empty() ? all : times;
 }
 
-std::vector<double> event_times(const std::vector<IncidenceCurves>& groups) {
+std::vector<double> event_times(const std::vector<statistics::IncidenceCurves>& groups) {
   std::vector<double> times;
   std::vector<double> all;
-  for (const IncidenceCurves& curves : groups) {
+  for (const statistics::IncidenceCurves& curves : groups) {
     all.insert(all.end(), curves.time.begin(), curves.time.end());
-    for (const IncidenceCurve& curve : curves.causes) {
+    for (const statistics::IncidenceCurve& curve : curves.causes) {
       for (std::size_t k = 0; k < curves.time.size(); ++k) {
         if (curve.events[k] > 0.0) {
           times.push_back(curves.time[k]);
@@ -81,7 +81,8 @@ std::vector<double> event_times(const std::vector<IncidenceCurves>& groups) {
   return times.empty() ? all : times;
 }
 
-Table group_table(const std::vector<SurvivalCurve>& curves, const SurvivalReportOptions& options) {
+Table group_table(const std::vector<statistics::SurvivalCurve>& curves,
+                  const SurvivalReportOptions& options) {
   Table table;
   table.name = "groups";
   table.title = "Time to the event, by group";
@@ -94,14 +95,15 @@ Table group_table(const std::vector<SurvivalCurve>& curves, const SurvivalReport
                    number_column("rmean", "restricted mean"),
                    number_column("rmean.std.error", "SE"),
                    time_column("rmean.limit", "up to")};
-  const double limit = common_limit(curves);
-  for (const SurvivalCurve& curve : curves) {
+  const double limit = statistics::common_limit(curves);
+  for (const statistics::SurvivalCurve& curve : curves) {
     double events = 0.0;
-    for (const SurvivalPoint& point : curve.points) {
+    for (const statistics::SurvivalPoint& point : curve.points) {
       events += point.events;
     }
-    const SurvivalQuantile median = survival_quantile(curve, 0.5, options.scale, options.level);
-    const RestrictedMean mean = restricted_mean(curve, limit);
+    const statistics::SurvivalQuantile median =
+        statistics::survival_quantile(curve, 0.5, options.scale, options.level);
+    const statistics::RestrictedMean mean = statistics::restricted_mean(curve, limit);
     table.add_row({name_of(curve.group),
                    integer_cell(curve.rows),
                    number_cell(events),
@@ -131,11 +133,11 @@ std::vector<Column> curve_columns() {
 
 void add_point(const std::string& group,
                double time,
-               const SurvivalPoint& point,
+               const statistics::SurvivalPoint& point,
                const SurvivalReportOptions& options,
                Table& table) {
-  const Interval interval =
-      survival_interval(point.survival, point.log_std_error, options.scale, options.level);
+  const statistics::Interval interval = statistics::survival_interval(
+      point.survival, point.log_std_error, options.scale, options.level);
   table.add_row({name_of(group),
                  number_cell(time),
                  number_cell(point.at_risk),
@@ -150,27 +152,29 @@ void add_point(const std::string& group,
 }
 
 /// The curves just after each time, with the weight still at risk there.
-Table times_table(const std::vector<SurvivalCurve>& curves, const SurvivalReportOptions& options) {
+Table times_table(const std::vector<statistics::SurvivalCurve>& curves,
+                  const SurvivalReportOptions& options) {
   Table table;
   table.name = "times";
   table.title = "Survival at chosen times: the share without the event";
   table.columns = curve_columns();
   const std::vector<double> times = shown_times(options, event_times(curves));
-  for (const SurvivalCurve& curve : curves) {
+  for (const statistics::SurvivalCurve& curve : curves) {
     for (const double shown : times) {
       const double time = curve.time_near(shown);
-      SurvivalPoint point;
-      if (const SurvivalPoint* const last = curve.at(time)) {
+      statistics::SurvivalPoint point;
+      if (const statistics::SurvivalPoint* const last = curve.at(time)) {
         point = *last;
       }
       point.events = point.censored = point.at_risk = 0.0;
-      for (const SurvivalPoint& one : curve.points) {
+      for (const statistics::SurvivalPoint& one : curve.points) {
         point.events += one.time <= time ? one.events : 0.0;
         point.censored += one.time <= time ? one.censored : 0.0;
       }
-      const auto next = std::find_if(curve.points.begin(),
-                                     curve.points.end(),
-                                     [&](const SurvivalPoint& one) { return one.time >= time; });
+      const auto next = std::find_if(
+          curve.points.begin(), curve.points.end(), [&](const statistics::SurvivalPoint& one) {
+            return one.time >= time;
+          });
       point.at_risk = next == curve.points.end() ? 0.0 : next->at_risk;
       add_point(curve.group, shown, point, options, table);
     }
@@ -180,20 +184,21 @@ Table times_table(const std::vector<SurvivalCurve>& curves, const SurvivalReport
   return table;
 }
 
-Table all_points(const std::vector<SurvivalCurve>& curves, const SurvivalReportOptions& options) {
+Table all_points(const std::vector<statistics::SurvivalCurve>& curves,
+                 const SurvivalReportOptions& options) {
   Table table;
   table.name = "curve";
   table.title = "Kaplan-Meier curve";
   table.columns = curve_columns();
-  for (const SurvivalCurve& curve : curves) {
-    for (const SurvivalPoint& point : curve.points) {
+  for (const statistics::SurvivalCurve& curve : curves) {
+    for (const statistics::SurvivalPoint& point : curve.points) {
       add_point(curve.group, point.time, point, options, table);
     }
   }
   return table;
 }
 
-Table test_table(const LogRankTest& test) {
+Table test_table(const statistics::LogRankTest& test) {
   Table table;
   table.name = "logrank";
   table.title = "Log-rank test, rho = " + significant(test.rho, kShownDigits);
@@ -201,7 +206,7 @@ Table test_table(const LogRankTest& test) {
                    integer_column("records", "rows"),
                    number_column("observed", "observed"),
                    number_column("expected", "expected")};
-  for (const LogRankGroup& group : test.groups) {
+  for (const statistics::LogRankGroup& group : test.groups) {
     table.add_row({group.group,
                    integer_cell(group.rows),
                    number_cell(group.observed),
@@ -222,7 +227,7 @@ std::vector<Column> incidence_columns() {
 }
 
 /// Weight at risk just before `time`.
-double at_risk_before(const IncidenceCurves& curves, double time) {
+double at_risk_before(const statistics::IncidenceCurves& curves, double time) {
   const auto next =
       std::lower_bound(curves.time.begin(), curves.time.end(), curves.time_near(time));
   return next == curves.time.end()
@@ -231,8 +236,8 @@ double at_risk_before(const IncidenceCurves& curves, double time) {
 }
 
 /// The state after point `at`; before the first point nothing has happened.
-void add_incidence_row(const IncidenceCurves& curves,
-                       const IncidenceCurve& curve,
+void add_incidence_row(const statistics::IncidenceCurves& curves,
+                       const statistics::IncidenceCurve& curve,
                        double time,
                        std::size_t at,
                        const SurvivalReportOptions& options,
@@ -248,8 +253,8 @@ void add_incidence_row(const IncidenceCurves& curves,
   if (before || p == 0.0) {
     cells.insert(cells.end(), 2, TableCell{});
   } else {
-    const Interval interval =
-        survival_interval(p, curve.std_error[at] / p, options.scale, options.level);
+    const statistics::Interval interval =
+        statistics::survival_interval(p, curve.std_error[at] / p, options.scale, options.level);
     cells.push_back(number_cell(interval.low));
     cells.push_back(number_cell(interval.high));
   }
@@ -258,15 +263,15 @@ void add_incidence_row(const IncidenceCurves& curves,
 
 }  // namespace
 
-FitReport survival_report(const std::vector<SurvivalCurve>& curves,
-                          const std::optional<LogRankTest>& test,
+FitReport survival_report(const std::vector<statistics::SurvivalCurve>& curves,
+                          const std::optional<statistics::LogRankTest>& test,
                           const SurvivalReportOptions& options) {
   FitReport report;
   report.model = "km";
   report.tables = {group_table(curves, options), times_table(curves, options)};
   report.details = {all_points(curves, options)};
   std::size_t rows = 0;
-  for (const SurvivalCurve& curve : curves) {
+  for (const statistics::SurvivalCurve& curve : curves) {
     rows += curve.rows;
     report.conditions.insert(
         report.conditions.end(), curve.conditions.begin(), curve.conditions.end());
@@ -280,14 +285,14 @@ FitReport survival_report(const std::vector<SurvivalCurve>& curves,
         .number("rho", "rho", test->rho);
     report.tables.push_back(test_table(*test));
     std::vector<std::string> names;
-    for (const LogRankGroup& group : test->groups) {
+    for (const statistics::LogRankGroup& group : test->groups) {
       names.push_back(group.group);
     }
     report.details.push_back(matrix_table(
         "logrank_vcov", "Covariance of observed less expected", names, test->covariance));
     // Without a test the curves still stand.
-    for (Condition condition : test->conditions) {
-      condition.severity = std::min(condition.severity, ConditionSeverity::warning);
+    for (statistics::Condition condition : test->conditions) {
+      condition.severity = std::min(condition.severity, statistics::ConditionSeverity::warning);
       condition.detail = "no log-rank test";
       report.conditions.push_back(std::move(condition));
     }
@@ -296,7 +301,7 @@ FitReport survival_report(const std::vector<SurvivalCurve>& curves,
   return report;
 }
 
-void add_incidence(const std::vector<IncidenceCurves>& curves,
+void add_incidence(const std::vector<statistics::IncidenceCurves>& curves,
                    const SurvivalReportOptions& options,
                    FitReport& report) {
   const std::vector<double> times = shown_times(options, event_times(curves));
@@ -306,8 +311,8 @@ void add_incidence(const std::vector<IncidenceCurves>& curves,
   shown.columns = incidence_columns();
   Table all = shown;
   all.name = "incidence_curve";
-  for (const IncidenceCurves& group : curves) {
-    for (const IncidenceCurve& curve : group.causes) {
+  for (const statistics::IncidenceCurves& group : curves) {
+    for (const statistics::IncidenceCurve& curve : group.causes) {
       for (const double time : times) {
         add_incidence_row(group, curve, time, group.index_at(time), options, shown);
       }
@@ -315,11 +320,12 @@ void add_incidence(const std::vector<IncidenceCurves>& curves,
         add_incidence_row(group, curve, group.time[i], i, options, all);
       }
     }
-    for (const Condition& condition : group.conditions) {
+    for (const statistics::Condition& condition : group.conditions) {
       // The survival curve of the same group has said most of them.
-      const bool known = std::any_of(report.conditions.begin(),
-                                     report.conditions.end(),
-                                     [&](const Condition& one) { return one == condition; });
+      const bool known =
+          std::any_of(report.conditions.begin(),
+                      report.conditions.end(),
+                      [&](const statistics::Condition& one) { return one == condition; });
       if (!known) {
         report.conditions.push_back(condition);
       }

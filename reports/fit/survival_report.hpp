@@ -13,7 +13,7 @@
 namespace tcert {
 
 struct SurvivalReportOptions {
-  IntervalScale scale = IntervalScale::log;
+  statistics::IntervalScale scale = statistics::IntervalScale::log;
   double level = 0.95;
   std::vector<double> times;  ///< At which the curves are shown; empty: five quantiles of the event
                               ///< times, rounded.
@@ -22,12 +22,12 @@ struct SurvivalReportOptions {
 
 /// Events and medians by group, the curves at `times`, every point as a detail, the test if there
 /// are groups to compare.
-[[nodiscard]] FitReport survival_report(const std::vector<SurvivalCurve>& curves,
-                                        const std::optional<LogRankTest>& test,
+[[nodiscard]] FitReport survival_report(const std::vector<statistics::SurvivalCurve>& curves,
+                                        const std::optional<statistics::LogRankTest>& test,
                                         const SurvivalReportOptions& options);
 
 /// Adds the cumulative incidence of each cause at `times`, and every point as a detail.
-void add_incidence(const std::vector<IncidenceCurves>& curves,
+void add_incidence(const std::vector<statistics::IncidenceCurves>& curves,
                    const SurvivalReportOptions& options,
                    FitReport& report);
 

@@ -107,7 +107,7 @@ Json parameter_rows(const Settings& parameters) {
   for (const auto& [key, value] : parameters) {
     std::string unit;
     std::string doc;
-    for (const ParameterInfo& info : parameter_table()) {
+    for (const study::ParameterInfo& info : study::parameter_table()) {
       if (info.key == key) {
         unit = info.unit;
         doc = info.doc;

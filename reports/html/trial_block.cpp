@@ -21,8 +21,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpeedWindowS = 1.0;
 constexpr double kMillimetre = 1000.0;
 
-NumberOptions series_options() {
-  NumberOptions options;
+table::NumberOptions series_options() {
+  table::NumberOptions options;
   for (const std::string& name : page_series_columns()) {
     const bool required = name != "gated_speed_mps" && name != "left_m" && name != "right_m";
     options.columns.push_back({name, required, true});
@@ -32,7 +32,7 @@ NumberOptions series_options() {
 
 double seconds(std::int64_t time_ns) { return static_cast<double>(time_ns) * 1e-9; }
 
-std::vector<double> column_of(const NumberTable& series, std::string_view name) {
+std::vector<double> column_of(const table::NumberTable& series, std::string_view name) {
   std::vector<double> values(series.rows(), kNan);
   for (std::size_t c = 0; c < page_series_columns().size(); ++c) {
     if (page_series_columns()[c] == name && series.present[c] != 0) {
@@ -44,7 +44,7 @@ std::vector<double> column_of(const NumberTable& series, std::string_view name) 
   return values;
 }
 
-std::vector<double> speeds(const NumberTable& series) {
+std::vector<double> speeds(const table::NumberTable& series) {
   const std::vector<double> travel = column_of(series, "travel_m");
   std::vector<double> speed(series.rows(), kNan);
   std::size_t from = 0;
@@ -61,7 +61,7 @@ std::vector<double> speeds(const NumberTable& series) {
   return speed;
 }
 
-std::vector<double> page_column(const NumberTable& series, std::string_view name) {
+std::vector<double> page_column(const table::NumberTable& series, std::string_view name) {
   if (name == "time_s") {
     std::vector<double> values;
     for (const std::int64_t time_ns : series.time_ns) {
@@ -116,7 +116,7 @@ Json json_region(const std::optional<Region>& region) {
 }
 
 /// Where the free width ends on either side of the robot, at the ticks that are shown.
-Json json_felt(const NumberTable& series, const std::vector<std::size_t>& kept) {
+Json json_felt(const table::NumberTable& series, const std::vector<std::size_t>& kept) {
   const std::vector<double> x = column_of(series, "x_m");
   const std::vector<double> y = column_of(series, "y_m");
   const std::vector<double> yaw = column_of(series, "yaw_rad");
@@ -135,7 +135,7 @@ Json json_felt(const NumberTable& series, const std::vector<std::size_t>& kept) 
 }
 
 Json json_map(const TrialMap& map,
-              const NumberTable& series,
+              const table::NumberTable& series,
               const std::vector<std::size_t>& kept) {
   Json json;
   json["edges"] = Json::array();
@@ -232,22 +232,22 @@ std::string_view decimation_rule() noexcept {
          "margins to a tenth of a millimetre. The CSV files have every tick in full precision.";
 }
 
-std::optional<NumberTable> read_page_series(const Bytes& bytes,
-                                            const std::string& file,
-                                            std::string& problem) {
-  CsvOptions csv;
+std::optional<table::NumberTable> read_page_series(const table::Bytes& bytes,
+                                                   const std::string& file,
+                                                   std::string& problem) {
+  table::CsvOptions csv;
   csv.file = file;
-  DiagnosticGroups problems;
-  auto series = read_numbers(bytes, csv, series_options(), problems);
-  const std::vector<Diagnostic> found = problems.take();
-  if (!series || series->rows() == 0 || has_error(found)) {
-    problem = found.empty() ? file + ": no ticks" : to_string(found.front());
+  table::DiagnosticGroups problems;
+  auto series = table::read_numbers(bytes, csv, series_options(), problems);
+  const std::vector<table::Diagnostic> found = problems.take();
+  if (!series || series->rows() == 0 || table::has_error(found)) {
+    problem = found.empty() ? file + ": no ticks" : table::to_string(found.front());
     return std::nullopt;
   }
   return series;
 }
 
-std::string trial_block(const NumberTable& series,
+std::string trial_block(const table::NumberTable& series,
                         const TrialMap& map,
                         const std::string& facts,
                         std::size_t limit) {

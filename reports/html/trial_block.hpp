@@ -59,14 +59,14 @@ struct TrialMap {
 
 /// The columns of a series file that the page shows. Empty iff the file cannot be used; then
 /// `problem` says why.
-[[nodiscard]] std::optional<NumberTable> read_page_series(const Bytes& bytes,
-                                                          const std::string& file,
-                                                          std::string& problem);
+[[nodiscard]] std::optional<table::NumberTable> read_page_series(const table::Bytes& bytes,
+                                                                 const std::string& file,
+                                                                 std::string& problem);
 
 /// packed() JSON of a trial, at most `limit` ticks of it (kept_ticks()). The place of issuance is
 /// the first tick with issued = 1; the extreme ticks of every column are exact to 1/scale. \pre
 /// `series` is of read_page_series() and has a row.
-[[nodiscard]] std::string trial_block(const NumberTable& series,
+[[nodiscard]] std::string trial_block(const table::NumberTable& series,
                                       const TrialMap& map,
                                       const std::string& facts,
                                       std::size_t limit);

@@ -81,8 +81,8 @@ Json json_spark(const Sparkline& spark, double& low, double& high) {
 
 }  // namespace
 
-TrialList::TrialList(const std::optional<TextTable>& features,
-                     const std::optional<TextTable>& certificates)
+TrialList::TrialList(const std::optional<table::TextTable>& features,
+                     const std::optional<table::TextTable>& certificates)
     : features_(features), certificates_(certificates) {
   if (!features && !certificates) {
     throw std::invalid_argument("a list of trials needs features or certificates");
@@ -94,7 +94,7 @@ TrialList::TrialList(const std::optional<TextTable>& features,
       row_of.emplace(certificates->at(r, id), r);
     }
   }
-  const TextTable& lead = features ? *features : *certificates;
+  const table::TextTable& lead = features ? *features : *certificates;
   const std::size_t id = lead.find("trial_id").value();
   for (std::size_t r = 0; r < lead.rows(); ++r) {
     ids_.push_back(lead.at(r, id));
@@ -153,7 +153,7 @@ std::string TrialList::facts(std::size_t trial) const {
   return words + ".";
 }
 
-Sparkline sparkline(const NumberTable& series) {
+Sparkline sparkline(const table::NumberTable& series) {
   const auto& columns = page_series_columns();
   const auto position = [&](std::string_view name) {
     return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -

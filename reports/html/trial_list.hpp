@@ -15,7 +15,8 @@ namespace tcert {
 class TrialList {
  public:
   /// Either may be missing, not both. Trials are in the order of the features.
-  TrialList(const std::optional<TextTable>& features, const std::optional<TextTable>& certificates);
+  TrialList(const std::optional<table::TextTable>& features,
+            const std::optional<table::TextTable>& certificates);
 
   [[nodiscard]] std::size_t size() const noexcept { return ids_.size(); }
   [[nodiscard]] const std::string& id(std::size_t trial) const { return ids_[trial]; }
@@ -30,8 +31,8 @@ class TrialList {
   [[nodiscard]] std::string facts(std::size_t trial) const;
 
  private:
-  std::optional<TextTable> features_;
-  std::optional<TextTable> certificates_;
+  std::optional<table::TextTable> features_;
+  std::optional<table::TextTable> certificates_;
   std::vector<std::string> ids_;
   std::vector<std::size_t> certificate_rows_;  ///< By trial; kNoRow if it has none.
 };
@@ -44,7 +45,7 @@ inline constexpr std::size_t kSparkPoints = 40;
 
 /// T_t where it is issued, before that V_t, at `kSparkPoints` times from the first tick to the
 /// last.
-[[nodiscard]] Sparkline sparkline(const NumberTable& series);
+[[nodiscard]] Sparkline sparkline(const table::NumberTable& series);
 
 /// packed() JSON: columns that hold anything, a row a trial, sparklines (none if `sparks` is
 /// empty). Numbers as the files have them, to the digits that the page shows.

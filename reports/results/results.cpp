@@ -108,8 +108,8 @@ bool feeds(const Result& writer, const Result& reader) {
          (writer.kind == ResultKind::replays && reader.kind == ResultKind::h3);
 }
 
-Bytes bytes_of_file(const fs::path& path) {
-  BytesResult file = read_raw_file(path);
+table::Bytes bytes_of_file(const fs::path& path) {
+  table::BytesResult file = table::read_raw_file(path);
   if (!file.bytes) {
     throw MissingResult("cannot read '" + path.string() + "': " + file.problem);
   }
@@ -139,7 +139,7 @@ Results read_results(const fs::path& folder) {
   if (results.all.empty()) {
     std::vector<fs::path> parts;
     for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.is_directory() && !is_temporary_name(entry.path().filename().native())) {
+      if (entry.is_directory() && !table::is_temporary_name(entry.path().filename().native())) {
         parts.push_back(entry.path());
       }
     }
@@ -187,16 +187,16 @@ std::optional<Table> result_table(const Result& result, std::string_view name) {
   }
 }
 
-std::optional<DataTable> result_data(const Result& result, std::string_view file) {
+std::optional<table::DataTable> result_data(const Result& result, std::string_view file) {
   const fs::path path = result.folder / file;
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
     return std::nullopt;
   }
-  DataTableResult read = read_data_table(path);
+  table::DataTableResult read = table::read_data_table(path);
   if (!read.table) {
     throw MissingResult(read.diagnostics.empty() ? "cannot read '" + path.string() + "'"
-                                                 : to_string(read.diagnostics.front()));
+                                                 : table::to_string(read.diagnostics.front()));
   }
   return std::move(read.table);
 }

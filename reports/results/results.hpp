@@ -75,6 +75,7 @@ void require_same_inputs(const Results& results);
 
 /// A CSV file of the result, its label line skipped; empty if it is not there. \throws
 /// MissingResult.
-[[nodiscard]] std::optional<DataTable> result_data(const Result& result, std::string_view file);
+[[nodiscard]] std::optional<table::DataTable> result_data(const Result& result,
+                                                          std::string_view file);
 
 }  // namespace tcert

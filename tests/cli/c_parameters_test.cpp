@@ -19,10 +19,10 @@ TEST(CParameters, AreAllThatTheLiveLoopHas) {
   const std::string header{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   ASSERT_FALSE(header.empty());
   int found = 0;
-  for (const ParameterInfo& parameter : parameter_table()) {
+  for (const study::ParameterInfo& parameter : study::parameter_table()) {
     const bool of_live_loop =
-        parameter.stage == Stage::certify ||
-        (parameter.stage == Stage::control && !begins_with(parameter.key, "route_") &&
+        parameter.stage == study::Stage::certify ||
+        (parameter.stage == study::Stage::control && !begins_with(parameter.key, "route_") &&
          !begins_with(parameter.key, "replay_"));
     if (of_live_loop) {
       EXPECT_NE(header.find(" " + std::string(parameter.key) + ";"), std::string::npos)

@@ -247,11 +247,11 @@ TEST_F(ResultsTree, IsDrawnTheSameTwice) {
 }
 
 TEST_F(ResultsTree, DrawsRocCurvesWhoseAreasAreTheAucsOfTheTable) {
-  const DataTable roc = *read_data_table(work->path() / "made/h1/h1_roc.csv").table;
-  const DataTable h1 = *read_data_table(work->path() / "made/h1/h1.csv").table;
-  const auto key = [](const DataTable& table, std::size_t row) {
-    const Factor& panel = table.find("panel")->text;
-    const Factor& predictor = table.find("predictor")->text;
+  const table::DataTable roc = *table::read_data_table(work->path() / "made/h1/h1_roc.csv").table;
+  const table::DataTable h1 = *table::read_data_table(work->path() / "made/h1/h1.csv").table;
+  const auto key = [](const table::DataTable& table, std::size_t row) {
+    const table::Factor& panel = table.find("panel")->text;
+    const table::Factor& predictor = table.find("predictor")->text;
     return panel.levels[panel.codes[row]] + '/' + predictor.levels[predictor.codes[row]];
   };
   std::map<std::string, double> area;
@@ -270,13 +270,13 @@ TEST_F(ResultsTree, DrawsRocCurvesWhoseAreasAreTheAucsOfTheTable) {
 }
 
 TEST_F(ResultsTree, KeepsTheGraphOfEveryTrial) {
-  const DataTable certificates =
-      *read_data_table(work->path() / "made/certificates/certificates.csv").table;
-  const DataColumn& ids = *certificates.find("trial_id");
+  const table::DataTable certificates =
+      *table::read_data_table(work->path() / "made/certificates/certificates.csv").table;
+  const table::DataColumn& ids = *certificates.find("trial_id");
   for (std::size_t row = 0; row < certificates.rows; ++row) {
     const std::string& id = ids.text.levels[ids.text.codes[row]];
-    const DataTable edges =
-        *read_data_table(work->path() / "made/certificates/edges" / (id + ".csv")).table;
+    const table::DataTable edges =
+        *table::read_data_table(work->path() / "made/certificates/edges" / (id + ".csv")).table;
     EXPECT_EQ(static_cast<double>(edges.rows), certificates.find("edges")->numbers[row]) << id;
     const double bottleneck = certificates.find("bottleneck_edge")->numbers[row];
     if (!std::isnan(bottleneck)) {

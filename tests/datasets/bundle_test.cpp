@@ -33,16 +33,16 @@ constexpr const char* kFull = R"({
   "parameters": {"edge_length_m": 1.5, "curvature": "none"}
 })";
 
-Messages messages(std::vector<Diagnostic> diagnostics) {
+Messages messages(std::vector<table::Diagnostic> diagnostics) {
   Messages out;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    out.push_back(to_string(diagnostic));
+  for (const table::Diagnostic& diagnostic : diagnostics) {
+    out.push_back(table::to_string(diagnostic));
   }
   return out;
 }
 
 Messages json_problems(std::string_view text) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   const auto info = parse_bundle_json(text, problems);
   Messages all = messages(problems.take());
   EXPECT_EQ(info.has_value(), all.empty());
@@ -55,7 +55,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 }
 
 TEST(ParseBundleJson, ReadsEveryKey) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   const auto info = parse_bundle_json(kFull, problems);
   ASSERT_TRUE(info) << ::testing::PrintToString(messages(problems.take()));
   EXPECT_TRUE(info->synthetic);
@@ -73,7 +73,7 @@ TEST(ParseBundleJson, ReadsEveryKey) {
 }
 
 TEST(ParseBundleJson, TakesDefaultsForWhatIsOptional) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   const auto info = parse_bundle_json(kSmallest, problems);
   ASSERT_TRUE(info);
   EXPECT_EQ(info->robot.body_width_m, 0.45);
@@ -82,7 +82,7 @@ TEST(ParseBundleJson, TakesDefaultsForWhatIsOptional) {
 }
 
 TEST(ParseBundleJson, ReadsBackWhatItWrites) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   for (const char* text : {kSmallest, kFull}) {
     const std::string written = to_bundle_json(*parse_bundle_json(text, problems));
     EXPECT_EQ(to_bundle_json(*parse_bundle_json(written, problems)), written);

@@ -20,9 +20,9 @@ constexpr std::size_t kFront = 2;
 
 std::vector<std::string> warnings(const TickTable& ticks, const Robot& robot = corpus_robot()) {
   std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : check_rays(robot, {}, ticks, "logs/t")) {
-    EXPECT_EQ(diagnostic.severity, Severity::warning);
-    found.push_back(to_string(diagnostic));
+  for (const table::Diagnostic& diagnostic : check_rays(robot, {}, ticks, "logs/t")) {
+    EXPECT_EQ(diagnostic.severity, table::Severity::warning);
+    found.push_back(table::to_string(diagnostic));
   }
   return found;
 }

@@ -43,7 +43,7 @@ TEST(SimulateCorpus, ReadsBackAsItWasSimulatedWithoutADiagnostic) {
   simulate_corpus(path, options);
   const BundleResult result = open_bundle(path);
   ASSERT_TRUE(result.bundle);
-  EXPECT_TRUE(result.diagnostics.empty()) << to_string(result.diagnostics.front());
+  EXPECT_TRUE(result.diagnostics.empty()) << table::to_string(result.diagnostics.front());
   ASSERT_EQ(result.bundle->trials.size(), options.subset.size());
   EXPECT_TRUE(result.bundle->info.synthetic);
   EXPECT_EQ(result.bundle->info.seed, 7U);
@@ -58,7 +58,7 @@ TEST(SimulateCorpus, ReadsBackAsItWasSimulatedWithoutADiagnostic) {
     EXPECT_EQ(row.end_reason, made.row.end_reason);
     const TrialResult read = read_trial(*result.bundle, row);
     ASSERT_TRUE(read.log);
-    EXPECT_TRUE(read.diagnostics.empty()) << to_string(read.diagnostics.front());
+    EXPECT_TRUE(read.diagnostics.empty()) << table::to_string(read.diagnostics.front());
     EXPECT_EQ(read.log->pose.time_ns, made.log.pose.time_ns);
     EXPECT_EQ(read.log->tactile.time_ns, made.log.tactile.time_ns);
     EXPECT_EQ(read.log->control.speed_cmd_mps, made.log.control.speed_cmd_mps);
@@ -122,7 +122,7 @@ TEST(SimulateMicroStudy, ReadsBackWithItsColumns) {
   simulate_micro_study(folder.path() / "gates", 1);
   const BundleResult result = open_bundle(folder.path() / "gates");
   ASSERT_TRUE(result.bundle);
-  EXPECT_TRUE(result.diagnostics.empty()) << to_string(result.diagnostics.front());
+  EXPECT_TRUE(result.diagnostics.empty()) << table::to_string(result.diagnostics.front());
   EXPECT_EQ(result.bundle->trials.size(), 60U);
   EXPECT_EQ(result.bundle->extra_columns,
             (std::vector<std::string>{"true_margin_m", "gate_width_m", "entry_side"}));

@@ -129,7 +129,7 @@ TEST(TentacleSensors, ReadClearanceWithinTheDeclaredNoise) {
   world.bounds = {{-2.0, -2.0}, {40.0, 2.0}};
   world.obstacles = {Polygon{{{-2.0, 0.35}, {40.0, 0.35}, {40.0, 1.0}, {-2.0, 1.0}}}};
   const WallIndex walls(world, 0.7);
-  TentacleSensors sensors(0.004, RandomStream(5, 1, 1));
+  TentacleSensors sensors(0.004, table::RandomStream(5, 1, 1));
   const Ray& left = corpus_robot().rays[0];
   std::vector<double> errors;
   int glitches = 0;
@@ -174,7 +174,7 @@ TEST(TentacleSensors, LetGoAtTheFirstSampleWithoutAWall) {
                      wall(1.0, 2.0, reach - 0.005),
                      wall(2.0, 3.0, reach - 0.001)};
   const WallIndex walls(world, 0.7);
-  TentacleSensors sensors(0.0, RandomStream(6, 1, 1));
+  TentacleSensors sensors(0.0, table::RandomStream(6, 1, 1));
   constexpr double kAhead = 0.16;  // of both mounts
   constexpr double kStep = 0.008;
   for (int i = 0; i < 600; ++i) {

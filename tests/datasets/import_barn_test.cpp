@@ -18,11 +18,11 @@ constexpr std::string_view kMetrics =
     "1,2.25,5,4,3,1.5\n"
     "2,nan,5,4,3,1.5\n";
 
-TextTable table(std::string_view text) {
-  DiagnosticGroups problems;
-  CsvOptions csv;
+table::TextTable table(std::string_view text) {
+  table::DiagnosticGroups problems;
+  table::CsvOptions csv;
   csv.file = "test.csv";
-  return read_text_table(Bytes::copy_of(text), csv, {}, problems).value();
+  return table::read_text_table(table::Bytes::copy_of(text), csv, {}, problems).value();
 }
 
 BarnImportResult import_of(std::string_view trials, const BarnImportOptions& options = {}) {
@@ -30,9 +30,10 @@ BarnImportResult import_of(std::string_view trials, const BarnImportOptions& opt
 }
 
 bool says(const BarnImportResult& result, const std::string& line) {
-  return std::any_of(result.diagnostics.begin(),
-                     result.diagnostics.end(),
-                     [&](const Diagnostic& diagnostic) { return to_string(diagnostic) == line; });
+  return std::any_of(
+      result.diagnostics.begin(),
+      result.diagnostics.end(),
+      [&](const table::Diagnostic& diagnostic) { return table::to_string(diagnostic) == line; });
 }
 
 TEST(ImportBarn, ReadsTheOutcomeAsEveryOtherTableDoes) {
@@ -137,10 +138,10 @@ TEST(ImportBarn, NamesMissingColumns) {
 
 TEST(ImportBarn, ReadsThePublicOutcomes) {
   const auto folder = test_support::shared_data();
-  const auto read = [&](const char* name) { return read_text_table(folder / name); };
-  const TextTableResult metrics = read("barn-worlds/difficulty_metrics.csv");
-  const TextTableResult planners = read("barn-trials/trials.csv");
-  const TextTableResult dated = read("barn-trials/mlda_dated.csv");
+  const auto read = [&](const char* name) { return table::read_text_table(folder / name); };
+  const table::TextTableResult metrics = read("barn-worlds/difficulty_metrics.csv");
+  const table::TextTableResult planners = read("barn-trials/trials.csv");
+  const table::TextTableResult dated = read("barn-trials/mlda_dated.csv");
   if (!metrics.table || !planners.table || !dated.table) {
     GTEST_SKIP() << "no real data: the CSV files of " << folder << " are missing";
   }

@@ -18,10 +18,10 @@ namespace {
 using Messages = std::vector<std::string>;
 using test_support::TemporaryFolder;
 
-Messages messages(const std::vector<Diagnostic>& diagnostics) {
+Messages messages(const std::vector<table::Diagnostic>& diagnostics) {
   Messages out;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    out.push_back(to_string(diagnostic));
+  for (const table::Diagnostic& diagnostic : diagnostics) {
+    out.push_back(table::to_string(diagnostic));
   }
   return out;
 }
@@ -36,8 +36,8 @@ constexpr const char* kLog =
     "ODOM 9 9 9 0 0 0 4 host 4\n";
 
 CarmenLog read(std::string_view text, Messages& problems) {
-  DiagnosticGroups groups;
-  CarmenLog log = read_carmen_log(Bytes::copy_of(text), "a.log", groups);
+  table::DiagnosticGroups groups;
+  CarmenLog log = read_carmen_log(table::Bytes::copy_of(text), "a.log", groups);
   problems = messages(groups.take());
   return log;
 }
@@ -170,10 +170,10 @@ TEST(ImportCarmen, ReadsTheIntelResearchLabLog) {
   ASSERT_TRUE(opened.bundle);
   const TrialResult trial = read_trial(*opened.bundle, opened.bundle->trials[0]);
   ASSERT_TRUE(trial.log);
-  EXPECT_TRUE(trial.diagnostics.empty()) << to_string(trial.diagnostics.front());
+  EXPECT_TRUE(trial.diagnostics.empty()) << table::to_string(trial.diagnostics.front());
   EXPECT_EQ(trial.log->merged->size(), 906U);
   const TrialCheckResult checked = check_trial(*opened.bundle, opened.bundle->trials[0]);
-  EXPECT_TRUE(checked.diagnostics.empty()) << to_string(checked.diagnostics.front());
+  EXPECT_TRUE(checked.diagnostics.empty()) << table::to_string(checked.diagnostics.front());
 }
 
 }  // namespace

@@ -9,13 +9,13 @@ namespace tcert {
 namespace {
 
 TerrainFileResult read(std::string_view text, TerrainHeader header = TerrainHeader::detect) {
-  return read_terrain(Bytes::copy_of(text), {"t.csv", header});
+  return read_terrain(table::Bytes::copy_of(text), {"t.csv", header});
 }
 
 std::string problems(const TerrainFileResult& result) {
   std::string text;
-  for (const Diagnostic& diagnostic : result.diagnostics) {
-    text += to_string(diagnostic) + '\n';
+  for (const table::Diagnostic& diagnostic : result.diagnostics) {
+    text += table::to_string(diagnostic) + '\n';
   }
   return text;
 }
@@ -104,7 +104,7 @@ TEST(TerrainFile, TakesWhatIsNoNumberForAGap) {
 TEST(TerrainFile, RecognisesNodataFarOutsideTheOtherValues) {
   const auto with = [](const std::string& nodata, NodataRule rule = {}) {
     const std::string text = "1200,1210,1190\n1205," + nodata + ",1195\n1201,1202," + nodata + "\n";
-    return read_terrain(Bytes::copy_of(text), {"t.csv", TerrainHeader::detect, {}, rule});
+    return read_terrain(table::Bytes::copy_of(text), {"t.csv", TerrainHeader::detect, {}, rule});
   };
   for (const char* nodata : {"-9999",
                              "-32768",
@@ -235,7 +235,7 @@ TEST(TerrainFile, RefusesPointsThatFormNoLattice) {
   ASSERT_TRUE(strip.terrain) << problems(strip);
   EXPECT_EQ(3, strip.terrain->columns);
   TerrainFileOptions grid{"t.csv", TerrainHeader::detect, TerrainFormat::grid, {}};
-  EXPECT_EQ(20, read_terrain(Bytes::copy_of(points(',', false, "")), grid).terrain->rows);
+  EXPECT_EQ(20, read_terrain(table::Bytes::copy_of(points(',', false, "")), grid).terrain->rows);
 }
 
 TEST(TerrainFile, ReadsEsriGrids) {

@@ -94,9 +94,9 @@ TEST(TicksCsv, ReadsBackBitForBitAsAFileAndLineByLine) {
     SCOPED_TRACE(round);
     const TickTable ticks = random_ticks(random, 50, round % 2 == 0, round % 3 == 0);
     const std::string text = to_ticks_csv(robot, ticks);
-    DiagnosticGroups problems;
-    const auto read = read_ticks_csv(Bytes::copy_of(text), robot, {}, 1.0, problems);
-    ASSERT_TRUE(read) << to_string(problems.take().front());
+    table::DiagnosticGroups problems;
+    const auto read = read_ticks_csv(table::Bytes::copy_of(text), robot, {}, 1.0, problems);
+    ASSERT_TRUE(read) << table::to_string(problems.take().front());
     ASSERT_EQ(read->size(), ticks.size());
     EXPECT_EQ(to_ticks_csv(robot, *read), text);
 
@@ -108,7 +108,7 @@ TEST(TicksCsv, ReadsBackBitForBitAsAFileAndLineByLine) {
       const std::size_t line_end = text.find('\n', line_begin) + 1;
       const auto line =
           parser.parse(std::string_view(text).substr(line_begin, line_end - line_begin), i + 2);
-      ASSERT_TRUE(line) << to_string(parser.problems().front());
+      ASSERT_TRUE(line) << table::to_string(parser.problems().front());
       expect_same_tick(line->tick, ticks[i]);
       EXPECT_TRUE(same_bits(line->speed_cmd_mps, ticks.speed_cmd_mps[i]));
       line_begin = line_end;
@@ -117,9 +117,10 @@ TEST(TicksCsv, ReadsBackBitForBitAsAFileAndLineByLine) {
 }
 
 TEST(TicksCsv, RefusesTimesThatDoNotIncrease) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   EXPECT_FALSE(read_ticks_csv(
-      Bytes::copy_of("time_s,x_m,y_m,yaw_rad,left_bend_rad,b0_range_m\n1,0,0,0,0,0\n1,0,0,0,0,0\n"),
+      table::Bytes::copy_of(
+          "time_s,x_m,y_m,yaw_rad,left_bend_rad,b0_range_m\n1,0,0,0,0,0\n1,0,0,0,0,0\n"),
       robot_of_two(),
       {},
       1.0,
@@ -136,14 +137,14 @@ struct Parsed {
 Parsed parse(TickLineParser& parser, std::string_view text, std::size_t line = 2) {
   Parsed parsed;
   parsed.good = parser.parse(text, line).has_value();
-  for (const Diagnostic& diagnostic : parser.problems()) {
-    parsed.messages.push_back(to_string(diagnostic));
+  for (const table::Diagnostic& diagnostic : parser.problems()) {
+    parsed.messages.push_back(table::to_string(diagnostic));
   }
   return parsed;
 }
 
 TEST(TickLineParser, NamesAllThatIsWrongWithALineAndGoesOn) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   TickLineParser parser(robot_of_two(), kHeader, {}, problems);
   EXPECT_EQ(
       parse(parser, "0,a,0,,1,1,1\n").messages,
@@ -159,7 +160,7 @@ TEST(TickLineParser, NamesAllThatIsWrongWithALineAndGoesOn) {
 }
 
 TEST(TickLineParser, AllocatesNothingForAGoodCsvLine) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   TickLineParser parser(robot_of_two(), kHeader, {}, problems);
   ASSERT_TRUE(parser.parse("0.123456789,1.25,0.12345678901234567,0,1,1,1\n", 2));
   const std::size_t before = test_support::allocation_count();
@@ -170,7 +171,7 @@ TEST(TickLineParser, AllocatesNothingForAGoodCsvLine) {
 }
 
 TEST(TickLineParser, SkipsBlankAndCommentLinesWithoutAProblem) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   TickLineParser parser(robot_of_two(), kHeader, {}, problems);
   for (const char* text : {"", "\n", "  \r\n", "# pause"}) {
     const Parsed parsed = parse(parser, text);
@@ -180,7 +181,7 @@ TEST(TickLineParser, SkipsBlankAndCommentLinesWithoutAProblem) {
 }
 
 TEST(TickLineParser, StartsASegmentAfterAGapAsAFileDoes) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   TickLineParser parser(robot_of_two(), kHeader, {"stdin", 0.5}, problems);
   EXPECT_FALSE(parser.parse("0,0,0,0,1,1,1", 2)->tick.segment_start);
   EXPECT_FALSE(parser.parse("0.5,0,0,0,1,1,1", 3)->tick.segment_start);
@@ -188,7 +189,7 @@ TEST(TickLineParser, StartsASegmentAfterAGapAsAFileDoes) {
 }
 
 TEST(TickLineParser, ReadsMissingReadingsAndTruthValuesAsEveryTableDoes) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   TickLineParser parser(robot_of_two(),
                         "time_s,x_m,y_m,yaw_rad,left_bend_rad,b0_range_m,stale,segment_start\n",
                         {},
@@ -207,7 +208,7 @@ TEST(TickLineParser, ReadsMissingReadingsAndTruthValuesAsEveryTableDoes) {
 }
 
 TEST(TickLineParser, IsNotReadyWithoutTheColumns) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   const TickLineParser parser(
       robot_of_two(), "time_s,x_m,y_m,yaw_rad,left_bend_rad\n", {}, problems);
   EXPECT_FALSE(parser.ready());
@@ -215,14 +216,14 @@ TEST(TickLineParser, IsNotReadyWithoutTheColumns) {
 }
 
 TEST(TickLineParser, ReadsJsonLinesToTheNanosecond) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   const std::string first =
       R"({"time_s":1727800000.123456789,"x_m":0.1,"y_m":-2,"yaw_rad":0,"left_bend_rad":null,)"
       R"("left_fsr_n":1.5,"stale":true})";
   TickLineParser parser(robot_of_two(), first, {}, problems);
   EXPECT_EQ(parser.format(), TickLineFormat::json_lines);
   const auto line = parser.parse(first, 1);
-  ASSERT_TRUE(line) << to_string(parser.problems().front());
+  ASSERT_TRUE(line) << table::to_string(parser.problems().front());
   EXPECT_EQ(line->tick.time_ns, 1'727'800'000'123'456'789);
   EXPECT_EQ(line->tick.pose.position, (Point{0.1, -2}));
   EXPECT_TRUE(std::isnan(line->tick.rays[0].value));
@@ -232,7 +233,7 @@ TEST(TickLineParser, ReadsJsonLinesToTheNanosecond) {
 }
 
 TEST(TickLineParser, NamesAllThatIsWrongWithAJsonLine) {
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   TickLineParser parser(robot_of_two(), "{}", {}, problems);
   EXPECT_EQ(parse(parser, R"({"time_s":"now","x_m":1e999,"y_m":0,"yaw":1,"stale":2})").messages,
             (std::vector<std::string>{

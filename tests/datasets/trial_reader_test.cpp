@@ -38,10 +38,10 @@ class ReadTrial : public ::testing::Test {
   Messages read(bool repair = false) {
     TrialResult result = read_trial(bundle_, trial_, {repair});
     log_ = std::move(result.log);
-    EXPECT_EQ(log_.has_value(), !has_error(result.diagnostics));
+    EXPECT_EQ(log_.has_value(), !table::has_error(result.diagnostics));
     Messages out;
-    for (const Diagnostic& diagnostic : result.diagnostics) {
-      out.push_back(to_string(diagnostic));
+    for (const table::Diagnostic& diagnostic : result.diagnostics) {
+      out.push_back(table::to_string(diagnostic));
     }
     return out;
   }

@@ -24,11 +24,11 @@ std::string refusal(const WorldsResult& result) {
     return "worlds: " + std::to_string(result.worlds.size()) +
            ", diagnostics: " + std::to_string(result.diagnostics.size());
   }
-  return to_string(result.diagnostics.front());
+  return table::to_string(result.diagnostics.front());
 }
 
 std::string refused_map(std::string_view text) {
-  return refusal(world_from_moving_ai(Bytes::copy_of(text), "m.map", frame()));
+  return refusal(world_from_moving_ai(table::Bytes::copy_of(text), "m.map", frame()));
 }
 
 #define EXPECT_HAS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
@@ -55,16 +55,17 @@ TEST(WorldFiles, OneJsonOrManyInOneFile) {
   const WorldsResult twice = read_worlds(folder.write("d.jsonl", one + one));
   EXPECT_EQ(twice.worlds.size(), 1U);
   ASSERT_EQ(twice.diagnostics.size(), 1U);
-  EXPECT_HAS(to_string(twice.diagnostics.front()), "'one' a name of its own");
+  EXPECT_HAS(table::to_string(twice.diagnostics.front()), "'one' a name of its own");
   const WorldsResult mixed = read_worlds(folder.write("e.jsonl", "{\"format\": 1}\n" + two));
   EXPECT_EQ(mixed.worlds.size(), 1U);
   ASSERT_EQ(mixed.diagnostics.size(), 1U);
-  EXPECT_HAS(to_string(mixed.diagnostics.front()), "e.jsonl:1: error");
+  EXPECT_HAS(table::to_string(mixed.diagnostics.front()), "e.jsonl:1: error");
 }
 
 TEST(WorldFiles, DiscsByWorldWithTheirLines) {
   const WorldsResult read = worlds_from_disc_csv(
-      Bytes::copy_of("world,x_m,y_m,radius_m\na,2,0.5,0.1\nb,2,0.1,0.1\na,2,0.9,0.1\nc,2,0,-1\n"),
+      table::Bytes::copy_of(
+          "world,x_m,y_m,radius_m\na,2,0.5,0.1\nb,2,0.1,0.1\na,2,0.9,0.1\nc,2,0,-1\n"),
       "d.csv",
       frame());
   ASSERT_EQ(read.worlds.size(), 2U);
@@ -72,15 +73,16 @@ TEST(WorldFiles, DiscsByWorldWithTheirLines) {
   EXPECT_EQ(read.worlds[0].obstacles.size(), 2U);
   EXPECT_DOUBLE_EQ(read.worlds[0].bounds.low.x_m, 0.3);  // S ends there
   ASSERT_EQ(read.diagnostics.size(), 1U);
-  EXPECT_HAS(to_string(read.diagnostics.front()), "d.csv:5: error: column 'radius_m': found '-1'");
-  EXPECT_HAS(to_string(read.diagnostics.front()), "world 'c' is left out");
+  EXPECT_HAS(table::to_string(read.diagnostics.front()),
+             "d.csv:5: error: column 'radius_m': found '-1'");
+  EXPECT_HAS(table::to_string(read.diagnostics.front()), "world 'c' is left out");
 }
 
 TEST(WorldFiles, MovingAiMapsOfBothHeaders) {
   for (const char* const header :
        {"type octile\nheight 2\nwidth 4\nmap\n", "MapWidth=4\nMapHeight=2\nMapData \n"}) {
     const WorldsResult read = world_from_moving_ai(
-        Bytes::copy_of(std::string(header) + "@@.@\n....\n"), "m.map", frame());
+        table::Bytes::copy_of(std::string(header) + "@@.@\n....\n"), "m.map", frame());
     ASSERT_EQ(read.worlds.size(), 1U) << refusal(read);
     const World& world = read.worlds.front();
     EXPECT_EQ(world.bounds.high, (Point{4.0, 2.0}));
@@ -114,7 +116,8 @@ RosMap ros_map(bool negate = false) {
 TEST(WorldFiles, RosMapsPlainAndRaw) {
   const std::string raw("P5\n# a comment\n3 1\n255\n\xfe\xcd\x00", 26);
   for (const std::string& text : {std::string("P2\n3 1 # wide\n255\n254 205 0\n"), raw}) {
-    const WorldsResult read = world_from_pgm(Bytes::copy_of(text), "m.pgm", ros_map(), frame());
+    const WorldsResult read =
+        world_from_pgm(table::Bytes::copy_of(text), "m.pgm", ros_map(), frame());
     ASSERT_EQ(read.worlds.size(), 1U) << refusal(read);
     const World& world = read.worlds.front();
     EXPECT_EQ(world.bounds.low, (Point{-1.0, 2.0}));
@@ -125,14 +128,14 @@ TEST(WorldFiles, RosMapsPlainAndRaw) {
     EXPECT_EQ(extent.high, (Point{0.5, 2.5}));
   }
   const WorldsResult negated =
-      world_from_pgm(Bytes::copy_of("P2 2 1 255 255 0"), "m.pgm", ros_map(true), frame());
+      world_from_pgm(table::Bytes::copy_of("P2 2 1 255 255 0"), "m.pgm", ros_map(true), frame());
   ASSERT_EQ(negated.worlds.size(), 1U);
   EXPECT_EQ(extent_of(negated.worlds[0].obstacles.at(0)).low, (Point{-1.0, 2.0}));
 }
 
 TEST(WorldFiles, RosMapsWhoseHeaderLies) {
   const auto refused = [](std::string_view text) {
-    return refusal(world_from_pgm(Bytes::copy_of(text), "m.pgm", ros_map(), frame()));
+    return refusal(world_from_pgm(table::Bytes::copy_of(text), "m.pgm", ros_map(), frame()));
   };
   EXPECT_HAS(refused("P2 2 2 255 0 0 0"), "pixel 3 is missing");
   EXPECT_HAS(refused("P2 2 1 255 0 0 0"), "one map a file");
@@ -143,52 +146,53 @@ TEST(WorldFiles, RosMapsWhoseHeaderLies) {
 }
 
 TEST(WorldFiles, RosYamlIsReadStrictly) {
-  std::vector<Diagnostic> problems;
+  std::vector<table::Diagnostic> problems;
   const auto map = read_ros_yaml(
-      Bytes::copy_of("image: \"a b.pgm\"\nresolution: 0.05  # m\norigin: [-1.5, 2, 0.0]\n"
-                     "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n"),
+      table::Bytes::copy_of("image: \"a b.pgm\"\nresolution: 0.05  # m\norigin: [-1.5, 2, 0.0]\n"
+                            "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n"),
       "m.yaml",
       problems);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->image, "a b.pgm");
   EXPECT_EQ(map->origin, (Point{-1.5, 2.0}));
   EXPECT_EQ(map->free_threshold, 0.25);
-  EXPECT_FALSE(
-      read_ros_yaml(Bytes::copy_of("image: a.pgm\nresolution: 0\norigin: [0, 0, 1]\nnegat: 0\n"),
-                    "m.yaml",
-                    problems));
+  EXPECT_FALSE(read_ros_yaml(
+      table::Bytes::copy_of("image: a.pgm\nresolution: 0\norigin: [0, 0, 1]\nnegat: 0\n"),
+      "m.yaml",
+      problems));
   ASSERT_EQ(problems.size(), 3U);
-  EXPECT_HAS(to_string(problems[0]), "m.yaml:2: error: column 'resolution'");
-  EXPECT_HAS(to_string(problems[1]), "maps are not turned");
-  EXPECT_HAS(to_string(problems[2]), "m.yaml:4: warning: column 'negat'");
+  EXPECT_HAS(table::to_string(problems[0]), "m.yaml:2: error: column 'resolution'");
+  EXPECT_HAS(table::to_string(problems[1]), "maps are not turned");
+  EXPECT_HAS(table::to_string(problems[2]), "m.yaml:4: warning: column 'negat'");
 }
 
 TEST(WorldFiles, RosYamlTakesListsALineEachAndKeysThatItDoesNotKnow) {
-  std::vector<Diagnostic> problems;
+  std::vector<table::Diagnostic> problems;
   const auto map = read_ros_yaml(
-      Bytes::copy_of("image: m.pgm\nresolution: 0.05\norigin:\n- -10.5\n  - 2\n-   0.0\nnegate: 0\n"
-                     "cost_scale: 3\nlayers:\n  - a\n"),
+      table::Bytes::copy_of(
+          "image: m.pgm\nresolution: 0.05\norigin:\n- -10.5\n  - 2\n-   0.0\nnegate: 0\n"
+          "cost_scale: 3\nlayers:\n  - a\n"),
       "m.yaml",
       problems);
-  ASSERT_TRUE(map) << to_string(problems.at(0));
+  ASSERT_TRUE(map) << table::to_string(problems.at(0));
   EXPECT_EQ(map->origin, (Point{-10.5, 2.0}));
   ASSERT_EQ(problems.size(), 2U);
-  EXPECT_HAS(to_string(problems[0]), "m.yaml:8: warning: column 'cost_scale'");
-  EXPECT_HAS(to_string(problems[1]), "m.yaml:9: warning: column 'layers'");
+  EXPECT_HAS(table::to_string(problems[0]), "m.yaml:8: warning: column 'cost_scale'");
+  EXPECT_HAS(table::to_string(problems[1]), "m.yaml:9: warning: column 'layers'");
   problems.clear();
-  EXPECT_FALSE(
-      read_ros_yaml(Bytes::copy_of("image: m.pgm\nresolution: 1\norigin:\n- 1\n- 2\n- 0.7\n"),
-                    "m.yaml",
-                    problems));
+  EXPECT_FALSE(read_ros_yaml(
+      table::Bytes::copy_of("image: m.pgm\nresolution: 1\norigin:\n- 1\n- 2\n- 0.7\n"),
+      "m.yaml",
+      problems));
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_HAS(to_string(problems[0]), "m.yaml:3: error: column 'origin'");
-  EXPECT_HAS(to_string(problems[0]), "maps are not turned");
+  EXPECT_HAS(table::to_string(problems[0]), "m.yaml:3: error: column 'origin'");
+  EXPECT_HAS(table::to_string(problems[0]), "maps are not turned");
 }
 
 TEST(WorldFiles, ImagesThatAreNoPgmAreNamed) {
   using namespace std::string_view_literals;
-  const std::string text = refusal(
-      world_from_pgm(Bytes::copy_of("\x89PNG\r\n\x1a\n\0\0"sv), "m.png", ros_map(), frame()));
+  const std::string text = refusal(world_from_pgm(
+      table::Bytes::copy_of("\x89PNG\r\n\x1a\n\0\0"sv), "m.png", ros_map(), frame()));
   EXPECT_HAS(text, "a PNG image: convert it to PGM (convert m.png map.pgm)");
   TemporaryFolder folder;
   EXPECT_HAS(refusal(read_worlds(folder.write("a.map", "\x89PNG\r\n\x1a\n\0\0"sv))), "a PNG image");
@@ -197,7 +201,7 @@ TEST(WorldFiles, ImagesThatAreNoPgmAreNamed) {
 TEST(WorldFiles, MovingAiHeadersThatSayWhatIsFree) {
   const auto read = [](const std::string& signs, const std::string& cells) {
     return world_from_moving_ai(
-        Bytes::copy_of("height 2\nwidth 4\n" + signs + "map\n" + cells), "m.map", frame());
+        table::Bytes::copy_of("height 2\nwidth 4\n" + signs + "map\n" + cells), "m.map", frame());
   };
   const WorldsResult usual = read("free .\nobstacle @\n", "@@.@\n....\n");
   ASSERT_EQ(usual.worlds.size(), 1U) << refusal(usual);
@@ -261,7 +265,8 @@ TEST(WorldFiles, ABadWorldIsNamedAndTheOthersGoOn) {
   ASSERT_EQ(read.worlds.size(), 1U);
   EXPECT_EQ(read.worlds.front().name, "good");
   ASSERT_EQ(read.diagnostics.size(), 1U);
-  EXPECT_HAS(to_string(read.diagnostics.front()), "of world 'in-start' a start free of obstacles");
+  EXPECT_HAS(table::to_string(read.diagnostics.front()),
+             "of world 'in-start' a start free of obstacles");
 }
 
 }  // namespace

@@ -11,11 +11,12 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tcert;
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   const auto info = parse_bundle_json({reinterpret_cast<const char*>(data), size}, problems);
   fuzz::require(info.has_value() != problems.has_error(), "rejected iff there is an error");
-  for (const Diagnostic& diagnostic : problems.take()) {
-    fuzz::require(to_string(diagnostic).find('\n') == std::string::npos, "a message is one line");
+  for (const table::Diagnostic& diagnostic : problems.take()) {
+    fuzz::require(table::to_string(diagnostic).find('\n') == std::string::npos,
+                  "a message is one line");
   }
   if (info) {
     const std::string text = to_bundle_json(*info);

@@ -16,21 +16,21 @@ namespace {
 
 using fuzz::require;
 
-NumberOptions wanted(bool repair) {
-  NumberOptions options;
+table::NumberOptions wanted(bool repair) {
+  table::NumberOptions options;
   options.columns = {{"x_m"}, {"left_fsr_n", false, true}};
   options.repair = repair;
   return options;
 }
 
-std::string written(const NumberTable& table) {
+std::string written(const table::NumberTable& table) {
   std::string text = "time_s,x_m,left_fsr_n\n";
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    append_seconds(text, table.time_ns[row]);
+    table::append_seconds(text, table.time_ns[row]);
     text += ',';
-    append_number(text, table.at(row, 0));
+    table::append_number(text, table.at(row, 0));
     text += ',';
-    append_number(text, table.at(row, 1));
+    table::append_number(text, table.at(row, 1));
     text += '\n';
   }
   return text;
@@ -46,10 +46,10 @@ std::string in_quotes(std::string_view text) {
 }
 
 void read(std::string_view text, bool repair, bool decimal_comma) {
-  CsvOptions csv;
+  table::CsvOptions csv;
   csv.decimal_comma = decimal_comma;
-  DiagnosticGroups problems;
-  auto table = read_numbers(Bytes::copy_of(text), csv, wanted(repair), problems);
+  table::DiagnosticGroups problems;
+  auto table = table::read_numbers(table::Bytes::copy_of(text), csv, wanted(repair), problems);
   require(table.has_value() != problems.has_error(), "a file is rejected iff there is an error");
   if (!table) {
     return;
@@ -57,8 +57,8 @@ void read(std::string_view text, bool repair, bool decimal_comma) {
   require(table->rows() > 0, "an accepted file has rows");
   const std::string first = written(*table);
   for (const std::string& again : {first, in_quotes(first)}) {
-    DiagnosticGroups none;
-    const auto copy = read_numbers(Bytes::copy_of(again), {}, wanted(false), none);
+    table::DiagnosticGroups none;
+    const auto copy = table::read_numbers(table::Bytes::copy_of(again), {}, wanted(false), none);
     require(copy.has_value(), "what was read is accepted when written");
     require(written(*copy) == first, "what was read reads back the same");
   }
@@ -75,13 +75,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   read(text, false, false);
   read(text, true, false);
   read(text, true, true);
-  DiagnosticGroups problems;
-  static_cast<void>(read_text_table(Bytes::copy_of(text), {}, {"trial_id"}, problems));
-  if (const auto header = guess_header(text, {}, problems)) {
-    static_cast<void>(read_text_rows(Bytes::copy_of(text), *header, {}, problems));
+  table::DiagnosticGroups problems;
+  static_cast<void>(
+      table::read_text_table(table::Bytes::copy_of(text), {}, {"trial_id"}, problems));
+  if (const auto header = table::guess_header(text, {}, problems)) {
+    static_cast<void>(table::read_text_rows(table::Bytes::copy_of(text), *header, {}, problems));
   }
-  for (const Diagnostic& diagnostic : problems.take()) {
-    fuzz::require(to_string(diagnostic).find('\n') == std::string::npos, "a message is one line");
+  for (const table::Diagnostic& diagnostic : problems.take()) {
+    fuzz::require(table::to_string(diagnostic).find('\n') == std::string::npos,
+                  "a message is one line");
   }
   return 0;
 }

@@ -15,8 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   for (const TerrainHeader header :
        {TerrainHeader::detect, TerrainHeader::yes, TerrainHeader::no}) {
-    const auto result = read_terrain(Bytes::copy_of(text), {"fuzz.csv", header});
-    fuzz::require(result.terrain.has_value() != has_error(result.diagnostics),
+    const auto result = read_terrain(table::Bytes::copy_of(text), {"fuzz.csv", header});
+    fuzz::require(result.terrain.has_value() != table::has_error(result.diagnostics),
                   "no terrain without a reason");
     if (!result.terrain) {
       continue;
@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                                static_cast<std::size_t>(terrain.columns),
                   "a rectangle");
     const auto again =
-        read_terrain(Bytes::copy_of(terrain_text(terrain)),
+        read_terrain(table::Bytes::copy_of(terrain_text(terrain)),
                      {"again.csv", TerrainHeader::no, TerrainFormat::grid, {false, {}}});
     fuzz::require(again.terrain && again.terrain->rows == terrain.rows &&
                       std::ranges::equal(again.terrain->values,

@@ -39,7 +39,7 @@ bool same(const Tick& a, const Tick& b) {
 
 void parse_lines(std::string_view text, const TickTable* file) {
   const std::size_t first_end = std::min(text.find('\n'), text.size());
-  DiagnosticGroups problems;
+  table::DiagnosticGroups problems;
   TickLineParser parser(robot(), text.substr(0, first_end), {}, problems);
   require(parser.ready() != problems.has_error(), "not ready iff the header has an error");
   if (!parser.ready()) {
@@ -71,13 +71,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Quotes may hold line ends, and a header may follow a byte-order mark, blank lines, comments or
   // a preamble: there the file has more to go by than its lines, and only one is compared.
   const bool comparable = text.starts_with("time_s,") && text.find('"') == std::string_view::npos;
-  DiagnosticGroups problems;
-  CsvOptions csv;
+  table::DiagnosticGroups problems;
+  table::CsvOptions csv;
   csv.separator = ',';
   csv.preamble_records = 0;
-  const auto file = read_ticks_csv(Bytes::copy_of(text), robot(), csv, 1.0, problems);
+  const auto file = read_ticks_csv(table::Bytes::copy_of(text), robot(), csv, 1.0, problems);
   bool whole = true;
-  for (const Diagnostic& diagnostic : problems.take()) {
+  for (const table::Diagnostic& diagnostic : problems.take()) {
     whole = whole && diagnostic.value != "a line cut short";
   }
   parse_lines(text, file && comparable && whole ? &*file : nullptr);

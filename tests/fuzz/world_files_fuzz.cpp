@@ -14,10 +14,11 @@ namespace {
 
 void check(const tcert::WorldsResult& result) {
   using namespace tcert;
-  fuzz::require(!result.worlds.empty() || has_error(result.diagnostics),
+  fuzz::require(!result.worlds.empty() || table::has_error(result.diagnostics),
                 "no worlds means an error");
-  for (const Diagnostic& diagnostic : result.diagnostics) {
-    fuzz::require(to_string(diagnostic).find('\n') == std::string::npos, "a message is one line");
+  for (const table::Diagnostic& diagnostic : result.diagnostics) {
+    fuzz::require(table::to_string(diagnostic).find('\n') == std::string::npos,
+                  "a message is one line");
   }
   for (const World& world : result.worlds) {
     if (world.obstacles.size() < 100) {
@@ -34,7 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) {
     return 0;
   }
-  const Bytes bytes = Bytes::copy_of({reinterpret_cast<const char*>(data + 1), size - 1});
+  const table::Bytes bytes =
+      table::Bytes::copy_of({reinterpret_cast<const char*>(data + 1), size - 1});
   switch (data[0]) {
     case 'j': {
       const WorldsResult read = worlds_from_json(bytes, "f");
@@ -59,9 +61,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     }
     default: {
-      std::vector<Diagnostic> problems;
+      std::vector<table::Diagnostic> problems;
       const auto map = read_ros_yaml(bytes, "f", problems);
-      fuzz::require(map.has_value() != has_error(problems), "rejected iff there is an error");
+      fuzz::require(map.has_value() != table::has_error(problems),
+                    "rejected iff there is an error");
       break;
     }
   }

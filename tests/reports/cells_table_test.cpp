@@ -13,9 +13,9 @@ std::string withheld(const Table& table) {
   return std::holds_alternative<std::string>(cell) ? std::get<std::string>(cell) : "";
 }
 
-CellScores few_days() {
-  CellScores scores;
-  H1Panel panel;
+study::CellScores few_days() {
+  study::CellScores scores;
+  study::H1Panel panel;
   panel.rows.emplace_back();
   panel.rows.front().auc.value = 0.7;
   panel.withheld = "7 clusters of 'day', fewer than 10";
@@ -23,14 +23,14 @@ CellScores few_days() {
   return scores;
 }
 
-std::string withheld_of(const CellScores& scores) {
+std::string withheld_of(const study::CellScores& scores) {
   Table table = cells_table({});
   add_cell({"full", {}}, "done", cell_panels(scores), table);
   return withheld(table);
 }
 
 TEST(CellsTable, SaysWhyIntervalsAreWithheld) {
-  CellScores scores = few_days();
+  study::CellScores scores = few_days();
   EXPECT_EQ(withheld_of(scores), "7 clusters of 'day', fewer than 10");
   scores.against_full = scores.own;
   EXPECT_EQ(withheld_of(scores), "7 clusters of 'day', fewer than 10");
@@ -41,12 +41,13 @@ TEST(CellsTable, SaysWhyIntervalsAreWithheld) {
 }
 
 TEST(CellsTable, SaysWhyTheSpeedHasNoIntervals) {
-  H3Table h3;
-  H3Group group;
+  study::H3Table h3;
+  study::H3Group group;
   group.cases.emplace_back();
   group.cases.front().retained = 0.75;
   for (const char* const few : {"9 successes of 'M3'", "8 successes of 'CB-V'"}) {
-    group.conditions.push_back({ConditionKind::withheld, ConditionSeverity::warning, "", few});
+    group.conditions.push_back(
+        {statistics::ConditionKind::withheld, statistics::ConditionSeverity::warning, "", few});
   }
   h3.groups = {group};
   Table table = cell_speed_table({});

@@ -53,16 +53,16 @@ Figure small_figure() {
   return figure;
 }
 
-DataTable csv_of(const Figure& figure) {
-  CsvOptions csv;
+table::DataTable csv_of(const Figure& figure) {
+  table::CsvOptions csv;
   csv.file = figure.name;
-  return *read_data_table(Bytes::copy_of(figure_csv(figure)), {}, csv).table;
+  return *table::read_data_table(table::Bytes::copy_of(figure_csv(figure)), {}, csv).table;
 }
 
 /// Every value behind the specification is the cell of the CSV file, bit for bit.
 void expect_same_data(const Figure& figure) {
   const auto spec = vega_lite(figure);
-  const DataTable csv = csv_of(figure);
+  const table::DataTable csv = csv_of(figure);
   const auto& values = spec["data"]["values"];
   ASSERT_EQ(values.size(), csv.rows);
   for (std::size_t row = 0; row < csv.rows; ++row) {
@@ -282,17 +282,17 @@ TEST(SetFigures, AreEmptyWithoutData) {
   EXPECT_FALSE(pareto_figure(none));
   EXPECT_FALSE(cells_figure(none, "x", "x"));
   EXPECT_FALSE(gate_figure(none, none, none, none));
-  EXPECT_FALSE(truth_figure(DataTable{}, std::nullopt));
+  EXPECT_FALSE(truth_figure(table::DataTable{}, std::nullopt));
 }
 
-DataTable table_of(const char* text) {
-  CsvOptions csv;
+table::DataTable table_of(const char* text) {
+  table::CsvOptions csv;
   csv.file = "test.csv";
-  return *read_data_table(Bytes::copy_of(text), {}, csv).table;
+  return *table::read_data_table(table::Bytes::copy_of(text), {}, csv).table;
 }
 
 TEST(TruthFigure, TakesTheProvenIntervalAndLeavesOutWhatIsNotKnown) {
-  const DataTable features = table_of(
+  const table::DataTable features = table_of(
       "trial_id,success,certificate_m,truth_lower_m,truth_upper_m\n"
       "t1,1,0.05,0.06,0.07\n"
       "t2,0,,0.01,0.02\n"
@@ -313,7 +313,7 @@ TEST(TruthFigure, TakesTheProvenIntervalAndLeavesOutWhatIsNotKnown) {
 /// T_t claims to be a lower bound of T, of which only an interval is known: it is refuted above the
 /// interval alone.
 TEST(TruthFigure, JudgesByTheUpperBound) {
-  const DataTable features = table_of(
+  const table::DataTable features = table_of(
       "trial_id,success,certificate_m,truth_lower_m,truth_upper_m\n"
       "below,1,0.05,0.06,0.07\n"
       "within,1,0.065,0.06,0.07\n"

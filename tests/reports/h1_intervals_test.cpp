@@ -8,12 +8,14 @@ namespace tcert {
 namespace {
 
 TEST(IntervalTable, SaysWhyACellOfBcaIsMissing) {
-  H1Score score;
+  study::H1Score score;
   score.value = 0.7;
-  score.intervals.expanded = Interval{0.6, 0.8, 0.95};
-  score.intervals.percentile = Interval{0.61, 0.79, 0.95};
-  score.intervals.no_bca =
-      Condition{ConditionKind::infinite_bias, ConditionSeverity::warning, "", "no replicate below"};
+  score.intervals.expanded = statistics::Interval{0.6, 0.8, 0.95};
+  score.intervals.percentile = statistics::Interval{0.61, 0.79, 0.95};
+  score.intervals.no_bca = statistics::Condition{statistics::ConditionKind::infinite_bias,
+                                                 statistics::ConditionSeverity::warning,
+                                                 "",
+                                                 "no replicate below"};
   Table table = h1_interval_columns("h1_intervals", "predictor", "predictor");
   add_intervals("paper", "tc_early", "AUC", score, table);
   ASSERT_EQ(table.rows.size(), 1U);

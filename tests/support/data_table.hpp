@@ -12,11 +12,11 @@
 
 namespace tcert::test_support {
 
-[[nodiscard]] inline DataTable table_or_throw(DataTableResult&& result) {
+[[nodiscard]] inline table::DataTable table_or_throw(table::DataTableResult&& result) {
   if (!result.table) {
     std::string problems = "no table";
-    for (const Diagnostic& diagnostic : result.diagnostics) {
-      problems += "\n" + to_string(diagnostic);
+    for (const table::Diagnostic& diagnostic : result.diagnostics) {
+      problems += "\n" + table::to_string(diagnostic);
     }
     throw std::runtime_error(problems);
   }
@@ -24,22 +24,23 @@ namespace tcert::test_support {
 }
 
 /// The table of a CSV text; throws std::runtime_error with the diagnostics if it cannot be read.
-[[nodiscard]] inline DataTable table_of(std::string_view csv) {
-  CsvOptions options;
+[[nodiscard]] inline table::DataTable table_of(std::string_view csv) {
+  table::CsvOptions options;
   options.file = "test.csv";
-  return table_or_throw(read_data_table(Bytes::copy_of(csv), {}, options));
+  return table_or_throw(table::read_data_table(table::Bytes::copy_of(csv), {}, options));
 }
 
 /// The same of a file.
-[[nodiscard]] inline DataTable table_of_file(const std::filesystem::path& path) {
-  return table_or_throw(read_data_table(path));
+[[nodiscard]] inline table::DataTable table_of_file(const std::filesystem::path& path) {
+  return table_or_throw(table::read_data_table(path));
 }
 
 /// A formula on a file.
-[[nodiscard]] inline ModelFrame frame_of_file(const std::filesystem::path& path,
-                                              const std::string& formula,
-                                              const FrameOptions& options = {}) {
-  return model_frame(parse_formula(formula), table_of_file(path), options);
+[[nodiscard]] inline statistics::ModelFrame frame_of_file(
+    const std::filesystem::path& path,
+    const std::string& formula,
+    const statistics::FrameOptions& options = {}) {
+  return statistics::model_frame(statistics::parse_formula(formula), table_of_file(path), options);
 }
 
 }  // namespace tcert::test_support

@@ -6,8 +6,8 @@
 #include <terrain/components.hpp>
 #include <terrain/explore.hpp>
 
-#include "datasets/terrain_field/terrain_field.hpp"
 #include "analysis/study/terrain/scenarios.hpp"
+#include "datasets/terrain_field/terrain_field.hpp"
 
 namespace tcert::terrain {
 namespace {
@@ -83,7 +83,7 @@ TEST(CertifiedEnd, LeavesNoCellThatCouldHelp) {
   int ended = 0;
   for (std::uint64_t number = 0; number < 60; ++number) {
     const Terrain terrain = field_of(30, 24, 5, number);
-    RandomStream random(5, 11, number);
+    table::RandomStream random(5, 11, number);
     const auto cell = [&] {
       return terrain.grid.cell(random.below(static_cast<std::uint32_t>(terrain.grid.size())));
     };
@@ -130,7 +130,7 @@ TEST(CertifiedEnd, IsSoundAndEndsWithNoisyMeasurements) {
   std::size_t steps = 0;
   for (std::uint64_t number = 0; number < 40; ++number) {
     const Terrain terrain = field_of(30, 24, 6, number);
-    RandomStream random(6, 12, number);
+    table::RandomStream random(6, 12, number);
     Cell robot = terrain.grid.cell(random.below(static_cast<std::uint32_t>(terrain.grid.size())));
     const ExploreSetup setup = setup_of(terrain, robot, robot, terrain.at(robot) - 30.0);
     Rules rules = setup.rules;

@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <table/random.hpp>
-#include "analysis/study/terrain/baselines.hpp"
 #include <terrain/explore.hpp>
 #include <terrain/lipschitz.hpp>
+#include "analysis/study/terrain/baselines.hpp"
 
+#include "analysis/study/terrain/scenarios.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
 #include "datasets/terrain_file.hpp"
 #include "terrain/vectors.hpp"
-#include "analysis/study/terrain/scenarios.hpp"
 
 namespace tcert::terrain {
 namespace {
@@ -132,7 +132,7 @@ TEST(Baselines, WalkStraightAndFail) {
   options.sensor_range = 10.0;
   options.nodes = 200;
   options.move = 5.0;
-  RandomStream random(1, 2, 3);
+  table::RandomStream random(1, 2, 3);
   const BaselineResult rrt = sparse_rrt_walk(
       ravine(-20), 0.0, {5, 15}, {35, 15}, options, [&] { return random.uniform(); });
   EXPECT_TRUE(rrt.reached);

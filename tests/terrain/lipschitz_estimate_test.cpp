@@ -23,7 +23,7 @@ TEST(LipschitzEstimate, CoversAsStatedFromSpreadPlaces) {
     field.number = static_cast<std::uint64_t>(run);
     const TerrainGrid made = random_terrain(field);
     const Grid grid{made.rows, made.columns};
-    RandomStream random(9, 1, field.number);
+    table::RandomStream random(9, 1, field.number);
     std::vector<Measurement> measurements;
     // Within a corner of the field: what a robot knows early.
     for (int k = 0; k < 60; ++k) {

@@ -68,7 +68,7 @@ void expect_number(double expected, double found, const std::string& what) {
 
 /// Every cell of every step: t,i,j,f,l,u,inS,inG.
 void expect_cells(const Planner& planner,
-                  const TextTable& table,
+                  const table::TextTable& table,
                   std::size_t step,
                   bool expander_column) {
   for (std::size_t k = 0; k < kGrid.size(); ++k) {
@@ -89,7 +89,7 @@ void expect_vector(const Vector& v) {
   TCERT_NEED_VECTOR("testvec.json");
   const nlohmann::json steps = test::read_vector("testvec.json").at(v.name);
   const auto cells =
-      read_text_table(test::vectors() / (std::string("testvec_") + v.name + ".csv.gz"));
+      table::read_text_table(test::vectors() / (std::string("testvec_") + v.name + ".csv.gz"));
   ASSERT_TRUE(cells.table);
   Planner planner(kGrid, v.rules, v.prior, v.seeds);
   for (const Cell c : v.batch) {

@@ -47,7 +47,7 @@ void run(RuleSet kind, int measurements) {
     prior = {1000.0, 80000.0, 30.0, 1.0};
   }
   Planner planner(grid, rules, prior);
-  RandomStream random(1, 0x7e44bd, 0);
+  table::RandomStream random(1, 0x7e44bd, 0);
   std::vector<double> block;
   std::vector<double> cpu;
   std::printf("{\"rules\": \"%s\", \"blocks\": [", std::string(to_string(kind)).c_str());

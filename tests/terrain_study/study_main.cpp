@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <string>
 #include <table/random.hpp>
-#include "analysis/study/terrain/baselines.hpp"
 #include <terrain/lipschitz.hpp>
 #include <vector>
+#include "analysis/study/terrain/baselines.hpp"
 
-#include "datasets/terrain_file.hpp"
 #include "analysis/study/terrain/scenarios.hpp"
 #include "analysis/study/terrain/terrain_soundness.hpp"
+#include "datasets/terrain_file.hpp"
 
 namespace tcert::terrain::study {
 namespace {
@@ -140,7 +140,7 @@ void baseline_table(const Terrain& terrain, int seeds) {
     const BaselineResult walk = straight_walk(terrain, {}, s.threshold, s.start, *s.goal);
     print("straight walk", 0, walk, std::chrono::duration<double>(now() - begin).count());
     for (int seed = 0; seed < seeds; ++seed) {
-      RandomStream random(static_cast<std::uint64_t>(seed), 0x7e44bc, 0);
+      table::RandomStream random(static_cast<std::uint64_t>(seed), 0x7e44bc, 0);
       SparseRrtOptions options;
       options.prior.mean = s.threshold;
       begin = now();
@@ -171,8 +171,8 @@ int main_of(int argc, char** argv) {
   const int seeds = argc > 4 ? std::atoi(argv[4]) : 20;
   auto file = read_terrain(argv[1], {{}, TerrainHeader::yes});
   if (!file.terrain) {
-    for (const Diagnostic& problem : file.diagnostics) {
-      std::fprintf(stderr, "%s\n", to_string(problem).c_str());
+    for (const table::Diagnostic& problem : file.diagnostics) {
+      std::fprintf(stderr, "%s\n", table::to_string(problem).c_str());
     }
     return 65;
   }

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Which differences speak against "no difference".
 enum class Alternative : std::uint8_t { two_sided, less, greater };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <statistics/basics/normal.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void check(std::size_t successes, std::size_t trials, double level) {
@@ -71,4 +71,4 @@ std::optional<Interval> wilson(std::size_t successes, std::size_t trials, double
                   level};
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <optional>
 #include <statistics/basics/interval.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Clopper and Pearson's (1934) exact interval, each tail at most (1 - level) / 2. Empty without
 /// trials. \throws std::invalid_argument if successes > trials or `level` is not in (0, 1).
@@ -26,4 +26,4 @@ namespace tcert {
                                              std::size_t trials,
                                              double level = 0.95);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tcert {
+namespace tcert::statistics {
 
 ChiSquareTest chi_square_test(double statistic, std::size_t df) {
   ChiSquareTest test{statistic, df, std::numeric_limits<double>::quiet_NaN()};
@@ -17,4 +17,4 @@ ChiSquareTest chi_square_test(double statistic, std::size_t df) {
   return test;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct ChiSquareTest {
   double statistic = 0.0;
@@ -17,4 +17,4 @@ struct ChiSquareTest {
 /// rounding has put below 0 counts as 0.
 [[nodiscard]] ChiSquareTest chi_square_test(double statistic, std::size_t df);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <table/factor.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 namespace {
 
@@ -19,7 +19,7 @@ std::vector<std::uint32_t> distinct_codes(std::span<const std::uint32_t> codes) 
 
 CompactCodes compact_codes(std::span<const std::uint32_t> codes) {
   const std::vector<std::uint32_t> distinct = distinct_codes(codes);
-  if (!distinct.empty() && distinct.back() == Factor::kMissing) {
+  if (!distinct.empty() && distinct.back() == table::Factor::kMissing) {
     throw std::invalid_argument("a row without its group");
   }
   CompactCodes result;
@@ -36,4 +36,4 @@ std::size_t count_codes(std::span<const std::uint32_t> codes) {
   return distinct_codes(codes).size();
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

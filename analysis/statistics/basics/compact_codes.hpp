@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct CompactCodes {
   std::vector<std::uint32_t> codes;  ///< One a row, below `count`; every number has a row.
@@ -21,4 +21,4 @@ struct CompactCodes {
 /// How many different codes there are: the clusters among rows. O(rows log rows).
 [[nodiscard]] std::size_t count_codes(std::span<const std::uint32_t> codes);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Neumaier's (1974) sum: the error does not grow with the number of terms, unless they cancel to
 /// less than machine epsilon of their sizes. NaN and infinite terms make it NaN or infinite.
@@ -26,4 +26,4 @@ class CompensatedSum {
   double lost_ = 0.0;
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <string>
 #include <table/factor.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void check_lengths(std::span<const std::span<const double>> scores,
@@ -40,7 +40,7 @@ CompleteRows complete_rows(std::span<const std::span<const double>> scores,
       throw std::invalid_argument("AUC: the outcome of row " + std::to_string(row + 1) +
                                   " is neither 0 nor 1");
     }
-    if (std::isnan(y) || (rows.clustered && cluster[row] == Factor::kMissing) ||
+    if (std::isnan(y) || (rows.clustered && cluster[row] == table::Factor::kMissing) ||
         std::any_of(scores.begin(), scores.end(), [&](const auto& score) {
           return std::isnan(score[row]);
         })) {
@@ -62,4 +62,4 @@ CompleteRows complete_rows(std::span<const std::span<const double>> scores,
   return rows;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

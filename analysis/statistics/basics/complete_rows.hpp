@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Rows where every score, the outcome and, if there are clusters, the cluster are known.
 struct CompleteRows {
@@ -29,4 +29,4 @@ struct CompleteRows {
                                          std::span<const double> success,
                                          std::span<const std::uint32_t> cluster = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

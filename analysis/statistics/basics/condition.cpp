@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct Entry {
@@ -293,4 +293,4 @@ bool has_error(std::span<const Condition> conditions) noexcept {
   });
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 enum class ConditionKind : std::uint8_t {
   // The rows.
@@ -125,4 +125,4 @@ using Conditions = std::vector<Condition>;
 /// True if one of them leaves no estimate.
 [[nodiscard]] bool has_error(std::span<const Condition> conditions) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::vector<SharedCondition> shared_conditions(const std::vector<OwnedCondition>& conditions) {
   std::vector<SharedCondition> shared;
@@ -70,4 +70,4 @@ Conditions one_per_factor(const Conditions& conditions,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A condition, who has it (a level, a column), and of what (a quantity, a factor).
 struct OwnedCondition {
@@ -41,4 +41,4 @@ struct SharedCondition {
     const Conditions& conditions,
     const std::function<std::string(const std::string& column)>& factor_of);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

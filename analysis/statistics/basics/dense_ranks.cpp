@@ -3,7 +3,7 @@
 #include <statistics/basics/sort_order.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 std::vector<std::uint32_t> group_codes(const TimeOrder& order) {
@@ -42,4 +42,4 @@ DenseRanks dense_ranks(std::span<const double> values, const TimeOrder& order) {
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

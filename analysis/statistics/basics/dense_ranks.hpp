@@ -8,7 +8,7 @@
 #include <statistics/basics/time_order.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct DenseRanks {
   std::vector<std::uint32_t> rank;    ///< Per row, from 0 in each group; equal values alike.
@@ -19,4 +19,4 @@ struct DenseRanks {
 /// \throws std::invalid_argument if lengths differ or a value is NaN.
 [[nodiscard]] DenseRanks dense_ranks(std::span<const double> values, const TimeOrder& order);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

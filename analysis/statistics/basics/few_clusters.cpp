@@ -1,6 +1,6 @@
 #include <statistics/basics/few_clusters.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::optional<Condition> few_clusters(std::size_t clusters,
                                       std::size_t coefficients,
@@ -26,4 +26,4 @@ std::optional<Condition> few_clusters(std::size_t clusters,
                    detail};
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <statistics/basics/condition.hpp>
 #include <string>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Below so many clusters it is said that intervals tend to be too narrow.
 inline constexpr std::size_t kFewClusters = 30;
@@ -23,4 +23,4 @@ inline constexpr std::size_t kTooFewClusters = 10;
                                                     std::size_t coefficients = 0,
                                                     const std::string& of = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

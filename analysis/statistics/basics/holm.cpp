@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::vector<std::optional<double>> holm(std::span<const std::optional<double>> p) {
   std::vector<std::size_t> order;
@@ -28,4 +28,4 @@ std::vector<std::optional<double>> holm(std::span<const std::optional<double>> p
   return adjusted;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

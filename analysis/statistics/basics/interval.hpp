@@ -2,7 +2,7 @@
 /// \file
 /// An interval estimate.
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct Interval {
   double low = 0.0;
@@ -10,4 +10,4 @@ struct Interval {
   double level = 0.95;  ///< Nominal coverage, in (0, 1).
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

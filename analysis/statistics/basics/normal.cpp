@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace tcert {
+namespace tcert::statistics {
 
 double normal_cdf(double z) noexcept { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
@@ -34,4 +34,4 @@ double normal_p_value(double z, Alternative alternative) noexcept {
   return std::erfc(std::abs(z) / std::numbers::sqrt2);
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <statistics/basics/alternative.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Pr(Z <= z), accurate in both tails.
 [[nodiscard]] double normal_cdf(double z) noexcept;
@@ -18,4 +18,4 @@ namespace tcert {
 /// p-value of a standard normal statistic.
 [[nodiscard]] double normal_p_value(double z, Alternative alternative) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::statistics

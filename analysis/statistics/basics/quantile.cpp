@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::optional<double> quantile_in_place(std::span<double> sample, double p) {
   if (!(p >= 0.0 && p <= 1.0)) {
@@ -45,4 +45,4 @@ std::optional<double> quantile(std::span<const double> sample, double p) {
 
 std::optional<double> median(std::span<const double> sample) { return quantile(sample, 0.5); }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

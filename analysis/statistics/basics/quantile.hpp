@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Quantile `p` of a sample, linear between the order statistics at 1 + (n - 1) p.
 /// Empty for an empty sample and for one that holds a NaN: what is missing is the caller's to leave
@@ -19,4 +19,4 @@ namespace tcert {
 
 [[nodiscard]] std::optional<double> median(std::span<const double> sample);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

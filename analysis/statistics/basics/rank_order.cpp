@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::vector<std::uint32_t> rank_order(std::span<const double> score, HigherMeans higher) {
   // The score sorts beside its row: a comparison that looks it up waits for memory.
@@ -24,4 +24,4 @@ std::vector<std::uint32_t> rank_order(std::span<const double> score, HigherMeans
   return order;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

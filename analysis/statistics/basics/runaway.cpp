@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <statistics/basics/quantile.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 double typical_spread(std::vector<double> values) {
   if (values.empty()) {
@@ -53,4 +53,4 @@ bool has_run_away(const SpreadRatio& ratio, double trials) noexcept {
          (flat && ratio.error > kLargestLogError);
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A spread that neither an outlier nor a rare level moves. Of two values, as of a dummy, their
 /// distance. Of more, the interquartile range over 1.349 (the standard deviation of a normal
@@ -36,4 +36,4 @@ struct SpreadRatio {
 /// spread exceeds: what needs no spread to be ruled out.
 [[nodiscard]] bool may_have_run_away(const SpreadRatio& ratio_of_range) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr std::size_t kSmall = 512;
@@ -103,4 +103,4 @@ std::vector<std::uint32_t> sort_order(std::span<const double> values) {
   return order;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Row indices by ascending value, equal values in row order. Infinities are at the ends, -0 equals
 /// 0. A radix sort of the leading 32 bits, then of what they leave equal: O(n) unless values differ
@@ -14,4 +14,4 @@ namespace tcert {
 /// \throws std::invalid_argument if a value is NaN or there are 2^32 rows or more.
 [[nodiscard]] std::vector<std::uint32_t> sort_order(std::span<const double> values);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace tcert {
+namespace tcert::statistics {
 
 double standard_deviation(std::span<const double> values) {
   const Eigen::Map<const Eigen::VectorXd> x(values.data(),
@@ -14,4 +14,4 @@ double standard_deviation(std::span<const double> values) {
   return std::sqrt((x.array() - x.mean()).square().sum() / static_cast<double>(x.size() - 1));
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -3,7 +3,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
-namespace tcert {
+namespace tcert::statistics {
 
 double t_factor(double level, double df) {
   return boost::math::quantile(
@@ -41,4 +41,4 @@ ClusterT by_cluster_t(const std::optional<double>& estimate,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <statistics/basics/alternative.hpp>
 #include <statistics/basics/interval.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Half width of a two-sided interval in standard errors: `qt((1 + level) / 2, df)`.
 /// \pre 0 < level < 1, df > 0.
@@ -32,4 +32,4 @@ struct ClusterT {
                                     std::size_t clusters,
                                     double level);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

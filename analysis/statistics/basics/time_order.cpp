@@ -6,7 +6,7 @@
 #include <statistics/basics/sort_order.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void check(const SurvivalOutcome& outcome,
@@ -104,4 +104,4 @@ TimeOrder time_order(const SurvivalOutcome& outcome,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/survival/survival_outcome.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Rows by group, then by time.
 struct TimeOrder {
@@ -35,4 +35,4 @@ struct TimeOrder {
                                                      std::span<const std::uint32_t> group,
                                                      std::span<const std::size_t> first);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::optional<ChiSquareTest> wald_test(const Eigen::VectorXd& estimates,
                                        const Eigen::MatrixXd& covariance) {
@@ -26,4 +26,4 @@ std::optional<ChiSquareTest> wald_test(const Eigen::VectorXd& estimates,
   return chi_square_test(z.squaredNorm(), static_cast<std::size_t>(estimates.size()));
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

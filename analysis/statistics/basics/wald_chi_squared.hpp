@@ -6,7 +6,7 @@
 #include <optional>
 #include <statistics/basics/chi_square.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// b' V^-1 b, never negative, on as many degrees of freedom as there are coefficients. Empty if
 /// there is none, an entry is not finite, or V cannot be inverted, as a robust one of fewer
@@ -14,4 +14,4 @@ namespace tcert {
 [[nodiscard]] std::optional<ChiSquareTest> wald_test(const Eigen::VectorXd& estimates,
                                                      const Eigen::MatrixXd& covariance);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,12 +9,12 @@
 #include <string>
 #include <table/csv_write.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void check(std::span<const double> outcome,
            std::span<const double> probability,
-           const Factor* cluster,
+           const table::Factor* cluster,
            const CalibrationOptions& options) {
   if (outcome.size() != probability.size() ||
       (cluster != nullptr && cluster->rows() != outcome.size())) {
@@ -47,14 +47,14 @@ std::string words_of(const NamedRows& named,
       std::to_string(named.count) + (named.count == 1 ? " row, " : " rows, the first is ");
   words += options.place ? options.place(named.first) : "row " + std::to_string(named.first + 1);
   words += " with ";
-  append_number(words, probability[named.first]);
+  table::append_number(words, probability[named.first]);
   return words;
 }
 
 /// Complete rows; a probability outside [0, 1] becomes an error, one of 0 or 1 a warning.
 CalibrationRows complete_rows(std::span<const double> outcome,
                               std::span<const double> probability,
-                              const Factor* cluster,
+                              const table::Factor* cluster,
                               const CalibrationOptions& options,
                               ModelCalibration& result) {
   CalibrationRows rows;
@@ -65,7 +65,7 @@ CalibrationRows complete_rows(std::span<const double> outcome,
     const double p = probability[i];
     predicted = predicted || !std::isnan(p);
     if (std::isnan(outcome[i]) || std::isnan(p) ||
-        (cluster != nullptr && cluster->codes[i] == Factor::kMissing)) {
+        (cluster != nullptr && cluster->codes[i] == table::Factor::kMissing)) {
       ++result.missing;
       continue;
     }
@@ -101,7 +101,7 @@ CalibrationRows complete_rows(std::span<const double> outcome,
 
 /// The outcome on the logit of its probability; with `slope` held at 1 that is an offset.
 LogisticFit recalibration(const CalibrationRows& rows,
-                          const Factor* cluster,
+                          const table::Factor* cluster,
                           bool slope,
                           double level) {
   const auto n = static_cast<Eigen::Index>(rows.outcome.size());
@@ -126,7 +126,7 @@ LogisticFit recalibration(const CalibrationRows& rows,
   LogisticOptions options;
   options.level = level;
   if (cluster != nullptr) {
-    input.cluster = Factor{rows.cluster, cluster->levels};
+    input.cluster = table::Factor{rows.cluster, cluster->levels};
     options.variance = CoefficientVariance::robust;
   }
   return fit_logistic(input, options);
@@ -138,7 +138,7 @@ CalibrationCoefficient coefficient(const LogisticFit& fit, std::size_t column) {
 }
 
 void add_recalibration(const CalibrationRows& rows,
-                       const Factor* cluster,
+                       const table::Factor* cluster,
                        double level,
                        ModelCalibration& result) {
   if (result.events == 0 || result.events == result.rows) {
@@ -178,7 +178,7 @@ void add_recalibration(const CalibrationRows& rows,
 
 ModelCalibration calibration(std::span<const double> outcome,
                              std::span<const double> probability,
-                             const Factor* cluster,
+                             const table::Factor* cluster,
                              const CalibrationOptions& options) {
   check(outcome, probability, cluster, options);
   ModelCalibration result;
@@ -214,4 +214,4 @@ ModelCalibration calibration(std::span<const double> outcome,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

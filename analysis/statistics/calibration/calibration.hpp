@@ -16,7 +16,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct CalibrationOptions {
   double level = 0.95;
@@ -84,7 +84,7 @@ struct ModelCalibration {
 /// level is not in (0, 1) or there are fewer than 3 bins. O(n log n).
 [[nodiscard]] ModelCalibration calibration(std::span<const double> outcome,
                                            std::span<const double> probability,
-                                           const Factor* cluster = nullptr,
+                                           const table::Factor* cluster = nullptr,
                                            const CalibrationOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 #include <statistics/basics/binomial_interval.hpp>
 #include <statistics/basics/quantile.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Quantiles 0, 1/g, ..., 1, each once.
@@ -136,4 +136,4 @@ std::optional<ChiSquareTest> hosmer_lemeshow(std::span<const CalibrationBin> bin
   return chi_square_test(statistic, bins.size() - 2);
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

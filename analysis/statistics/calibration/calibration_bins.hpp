@@ -8,7 +8,7 @@
 #include <statistics/calibration/calibration.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Complete rows of a calibration.
 struct CalibrationRows {
@@ -33,4 +33,4 @@ struct CalibrationRows {
 /// than 3, and if a bin expects exactly none or all.
 [[nodiscard]] std::optional<ChiSquareTest> hosmer_lemeshow(std::span<const CalibrationBin> bins);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

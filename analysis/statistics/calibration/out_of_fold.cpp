@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 bool one_class(const LogisticInput& input, const std::vector<std::size_t>& rows) {
@@ -74,4 +74,4 @@ OutOfFold out_of_fold_probabilities(const LogisticInput& input, const Folds& fol
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

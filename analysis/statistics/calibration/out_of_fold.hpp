@@ -8,7 +8,7 @@
 #include <statistics/resampling/cross_validation.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct OutOfFold {
   std::vector<double> probability;  ///< One a row of the input; NaN where its fold has no fit.
@@ -21,4 +21,4 @@ struct OutOfFold {
 /// `fit_logistic`, or if rows have trials of other than 1 or weights. One fit a fold.
 [[nodiscard]] OutOfFold out_of_fold_probabilities(const LogisticInput& input, const Folds& folds);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

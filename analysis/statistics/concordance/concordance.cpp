@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void turn_over(ConcordancePairs& pairs) {
@@ -244,4 +244,4 @@ ConcordanceResult concordance(const SurvivalOutcome& outcome,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

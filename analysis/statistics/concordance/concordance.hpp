@@ -16,7 +16,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// What a larger value of a predictor goes with. Fixed beforehand, never from the data. R's
 /// `concordance(y ~ x)` takes `longer_time`, its `reverse = TRUE` and risk scores `shorter_time`.
@@ -29,9 +29,10 @@ struct Predictor {
 };
 
 struct ConcordanceOptions {
-  std::span<const double> weights;  ///< Case weights >= 0, finite; empty for 1 each.
-  const Factor* strata = nullptr;   ///< Only rows of the same stratum are compared.
-  const Factor* cluster = nullptr;  ///< Rows whose dfbetas are added before they are squared.
+  std::span<const double> weights;        ///< Case weights >= 0, finite; empty for 1 each.
+  const table::Factor* strata = nullptr;  ///< Only rows of the same stratum are compared.
+  const table::Factor* cluster =
+      nullptr;  ///< Rows whose dfbetas are added before they are squared.
   PairWeight pair_weight = PairWeight::equal;
   std::optional<double> earliest;  ///< R's ymin: earlier times count as this one.
   std::optional<double> latest;    ///< R's ymax: events after it count nothing.
@@ -91,4 +92,4 @@ struct ConcordanceResult {
 /// its value. For 0/1 outcomes C is the AUC. Values are still to be rounded as times are.
 [[nodiscard]] SurvivalOutcome uncensored(std::span<const double> values);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

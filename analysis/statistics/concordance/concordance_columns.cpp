@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void check(const SurvivalOutcome& outcome,
@@ -144,4 +144,4 @@ void ConcordanceColumns::copy_complete_rows() {
   cluster_ = own_cluster_;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

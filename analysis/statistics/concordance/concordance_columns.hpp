@@ -8,7 +8,7 @@
 #include <statistics/concordance/concordance.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Spans go into the caller's columns or into copies held here. Times are raised to
 /// `options.earliest`, and a start that all rows share is dropped.
@@ -55,4 +55,4 @@ class ConcordanceColumns {
   std::vector<std::uint32_t> own_cluster_;
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

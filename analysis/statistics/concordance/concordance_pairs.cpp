@@ -9,7 +9,7 @@
 #include <statistics/concordance/prefix_sums.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Weight of the rows that compare to one row, by side.
@@ -233,4 +233,4 @@ ConcordancePairs concordance_pairs(const ConcordanceRows& rows, std::span<const 
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

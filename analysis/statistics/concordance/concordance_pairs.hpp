@@ -10,7 +10,7 @@
 #include <statistics/survival/survival_outcome.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A pair is comparable if one row has its event while the other is at risk and outlives it (a row
 /// censored at that very time does). It is concordant if the longer time has the larger predictor
@@ -72,4 +72,4 @@ struct ConcordancePairs {
 [[nodiscard]] ConcordancePairs concordance_pairs(const ConcordanceRows& rows,
                                                  std::span<const double> larger);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 bool common_start(const SurvivalOutcome& outcome) {
@@ -19,7 +19,7 @@ bool common_start(const SurvivalOutcome& outcome) {
 
 ConcordanceReplicates::ConcordanceReplicates(const SurvivalOutcome& outcome,
                                              const Predictor& predictor,
-                                             const Factor* strata)
+                                             const table::Factor* strata)
     : larger_(predictor.larger), rows_(outcome.rows()) {
   const std::size_t groups = strata == nullptr ? 1 : strata->levels.size();
   const TimeOrder order =
@@ -124,4 +124,4 @@ double ConcordanceReplicates::c(std::span<const std::uint32_t> multiplicity,
                             static_cast<double>(pairs.tied_x)});
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

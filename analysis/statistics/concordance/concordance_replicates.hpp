@@ -11,7 +11,7 @@
 #include <statistics/survival/survival_outcome.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Sorts once; each replicate is then a walk through the rows in time order.
 ///
@@ -47,7 +47,7 @@ class ConcordanceReplicates {
   /// predictor value or a stratum is missing.
   ConcordanceReplicates(const SurvivalOutcome& outcome,
                         const Predictor& predictor,
-                        const Factor* strata = nullptr);
+                        const table::Factor* strata = nullptr);
 
   /// C, or NaN if no pair is comparable. O(n log d), d the distinct values of the predictor.
   /// \pre `multiplicity` has a value per row; their sum is below 2^32.
@@ -76,4 +76,4 @@ class ConcordanceReplicates {
   std::size_t distinct_ = 0;  ///< Of the stratum with the most.
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <statistics/concordance/concordance_replicates.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct ConcordanceProblem {
@@ -46,7 +46,7 @@ StatisticKernel make_kernel(const std::shared_ptr<const ConcordanceProblem>& pro
 Statistic concordance_statistic(const SurvivalOutcome& outcome,
                                 std::span<const Predictor> predictors,
                                 const ConcordanceDifferences& differences,
-                                const Factor* strata) {
+                                const table::Factor* strata) {
   if (predictors.empty()) {
     throw std::invalid_argument("C statistic: no predictor");
   }
@@ -69,4 +69,4 @@ Statistic concordance_statistic(const SurvivalOutcome& outcome,
   return statistic;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

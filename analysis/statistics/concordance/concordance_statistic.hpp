@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Pairs of predictors, by index: the first's C minus the second's.
 using ConcordanceDifferences = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -24,6 +24,6 @@ using ConcordanceDifferences = std::vector<std::pair<std::size_t, std::size_t>>;
 [[nodiscard]] Statistic concordance_statistic(const SurvivalOutcome& outcome,
                                               std::span<const Predictor> predictors,
                                               const ConcordanceDifferences& differences = {},
-                                              const Factor* strata = nullptr);
+                                              const table::Factor* strata = nullptr);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 Stratum make_stratum(const ConcordanceRows& rows, std::size_t group, const DenseRanks& ranks) {
@@ -133,4 +133,4 @@ std::vector<Stratum> concordance_strata(const ConcordanceRows& rows, const Dense
   return strata;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

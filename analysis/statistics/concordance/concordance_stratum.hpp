@@ -9,7 +9,7 @@
 #include <statistics/concordance/concordance_pairs.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A row as the counting sees it.
 struct StratumRow {
@@ -63,4 +63,4 @@ struct Stratum {
 [[nodiscard]] std::vector<Stratum> concordance_strata(const ConcordanceRows& rows,
                                                       const DenseRanks& ranks);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Weights by slot. Each level holds, per slot, the sum of the slots before it in its block of
 /// sixteen; the next level has a slot per block. A change is a short run of additions per level, a
@@ -63,4 +63,4 @@ class PrefixSums {
   T total_{0};
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

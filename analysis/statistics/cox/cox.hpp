@@ -17,7 +17,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// How events at the same time share the partial likelihood.
 enum class Ties : std::uint8_t {
@@ -38,8 +38,8 @@ struct CoxData {
   std::vector<std::size_t> term_of;        ///< p indices into `terms`.
   std::optional<Eigen::VectorXd> offset;   ///< n.
   std::optional<Eigen::VectorXd> weights;  ///< n, above 0.
-  std::optional<Factor> strata;            ///< n codes: each level has its own baseline hazard.
-  std::optional<Factor> cluster;           ///< n codes: rows of one level are not independent.
+  std::optional<table::Factor> strata;     ///< n codes: each level has its own baseline hazard.
+  std::optional<table::Factor> cluster;    ///< n codes: rows of one level are not independent.
 
   [[nodiscard]] std::size_t rows() const noexcept { return outcome.rows(); }
 };
@@ -158,4 +158,4 @@ struct CoxFit {
 /// is not in (0, 1), or exact ties are joined with weights or robust variance.
 [[nodiscard]] CoxFit fit_cox(const CoxData& data, const CoxOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

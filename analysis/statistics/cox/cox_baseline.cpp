@@ -7,7 +7,7 @@
 #include <statistics/cox/cox_hazard_steps.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// The distinct stopping times of one stratum, each with the last event time up to it.
@@ -211,4 +211,4 @@ std::vector<CoxCurve> cox_curves(const CoxData& data,
   return curves;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Of one stratum, at each distinct time at which a row of it stops.
 struct BaselineHazard {
@@ -46,4 +46,4 @@ struct CoxCurve {
                                                const Eigen::MatrixXd& design,
                                                const Eigen::VectorXd& offset = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -2,7 +2,7 @@
 #include <statistics/cox/cox.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 
 CoxData cox_data(const ModelFrame& frame) {
   const auto* const outcome = std::get_if<SurvivalOutcome>(&frame.outcome);
@@ -30,4 +30,4 @@ CoxData cox_data(const ModelFrame& frame) {
   return data;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -11,7 +11,7 @@
 #include <statistics/cox/cox_likelihood.hpp>
 #include <statistics/cox/cox_risk_pass.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Rows at risk at one time: their places and risks.
@@ -229,4 +229,4 @@ CoxDerivatives exact_derivatives(const CoxRows& rows, const Eigen::VectorXd& bet
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <statistics/cox/cox_newton.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void require(bool holds, const char* message) {
@@ -230,4 +230,4 @@ CoxFit fit_cox(const CoxData& data, const CoxOptions& options) {
   return fit;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

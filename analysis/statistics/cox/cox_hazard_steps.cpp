@@ -4,7 +4,7 @@
 #include <statistics/cox/cox_likelihood.hpp>
 #include <statistics/cox/cox_risk_pass.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 bool is_event(const CoxRows& rows, std::size_t place) noexcept {
@@ -137,4 +137,4 @@ void score_residual(const CoxRows& rows,
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

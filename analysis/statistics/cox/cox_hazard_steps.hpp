@@ -7,7 +7,7 @@
 #include <statistics/cox/cox_rows.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// T event times, p scaled columns (matrices are T x p, row-major, so that a time is contiguous).
 /// Cumulative sums start anew in every stratum. Of tied events under Efron's rule each sees its own
@@ -43,4 +43,4 @@ void score_residual(const CoxRows& rows,
                     std::size_t place,
                     double* residual) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void name_missing_variance(const std::string& column, std::string detail, CoxFit& fit) {
@@ -70,7 +70,7 @@ void add_robust_variance(const CoxData& data,
                          const CoxMaximum& maximum,
                          const Eigen::MatrixXd& inverse,
                          CoxFit& fit) {
-  const Factor* const cluster = data.cluster ? &*data.cluster : nullptr;
+  const table::Factor* const cluster = data.cluster ? &*data.cluster : nullptr;
   if (cluster != nullptr) {
     fit.clusters = count_codes(cluster->codes);
     if (fit.clusters < 2) {
@@ -184,4 +184,4 @@ void add_cox_inference(const CoxData& data,
   fit.bic = -2.0 * *fit.loglik + df * std::log(static_cast<double>(fit.events));
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

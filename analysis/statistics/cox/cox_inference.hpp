@@ -6,7 +6,7 @@
 #include <statistics/cox/cox_newton.hpp>
 #include <statistics/cox/cox_rows.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Sets the variances (model and robust), the three tests, the coefficients and the information
 /// criteria of `fit`, whose likelihoods, degrees of freedom and coefficients are there.
@@ -15,4 +15,4 @@ void add_cox_inference(const CoxData& data,
                        const CoxMaximum& maximum,
                        CoxFit& fit);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <statistics/basics/compensated_sum.hpp>
 #include <statistics/cox/cox_risk_pass.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 TieSums tie_sums(double others, double events, std::size_t d, Ties ties) noexcept {
   TieSums sums;
   if (ties != Ties::efron || d == 1) {
@@ -113,4 +113,4 @@ CoxDerivatives cox_derivatives(const CoxRows& rows, const Eigen::VectorXd& beta,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

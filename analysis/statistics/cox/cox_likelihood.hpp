@@ -8,7 +8,7 @@
 #include <statistics/cox/cox_rows.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// With respect to the coefficients of the scaled columns.
 struct CoxDerivatives {
@@ -49,4 +49,4 @@ double add_risk_set(const CoxRows& rows,
 /// neither overflows nor cancels. O(m d p^2) a time with d > 1 events and m rows at risk.
 [[nodiscard]] CoxDerivatives exact_derivatives(const CoxRows& rows, const Eigen::VectorXd& beta);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

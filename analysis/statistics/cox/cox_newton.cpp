@@ -9,7 +9,7 @@
 #include <optional>
 #include <statistics/cox/cox_recession.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr std::size_t kHalvings = 40;
@@ -306,4 +306,4 @@ Eigen::MatrixXd with_missing(Eigen::MatrixXd variance, const CoxMaximum& maximum
   return variance;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/cox/cox_rows.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 enum class ColumnState : std::uint8_t {
   estimated,
@@ -43,4 +43,4 @@ struct CoxMaximum {
 /// The same with NaN in rows and columns of coefficients that are NA.
 [[nodiscard]] Eigen::MatrixXd with_missing(Eigen::MatrixXd variance, const CoxMaximum& maximum);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kTie = 1e-9;
@@ -136,4 +136,4 @@ std::optional<Eigen::VectorXd> recession_direction(const CoxRows& rows,
   return std::nullopt;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <optional>
 #include <statistics/cox/cox_rows.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A direction d of the scaled columns, within the span of `basis` (p x k), along which the partial
 /// likelihood never falls and somewhere rises; empty if there is none, so that the maximum is
@@ -24,4 +24,4 @@ namespace tcert {
                                                                  const Eigen::MatrixXd& basis,
                                                                  const Eigen::VectorXd& score);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 #include <statistics/cox/cox_hazard_steps.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// sign(m) sqrt(-2 (m + event log(event - m))).
@@ -119,4 +119,4 @@ CoxResiduals cox_residuals(const CoxData& data, const CoxFit& fit) {
   return residuals;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/cox/cox.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// n rows in the data's order, p columns, D events. Columns whose coefficient is NA hold NaN where
 /// the residual is one of the coefficient. If a coefficient runs to infinity, all are those of the
@@ -31,4 +31,4 @@ struct CoxResiduals {
 /// \throws std::invalid_argument if the fit has no model variance.
 [[nodiscard]] CoxResiduals cox_residuals(const CoxData& data, const CoxFit& fit);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

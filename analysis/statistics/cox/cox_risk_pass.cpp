@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr std::size_t kUnrolled = 8;  ///< Numbers of columns up to it have a loop of their own.
@@ -141,4 +141,4 @@ void RiskPass::leave(std::size_t t) noexcept {
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <statistics/cox/cox_rows.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Sums over rows of weight x risk score times 1, x and x x': one number, p of them, and the lower
 /// triangle by rows.
@@ -94,4 +94,4 @@ void for_each_risk_set(const CoxRows& rows,
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
-std::size_t stratum_of_row(const Factor* strata, std::size_t row) {
+std::size_t stratum_of_row(const table::Factor* strata, std::size_t row) {
   return strata == nullptr ? 0 : strata->codes[row];
 }
 
 /// Distinct event times of every stratum.
-void find_event_times(const SurvivalOutcome& outcome, const Factor* strata, RiskSets& sets) {
+void find_event_times(const SurvivalOutcome& outcome, const table::Factor* strata, RiskSets& sets) {
   const std::size_t count = strata == nullptr ? 1 : strata->levels.size();
   std::vector<std::vector<double>> times(count);
   std::vector<std::size_t> events(count, 0);
@@ -36,7 +36,7 @@ void find_event_times(const SurvivalOutcome& outcome, const Factor* strata, Risk
 }
 
 /// The range of event times of every row.
-void find_ranges(const SurvivalOutcome& outcome, const Factor* strata, RiskSets& sets) {
+void find_ranges(const SurvivalOutcome& outcome, const table::Factor* strata, RiskSets& sets) {
   const std::size_t rows = outcome.rows();
   sets.first.assign(rows, RiskSets::kNever);
   sets.last.assign(rows, RiskSets::kNever);
@@ -116,7 +116,7 @@ void sort_by_first(RiskSets& sets) {
 
 }  // namespace
 
-RiskSets risk_sets(const SurvivalOutcome& outcome, const Factor* strata) {
+RiskSets risk_sets(const SurvivalOutcome& outcome, const table::Factor* strata) {
   RiskSets sets;
   find_event_times(outcome, strata, sets);
   find_ranges(outcome, strata, sets);
@@ -127,4 +127,4 @@ RiskSets risk_sets(const SurvivalOutcome& outcome, const Factor* strata) {
   return sets;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -10,7 +10,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Event times are numbered by stratum, then upwards; T of them. A row is at risk at the event
 /// times first..last; most rows of a right-censored outcome start at their stratum's first one.
@@ -42,6 +42,6 @@ struct RiskSets {
 };
 
 /// `strata` may be null. \pre fewer than 2^32 - 1 rows. O(n log n).
-[[nodiscard]] RiskSets risk_sets(const SurvivalOutcome& outcome, const Factor* strata);
+[[nodiscard]] RiskSets risk_sets(const SurvivalOutcome& outcome, const table::Factor* strata);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -2,12 +2,12 @@
 
 #include <statistics/cox/cox_hazard_steps.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 ClusterScores cluster_scores(const CoxRows& rows,
                              const Eigen::VectorXd& beta,
                              Ties ties,
-                             const Factor* cluster) {
+                             const table::Factor* cluster) {
   const HazardSteps steps = hazard_steps(rows, beta, ties);
   const auto p = static_cast<Eigen::Index>(rows.columns);
   ClusterScores scores;
@@ -40,4 +40,4 @@ ClusterScores cluster_scores(const CoxRows& rows,
   return scores;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <statistics/cox/cox_rows.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Sums of weighted score residuals within clusters.
 struct ClusterScores {
@@ -18,6 +18,6 @@ struct ClusterScores {
 [[nodiscard]] ClusterScores cluster_scores(const CoxRows& rows,
                                            const Eigen::VectorXd& beta,
                                            Ties ties,
-                                           const Factor* cluster);
+                                           const table::Factor* cluster);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

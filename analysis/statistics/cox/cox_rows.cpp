@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// exp() of twice it leaves room: the information divides by squares of sums.
@@ -115,4 +115,4 @@ void risk_scores(const CoxRows& rows, const Eigen::VectorXd& beta, RiskScores& s
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

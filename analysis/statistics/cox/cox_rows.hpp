@@ -8,7 +8,7 @@
 #include <statistics/cox/cox_risk_sets.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Contiguous arrays of the m rows that are ever at risk, in the order of `sets.order`. Columns are
 /// centred and scaled: sums over risk sets then neither overflow nor cancel.
@@ -52,4 +52,4 @@ struct RiskScores {
 /// `beta` are the coefficients of the scaled columns. O(m p).
 void risk_scores(const CoxRows& rows, const Eigen::VectorXd& beta, RiskScores& scores);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

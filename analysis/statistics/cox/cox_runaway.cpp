@@ -4,7 +4,7 @@
 #include <cmath>
 #include <statistics/basics/runaway.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::vector<bool> cox_runaways(const CoxData& data,
                                const CoxRows& rows,
@@ -50,4 +50,4 @@ std::vector<bool> cox_runaways(const CoxData& data,
   return away;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <statistics/cox/cox_rows.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Per column whether its estimate has run away (`has_run_away`): the curvature along it is held
 /// against that without effect, over the number of events. `inverse` is that of the information at
@@ -18,4 +18,4 @@ namespace tcert {
                                              const Eigen::MatrixXd& inverse,
                                              std::size_t events);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

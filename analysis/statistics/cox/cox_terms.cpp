@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// `data` with the columns of the terms for which `keep(term)` holds.
@@ -131,4 +131,4 @@ TermTests cox_drop1(const CoxData& data, const CoxOptions& options) {
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

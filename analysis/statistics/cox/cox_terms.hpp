@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A model on the way from one term to the next, or without one.
 struct TermTest {
@@ -36,4 +36,4 @@ struct TermTests {
 /// \throws std::invalid_argument as `fit_cox` does.
 [[nodiscard]] TermTests cox_drop1(const CoxData& data, const CoxOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

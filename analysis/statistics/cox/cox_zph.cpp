@@ -8,7 +8,7 @@
 #include <statistics/cox/time_transform.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kAlpha = 0.05;
@@ -191,4 +191,4 @@ ProportionalityTests cox_zph(const CoxData& data,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

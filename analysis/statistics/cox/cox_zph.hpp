@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// g(t).
 enum class TimeTransform : std::uint8_t {
@@ -49,4 +49,4 @@ struct ProportionalityTests {
                                            TimeTransform transform = TimeTransform::km,
                                            bool by_term = true);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 std::vector<std::size_t> order_of(const std::vector<double>& times) {
@@ -92,4 +92,4 @@ std::vector<double> transformed_times(const SurvivalOutcome& outcome, TimeTransf
   return times;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

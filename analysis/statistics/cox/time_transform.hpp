@@ -6,10 +6,10 @@
 #include <statistics/survival/survival_outcome.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// g at each row's `stop`, minus its mean over the rows with an event. \pre some event. O(n log n).
 [[nodiscard]] std::vector<double> transformed_times(const SurvivalOutcome& outcome,
                                                     TimeTransform transform);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/basics/wald_chi_squared.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void check_alpha(double alpha) {
@@ -154,4 +154,4 @@ std::optional<NonInferiority> non_inferiority(std::size_t lost,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Estimates of the same quantity in k groups, with their joint covariance.
 struct GroupEstimates {
@@ -96,4 +96,4 @@ struct NonInferiority {
                                                             double margin,
                                                             double alpha = 0.05);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -12,7 +12,7 @@
 #include <table/random.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Rows by cluster, rising within each.
@@ -26,7 +26,7 @@ std::vector<std::vector<std::uint32_t>> rows_by_cluster(std::span<const std::uin
 }
 
 void shuffle_within(const std::vector<std::vector<std::uint32_t>>& clusters,
-                    RandomStream random,
+                    table::RandomStream random,
                     std::vector<std::uint32_t>& labels) {
   for (const std::vector<std::uint32_t>& rows : clusters) {
     for (std::size_t left = rows.size(); left > 1; --left) {
@@ -56,7 +56,7 @@ RangeUnderEquality range_under_equality(std::span<const std::uint32_t> labels,
     std::vector<std::uint32_t> shuffled;
     for (std::size_t r = part.begin(); r < part.end(); ++r) {
       shuffled.assign(labels.begin(), labels.end());
-      shuffle_within(clusters, RandomStream(options.seed, options.analysis, r), shuffled);
+      shuffle_within(clusters, table::RandomStream(options.seed, options.analysis, r), shuffled);
       ranges[r] = kernel(shuffled);
     }
   });
@@ -86,4 +86,4 @@ RangeUnderEquality range_under_equality(std::span<const std::uint32_t> labels,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The largest less the smallest estimate for these labels, one a row; NaN where there is none. It
 /// owns its scratch memory and is called from one thread.
@@ -40,4 +40,4 @@ struct RangeUnderEquality {
     const std::function<RangeKernel()>& make_kernel,
     const PermutationOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

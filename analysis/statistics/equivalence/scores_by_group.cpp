@@ -6,7 +6,7 @@
 #include <statistics/model/variable.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 template <class Values>
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> clusters_of(const std::vector<std::uint32_t>& cluster
 
 /// The joint estimates: `influence` holds a column a group whose products are the covariances;
 /// `variances` stand on the diagonal.
-std::optional<GroupEstimates> joint_of(const Factor& group,
+std::optional<GroupEstimates> joint_of(const table::Factor& group,
                                        const ScoresByGroup& scores,
                                        const Eigen::MatrixXd& influence) {
   GroupEstimates joint;
@@ -63,10 +63,10 @@ std::optional<GroupEstimates> joint_of(const Factor& group,
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> rows_of_levels(const Factor& factor) {
+std::vector<std::vector<std::size_t>> rows_of_levels(const table::Factor& factor) {
   std::vector<std::vector<std::size_t>> rows(factor.levels.size());
   for (std::size_t row = 0; row < factor.rows(); ++row) {
-    if (factor.codes[row] == Factor::kMissing) {
+    if (factor.codes[row] == table::Factor::kMissing) {
       throw std::invalid_argument("scores by group: a group is missing");
     }
     rows[factor.codes[row]].push_back(row);
@@ -86,7 +86,7 @@ SurvivalOutcome on_rows(const SurvivalOutcome& outcome, const std::vector<std::s
 
 ScoresByGroup auc_by_group(const Score& score,
                            std::span<const std::uint8_t> success,
-                           const Factor& group,
+                           const table::Factor& group,
                            std::span<const std::uint32_t> cluster,
                            double level) {
   if (score.values.size() != group.rows() || success.size() != group.rows() ||
@@ -126,8 +126,8 @@ ScoresByGroup auc_by_group(const Score& score,
 
 ScoresByGroup concordance_by_group(const SurvivalOutcome& outcome,
                                    const Predictor& predictor,
-                                   const Factor& group,
-                                   const Factor& cluster,
+                                   const table::Factor& group,
+                                   const table::Factor& cluster,
                                    double level) {
   if (predictor.values.size() != group.rows() || cluster.rows() != group.rows()) {
     throw std::invalid_argument("C by group: lengths differ");
@@ -138,7 +138,7 @@ ScoresByGroup concordance_by_group(const SurvivalOutcome& outcome,
                             static_cast<Eigen::Index>(group.levels.size()));
   for (const std::vector<std::size_t>& rows : rows_of_levels(group)) {
     const std::vector<double> values = chosen(predictor.values, rows);
-    const Factor clusters = on_rows(cluster, rows);
+    const table::Factor clusters = on_rows(cluster, rows);
     ConcordanceOptions options;
     options.level = level;
     options.cluster = &clusters;
@@ -158,4 +158,4 @@ ScoresByGroup concordance_by_group(const SurvivalOutcome& outcome,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

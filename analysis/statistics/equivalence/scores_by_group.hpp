@@ -16,7 +16,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct GroupScore {
   std::optional<double> value;
@@ -38,7 +38,7 @@ struct ScoresByGroup {
 /// least f_g sum (a + b)^2. \throws std::invalid_argument as `joint_auc`, or if a code is missing.
 [[nodiscard]] ScoresByGroup auc_by_group(const Score& score,
                                          std::span<const std::uint8_t> success,
-                                         const Factor& group,
+                                         const table::Factor& group,
                                          std::span<const std::uint32_t> cluster,
                                          double level = 0.95);
 
@@ -47,15 +47,15 @@ struct ScoresByGroup {
 /// of squares. \throws std::invalid_argument as `concordance`.
 [[nodiscard]] ScoresByGroup concordance_by_group(const SurvivalOutcome& outcome,
                                                  const Predictor& predictor,
-                                                 const Factor& group,
-                                                 const Factor& cluster,
+                                                 const table::Factor& group,
+                                                 const table::Factor& cluster,
                                                  double level = 0.95);
 
 /// Rows of each level.
-[[nodiscard]] std::vector<std::vector<std::size_t>> rows_of_levels(const Factor& factor);
+[[nodiscard]] std::vector<std::vector<std::size_t>> rows_of_levels(const table::Factor& factor);
 
 /// The outcome on these rows.
 [[nodiscard]] SurvivalOutcome on_rows(const SurvivalOutcome& outcome,
                                       const std::vector<std::size_t>& rows);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

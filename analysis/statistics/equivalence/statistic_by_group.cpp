@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 
-Statistic by_group(const Statistic& whole, const Factor& group) {
+Statistic by_group(const Statistic& whole, const table::Factor& group) {
   if (group.rows() != whole.rows) {
     throw std::invalid_argument("a statistic by group: rows differ");
   }
@@ -63,4 +63,4 @@ std::function<RangeKernel()> range_of(const Statistic& whole,
   };
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

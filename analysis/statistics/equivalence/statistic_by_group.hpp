@@ -6,11 +6,11 @@
 #include <statistics/resampling/statistic.hpp>
 #include <table/factor.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// All values of `whole` on the rows of the first group, then of the second, ...: value v of group
 /// g is number g * whole.values + v. \throws std::invalid_argument if the rows differ.
-[[nodiscard]] Statistic by_group(const Statistic& whole, const Factor& group);
+[[nodiscard]] Statistic by_group(const Statistic& whole, const table::Factor& group);
 
 /// Makes kernels of the largest less the smallest of value `value` of `whole` over `groups` groups
 /// of rows; NaN if a group has none.
@@ -18,4 +18,4 @@ namespace tcert {
                                                     std::size_t value,
                                                     std::size_t groups);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -15,7 +15,7 @@
 #include <statistics/logistic/near_separation.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -375,4 +375,4 @@ GlmmFit fit_glmm(const GlmmInput& input, const GlmmOptions& options) {
   return fit;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

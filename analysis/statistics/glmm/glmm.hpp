@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// What is fitted: logit Pr(success) = design * beta + offset + sum over terms of z' b, where b of
 /// each level of a term's group is normal with mean 0 and the term's covariance.
@@ -127,4 +127,4 @@ struct GlmmFit {
 /// True for one term with an intercept alone.
 [[nodiscard]] bool is_single_intercept(const GlmmInput& input) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::statistics

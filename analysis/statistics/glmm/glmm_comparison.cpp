@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 DroppedTerm dropped(const GlmmInput& input,
@@ -57,4 +57,4 @@ std::vector<DroppedTerm> drop_terms(const GlmmInput& input, const GlmmOptions& o
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/logistic/logistic_drop.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The larger model against the smaller one, which must be nested in it and on the same rows: twice
 /// the difference of the log-likelihoods, on as many degrees of freedom as it has parameters more
@@ -24,4 +24,4 @@ namespace tcert {
 [[nodiscard]] std::vector<DroppedTerm> drop_terms(const GlmmInput& input,
                                                   const GlmmOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kLargestTheta = 1000.0;
@@ -144,4 +144,4 @@ GlmmMaximum newton_maximum(MixedLikelihood& likelihood,
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

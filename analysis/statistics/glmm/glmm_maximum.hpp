@@ -8,7 +8,7 @@
 #include <statistics/glmm/glmm.hpp>
 #include <statistics/glmm/mixed_likelihood.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct GlmmMaximum {
   GlmmTermination termination = GlmmTermination::converged;
@@ -46,4 +46,4 @@ struct GlmmMaximum {
 /// No eigenvalue is above rounding.
 [[nodiscard]] bool is_concave(const Eigen::MatrixXd& hessian);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/glmm/sparse_likelihood.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 Condition error(ConditionKind kind,
@@ -89,12 +89,12 @@ TermRows term_rows(const RandomEffects& random,
   TermRows term;
   term.group = random.group;
   term.columns = random.columns;
-  std::vector<std::uint32_t> place(random.levels.levels.size(), Factor::kMissing);
+  std::vector<std::uint32_t> place(random.levels.levels.size(), table::Factor::kMissing);
   for (const Eigen::Index row : used) {
     place[random.levels.codes[static_cast<std::size_t>(row)]] = 0;
   }
   for (std::size_t level = 0; level < place.size(); ++level) {
-    if (place[level] != Factor::kMissing) {
+    if (place[level] != table::Factor::kMissing) {
       place[level] = static_cast<std::uint32_t>(term.levels.size());
       term.levels.push_back(random.levels.levels[level]);
     }
@@ -254,4 +254,4 @@ bool is_single_intercept(const GlmmInput& input) noexcept {
   return input.random.size() == 1 && is_intercept(input.random[0]);
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// One random term on the rows of the problem.
 struct TermRows {
@@ -59,4 +59,4 @@ struct GlmmProblem {
 [[nodiscard]] Eigen::MatrixXd factor_of(const TermRows& term,
                                         const Eigen::Ref<const Eigen::VectorXd>& thetas);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

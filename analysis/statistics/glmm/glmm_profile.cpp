@@ -12,7 +12,7 @@
 #include <statistics/glmm/glmm_solve.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// One number to be profiled: functional' parameters.
@@ -216,4 +216,4 @@ GlmmProfile glmm_profile(const GlmmInput& input,
   return laid_out(*problem, intervals, std::move(profile));
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <statistics/glmm/glmm.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct GlmmProfile {
   std::vector<std::optional<Interval>> coefficients;  ///< One a column of the fixed part.
@@ -32,4 +32,4 @@ struct GlmmProfileWatch {
                                        const GlmmOptions& options = {},
                                        const GlmmProfileWatch& watch = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <statistics/glmm/glmm_maximum.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Minus the log-likelihood at origin + metric * x, divided by `size`.
@@ -99,4 +99,4 @@ Eigen::VectorXd search_maximum(MixedLikelihood& likelihood,
   return x.allFinite() ? Eigen::VectorXd(start + metric * x) : start;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// A standard deviation below this is set to 0 if the likelihood does not fall by it.
@@ -132,4 +132,4 @@ GlmmMaximum solve(const GlmmProblem& problem, int quadrature, const GlmmOptions&
   return maximum;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

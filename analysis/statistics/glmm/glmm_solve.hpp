@@ -7,7 +7,7 @@
 #include <statistics/glmm/glmm_problem.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The maximum by `quadrature` points. Diagonals of the factors are at least 0, and exactly 0 where
 /// the likelihood is highest there. The search goes by Laplace's approximation, which costs least,
@@ -19,4 +19,4 @@ namespace tcert {
 /// Places of the diagonals of all factors among the parameters.
 [[nodiscard]] std::vector<Eigen::Index> diagonal_places(const GlmmProblem& problem);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

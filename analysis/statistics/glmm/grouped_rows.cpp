@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace tcert {
+namespace tcert::statistics {
 
 GroupedRows grouped_rows(const Eigen::MatrixXd& basis,
                          const BinomialRows& rows,
@@ -35,4 +35,4 @@ GroupedRows grouped_rows(const Eigen::MatrixXd& basis,
   return grouped;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <statistics/logistic/binomial_likelihood.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -31,4 +31,4 @@ struct GroupedRows {
                                        const std::vector<std::uint32_t>& codes,
                                        std::size_t groups);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

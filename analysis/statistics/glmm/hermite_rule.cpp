@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// The orthonormal polynomials of degrees 0 to n at x.
@@ -63,4 +63,4 @@ HermiteRule hermite_rule(int points) {
   return rule;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// E f(Z) = sum of weight * f(node), exact for polynomials of a degree below twice the points.
 struct HermiteRule {
@@ -17,4 +17,4 @@ struct HermiteRule {
 /// method. \throws std::invalid_argument unless 1 <= points <= 200. O(points^3).
 [[nodiscard]] HermiteRule hermite_rule(int points);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kLargestEta = 300.0;
@@ -459,4 +459,4 @@ double intercept_curvature(const InterceptGroup& group, double theta, double u) 
   return 1.0 + theta * theta * sums_at(group, theta, u).w0;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -15,7 +15,7 @@
 #include <statistics/glmm/mixed_likelihood.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Rows of one group, columns contiguous within a row.
 struct InterceptGroup {
@@ -65,4 +65,4 @@ struct InterceptScratch {
 /// -f''(u) at `u`. O(rows).
 [[nodiscard]] double intercept_curvature(const InterceptGroup& group, double theta, double u);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr Eigen::Index kBlockRows = 2048;
@@ -171,4 +171,4 @@ std::vector<TermModes> InterceptLikelihood::modes(const Eigen::VectorXd& paramet
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

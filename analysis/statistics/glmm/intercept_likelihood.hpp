@@ -10,7 +10,7 @@
 #include <statistics/glmm/mixed_likelihood.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Parameters are theta, the standard deviation between groups, and the coefficients along the
 /// basis. Value, gradient and Hessian are exact up to rounding. Blocks of groups are worked on in
@@ -48,4 +48,4 @@ class InterceptLikelihood final : public MixedLikelihood {
   std::vector<double> modes_;
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 enum class Derivatives : std::uint8_t { none, gradient, hessian };
 
@@ -51,4 +51,4 @@ class MixedLikelihood {
   [[nodiscard]] virtual std::vector<TermModes> modes(const Eigen::VectorXd& parameters) = 0;
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

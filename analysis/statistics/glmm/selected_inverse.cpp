@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::vector<double> selected_inverse(const Eigen::SparseMatrix<double>& factor) {
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
@@ -51,4 +51,4 @@ std::vector<double> selected_inverse(const Eigen::SparseMatrix<double>& factor) 
   return inverse;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

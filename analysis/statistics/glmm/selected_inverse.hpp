@@ -5,7 +5,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// `factor` is lower, by columns, rows ascending, with every fill-in (as Eigen's SimplicialLLT
 /// holds it). Returns one number per element of it: the inverse of factor * factor' there
@@ -13,4 +13,4 @@ namespace tcert {
 /// reaches).
 [[nodiscard]] std::vector<double> selected_inverse(const Eigen::SparseMatrix<double>& factor);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <limits>
 #include <statistics/glmm/selected_inverse.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kLargestEta = 600.0;
@@ -379,4 +379,4 @@ std::vector<TermModes> SparseLikelihood::modes(const Eigen::VectorXd& parameters
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -19,7 +19,7 @@
 #include <statistics/glmm/mixed_likelihood.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 class SparseLikelihood final : public MixedLikelihood {
  public:
@@ -75,4 +75,4 @@ class SparseLikelihood final : public MixedLikelihood {
   std::vector<double> inverse_;  ///< Per element of H.
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

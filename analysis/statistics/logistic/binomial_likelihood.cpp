@@ -5,7 +5,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Rows that are worked on together: their columns fit into the first-level cache.
@@ -90,4 +90,4 @@ double saturated_log_likelihood(const BinomialRows& rows) {
   return sum;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

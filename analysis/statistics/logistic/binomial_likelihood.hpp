@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// One entry a row; case weights are multiplied in, so neither needs to be whole.
 struct BinomialRows {
@@ -37,4 +37,4 @@ struct BinomialLikelihood {
 /// Log-likelihood (without coefficients) of the saturated model: each row's own proportion.
 [[nodiscard]] double saturated_log_likelihood(const BinomialRows& rows);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

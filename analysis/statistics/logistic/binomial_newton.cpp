@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// False if a pivot is nothing but rounding: a direction that no row with trials looks along.
@@ -77,4 +77,4 @@ NewtonResult maximise_binomial(const Eigen::MatrixXd& design,
       });
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <statistics/logistic/binomial_likelihood.hpp>
 #include <statistics/logistic/newton_ascent.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 using NewtonResult = NewtonAscent<BinomialLikelihood>;
 
@@ -30,4 +30,4 @@ using DivergenceTest = std::function<bool()>;
                                              const NewtonOptions& options,
                                              const DivergenceTest& diverges = nullptr);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

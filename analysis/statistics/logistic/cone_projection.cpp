@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// A row is on the wrong side if its cosine with the direction is below minus this.
@@ -106,4 +106,4 @@ std::optional<Eigen::VectorXd> project_on_cone(const Eigen::MatrixXd& rows,
   return std::nullopt;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

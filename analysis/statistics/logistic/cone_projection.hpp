@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The projection of `target` onto {d : rows * d >= 0}; rows have length 1. By Moreau it is what
 /// non-negative least squares leaves of `target` after the best combination of -rows. Lawson and
@@ -16,4 +16,4 @@ namespace tcert {
                                                              const Eigen::VectorXd& target,
                                                              double smallest);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

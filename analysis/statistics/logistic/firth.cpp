@@ -13,7 +13,7 @@
 #include <statistics/logistic/logistic_problem.hpp>
 #include <statistics/logistic/separation_words.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 ProfilePoint point_of(const FirthNewtonResult& newton) {
@@ -273,4 +273,4 @@ FirthFit fit_firth(const LogisticInput& input, const FirthOptions& options) {
   return fit;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct FirthOptions {
   double level = 0.95;
@@ -74,4 +74,4 @@ struct FirthFit {
 /// `fit_logistic`. O(rows columns^3) an iteration, some 10 fits a coefficient.
 [[nodiscard]] FirthFit fit_firth(const LogisticInput& input, const FirthOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

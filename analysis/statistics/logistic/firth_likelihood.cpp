@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Rows that are worked on together: their columns fit into the first-level cache.
@@ -90,4 +90,4 @@ FirthLikelihood firth_likelihood(const Eigen::MatrixXd& design,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

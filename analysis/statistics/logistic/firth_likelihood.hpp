@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <statistics/logistic/binomial_likelihood.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct FirthLikelihood {
   /// log-likelihood + log det(X' W X) / 2, without the binomial coefficients of the counts; minus
@@ -27,4 +27,4 @@ struct FirthLikelihood {
                                                const BinomialRows& rows,
                                                const Eigen::VectorXd& coefficients);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

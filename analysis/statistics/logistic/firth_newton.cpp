@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 std::optional<NewtonStep> step_by(const Eigen::MatrixXd& curvature,
@@ -63,4 +63,4 @@ FirthNewtonResult maximise_firth(const Eigen::MatrixXd& design,
       [](const FirthLikelihood&) { return false; });
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

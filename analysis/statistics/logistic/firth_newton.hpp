@@ -7,7 +7,7 @@
 #include <statistics/logistic/firth_likelihood.hpp>
 #include <statistics/logistic/newton_ascent.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 using FirthNewtonResult = NewtonAscent<FirthLikelihood>;
 
@@ -21,4 +21,4 @@ using FirthNewtonResult = NewtonAscent<FirthLikelihood>;
                                                const std::optional<Eigen::MatrixXd>& subspace,
                                                const NewtonOptions& options);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <statistics/basics/normal.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// The likelihood along one coefficient: functional' gamma, maximised over the rest.
@@ -104,4 +104,4 @@ std::optional<Interval> profile_interval(const ProfilePoint& maximum,
   return low && high ? std::optional(Interval{*low, *high, level}) : std::nullopt;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <optional>
 #include <statistics/basics/interval.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A maximum, free or constrained, of a (penalised) log-likelihood along an orthonormal basis.
 struct ProfilePoint {
@@ -41,4 +41,4 @@ using ConstrainedMaximum = std::function<std::optional<ProfilePoint>(
                                                        const ConstrainedMaximum& maximise,
                                                        double level);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -392,4 +392,4 @@ LogisticFit fit_logistic(const LogisticInput& input, const LogisticOptions& opti
   return fit;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

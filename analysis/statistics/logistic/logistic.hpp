@@ -17,7 +17,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// What is fitted. One row each in `design`, `successes`, `trials` and what is not empty of the
 /// rest.
@@ -28,11 +28,11 @@ struct LogisticInput {
   std::vector<std::string> terms;
   std::string response = "y";
   Eigen::VectorXd successes;
-  Eigen::VectorXd trials;         ///< Empty: 1 each.
-  Eigen::VectorXd weights;        ///< Of cases, at least 0; 0 leaves the row out. Empty: 1 each.
-  Eigen::VectorXd offset;         ///< Empty: 0 each.
-  std::optional<Factor> cluster;  ///< For the robust variance.
-  Conditions conditions;          ///< What is known of the rows already; an error ends the fit.
+  Eigen::VectorXd trials;   ///< Empty: 1 each.
+  Eigen::VectorXd weights;  ///< Of cases, at least 0; 0 leaves the row out. Empty: 1 each.
+  Eigen::VectorXd offset;   ///< Empty: 0 each.
+  std::optional<table::Factor> cluster;  ///< For the robust variance.
+  Conditions conditions;  ///< What is known of the rows already; an error ends the fit.
   /// Per column, if any: its values in the units that words about it are to have, where the design
   /// holds a scaled column. Empty, or of another length than the design: those of the design.
   std::vector<std::span<const double>> own_units;
@@ -115,4 +115,4 @@ struct LogisticFit {
 [[nodiscard]] LogisticFit fit_logistic(const LogisticInput& input,
                                        const LogisticOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

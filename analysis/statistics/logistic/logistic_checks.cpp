@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 
 void check_lengths(const LogisticInput& input, double level) {
   const Eigen::Index rows = input.design.rows();
@@ -69,4 +69,4 @@ void add_rank_conditions(const LogisticInput& input,
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <statistics/logistic/logistic.hpp>
 #include <statistics/logistic/logistic_problem.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// \throws std::invalid_argument if lengths differ, successes lie outside [0, trials] or `level`
 /// outside (0, 1).
@@ -21,4 +21,4 @@ void add_rank_conditions(const LogisticInput& input,
 
 [[nodiscard]] bool has_intercept(const LogisticInput& input);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

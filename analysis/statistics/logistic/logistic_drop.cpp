@@ -5,7 +5,7 @@
 #include <statistics/logistic/logistic_problem.hpp>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// The variables of a term: parts between colons that no parenthesis encloses, sorted.
@@ -105,4 +105,4 @@ std::vector<DroppedTerm> drop_terms(const LogisticInput& input, const NewtonOpti
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

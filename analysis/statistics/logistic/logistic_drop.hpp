@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// One term that is left out.
 struct DroppedTerm {
@@ -33,4 +33,4 @@ struct DroppedTerm {
 /// The input without the columns of a term (an index into `terms`, which stay as they are).
 [[nodiscard]] LogisticInput without_term(const LogisticInput& input, std::size_t term);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <table/csv_write.hpp>
 #include <table/trimmed.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
@@ -20,8 +20,8 @@ std::string counts_in_words(const std::string& response) {
     return !name.empty() && name.find_first_of("/()+-*^:, ") == std::string::npos;
   };
   if (slash != std::string::npos) {
-    const std::string k(trimmed(std::string_view(response).substr(0, slash)));
-    const std::string n(trimmed(std::string_view(response).substr(slash + 1)));
+    const std::string k(table::trimmed(std::string_view(response).substr(0, slash)));
+    const std::string n(table::trimmed(std::string_view(response).substr(slash + 1)));
     if (plain(k) && plain(n)) {
       return "cbind(" + k + ", " + n + " - " + k + ")";
     }
@@ -46,7 +46,7 @@ std::optional<Condition> first_not_binary(const ModelFrame& frame,
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] != 0.0 && values[i] != 1.0) {
       std::string found;
-      append_number(found, values[i]);
+      table::append_number(found, values[i]);
       Condition condition{ConditionKind::not_binary,
                           ConditionSeverity::error,
                           frame.response,
@@ -92,4 +92,4 @@ LogisticInput logistic_input(const ModelFrame& frame) {
   return input;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

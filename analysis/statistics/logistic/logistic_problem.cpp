@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 Eigen::VectorXd gathered(const Eigen::VectorXd& values, const std::vector<Eigen::Index>& rows) {
@@ -118,4 +118,4 @@ Eigen::MatrixXd inverse_triangle(const OrthonormalBasis& space) {
   return inverse;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

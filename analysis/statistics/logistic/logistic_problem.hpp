@@ -10,7 +10,7 @@
 #include <statistics/logistic/separation.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The rows with trials and weight, over an orthonormal basis of the design.
 struct LogisticProblem {
@@ -55,4 +55,4 @@ struct LogisticMaximum {
 /// Row k: what the k-th kept coefficient is of the coefficients along the basis.
 [[nodiscard]] Eigen::MatrixXd inverse_triangle(const OrthonormalBasis& space);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

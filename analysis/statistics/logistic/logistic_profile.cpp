@@ -4,7 +4,7 @@
 #include <statistics/logistic/logistic_problem.hpp>
 #include <statistics/logistic/one_sided_limit.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 ProfilePoint point_of(const NewtonResult& newton) {
@@ -105,4 +105,4 @@ double profile_work(const LogisticInput& input) {
   return rows * columns * (columns * columns + 40.0);
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/logistic/logistic.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The values of a coefficient at which twice the drop of the log-likelihood, maximised over the
 /// other coefficients, is the chi-squared quantile of the level.
@@ -41,4 +41,4 @@ struct ProfileLimits {
 /// Profiles that nobody asked for are made up to this much work: a second or two.
 inline constexpr double kMostProfileWork = 1e9;
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 LogisticRefit::LogisticRefit(const LogisticInput& input, const NewtonOptions& options)
     : problem_(logistic_problem(input)),
@@ -65,4 +65,4 @@ Eigen::VectorXd LogisticRefit::column_coefficients(const Eigen::VectorXd& coeffi
   return all;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -10,7 +10,7 @@
 #include <statistics/logistic/logistic.hpp>
 #include <statistics/logistic/logistic_problem.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// One replicate.
 struct LogisticReplicate {
@@ -49,4 +49,4 @@ class LogisticRefit {
   bool warm_ = false;
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <statistics/basics/runaway.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::vector<bool> ran_away(const LogisticInput& input,
                            const LogisticProblem& problem,
@@ -52,4 +52,4 @@ std::vector<bool> ran_away(const LogisticInput& input,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

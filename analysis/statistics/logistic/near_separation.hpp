@@ -8,7 +8,7 @@
 #include <statistics/logistic/logistic_problem.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Kept coefficients of a solved problem, in units in which no number is extreme.
 struct KeptEstimates {
@@ -29,4 +29,4 @@ struct KeptEstimates {
                                          const KeptEstimates& kept,
                                          double largest_eta);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct NewtonOptions {
   int max_iterations = 100;
@@ -100,4 +100,4 @@ template <class Likelihood, class LikelihoodAt, class StepFrom, class Diverging>
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// The input without a column and without those that `problem` dropped.
@@ -140,4 +140,4 @@ std::optional<double> one_sided_limit(const LogisticInput& input,
   return std::nullopt;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <statistics/logistic/logistic.hpp>
 #include <statistics/logistic/logistic_problem.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The value of the coefficient of `column` (of the input, kept in `problem`), which runs to `sign`
 /// infinity, at which twice the drop of the log-likelihood from `supremum` is the chi-squared
@@ -24,4 +24,4 @@ namespace tcert {
                                                     double supremum,
                                                     const LogisticOptions& options);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

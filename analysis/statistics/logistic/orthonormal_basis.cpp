@@ -1,6 +1,6 @@
 #include <statistics/logistic/orthonormal_basis.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 OrthonormalBasis orthonormal_basis(const Eigen::MatrixXd& design, double tolerance) {
   OrthonormalBasis result;
@@ -49,4 +49,4 @@ OrthonormalBasis orthonormal_basis(const Eigen::MatrixXd& design, double toleran
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

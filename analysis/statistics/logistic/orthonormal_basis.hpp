@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// X(:, kept) = basis * triangle; X(:, dropped) is a combination of the kept columns.
 struct OrthonormalBasis {
@@ -30,4 +30,4 @@ inline constexpr double kRankTolerance = 1e-11;
 [[nodiscard]] OrthonormalBasis orthonormal_basis(const Eigen::MatrixXd& design,
                                                  double tolerance = kRankTolerance);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

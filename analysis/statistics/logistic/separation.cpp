@@ -4,7 +4,7 @@
 #include <statistics/logistic/cone_projection.hpp>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// A margin of this share of a row's length is a tie.
@@ -122,4 +122,4 @@ std::vector<Signs> recession_signs(const Eigen::MatrixXd& design,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

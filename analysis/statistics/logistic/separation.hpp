@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 enum class Separation : std::uint8_t {
   none,      ///< A finite estimate exists and is unique.
@@ -49,4 +49,4 @@ struct Signs {
                                                  const Eigen::VectorXd& trials,
                                                  const Eigen::MatrixXd& functionals);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

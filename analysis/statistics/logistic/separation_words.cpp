@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Outcomes of a group of rows.
@@ -152,4 +152,4 @@ std::string separation_words(const LogisticInput& input,
   return "together with other columns";
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

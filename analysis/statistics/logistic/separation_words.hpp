@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Which rows one column tells apart without error: "every row with f = c has y = 1", "every row
 /// with x > 0.1 has y = 1, every row with x < 0.1 has y = 0". Where no single column does,
@@ -16,4 +16,4 @@ namespace tcert {
                                            const std::vector<Eigen::Index>& used,
                                            std::size_t column);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

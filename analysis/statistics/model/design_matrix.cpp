@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// The columns of one variable within one term.
@@ -39,7 +39,7 @@ Block truth_block(const NamedVariable& variable, bool all_levels) {
 }
 
 Block factor_block(const NamedVariable& variable, bool all_levels) {
-  const Factor& factor = variable.value.factor;
+  const table::Factor& factor = variable.value.factor;
   Block block;
   for (std::size_t level = all_levels ? 0 : 1; level < factor.levels.size(); ++level) {
     Eigen::VectorXd column(static_cast<Eigen::Index>(factor.rows()));
@@ -122,4 +122,4 @@ DesignMatrix design_matrix(const Formula& formula,
   return design;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

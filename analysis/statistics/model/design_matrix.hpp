@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct DesignMatrix {
   Eigen::MatrixXd values;            ///< rows x columns.
@@ -32,4 +32,4 @@ struct NamedVariable {
                                          const std::vector<NamedVariable>& variables,
                                          std::size_t rows);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

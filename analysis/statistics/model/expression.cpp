@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cstddef>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Binary operators with their binding strength, R's order; '^' binds to the right.
@@ -236,4 +236,4 @@ void collect_columns(const Expression& expression, std::vector<std::string>& nam
 
 Expression parse_expression(std::string_view text) { return Parser(text).parse(); }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A column has no arguments; operators are calls named by their sign, parentheses one named "(".
 struct Expression {
@@ -41,4 +41,4 @@ class FormulaError : public std::invalid_argument {
 /// syntactic stand between backticks, texts between quotes. \throws FormulaError.
 [[nodiscard]] Expression parse_expression(std::string_view text);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <table/trimmed.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using Terms = std::vector<Term>;
@@ -340,7 +340,7 @@ std::vector<std::string> Formula::columns() const {
 
 Formula parse_formula(std::string_view text) {
   Formula formula;
-  formula.text = trimmed(text);
+  formula.text = table::trimmed(text);
   const Expression whole = parse_expression(formula.text);
   if (!whole.is_call("~") || whole.arguments.size() != 2) {
     throw FormulaError("formula '" + formula.text +
@@ -355,4 +355,4 @@ Formula parse_formula(std::string_view text) {
   return formula;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// One term of the right-hand side: variables joined by ':'.
 struct Term {
@@ -61,4 +61,4 @@ struct Formula {
 /// \throws FormulaError.
 [[nodiscard]] Formula parse_formula(std::string_view text);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

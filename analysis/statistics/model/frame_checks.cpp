@@ -5,7 +5,7 @@
 #include <table/csv_write.hpp>
 #include <table/unlike_times.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 std::string place_of(const ModelFrame& frame, std::size_t i) {
   std::string place = "row " + std::to_string(frame.rows[i] + 1);
@@ -46,7 +46,7 @@ std::string text(double value) {
     return value > 0 ? "Inf" : "-Inf";
   }
   std::string out;
-  append_number(out, value);
+  table::append_number(out, value);
   return out;
 }
 
@@ -137,7 +137,7 @@ void round_and_check_times(SurvivalOutcome& survival,
                            bool round,
                            ModelFrame& frame) {
   // With (start, stop] stamps may be the clock that all trials share.
-  if (!survival.left_truncated() || !are_stamps(survival.stop)) {
+  if (!survival.left_truncated() || !table::are_stamps(survival.stop)) {
     add_unlike_times(
         survival.stop, column, [&](std::size_t i) { return place_of(frame, i); }, frame.conditions);
   }
@@ -172,4 +172,4 @@ void check_counts(ModelFrame& frame) {
       [&](std::size_t i) { return text(counts.successes[i]) + " of " + text(counts.trials[i]); });
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A note of the rows left out, or an error if none is left.
 void add_missing_conditions(ModelFrame& frame);
@@ -33,4 +33,4 @@ void round_and_check_times(SurvivalOutcome& survival,
 /// Successes and failures are whole and not negative.
 void check_counts(ModelFrame& frame);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <statistics/model/stray_text.hpp>
 #include <table/cell_reading.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr std::size_t kMostGroups = 1000;  ///< A curve each; a test is cubic in their number.
@@ -24,7 +24,7 @@ const Expression& inside(const Expression& expression) {
 /// Everything that the formula and the options name, evaluated on all rows of the table.
 class FrameBuilder {
  public:
-  FrameBuilder(const Formula& formula, const DataTable& table, const FrameOptions& options)
+  FrameBuilder(const Formula& formula, const table::DataTable& table, const FrameOptions& options)
       : formula_(formula), table_(table), options_(options) {}
 
   ModelFrame build() {
@@ -77,9 +77,9 @@ class FrameBuilder {
         {to_string(expression), {Variable::Kind::factor, {}, evaluate_factor(expression, table_)}});
   }
 
-  [[nodiscard]] const DataColumn* text_column(const Expression& expression) const {
+  [[nodiscard]] const table::DataColumn* text_column(const Expression& expression) const {
     const Expression& name = inside(expression);
-    const DataColumn* const column =
+    const table::DataColumn* const column =
         name.kind == Expression::Kind::column ? table_.find(name.name) : nullptr;
     return column != nullptr && column->is_text ? column : nullptr;
   }
@@ -90,7 +90,7 @@ class FrameBuilder {
       refuse_missing_words(table_, text_column(expression));
       return;
     }
-    const DataColumn* const column = text_column(expression);
+    const table::DataColumn* const column = text_column(expression);
     if (column != nullptr && column->mixed.is_spoiled()) {
       throw FormulaError(stray_cell(table_, *column) + "; write factor(" + column->name +
                          ") if it is a name");
@@ -239,7 +239,7 @@ class FrameBuilder {
     if (used.value.kind != Variable::Kind::factor) {
       return kept(used.value);
     }
-    const Factor& factor = used.value.factor;
+    const table::Factor& factor = used.value.factor;
     const bool has_order = text_column(expression) == nullptr ||
                            options_.reference.count(text_column(expression)->name) > 0;
     if (const auto coding = has_order ? std::nullopt : coded_by_words(factor)) {
@@ -268,8 +268,8 @@ class FrameBuilder {
   }
 
   void refuse_bad_outcome(const Used& used, const Expression& expression) const {
-    const Factor& factor = used.value.factor;
-    const DataColumn* const column = text_column(expression);
+    const table::Factor& factor = used.value.factor;
+    const table::DataColumn* const column = text_column(expression);
     const bool is_spoiled = column != nullptr && column->mixed.is_spoiled();
     const std::string advice = "; an outcome has two: write " + used.name + " == \"" +
                                (factor.levels.empty() ? "" : factor.levels.back()) + "\"";
@@ -279,7 +279,7 @@ class FrameBuilder {
     if (column != nullptr && column->mixed.missing_words > 0) {
       throw FormulaError("'" + used.name + "' of " + table_.file + " holds '" +
                          missing_word_of(factor) + "', which is no outcome; " +
-                         std::string(kHowMissingIsWritten));
+                         std::string(table::kHowMissingIsWritten));
     }
     if (factor.levels.size() == 1 || factor.levels.size() > 2) {
       throw FormulaError("'" + used.name + "' has " + std::to_string(factor.levels.size()) +
@@ -287,10 +287,10 @@ class FrameBuilder {
     }
   }
 
-  static std::string missing_word_of(const Factor& factor) {
+  static std::string missing_word_of(const table::Factor& factor) {
     const auto found =
         std::find_if(factor.levels.begin(), factor.levels.end(), [](const std::string& level) {
-          return read_cell(level).meaning == CellMeaning::missing_word;
+          return table::read_cell(level).meaning == table::CellMeaning::missing_word;
         });
     return found == factor.levels.end() ? "" : *found;
   }
@@ -416,13 +416,13 @@ class FrameBuilder {
       throw FormulaError("formula '" + formula_.text +
                          "': a product with strata() is for cox; here write + strata()");
     }
-    std::vector<Factor> factors;
+    std::vector<table::Factor> factors;
     for (const NamedVariable& variable : right_) {
       factors.push_back(evaluate_factor(variable.expression, table_));
       name_levels(factors.back(), to_string(variable.expression));
     }
     if (factors.empty()) {
-      frame_.groups = Factor{std::vector<std::uint32_t>(frame_.rows.size(), 0), {"all"}};
+      frame_.groups = table::Factor{std::vector<std::uint32_t>(frame_.rows.size(), 0), {"all"}};
     } else {
       frame_.groups = on_rows(crossed(factors, ", "), frame_.rows);
     }
@@ -433,7 +433,7 @@ class FrameBuilder {
     }
   }
 
-  static void name_levels(Factor& factor, const std::string& name) {
+  static void name_levels(table::Factor& factor, const std::string& name) {
     for (std::string& level : factor.levels) {
       level.insert(0, name + "=");
     }
@@ -443,7 +443,7 @@ class FrameBuilder {
     if (strata_.empty()) {
       return;
     }
-    std::vector<Factor> factors;
+    std::vector<table::Factor> factors;
     for (const Used& used : strata_) {
       factors.push_back(used.value.factor);
       if (!strata_are_text_ || strata_.size() > 1) {
@@ -489,7 +489,7 @@ class FrameBuilder {
   }
 
   const Formula& formula_;
-  const DataTable& table_;
+  const table::DataTable& table_;
   const FrameOptions& options_;
   ModelFrame frame_;
   std::vector<Used> outcome_, offsets_, strata_, clusters_, groups_, weights_;
@@ -506,7 +506,7 @@ void add_column(std::vector<std::string>& columns, const std::string& name) {
 }  // namespace
 
 ModelFrame model_frame(const Formula& formula,
-                       const DataTable& table,
+                       const table::DataTable& table,
                        const FrameOptions& options) {
   return FrameBuilder(formula, table, options).build();
 }
@@ -534,4 +534,4 @@ void require_binary(ModelFrame& frame) {
   frame.outcome = std::move(counts);
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 enum class RightSide {
   design,  ///< Columns of a linear predictor.
@@ -48,7 +48,7 @@ struct NumberOutcome {
 /// Effects that vary at random between the levels of a factor; a row's are its row of `design`.
 struct RandomEffects {
   std::string group;                 ///< "day", "lighting:day".
-  Factor levels;                     ///< Of the group, those that occur.
+  table::Factor levels;              ///< Of the group, those that occur.
   Eigen::MatrixXd design;            ///< rows x columns.
   std::vector<std::string> columns;  ///< "(Intercept)", "x1".
 };
@@ -64,12 +64,12 @@ struct ModelFrame {
   std::vector<std::string> columns;  ///< R's names: "(Intercept)", "lightingdim", "x1:lightingdim".
   std::vector<std::size_t> term_of;  ///< Per column: index into `terms` + 1; 0 is the intercept.
   std::vector<std::string> terms;    ///< "x1", "lighting", "x1:lighting".
-  std::optional<Factor> groups;      ///< For RightSide::groups: "sex=1, ph.ecog=0"; or "all".
+  std::optional<table::Factor> groups;  ///< For RightSide::groups: "sex=1, ph.ecog=0"; or "all".
 
   std::optional<Eigen::VectorXd> offset;
   std::optional<Eigen::VectorXd> weights;
-  std::optional<Factor> strata;  ///< Levels "bright" of one text, else "sex=1, arm=A".
-  std::optional<Factor> cluster;
+  std::optional<table::Factor> strata;  ///< Levels "bright" of one text, else "sex=1, arm=A".
+  std::optional<table::Factor> cluster;
   std::vector<RandomEffects> random_effects;  ///< One a random term of the formula.
 
   std::vector<std::size_t> rows;   ///< Of the table, 0-based, those that are complete.
@@ -92,7 +92,7 @@ struct ModelFrame {
 /// of numbers spoiled by texts (MixedCells::is_spoiled()), or another column by words for missing
 /// cells.
 [[nodiscard]] ModelFrame model_frame(const Formula& formula,
-                                     const DataTable& table,
+                                     const table::DataTable& table,
                                      const FrameOptions& options = {});
 
 /// Columns of the data that a model with these options uses: what is to be read.
@@ -103,4 +103,4 @@ struct ModelFrame {
 /// response. A count outcome stays. \throws FormulaError for a survival outcome.
 void require_binary(ModelFrame& frame);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

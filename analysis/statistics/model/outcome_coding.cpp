@@ -11,16 +11,16 @@
 #include <table/nearest_name.hpp>
 #include <table/outcome_word.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::string column_of(const DataTable& table, const std::string& column) {
+std::string column_of(const table::DataTable& table, const std::string& column) {
   return "column '" + column + "' of " + table.file;
 }
 
-[[noreturn]] void refuse(const DataTable& table,
+[[noreturn]] void refuse(const table::DataTable& table,
                          const std::string& column,
                          std::size_t row,
                          const std::string& found,
@@ -29,8 +29,8 @@ std::string column_of(const DataTable& table, const std::string& column) {
   if (row < table.lines.size()) {
     place += " (line " + std::to_string(table.lines[row]) + ")";
   }
-  throw FormulaError(place + ": found '" + shortened(found) + "', expected " + expectation + "; " +
-                     std::string(kHowMissingIsWritten));
+  throw FormulaError(place + ": found '" + table::shortened(found) + "', expected " + expectation +
+                     "; " + std::string(table::kHowMissingIsWritten));
 }
 
 void add_word(std::string& list, const std::string& word) {
@@ -38,11 +38,11 @@ void add_word(std::string& list, const std::string& word) {
 }
 
 /// The values of the rows from those of the levels; a level that is NaN is not to occur.
-OutcomeCoding coding_of(const Factor& text, const std::vector<double>& value_of) {
+OutcomeCoding coding_of(const table::Factor& text, const std::vector<double>& value_of) {
   OutcomeCoding coding;
   coding.values.reserve(text.codes.size());
   for (const std::uint32_t code : text.codes) {
-    coding.values.push_back(code == Factor::kMissing ? kNaN : value_of[code]);
+    coding.values.push_back(code == table::Factor::kMissing ? kNaN : value_of[code]);
   }
   for (std::size_t level = 0; level < value_of.size(); ++level) {
     add_word(value_of[level] == 1.0 ? coding.success : coding.failure, text.levels[level]);
@@ -51,25 +51,25 @@ OutcomeCoding coding_of(const Factor& text, const std::vector<double>& value_of)
 }
 
 /// NaN for a level that is no outcome.
-std::vector<double> values_by_words(const Factor& text) {
+std::vector<double> values_by_words(const table::Factor& text) {
   std::vector<double> values;
   for (const std::string& level : text.levels) {
-    const OutcomeWord word = outcome_of_cell(level);
-    values.push_back(word == OutcomeWord::success   ? 1.0
-                     : word == OutcomeWord::failure ? 0.0
-                                                    : kNaN);
+    const table::OutcomeWord word = table::outcome_of_cell(level);
+    values.push_back(word == table::OutcomeWord::success   ? 1.0
+                     : word == table::OutcomeWord::failure ? 0.0
+                                                           : kNaN);
   }
   return values;
 }
 
 /// \throws FormulaError at the first row whose level has no value.
-void require_values(const DataTable& table,
-                    const DataColumn& column,
+void require_values(const table::DataTable& table,
+                    const table::DataColumn& column,
                     const std::vector<double>& value_of,
                     const std::string& expectation) {
   const auto& codes = column.text.codes;
   const auto bad = std::find_if(codes.begin(), codes.end(), [&](std::uint32_t code) {
-    return code != Factor::kMissing && std::isnan(value_of[code]);
+    return code != table::Factor::kMissing && std::isnan(value_of[code]);
   });
   if (bad != codes.end()) {
     refuse(table,
@@ -80,7 +80,7 @@ void require_values(const DataTable& table,
   }
 }
 
-[[noreturn]] void refuse_word(const DataTable& table,
+[[noreturn]] void refuse_word(const table::DataTable& table,
                               const std::string& column,
                               const std::string& word,
                               const std::string& known) {
@@ -88,8 +88,8 @@ void require_values(const DataTable& table,
                      (known.empty() ? "" : ", only " + known));
 }
 
-OutcomeCoding texts_by_name(const DataTable& table,
-                            const DataColumn& column,
+OutcomeCoding texts_by_name(const table::DataTable& table,
+                            const table::DataColumn& column,
                             const std::vector<std::string>& success) {
   constexpr std::size_t kMostListed = 12;
   const auto& levels = column.text.levels;
@@ -108,23 +108,25 @@ OutcomeCoding texts_by_name(const DataTable& table,
   }
   std::vector<double> checked = value_of;
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    const bool is_missing_word = read_cell(levels[level]).meaning == CellMeaning::missing_word;
+    const bool is_missing_word =
+        table::read_cell(levels[level]).meaning == table::CellMeaning::missing_word;
     checked[level] = is_missing_word && value_of[level] == 0.0 ? kNaN : value_of[level];
   }
   require_values(table, column, checked, "an outcome");
   return coding_of(column.text, value_of);
 }
 
-OutcomeCoding numbers_by_name(const DataTable& table,
-                              const DataColumn& column,
+OutcomeCoding numbers_by_name(const table::DataTable& table,
+                              const table::DataColumn& column,
                               const std::vector<std::string>& success) {
   OutcomeCoding coding;
   coding.values = column.numbers;
   std::vector<double> wanted;
   for (const std::string& word : success) {
-    const CellReading reading = read_cell(word);
+    const table::CellReading reading = table::read_cell(word);
     const auto& x = column.numbers;
-    if (std::isnan(reading.value) || (reading.meaning == CellMeaning::truth) != column.is_truth ||
+    if (std::isnan(reading.value) ||
+        (reading.meaning == table::CellMeaning::truth) != column.is_truth ||
         std::find(x.begin(), x.end(), reading.value) == x.end()) {
       refuse_word(table, column.name, word, column.is_truth ? "TRUE and FALSE" : "");
     }
@@ -139,7 +141,7 @@ OutcomeCoding numbers_by_name(const DataTable& table,
 
 }  // namespace
 
-std::optional<OutcomeCoding> coded_by_words(const Factor& text) {
+std::optional<OutcomeCoding> coded_by_words(const table::Factor& text) {
   const std::vector<double> value_of = values_by_words(text);
   if (std::any_of(value_of.begin(), value_of.end(), [](double x) { return std::isnan(x); })) {
     return std::nullopt;
@@ -147,12 +149,12 @@ std::optional<OutcomeCoding> coded_by_words(const Factor& text) {
   return coding_of(text, value_of);
 }
 
-OutcomeCoding code_outcome(const DataTable& table,
+OutcomeCoding code_outcome(const table::DataTable& table,
                            const std::string& column,
                            const std::vector<std::string>& success) {
-  const DataColumn* const data = table.find(column);
+  const table::DataColumn* const data = table.find(column);
   if (data == nullptr) {
-    const auto nearest = nearest_name(column, table.header);
+    const auto nearest = table::nearest_name(column, table.header);
     throw FormulaError("no column '" + column + "' in " + table.file +
                        (nearest ? "; did you mean '" + *nearest + "'?" : ""));
   }
@@ -160,7 +162,7 @@ OutcomeCoding code_outcome(const DataTable& table,
     return data->is_text ? texts_by_name(table, *data, success)
                          : numbers_by_name(table, *data, success);
   }
-  const std::string expectation = "an outcome: " + std::string(kOutcomeWords);
+  const std::string expectation = "an outcome: " + std::string(table::kOutcomeWords);
   if (data->is_text) {
     const std::vector<double> value_of = values_by_words(data->text);
     require_values(table, *data, value_of, expectation);
@@ -170,11 +172,11 @@ OutcomeCoding code_outcome(const DataTable& table,
     const double x = data->numbers[row];
     if (!std::isnan(x) && x != 0.0 && x != 1.0) {
       std::string found;
-      append_number(found, x);
+      table::append_number(found, x);
       refuse(table, column, row, found, expectation);
     }
   }
   return {data->numbers, "", ""};
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -12,7 +12,7 @@
 #include <table/nearest_name.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -79,21 +79,21 @@ double as_printed(double value) {
 }
 
 /// Levels by value; numbers that print alike are one, as in R's factor().
-Factor levels_by_value(const std::vector<double>& numbers) {
+table::Factor levels_by_value(const std::vector<double>& numbers) {
   std::vector<double> distinct;
   std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(distinct), [](double x) {
     return !std::isnan(x);
   });
   std::sort(distinct.begin(), distinct.end());
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-  Factor factor;
+  table::Factor factor;
   std::vector<std::uint32_t> level_of;  // of each distinct number
   double last = 0.0;
   for (const double value : distinct) {
     const double printed = as_printed(value);
     if (factor.levels.empty() || printed != last) {
       factor.levels.emplace_back();
-      append_number(factor.levels.back(), printed);
+      table::append_number(factor.levels.back(), printed);
     }
     last = printed;
     level_of.push_back(static_cast<std::uint32_t>(factor.levels.size() - 1));
@@ -101,22 +101,22 @@ Factor levels_by_value(const std::vector<double>& numbers) {
   factor.codes.reserve(numbers.size());
   for (const double x : numbers) {
     const auto place = std::lower_bound(distinct.begin(), distinct.end(), x) - distinct.begin();
-    factor.codes.push_back(std::isnan(x) ? Factor::kMissing
+    factor.codes.push_back(std::isnan(x) ? table::Factor::kMissing
                                          : level_of[static_cast<std::size_t>(place)]);
   }
   return factor;
 }
 
 /// The levels FALSE and TRUE that occur.
-Factor levels_of_truth(const std::vector<double>& numbers) {
-  Factor factor = levels_by_value(numbers);
+table::Factor levels_of_truth(const std::vector<double>& numbers) {
+  table::Factor factor = levels_by_value(numbers);
   for (std::string& level : factor.levels) {
     level = level == "0" ? "FALSE" : "TRUE";
   }
   return factor;
 }
 
-void put_first(Factor& factor, const std::string& level, const std::string& column) {
+void put_first(table::Factor& factor, const std::string& level, const std::string& column) {
   const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
   if (found == factor.levels.end()) {
     std::string known;
@@ -128,7 +128,7 @@ void put_first(Factor& factor, const std::string& level, const std::string& colu
   const auto chosen = static_cast<std::uint32_t>(found - factor.levels.begin());
   std::rotate(factor.levels.begin(), found, found + 1);
   for (std::uint32_t& code : factor.codes) {
-    if (code != Factor::kMissing && code <= chosen) {
+    if (code != table::Factor::kMissing && code <= chosen) {
       code = code == chosen ? 0 : code + 1;
     }
   }
@@ -136,7 +136,7 @@ void put_first(Factor& factor, const std::string& level, const std::string& colu
 
 class Evaluation {
  public:
-  Evaluation(const DataTable& table, References references)
+  Evaluation(const table::DataTable& table, References references)
       : table_(table), references_(std::move(references)) {}
 
   Variable value(const Expression& expression) {
@@ -155,19 +155,19 @@ class Evaluation {
   }
 
  private:
-  [[nodiscard]] const DataColumn& find(const std::string& name) const {
-    const DataColumn* const found = table_.find(name);
+  [[nodiscard]] const table::DataColumn& find(const std::string& name) const {
+    const table::DataColumn* const found = table_.find(name);
     if (found == nullptr) {
-      const auto nearest = nearest_name(name, table_.header);
+      const auto nearest = table::nearest_name(name, table_.header);
       throw FormulaError("no column '" + name + "' in " + table_.file +
                          (nearest ? "; did you mean '" + *nearest + "'?" : ""));
     }
     return *found;
   }
 
-  void apply_reference(const std::string& column, Factor& factor) const {
+  void apply_reference(const std::string& column, table::Factor& factor) const {
     if (const auto level = references_.find(column); level != references_.end()) {
-      const DataColumn* const data = table_.find(column);
+      const table::DataColumn* const data = table_.find(column);
       const bool is_truth = data != nullptr && data->is_truth;
       put_first(factor, is_truth ? truth_word(level->second) : level->second, column);
     }
@@ -175,8 +175,10 @@ class Evaluation {
 
   /// TRUE or FALSE for any spelling of them; other words stay.
   static std::string truth_word(const std::string& word) {
-    const CellReading reading = read_cell(word);
-    return reading.meaning != CellMeaning::truth ? word : reading.value == 1.0 ? "TRUE" : "FALSE";
+    const table::CellReading reading = table::read_cell(word);
+    return reading.meaning != table::CellMeaning::truth ? word
+           : reading.value == 1.0                       ? "TRUE"
+                                                        : "FALSE";
   }
 
   /// TRUE and FALSE, in a comparison also T and F, where no column is called so.
@@ -197,7 +199,7 @@ class Evaluation {
     if (is_truth_constant({Expression::Kind::column, 0.0, name, {}}, false)) {
       return truth_constant(name);
     }
-    const DataColumn& data = find(name);
+    const table::DataColumn& data = find(name);
     if (data.is_truth && references_.count(name) == 0) {
       return {Variable::Kind::truth, data.numbers, {}};
     }
@@ -225,7 +227,7 @@ class Evaluation {
   [[noreturn]] void refuse_text(const Expression& expression, const Expression& of) const {
     std::string problem =
         "'" + to_string(of) + "' needs numbers, but '" + to_string(expression) + "' holds text";
-    const DataColumn* const data =
+    const table::DataColumn* const data =
         expression.kind == Expression::Kind::column ? table_.find(expression.name) : nullptr;
     if (data != nullptr && data->is_text && data->mixed.is_spoiled()) {
       problem += ": " + stray_cell(table_, *data);
@@ -304,7 +306,7 @@ class Evaluation {
   /// several, else "sex=1, arm=A".
   Variable stratum(const Expression& call) {
     bool all_text = true;
-    std::vector<Factor> factors;
+    std::vector<table::Factor> factors;
     for (const Expression& argument : call.arguments) {
       all_text = all_text && value(argument).kind == Variable::Kind::factor;
       factors.push_back(factor(argument).factor);
@@ -349,16 +351,16 @@ class Evaluation {
   /// A word for a missing cell differs from every text, and would count as one of them. Compared
   /// with itself it is meant. \throws FormulaError with its place.
   void refuse_missing_words(const Expression& call,
-                            const Factor& factor,
+                            const table::Factor& factor,
                             const std::string& text) const {
     std::vector<bool> is_missing_word;
     for (const std::string& level : factor.levels) {
-      is_missing_word.push_back(level != text &&
-                                read_cell(level).meaning == CellMeaning::missing_word);
+      is_missing_word.push_back(level != text && table::read_cell(level).meaning ==
+                                                     table::CellMeaning::missing_word);
     }
     const auto found =
         std::find_if(factor.codes.begin(), factor.codes.end(), [&](std::uint32_t code) {
-          return code != Factor::kMissing && is_missing_word[code];
+          return code != table::Factor::kMissing && is_missing_word[code];
         });
     if (found == factor.codes.end()) {
       return;
@@ -371,7 +373,7 @@ class Evaluation {
     const std::string& word = factor.levels[*found];
     throw FormulaError("'" + to_string(call) + "': found '" + word + "' in " + place + ", which " +
                        "would count as another text than '" + text + "'; " +
-                       std::string(kHowMissingIsWritten) + "; if '" + word +
+                       std::string(table::kHowMissingIsWritten) + "; if '" + word +
                        "' is a name, compare with it or call it something else");
   }
 
@@ -408,7 +410,7 @@ class Evaluation {
         table_.find(right.name) != nullptr) {
       return;
     }
-    const DataColumn* const subject = table_.find(left.name);
+    const table::DataColumn* const subject = table_.find(left.name);
     if (subject == nullptr || !subject->is_text) {
       return;
     }
@@ -440,33 +442,33 @@ class Evaluation {
             {}};
   }
 
-  const DataTable& table_;
+  const table::DataTable& table_;
   References references_;
 };
 
 }  // namespace
 
 Variable evaluate(const Expression& expression,
-                  const DataTable& table,
+                  const table::DataTable& table,
                   const References& references) {
   return Evaluation(table, references).value(expression);
 }
 
-Factor evaluate_factor(const Expression& expression, const DataTable& table) {
+table::Factor evaluate_factor(const Expression& expression, const table::DataTable& table) {
   const Expression as_factor{Expression::Kind::call, 0.0, "factor", {expression}};
   return evaluate(as_factor, table).factor;
 }
 
-Factor crossed(const std::vector<Factor>& factors, const std::string& separator) {
+table::Factor crossed(const std::vector<table::Factor>& factors, const std::string& separator) {
   if (factors.size() == 1) {
     return factors.front();
   }
   const std::size_t rows = factors.front().rows();
   std::vector<std::uint64_t> key(rows, 0);
   std::vector<bool> missing(rows, false);
-  for (const Factor& factor : factors) {
+  for (const table::Factor& factor : factors) {
     for (std::size_t row = 0; row < rows; ++row) {
-      missing[row] = missing[row] || factor.codes[row] == Factor::kMissing;
+      missing[row] = missing[row] || factor.codes[row] == table::Factor::kMissing;
       key[row] = key[row] * factor.levels.size() + (missing[row] ? 0 : factor.codes[row]);
     }
   }
@@ -479,7 +481,7 @@ Factor crossed(const std::vector<Factor>& factors, const std::string& separator)
   std::sort(distinct.begin(), distinct.end());
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
 
-  Factor cross;
+  table::Factor cross;
   for (std::uint64_t one : distinct) {
     std::vector<std::uint64_t> codes(factors.size());
     for (std::size_t k = factors.size(); k > 0; --k) {
@@ -495,22 +497,22 @@ Factor crossed(const std::vector<Factor>& factors, const std::string& separator)
   }
   for (std::size_t row = 0; row < rows; ++row) {
     const auto at = std::lower_bound(distinct.begin(), distinct.end(), key[row]);
-    cross.codes.push_back(missing[row] ? Factor::kMissing
+    cross.codes.push_back(missing[row] ? table::Factor::kMissing
                                        : static_cast<std::uint32_t>(at - distinct.begin()));
   }
   return cross;
 }
 
-Factor on_rows(const Factor& factor, const std::vector<std::size_t>& rows) {
-  std::vector<std::uint32_t> new_code(factor.levels.size(), Factor::kMissing);
+table::Factor on_rows(const table::Factor& factor, const std::vector<std::size_t>& rows) {
+  std::vector<std::uint32_t> new_code(factor.levels.size(), table::Factor::kMissing);
   for (const std::size_t row : rows) {
-    if (factor.codes[row] != Factor::kMissing) {
+    if (factor.codes[row] != table::Factor::kMissing) {
       new_code[factor.codes[row]] = 0;
     }
   }
-  Factor kept;
+  table::Factor kept;
   for (std::size_t level = 0; level < new_code.size(); ++level) {
-    if (new_code[level] != Factor::kMissing) {
+    if (new_code[level] != table::Factor::kMissing) {
       new_code[level] = static_cast<std::uint32_t>(kept.levels.size());
       kept.levels.push_back(factor.levels[level]);
     }
@@ -518,9 +520,9 @@ Factor on_rows(const Factor& factor, const std::vector<std::size_t>& rows) {
   kept.codes.reserve(rows.size());
   for (const std::size_t row : rows) {
     const std::uint32_t code = factor.codes[row];
-    kept.codes.push_back(code == Factor::kMissing ? code : new_code[code]);
+    kept.codes.push_back(code == table::Factor::kMissing ? code : new_code[code]);
   }
   return kept;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

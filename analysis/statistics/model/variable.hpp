@@ -9,7 +9,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Numbers (NaN is missing), truth values (numbers that are 0 or 1: comparisons, and columns of
 /// TRUE and FALSE), or a factor.
@@ -18,10 +18,10 @@ struct Variable {
 
   Kind kind = Kind::number;
   std::vector<double> numbers;  ///< Of a number or a truth value.
-  Factor factor;                ///< Of a factor.
+  table::Factor factor;         ///< Of a factor.
 
   [[nodiscard]] bool is_missing(std::size_t row) const noexcept {
-    return kind == Kind::factor ? factor.codes[row] == Factor::kMissing
+    return kind == Kind::factor ? factor.codes[row] == table::Factor::kMissing
                                 : numbers[row] != numbers[row];
   }
 };
@@ -39,17 +39,20 @@ using References = std::map<std::string, std::string>;
 /// factor. \throws FormulaError if a column is not there (with the nearest name), a function is not
 /// known, or an argument is of the wrong kind.
 [[nodiscard]] Variable evaluate(const Expression& expression,
-                                const DataTable& table,
+                                const table::DataTable& table,
                                 const References& references = {});
 
 /// The same as a factor: numbers become levels by value.
-[[nodiscard]] Factor evaluate_factor(const Expression& expression, const DataTable& table);
+[[nodiscard]] table::Factor evaluate_factor(const Expression& expression,
+                                            const table::DataTable& table);
 
 /// The cross of several factors, the first varying slowest, only levels that occur; a row where one
 /// is missing is missing. Level names are joined by `separator`.
-[[nodiscard]] Factor crossed(const std::vector<Factor>& factors, const std::string& separator);
+[[nodiscard]] table::Factor crossed(const std::vector<table::Factor>& factors,
+                                    const std::string& separator);
 
 /// The factor on these rows, without the levels that no longer occur.
-[[nodiscard]] Factor on_rows(const Factor& factor, const std::vector<std::size_t>& rows);
+[[nodiscard]] table::Factor on_rows(const table::Factor& factor,
+                                    const std::vector<std::size_t>& rows);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 std::vector<double> observed_values(const Statistic& statistic) {
@@ -121,4 +121,4 @@ BootstrapIntervals bootstrap_intervals(const BootstrapResult& result,
   return intervals;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -11,7 +11,7 @@
 #include <statistics/resampling/statistic.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct BootstrapOptions {
   std::size_t replicates = 9999;  ///< Up to 10^6 or so: they are kept, 8 bytes each and value.
@@ -73,4 +73,4 @@ struct BootstrapIntervals {
                                                      double level = 0.95,
                                                      std::optional<std::size_t> units = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

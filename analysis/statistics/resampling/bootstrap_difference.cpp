@@ -5,7 +5,7 @@
 #include <statistics/resampling/jackknife.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 std::vector<double> minus(const std::vector<double>& a, const std::vector<double>& b) {
@@ -33,4 +33,4 @@ BootstrapResult paired_difference(const BootstrapResult& result,
   return difference;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

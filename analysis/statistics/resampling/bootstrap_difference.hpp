@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <statistics/resampling/bootstrap.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Value `first` minus value `second`, resample by resample, as a result of its own.
 /// \throws std::invalid_argument if there is no such value.
@@ -14,4 +14,4 @@ namespace tcert {
                                                 std::size_t first,
                                                 std::size_t second);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

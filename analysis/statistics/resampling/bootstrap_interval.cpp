@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -222,4 +222,4 @@ std::string_view to_string(BootstrapMethod method) noexcept {
   return "";
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct BootstrapDistribution {
   double observed = 0.0;       ///< The statistic of the data, t0.
@@ -66,4 +66,4 @@ struct BootstrapInterval {
 /// "BCa", "expanded", "percentile", "basic", "normal": as headings have it.
 [[nodiscard]] std::string_view to_string(BootstrapMethod method) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::statistics

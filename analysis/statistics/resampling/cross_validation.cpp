@@ -8,7 +8,7 @@
 #include <string>
 #include <table/random.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct ClusterCount {
@@ -32,7 +32,7 @@ std::vector<ClusterCount> count_clusters(const CompactCodes& codes,
 }
 
 void shuffle(std::vector<ClusterCount>& clusters, const FoldOptions& options) {
-  RandomStream random(options.seed, options.analysis, 0);
+  table::RandomStream random(options.seed, options.analysis, 0);
   for (std::size_t k = clusters.size(); k > 1; --k) {
     std::swap(clusters[k - 1], clusters[random.below(static_cast<std::uint32_t>(k))]);
   }
@@ -223,4 +223,4 @@ PooledScore out_of_fold_c(const Folds& folds,
   });
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

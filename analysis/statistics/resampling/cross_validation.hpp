@@ -13,7 +13,7 @@
 #include <statistics/survival/survival_outcome.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct FoldOptions {
   std::size_t folds = 5;
@@ -84,4 +84,4 @@ struct PooledScore {
                                         const SurvivalOutcome& outcome,
                                         LargerMeans larger = LargerMeans::shorter_time);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

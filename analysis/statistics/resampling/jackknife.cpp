@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 void leave_out_by_kernel(const Statistic& statistic,
@@ -84,4 +84,4 @@ std::optional<double> acceleration(std::span<const double> influence) {
   return std::isfinite(a) ? std::optional(a) : std::nullopt;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

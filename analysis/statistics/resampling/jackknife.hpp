@@ -9,7 +9,7 @@
 #include <statistics/resampling/statistic.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// out[value][unit]: the statistic without the unit; NaN where it has no value then. By the
 /// statistic's own method, else units times its kernel, on all cores, the same for any number.
@@ -32,4 +32,4 @@ void leave_one_out(const Statistic& statistic,
 /// a = sum L^3 / (6 (sum L^2)^1.5). Empty if an influence is NaN or all are 0.
 [[nodiscard]] std::optional<double> acceleration(std::span<const double> influence);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

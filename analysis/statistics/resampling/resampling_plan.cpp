@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr std::uint32_t kUnset = std::numeric_limits<std::uint32_t>::max();
@@ -121,4 +121,4 @@ void ResamplingPlan::draw(std::uint64_t seed,
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The units of a table and the draws of every replicate. A unit is a row or a cluster and lies in
 /// one stratum; a replicate draws as many units from each stratum as it has, with replacement.
@@ -58,4 +58,4 @@ class ResamplingPlan {
   std::vector<std::uint32_t> stratum_units_;
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 
 Statistic joined(std::vector<Statistic> parts) {
   if (parts.empty()) {
@@ -44,4 +44,4 @@ Statistic joined(std::vector<Statistic> parts) {
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

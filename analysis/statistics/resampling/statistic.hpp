@@ -10,7 +10,7 @@
 #include <statistics/resampling/resampling_plan.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Computes the values of a statistic when row i stands `multiplicity[i]` times; NaN where there is
 /// none. It owns its scratch memory and is called from one thread.
@@ -46,4 +46,4 @@ template <typename MakeKernel>
 /// numbers of rows or there is none.
 [[nodiscard]] Statistic joined(std::vector<Statistic> parts);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -7,7 +7,7 @@
 #include <statistics/basics/rank_order.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr std::size_t kMostRows = std::size_t{1} << 30U;
@@ -213,4 +213,4 @@ Statistic auc_statistic(std::span<const Score> scores,
   return statistic;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Pairs of predictors, by index: the first's AUC minus the second's.
 using AucDifferences = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -25,4 +25,4 @@ using AucDifferences = std::vector<std::pair<std::size_t, std::size_t>>;
                                       std::span<const std::uint8_t> success,
                                       const AucDifferences& differences = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -2,7 +2,7 @@
 #include <statistics/roc/roc_curve.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 // A curve on the diagonal itself may come out below it by rounding.
@@ -53,4 +53,4 @@ PartialAuc partial_auc(const RocCurve& curve, double low, double high, RocFocus 
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <statistics/basics/rank_order.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 
 Placements placements(std::span<const double> score,
                       std::span<const std::uint8_t> success,
@@ -65,4 +65,4 @@ Placements placements(std::span<const double> score,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

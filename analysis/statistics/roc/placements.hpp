@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Which outcome a larger value of a predictor speaks for. Fixed beforehand, never from the data.
 enum class HigherMeans { success, failure };
@@ -29,4 +29,4 @@ struct Placements {
                                     std::span<const std::uint8_t> success,
                                     HigherMeans higher);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Conditions of the classes alone; one that is an error means that there is no AUC.
@@ -280,4 +280,4 @@ AucDifference paired_auc_test(const Score& first,
   return auc_contrast(joint_auc(both, success, options), 0, 1, alternative);
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

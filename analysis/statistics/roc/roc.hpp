@@ -17,7 +17,7 @@
 #include <statistics/roc/placements.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A predictor with its a-priori direction.
 struct Score {
@@ -132,4 +132,4 @@ struct UnpairedAucTest {
                                                 Alternative alternative = Alternative::two_sided,
                                                 double level = 0.95);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/basics/rank_order.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Rows of one class that a point calls right, from its rate.
@@ -112,4 +112,4 @@ std::optional<double> sensitivity_at(const RocCurve& curve, double specificity) 
   return above->sensitivity + part * (below.sensitivity - above->sensitivity);
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -10,7 +10,7 @@
 #include <statistics/roc/placements.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A point of the curve: what calling "success" beyond a threshold gets right.
 struct RocPoint {
@@ -72,4 +72,4 @@ enum class BestBy {
 /// \throws std::invalid_argument unless 0 <= specificity <= 1. O(points).
 [[nodiscard]] std::optional<double> sensitivity_at(const RocCurve& curve, double specificity);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

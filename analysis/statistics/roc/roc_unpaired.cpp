@@ -3,7 +3,7 @@
 #include <statistics/roc/roc.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 double unit_count(const AucEstimate& estimate) {
@@ -51,4 +51,4 @@ UnpairedAucTest unpaired_auc_test(const AucEstimate& first,
   return test;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
-std::size_t count_clusters(const Factor& cluster, std::span<const std::uint32_t> rows) {
+std::size_t count_clusters(const table::Factor& cluster, std::span<const std::uint32_t> rows) {
   std::vector<std::uint32_t> codes;
   codes.reserve(rows.size());
   for (const std::uint32_t row : rows) {
@@ -28,4 +28,4 @@ void add_cluster_conditions(std::size_t clusters,
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

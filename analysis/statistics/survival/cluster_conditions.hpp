@@ -9,13 +9,13 @@
 #include <string>
 #include <table/factor.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Distinct clusters among `rows`. O(rows log rows).
-[[nodiscard]] std::size_t count_clusters(const Factor& cluster,
+[[nodiscard]] std::size_t count_clusters(const table::Factor& cluster,
                                          std::span<const std::uint32_t> rows);
 
 /// Adds one_cluster (a warning: no variance) or few_clusters (a note) where they hold.
 void add_cluster_conditions(std::size_t clusters, const std::string& group, Conditions& conditions);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct Rows {
@@ -306,4 +306,4 @@ std::vector<IncidenceCurves> cumulative_incidence(CompetingOutcome outcome,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -11,7 +11,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Times to the first of several end points. A row is at risk on (start, stop].
 struct CompetingOutcome {
@@ -22,9 +22,9 @@ struct CompetingOutcome {
 };
 
 struct IncidenceOptions {
-  std::span<const double> weights;  ///< Case weights >= 0, finite; empty for 1 each.
-  const Factor* groups = nullptr;   ///< An estimate each; null for a single one.
-  const Factor* cluster = nullptr;  ///< Rows of a cluster are dependent; null: rows are not.
+  std::span<const double> weights;         ///< Case weights >= 0, finite; empty for 1 each.
+  const table::Factor* groups = nullptr;   ///< An estimate each; null for a single one.
+  const table::Factor* cluster = nullptr;  ///< Rows of a cluster are dependent; null: rows are not.
 };
 
 /// A probability at each time of an IncidenceCurves.
@@ -62,4 +62,4 @@ struct IncidenceCurves {
 [[nodiscard]] std::vector<IncidenceCurves> cumulative_incidence(
     CompetingOutcome outcome, const IncidenceOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::statistics

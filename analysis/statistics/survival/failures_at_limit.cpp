@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 
 SurvivalOutcome failures_at_limit(const SurvivalOutcome& outcome,
                                   std::span<const std::uint8_t> failure,
@@ -27,4 +27,4 @@ SurvivalOutcome failures_at_limit(const SurvivalOutcome& outcome,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

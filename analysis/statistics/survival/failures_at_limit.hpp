@@ -6,7 +6,7 @@
 #include <span>
 #include <statistics/survival/survival_outcome.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// A robot that has failed will never reach the exit: to censor it when it fails assumes that it
 /// might have, as often as those that still run. Here it stays at risk, without event, until
@@ -21,4 +21,4 @@ namespace tcert {
                                                 std::span<const std::uint8_t> failure,
                                                 double limit);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

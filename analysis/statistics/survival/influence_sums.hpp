@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Sum over clusters of (a + b p + c v)^2 for a, b, c of each cluster that change row by row and
 /// p, v that change with time. The influence of a row on a curve has this form: a row at risk
@@ -54,4 +54,4 @@ class InfluenceSums {
   double cc_ = 0.0;
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

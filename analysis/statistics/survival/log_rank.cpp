@@ -8,14 +8,14 @@
 #include <statistics/basics/wald_chi_squared.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Sums over the event times of one stratum.
 class Stratum {
  public:
   Stratum(const SurvivalOutcome& outcome,
-          const Factor& groups,
+          const table::Factor& groups,
           std::span<const std::uint32_t> stops,
           std::span<const std::uint32_t> starts)
       : outcome_(&outcome),
@@ -70,7 +70,7 @@ class Stratum {
   }
 
   const SurvivalOutcome* outcome_;
-  const Factor* groups_;
+  const table::Factor* groups_;
   std::span<const std::uint32_t> stops_;
   std::span<const std::uint32_t> starts_;
   Eigen::VectorXd at_risk_;
@@ -79,7 +79,10 @@ class Stratum {
   double survival_ = 1.0;  ///< Pooled, before the present time.
 };
 
-void check(const SurvivalOutcome& outcome, const Factor& groups, const Factor* strata, double rho) {
+void check(const SurvivalOutcome& outcome,
+           const table::Factor& groups,
+           const table::Factor* strata,
+           double rho) {
   if (groups.rows() != outcome.rows() || (strata != nullptr && strata->rows() != outcome.rows())) {
     throw std::invalid_argument("log-rank test: columns of different length");
   }
@@ -133,8 +136,8 @@ void set_statistic(LogRankTest& test) {
 }  // namespace
 
 LogRankTest log_rank_test(const SurvivalOutcome& outcome,
-                          const Factor& groups,
-                          const Factor* strata,
+                          const table::Factor& groups,
+                          const table::Factor* strata,
                           double rho) {
   check(outcome, groups, strata, rho);
   const auto k = static_cast<Eigen::Index>(groups.levels.size());
@@ -193,4 +196,4 @@ LogRankTest log_rank_test(const SurvivalOutcome& outcome,
   return test;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -12,7 +12,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 struct LogRankGroup {
   std::string group;
@@ -37,8 +37,8 @@ struct LogRankTest {
 /// \throws std::invalid_argument if lengths differ, a factor has missing codes, or a time or event
 /// is out of range, or `rho` is not finite.
 [[nodiscard]] LogRankTest log_rank_test(const SurvivalOutcome& outcome,
-                                        const Factor& groups,
-                                        const Factor* strata = nullptr,
+                                        const table::Factor& groups,
+                                        const table::Factor* strata = nullptr,
                                         double rho = 0.0);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <statistics/survival/time_rounding.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct Rows {
@@ -323,4 +323,4 @@ std::vector<SurvivalCurve> survival_curves(const SurvivalOutcome& outcome,
   return curves;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -13,7 +13,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// R's stype: the product-limit estimate, or exp(-cumulative hazard).
 enum class SurvivalEstimate : std::uint8_t { kaplan_meier, exponential };
@@ -22,9 +22,10 @@ enum class SurvivalEstimate : std::uint8_t { kaplan_meier, exponential };
 enum class HazardEstimate : std::uint8_t { nelson_aalen, fleming_harrington };
 
 struct CurveOptions {
-  std::span<const double> weights;  ///< Case weights >= 0, finite; empty for 1 each.
-  const Factor* groups = nullptr;   ///< A curve each; null for a single one.
-  const Factor* cluster = nullptr;  ///< Makes the standard errors robust, clusters independent.
+  std::span<const double> weights;        ///< Case weights >= 0, finite; empty for 1 each.
+  const table::Factor* groups = nullptr;  ///< A curve each; null for a single one.
+  const table::Factor* cluster =
+      nullptr;  ///< Makes the standard errors robust, clusters independent.
   SurvivalEstimate survival = SurvivalEstimate::kaplan_meier;
   HazardEstimate hazard = HazardEstimate::nelson_aalen;
 };
@@ -99,7 +100,7 @@ struct RestrictedMean {
 /// started before the time and stop at or after it. [group][time]. O(n log m). \throws
 /// std::invalid_argument if lengths differ or a group is missing.
 [[nodiscard]] std::vector<std::vector<std::size_t>> numbers_at_risk(const SurvivalOutcome& outcome,
-                                                                    const Factor* groups,
+                                                                    const table::Factor* groups,
                                                                     std::span<const double> asked);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

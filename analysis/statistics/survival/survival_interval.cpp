@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -69,4 +69,4 @@ Interval survival_interval(double p, double log_std_error, IntervalScale scale, 
   return {kNan, kNan, level};
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <statistics/basics/interval.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// The scale on which the interval is symmetric; R's name of it is the enumerator with a hyphen.
 enum class IntervalScale : std::uint8_t { log, log_log, plain, logit, arcsin };
@@ -19,4 +19,4 @@ enum class IntervalScale : std::uint8_t { log, log_log, plain, logit, arcsin };
                                          IntervalScale scale = IntervalScale::log,
                                          double level = 0.95);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

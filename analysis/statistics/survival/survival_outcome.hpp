@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// One row each. A row is at risk on (start, stop]; at `stop` it has its event or is censored.
 struct SurvivalOutcome {
@@ -19,4 +19,4 @@ struct SurvivalOutcome {
   [[nodiscard]] bool left_truncated() const noexcept { return !start.empty(); }
 };
 
-}  // namespace tcert
+}  // namespace tcert::statistics

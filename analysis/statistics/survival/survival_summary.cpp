@@ -7,7 +7,7 @@
 #include <statistics/survival/time_rounding.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kTolerance = 1.4901161193847656e-08;  // sqrt of the machine epsilon, as R has it
@@ -100,7 +100,7 @@ double common_limit(std::span<const SurvivalCurve> curves) noexcept {
 }
 
 std::vector<std::vector<std::size_t>> numbers_at_risk(const SurvivalOutcome& outcome,
-                                                      const Factor* groups,
+                                                      const table::Factor* groups,
                                                       std::span<const double> asked) {
   const std::size_t n = outcome.rows();
   if ((outcome.left_truncated() && outcome.start.size() != n) ||
@@ -146,4 +146,4 @@ std::vector<std::vector<std::size_t>> numbers_at_risk(const SurvivalOutcome& out
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

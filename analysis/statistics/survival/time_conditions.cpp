@@ -6,7 +6,7 @@
 #include <table/csv_write.hpp>
 #include <table/unlike_times.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Of a time: what a few additions lose is no more.
@@ -46,23 +46,23 @@ void add_unlike_times(std::span<const double> times,
                       const std::string& column,
                       const std::function<std::string(std::size_t)>& place,
                       Conditions& conditions) {
-  if (are_stamps(times)) {
+  if (table::are_stamps(times)) {
     const auto [least, largest] = std::minmax_element(times.begin(), times.end());
     std::string range = "from ";
-    append_number(range, *least);
+    table::append_number(range, *least);
     range += " to ";
-    append_number(range, *largest);
+    table::append_number(range, *largest);
     conditions.push_back(
         {ConditionKind::stamped_times, ConditionSeverity::warning, column, std::move(range)});
     return;
   }
-  const auto unlike = unlike_times(times);
+  const auto unlike = table::unlike_times(times);
   if (!unlike) {
     return;
   }
   std::string found = "found ";
-  append_number(found, unlike->time);
-  found += ", " + distance_in_words(*unlike) + "; the first in " + place(unlike->first);
+  table::append_number(found, unlike->time);
+  found += ", " + table::distance_in_words(*unlike) + "; the first in " + place(unlike->first);
   if (unlike->count > 1) {
     found += " (and " + std::to_string(unlike->count - 1) + " more)";
   }
@@ -70,4 +70,4 @@ void add_unlike_times(std::span<const double> times,
       {ConditionKind::unlike_times, ConditionSeverity::warning, column, std::move(found)});
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <statistics/survival/time_rounding.hpp>
 #include <string>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// Notes: near_times if R's timefix would leave fewer times, merged_times if times were made one
 /// that differ by more than the last digits of a double.
@@ -24,4 +24,4 @@ void add_unlike_times(std::span<const double> times,
                       const std::function<std::string(std::size_t)>& place,
                       Conditions& conditions);
 
-}  // namespace tcert
+}  // namespace tcert::statistics

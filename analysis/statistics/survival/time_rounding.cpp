@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -82,4 +82,4 @@ TimeRounding count_times(const SurvivalOutcome& outcome) {
   return counts_of(distinct_times(outcome));
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

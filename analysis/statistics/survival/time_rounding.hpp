@@ -9,7 +9,7 @@
 #include <statistics/survival/survival_outcome.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 
 /// What was made of the distinct times.
 struct TimeRounding {
@@ -66,4 +66,4 @@ template <class Steps, class TimeOf>
   return nearest;
 }
 
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -35,15 +35,15 @@ constexpr std::array<std::size_t, kQuantities> kValueOf{0, 2, 3, 5};
 
 /// Intervals of every quantity by every method, and the estimates.
 struct Intervals {
-  std::array<std::array<std::optional<Interval>, kMethods>, kQuantities> by_quantity;
+  std::array<std::array<std::optional<statistics::Interval>, kMethods>, kQuantities> by_quantity;
   std::array<double, kQuantities> estimate{};
 };
 
 /// DeLong's intervals of the AUCs and the jackknife's of the Cs.
 void add_analytic(const Study& study,
-                  const std::vector<Score>& scores,
-                  const SurvivalOutcome& outcome,
-                  const std::vector<Predictor>& predictors,
+                  const std::vector<statistics::Score>& scores,
+                  const statistics::SurvivalOutcome& outcome,
+                  const std::vector<statistics::Predictor>& predictors,
                   double level,
                   bool clustered,
                   Intervals& result) {
@@ -51,31 +51,32 @@ void add_analytic(const Study& study,
   const std::vector<double> success(study.success.begin(), study.success.end());
   const std::span<const std::uint32_t> days =
       clustered ? std::span<const std::uint32_t>(study.day) : std::span<const std::uint32_t>();
-  const JointAuc joint = joint_auc(scores, success, {level, days});
+  const statistics::JointAuc joint = statistics::joint_auc(scores, success, {level, days});
   result.by_quantity[0][method] = joint.markers[0].interval;
-  result.by_quantity[1][method] = auc_contrast(joint, 0, 1).interval;
-  Factor day;
+  result.by_quantity[1][method] = statistics::auc_contrast(joint, 0, 1).interval;
+  table::Factor day;
   day.codes = study.day;
   day.levels.resize(1 + static_cast<std::size_t>(study.day.back()));
-  ConcordanceOptions options;
+  statistics::ConcordanceOptions options;
   options.level = level;
   options.cluster = clustered ? &day : nullptr;
-  const ConcordanceResult c = concordance(outcome, predictors, options);
+  const statistics::ConcordanceResult c = statistics::concordance(outcome, predictors, options);
   result.by_quantity[2][method] = c.estimates[0].interval;
   result.by_quantity[3][method] = c.differences[0].interval;
 }
 
-void add_bootstrap(const Statistic& statistic,
-                   const ResamplingPlan& plan,
-                   const BootstrapOptions& options,
+void add_bootstrap(const statistics::Statistic& statistic,
+                   const statistics::ResamplingPlan& plan,
+                   const statistics::BootstrapOptions& options,
                    double level,
                    std::size_t method,
                    Intervals& result) {
-  const BootstrapResult boot = bootstrap(statistic, plan, options);
+  const statistics::BootstrapResult boot = statistics::bootstrap(statistic, plan, options);
   for (std::size_t quantity = 0; quantity < kQuantities; ++quantity) {
     const std::size_t value = kValueOf[quantity];
     result.estimate[quantity] = boot.observed[value];
-    const BootstrapIntervals intervals = bootstrap_intervals(boot, value, level);
+    const statistics::BootstrapIntervals intervals =
+        statistics::bootstrap_intervals(boot, value, level);
     result.by_quantity[quantity][method] = intervals.percentile;
     result.by_quantity[quantity][method + 1] = intervals.expanded;
     result.by_quantity[quantity][method + 2] = intervals.bca;
@@ -83,20 +84,23 @@ void add_bootstrap(const Statistic& statistic,
 }
 
 Intervals intervals_of(const Study& study, const Options& options, std::uint64_t index) {
-  const std::vector<Score> scores{{study.first, HigherMeans::success},
-                                  {study.second, HigherMeans::success}};
-  const std::vector<Predictor> predictors{{"first", study.first, LargerMeans::shorter_time},
-                                          {"second", study.second, LargerMeans::shorter_time}};
-  const SurvivalOutcome outcome{{}, study.time, study.success};
+  const std::vector<statistics::Score> scores{{study.first, statistics::HigherMeans::success},
+                                              {study.second, statistics::HigherMeans::success}};
+  const std::vector<statistics::Predictor> predictors{
+      {"first", study.first, statistics::LargerMeans::shorter_time},
+      {"second", study.second, statistics::LargerMeans::shorter_time}};
+  const statistics::SurvivalOutcome outcome{{}, study.time, study.success};
   Intervals result;
   for (const bool clustered : {false, true}) {
     add_analytic(study, scores, outcome, predictors, options.level, clustered, result);
   }
-  const Statistic statistic = joined({auc_statistic(scores, study.success, {{0, 1}}),
-                                      concordance_statistic(outcome, predictors, {{0, 1}})});
+  const statistics::Statistic statistic =
+      statistics::joined({statistics::auc_statistic(scores, study.success, {{0, 1}}),
+                          statistics::concordance_statistic(outcome, predictors, {{0, 1}})});
   for (const bool clustered : {false, true}) {
-    const ResamplingPlan plan = clustered ? ResamplingPlan::of_clusters(study.day)
-                                          : ResamplingPlan::of_rows(study.success.size());
+    const statistics::ResamplingPlan plan =
+        clustered ? statistics::ResamplingPlan::of_clusters(study.day)
+                  : statistics::ResamplingPlan::of_rows(study.success.size());
     // Every data set resamples by its own stream.
     add_bootstrap(statistic,
                   plan,
@@ -141,7 +145,7 @@ Coverage summary(const std::vector<Intervals>& all,
 /// the predictors is normal.
 template <typename LowerEnd>
 double mean_over_pairs(double correlation, LowerEnd lower_end) {
-  const double threshold = normal_quantile(kFailureShare);
+  const double threshold = statistics::normal_quantile(kFailureShare);
   const double scale = correlation / std::sqrt(2.0 * (1.0 - correlation * correlation));
   const auto density = [](double x) { return std::exp(-0.5 * x * x); };
   // Midpoints: the integrand is smooth and the tails beyond 9 are below 1e-18.
@@ -156,7 +160,7 @@ double mean_over_pairs(double correlation, LowerEnd lower_end) {
     for (int i = 0; i < kPanels; ++i) {
       const double lower = -kReach + (i + 0.5) * step_lower;
       const double w = density(lower) * density(higher) * step_lower;
-      sum += w * normal_cdf(scale * (higher - lower));
+      sum += w * statistics::normal_cdf(scale * (higher - lower));
       weight += w;
     }
   }
@@ -169,8 +173,8 @@ Study simulate(const Scenario& scenario,
                std::uint64_t seed,
                std::uint32_t stream,
                std::uint64_t index) {
-  RandomStream random(seed, stream, index);
-  const double threshold = normal_quantile(kFailureShare);
+  table::RandomStream random(seed, stream, index);
+  const double threshold = statistics::normal_quantile(kFailureShare);
   const double shared = std::sqrt(scenario.icc);
   const double own = std::sqrt(1.0 - scenario.icc);
   const auto predictor = [](double correlation, double ability, double noise) {

@@ -19,27 +19,30 @@ namespace {
 
 constexpr double kBetterAuc = 0.76;
 
-std::optional<Equivalence> tested(const LightingStudy& study, double margin) {
-  const ScoresByGroup scores = auc_by_group(
-      {study.predictor, HigherMeans::success}, study.success, study.lighting, study.day);
+std::optional<statistics::Equivalence> tested(const LightingStudy& study, double margin) {
+  const statistics::ScoresByGroup scores =
+      statistics::auc_by_group({study.predictor, statistics::HigherMeans::success},
+                               study.success,
+                               study.lighting,
+                               study.day);
   if (!scores.joint) {
     return std::nullopt;
   }
-  EquivalenceOptions options;
+  statistics::EquivalenceOptions options;
   options.margin = margin;
-  return equivalence(*scores.joint, options);
+  return statistics::equivalence(*scores.joint, options);
 }
 
-EquivalenceRates rates_of(const std::vector<std::optional<Equivalence>>& all) {
+EquivalenceRates rates_of(const std::vector<std::optional<statistics::Equivalence>>& all) {
   EquivalenceRates rates;
   double squares = 0.0;
   double sum = 0.0;
-  for (const std::optional<Equivalence>& one : all) {
+  for (const std::optional<statistics::Equivalence>& one : all) {
     if (!one || !one->heterogeneity) {
       continue;
     }
     ++rates.tested;
-    const EquivalencePair& pair = one->pairs[1];
+    const statistics::EquivalencePair& pair = one->pairs[1];
     rates.equivalent += *one->equivalent ? 1.0 : 0.0;
     rates.one_pair += pair.equivalent ? 1.0 : 0.0;
     rates.different += one->heterogeneity->p_value < 0.05 ? 1.0 : 0.0;
@@ -83,8 +86,8 @@ LightingStudy simulate(const LightingScenario& scenario,
                        std::uint64_t seed,
                        std::uint32_t stream,
                        std::uint64_t index) {
-  RandomStream random(seed, stream, index);
-  const double threshold = normal_quantile(kFailureShare);
+  table::RandomStream random(seed, stream, index);
+  const double threshold = statistics::normal_quantile(kFailureShare);
   const double shared = std::sqrt(scenario.icc);
   const double own = std::sqrt(1.0 - scenario.icc);
   LightingStudy study;
@@ -113,7 +116,7 @@ EquivalenceRates run_equivalence(const LightingScenario& scenario,
                                  std::uint64_t seed) {
   const double better = correlation_of(kBetterAuc);
   const double worse = correlation_of(kBetterAuc - scenario.difference);
-  std::vector<std::optional<Equivalence>> all(data_sets);
+  std::vector<std::optional<statistics::Equivalence>> all(data_sets);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, data_sets, 8), [&](const Range& range) {
     for (std::size_t index = range.begin(); index < range.end(); ++index) {

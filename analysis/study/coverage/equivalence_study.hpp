@@ -30,7 +30,7 @@ struct LightingStudy {
   std::vector<double> predictor;
   std::vector<std::uint8_t> success;
   std::vector<std::uint32_t> day;
-  Factor lighting;
+  table::Factor lighting;
 };
 
 /// The correlation at which `true_auc` is `auc`. \pre 0.5 <= auc < 0.95.

@@ -71,7 +71,7 @@ GateCoverage coverage_of(const Method& method, const std::vector<EvenChance>& al
   row.covered /= count;
   row.covered_zero /= count;
   row.monte_carlo_se = std::sqrt(row.covered * (1.0 - row.covered) / count);
-  row.median_width_m = median(widths).value_or(std::nan(""));
+  row.median_width_m = statistics::median(widths).value_or(std::nan(""));
   return row;
 }
 
@@ -125,7 +125,7 @@ GateSummary run_gates(const GateOptions& options) {
   }
   summary.separated = options.studies - points.size();
   summary.mean_estimate_m /= static_cast<double>(points.size());
-  summary.median_estimate_m = median(points).value_or(std::nan(""));
+  summary.median_estimate_m = statistics::median(points).value_or(std::nan(""));
   for (const Method& method : kMethods) {
     summary.methods.push_back(coverage_of(method, found, summary.point_m));
   }

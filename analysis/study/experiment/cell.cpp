@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <tcert/certifier.hpp>
 
-namespace tcert {
+namespace tcert::study {
 
 std::string overrides_text(const Cell& cell) {
   std::string text;
@@ -59,4 +59,4 @@ PlannedCell plan(Cell cell, const ParameterSet& base, const Robot& robot, const 
   return {std::move(cell), std::move(set)};
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -13,7 +13,7 @@
 
 #include "analysis/study/trials/parameters.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct Cell {
   std::string name;                                            ///< Unique within a batch.
@@ -53,4 +53,4 @@ struct PlannedCell {
                                const Robot& robot,
                                const Course& course);
 
-}  // namespace tcert
+}  // namespace tcert::study

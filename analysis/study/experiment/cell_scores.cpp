@@ -6,18 +6,18 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
-const DataColumn& column(const DataTable& table, const std::string& name) {
-  const DataColumn* const found = table.find(name);
+const table::DataColumn& column(const table::DataTable& table, const std::string& name) {
+  const table::DataColumn* const found = table.find(name);
   if (found == nullptr) {
     throw std::invalid_argument("cell scores: no column '" + name + "'");
   }
   return *found;
 }
 
-std::vector<std::string> words(const DataColumn& column, std::size_t rows) {
+std::vector<std::string> words(const table::DataColumn& column, std::size_t rows) {
   std::vector<std::string> result;
   for (std::size_t row = 0; row < rows; ++row) {
     result.push_back(column.is_text ? column.text.levels.at(column.text.codes.at(row))
@@ -26,7 +26,7 @@ std::vector<std::string> words(const DataColumn& column, std::size_t rows) {
   return result;
 }
 
-void require_same_trials(const DataTable& cell, const DataTable& full) {
+void require_same_trials(const table::DataTable& cell, const table::DataTable& full) {
   if (cell.rows != full.rows ||
       words(column(cell, "trial_id"), cell.rows) != words(column(full, "trial_id"), full.rows)) {
     throw std::invalid_argument("cell scores: the tables are of different trials");
@@ -34,24 +34,30 @@ void require_same_trials(const DataTable& cell, const DataTable& full) {
 }
 
 /// The full method's table with the cell's certificate features beside its own.
-DataTable joined(const DataTable& cell, const DataTable& full, const H1Predictor& predictor) {
-  DataTable table = full;
+table::DataTable joined(const table::DataTable& cell,
+                        const table::DataTable& full,
+                        const H1Predictor& predictor) {
+  table::DataTable table = full;
   for (const std::string& name : {predictor.column, predictor.landmark_column}) {
-    DataColumn copy = column(cell, name);
+    table::DataColumn copy = column(cell, name);
     copy.name = "cell " + name;
     table.columns.push_back(std::move(copy));
   }
   return table;
 }
 
-H1Table against(const DataTable& cell, const DataTable& full, const H1Options& options) {
+H1Table against(const table::DataTable& cell,
+                const table::DataTable& full,
+                const H1Options& options) {
   const H1Predictor& tc = options.predictors.front();
   H1Options pair = options;
   pair.predictors = {{"cell " + tc.column, tc.higher, "cell " + tc.landmark_column}, tc};
   return hypothesis_h1(joined(cell, full, tc), pair);
 }
 
-CellIssuance issuance(const DataTable& cell, const DataTable& full, const std::string& success) {
+CellIssuance issuance(const table::DataTable& cell,
+                      const table::DataTable& full,
+                      const std::string& success) {
   const std::vector<double>& outcome = column(full, success).numbers;
   const std::vector<double>& here = column(cell, "issued").numbers;
   const std::vector<double>& there = column(full, "issued").numbers;
@@ -80,8 +86,8 @@ CellIssuance issuance(const DataTable& cell, const DataTable& full, const std::s
 
 }  // namespace
 
-CellScores cell_scores(const DataTable& cell,
-                       const DataTable& full,
+CellScores cell_scores(const table::DataTable& cell,
+                       const table::DataTable& full,
                        double landmark_s,
                        H1Options options) {
   require_same_trials(cell, full);
@@ -99,4 +105,4 @@ CellScores cell_scores(const DataTable& cell,
   return scores;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

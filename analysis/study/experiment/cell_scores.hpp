@@ -8,7 +8,7 @@
 
 #include "analysis/study/h1/hypothesis_h1.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Certificates of a cell by what became of the trial, beside those of the full method. Trials
 /// without an outcome are left out.
@@ -39,9 +39,9 @@ struct CellScores {
 /// Pass the same table twice for the full method. Rows of models are left out.
 /// \throws FormulaError as `hypothesis_h1` does; std::invalid_argument if the trials differ.
 /// O(replicates trials log trials).
-[[nodiscard]] CellScores cell_scores(const DataTable& cell,
-                                     const DataTable& full,
+[[nodiscard]] CellScores cell_scores(const table::DataTable& cell,
+                                     const table::DataTable& full,
                                      double landmark_s,
                                      H1Options options);
 
-}  // namespace tcert
+}  // namespace tcert::study

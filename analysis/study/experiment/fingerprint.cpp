@@ -1,6 +1,6 @@
 #include "analysis/study/experiment/fingerprint.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 bool depends(Stage stage, Stage on) noexcept {
@@ -20,4 +20,4 @@ std::string fingerprint(const ParameterSet& parameters, Stage stage) {
   return text;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

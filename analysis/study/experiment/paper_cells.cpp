@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
@@ -69,4 +69,4 @@ std::vector<Cell> sensitivity_cells() {
   return cells;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

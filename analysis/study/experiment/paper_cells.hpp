@@ -6,7 +6,7 @@
 
 #include "analysis/study/experiment/cell.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Paper 3.3: A1 no contact memory, A2 unknown space taken for free, A3 no curvature; then their
 /// pairs and all three.
@@ -16,4 +16,4 @@ namespace tcert {
 /// settled), at other values that one could defend. What they do to H1 is its specification curve.
 [[nodiscard]] std::vector<Cell> sensitivity_cells();
 
-}  // namespace tcert
+}  // namespace tcert::study

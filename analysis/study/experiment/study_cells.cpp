@@ -12,7 +12,7 @@
 #include "analysis/study/experiment/fingerprint.hpp"
 #include "datasets/tick_limit.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// A set with what its steps depend on.
@@ -148,4 +148,4 @@ CellReuse study_cells(const Bundle& bundle,
   return total;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -14,7 +14,7 @@
 #include "analysis/study/trials/study.hpp"
 #include "datasets/bundle.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Called for a trial under one set while its ticks and series are at hand, from any thread; what
 /// it returns is kept. `trial` may be changed in what the next set does not use: not its ticks and
@@ -24,7 +24,7 @@ using TrialText = std::function<std::string(StudiedTrial& trial, std::size_t set
 /// What came of one trial.
 struct CellTrial {
   const TrialRow* row = nullptr;
-  std::vector<Diagnostic> diagnostics;
+  std::vector<table::Diagnostic> diagnostics;
   bool rejected = false;           ///< The log cannot be used, whatever the parameters.
   std::vector<std::string> texts;  ///< One per set; empty if rejected.
 };
@@ -49,4 +49,4 @@ CellReuse study_cells(const Bundle& bundle,
                       const TrialText& text,
                       const std::function<void(CellTrial&&)>& take);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -13,14 +13,15 @@
 
 #include "analysis/study/gate/profile_point.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-LogisticInput input_of(std::span<const double> x, std::span<const std::uint8_t> success) {
+statistics::LogisticInput input_of(std::span<const double> x,
+                                   std::span<const std::uint8_t> success) {
   const auto rows = static_cast<Eigen::Index>(x.size());
-  LogisticInput input;
+  statistics::LogisticInput input;
   input.design = Eigen::MatrixXd::Ones(rows, 2);
   input.successes.resize(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
@@ -35,15 +36,15 @@ LogisticInput input_of(std::span<const double> x, std::span<const std::uint8_t> 
 }
 
 /// Values: the point, and the slope that tells whether the point means anything.
-Statistic point_statistic(const LogisticInput& input) {
-  const auto refit = std::make_shared<const LogisticRefit>(input);
-  Statistic statistic;
+statistics::Statistic point_statistic(const statistics::LogisticInput& input) {
+  const auto refit = std::make_shared<const statistics::LogisticRefit>(input);
+  statistics::Statistic statistic;
   statistic.rows = static_cast<std::size_t>(input.design.rows());
   statistic.values = 2;
-  statistic.make_kernel = [refit]() -> StatisticKernel {
+  statistic.make_kernel = [refit]() -> statistics::StatisticKernel {
     return [refit](std::span<const std::uint32_t> multiplicity, std::span<double> values) {
       values[0] = values[1] = kNaN;
-      const LogisticReplicate replicate = refit->fit(multiplicity);
+      const statistics::LogisticReplicate replicate = refit->fit(multiplicity);
       if (replicate.coefficients) {
         const Eigen::VectorXd of_column = refit->column_coefficients(*replicate.coefficients);
         values[0] = -of_column[0] / of_column[1];
@@ -54,15 +55,18 @@ Statistic point_statistic(const LogisticInput& input) {
   return statistic;
 }
 
-ConfidenceSet set_of(const std::optional<Interval>& interval) {
+ConfidenceSet set_of(const std::optional<statistics::Interval>& interval) {
   return interval ? ConfidenceSet{ConfidenceSetKind::bounded, interval->low, interval->high}
                   : ConfidenceSet{};
 }
 
-void add_bootstrap(const LogisticInput& input, const EvenChanceOptions& options, EvenChance& out) {
-  const BootstrapResult result = bootstrap(point_statistic(input),
-                                           ResamplingPlan::of_rows(out.rows),
-                                           {options.replicates, options.seed, options.analysis});
+void add_bootstrap(const statistics::LogisticInput& input,
+                   const EvenChanceOptions& options,
+                   EvenChance& out) {
+  const statistics::BootstrapResult result =
+      statistics::bootstrap(point_statistic(input),
+                            statistics::ResamplingPlan::of_rows(out.rows),
+                            {options.replicates, options.seed, options.analysis});
   std::size_t falling = 0;
   for (const double slope : result.replicates[1]) {
     out.failed_replicates += std::isnan(slope) ? 1 : 0;
@@ -73,9 +77,11 @@ void add_bootstrap(const LogisticInput& input, const EvenChanceOptions& options,
     out.percentile.kind = out.bca.kind = ConfidenceSetKind::whole_line;
     return;
   }
-  out.percentile =
-      set_of(bootstrap_estimate(result, 0, options.level, BootstrapMethod::percentile).interval);
-  const BootstrapEstimate bca = bootstrap_estimate(result, 0, options.level);
+  out.percentile = set_of(statistics::bootstrap_estimate(
+                              result, 0, options.level, statistics::BootstrapMethod::percentile)
+                              .interval);
+  const statistics::BootstrapEstimate bca =
+      statistics::bootstrap_estimate(result, 0, options.level);
   out.bca = set_of(bca.interval);
   out.conditions.insert(out.conditions.end(), bca.conditions.begin(), bca.conditions.end());
 }
@@ -122,7 +128,7 @@ ConfidenceSet fieller_set(double intercept,
                           double slope_variance,
                           double level) {
   // a x^2 + 2 b x + c <= 0.
-  const double z = normal_factor(level);
+  const double z = statistics::normal_factor(level);
   const double a = slope * slope - z * z * slope_variance;
   const double b = intercept * slope - z * z * covariance;
   const double c = intercept * intercept - z * z * intercept_variance;
@@ -148,23 +154,23 @@ EvenChance even_chance(std::span<const double> x,
   for (const std::uint8_t one : success) {
     out.successes += one;
   }
-  const LogisticInput input = input_of(x, success);
-  LogisticOptions fit_options;
+  const statistics::LogisticInput input = input_of(x, success);
+  statistics::LogisticOptions fit_options;
   fit_options.level = options.level;
-  const LogisticFit fit = fit_logistic(input, fit_options);
+  const statistics::LogisticFit fit = statistics::fit_logistic(input, fit_options);
   out.conditions = fit.conditions;
   if (fit.coefficients.size() != 2 || !fit.coefficients[0].estimate ||
       !fit.coefficients[1].estimate) {
     return out;
   }
-  const LogisticCoefficient& slope = fit.coefficients[1];
+  const statistics::LogisticCoefficient& slope = fit.coefficients[1];
   out.intercept = fit.coefficients[0].estimate;
   out.intercept_std_error = fit.coefficients[0].standard_error;
   out.slope = slope.estimate;
   out.slope_std_error = slope.standard_error;
   out.slope_p = slope.p_value;
   out.slope_wald = slope.interval;
-  out.slope_profile = profile_intervals(input, fit_options)[1];
+  out.slope_profile = statistics::profile_intervals(input, fit_options)[1];
   out.point = -*out.intercept / *out.slope;
   const Eigen::MatrixXd& v = fit.covariance;
   out.covariance = v(0, 1);
@@ -178,4 +184,4 @@ EvenChance even_chance(std::span<const double> x,
   return out;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -12,7 +12,7 @@
 #include <statistics/basics/interval.hpp>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::study {
 
 /// The shape of a confidence set of a ratio.
 enum class ConfidenceSetKind : std::uint8_t {
@@ -48,8 +48,8 @@ struct EvenChance {
   std::optional<double> slope_std_error;
   std::optional<double> covariance;  ///< Of intercept and slope.
   std::optional<double> slope_p;
-  std::optional<Interval> slope_wald;
-  std::optional<Interval> slope_profile;
+  std::optional<statistics::Interval> slope_wald;
+  std::optional<statistics::Interval> slope_profile;
   std::optional<double> point;  ///< -alpha / beta.
   ConfidenceSet fieller;        ///< (alpha + beta x)^2 <= z^2 Var: of a Wald test.
   ConfidenceSet profile;        ///< Of the likelihood-ratio test of logistic(beta (x - point)).
@@ -58,7 +58,7 @@ struct EvenChance {
   ConfidenceSet percentile;
   ConfidenceSet bca;
   std::size_t failed_replicates = 0;
-  Conditions conditions;
+  statistics::Conditions conditions;
 };
 
 /// Without a finite estimate (separation, one class, constant x) everything is empty but the
@@ -76,4 +76,4 @@ struct EvenChance {
                                         double slope_variance,
                                         double level);
 
-}  // namespace tcert
+}  // namespace tcert::study

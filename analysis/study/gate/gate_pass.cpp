@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tcert {
+namespace tcert::study {
 
 GatePass gate_pass(std::span<const CertifiedTick> series, double approach_m) {
   GatePass pass;
@@ -23,4 +23,4 @@ GatePass gate_pass(std::span<const CertifiedTick> series, double approach_m) {
   return pass;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -7,7 +7,7 @@
 #include <span>
 #include <tcert/certifier.hpp>
 
-namespace tcert {
+namespace tcert::study {
 
 struct GatePass {
   /// Smallest tick margin: min gamma_e over the edges walked once, the pending edge included, since
@@ -21,4 +21,4 @@ struct GatePass {
 /// O(ticks). `approach_m` is the body width: the trailing window of the clearance.
 [[nodiscard]] GatePass gate_pass(std::span<const CertifiedTick> series, double approach_m);
 
-}  // namespace tcert
+}  // namespace tcert::study

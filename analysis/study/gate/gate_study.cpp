@@ -8,7 +8,7 @@
 #include <statistics/logistic/binomial_likelihood.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr std::size_t kGroups = 5;
@@ -38,7 +38,7 @@ std::vector<GateCalibration> calibrate(const Passes& passes, const EvenChance& e
       ++group.passes;
       group.successes += passes.success[order[i]];
       group.mean_margin_m += x;
-      group.predicted += inverse_logit(*even.intercept + *even.slope * x);
+      group.predicted += statistics::inverse_logit(*even.intercept + *even.slope * x);
     }
     if (group.passes == 0) {
       continue;
@@ -47,7 +47,7 @@ std::vector<GateCalibration> calibrate(const Passes& passes, const EvenChance& e
     group.mean_margin_m /= count;
     group.predicted /= count;
     group.observed = static_cast<double>(group.successes) / count;
-    group.observed_interval = wilson(group.successes, group.passes, level).value();
+    group.observed_interval = statistics::wilson(group.successes, group.passes, level).value();
     groups.push_back(group);
   }
   return groups;
@@ -60,7 +60,7 @@ std::vector<GateChance> curve_of(const Passes& passes, const EvenChance& even, d
   }
   const auto [least, most] =
       std::minmax_element(passes.bottleneck.begin(), passes.bottleneck.end());
-  const double z = normal_factor(level);
+  const double z = statistics::normal_factor(level);
   for (std::size_t i = 0; i <= kCurveSteps; ++i) {
     const double x =
         *least + (*most - *least) * static_cast<double>(i) / static_cast<double>(kCurveSteps);
@@ -70,13 +70,15 @@ std::vector<GateChance> curve_of(const Passes& passes, const EvenChance& even, d
                             x * x * *even.slope_std_error * *even.slope_std_error;
     const double half = z * std::sqrt(std::max(variance, 0.0));
     curve.push_back(
-        {x, inverse_logit(logit), {inverse_logit(logit - half), inverse_logit(logit + half)}});
+        {x,
+         statistics::inverse_logit(logit),
+         {statistics::inverse_logit(logit - half), statistics::inverse_logit(logit + half)}});
   }
   return curve;
 }
 
 /// Of the passes in which the certificate before the gate is known and finite.
-std::optional<LogisticFit> fit_both(const std::vector<GateRow>& rows, double level) {
+std::optional<statistics::LogisticFit> fit_both(const std::vector<GateRow>& rows, double level) {
   std::vector<const GateRow*> used;
   for (const GateRow& row : rows) {
     if (row.success && row.pass.bottleneck_m && row.pass.before_m &&
@@ -88,7 +90,7 @@ std::optional<LogisticFit> fit_both(const std::vector<GateRow>& rows, double lev
     return std::nullopt;
   }
   const auto count = static_cast<Eigen::Index>(used.size());
-  LogisticInput input;
+  statistics::LogisticInput input;
   input.design = Eigen::MatrixXd::Ones(count, 3);
   input.successes.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -101,9 +103,9 @@ std::optional<LogisticFit> fit_both(const std::vector<GateRow>& rows, double lev
   input.term_of = {0, 1, 2};
   input.terms = {"bottleneck_m", "before_m"};
   input.response = "success";
-  LogisticOptions options;
+  statistics::LogisticOptions options;
   options.level = level;
-  return fit_logistic(input, options);
+  return statistics::fit_logistic(input, options);
 }
 
 }  // namespace
@@ -128,4 +130,4 @@ GateStudy gate_study(std::vector<GateRow> rows, const EvenChanceOptions& options
   return study;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -13,7 +13,7 @@
 #include "analysis/study/gate/even_chance.hpp"
 #include "analysis/study/gate/gate_pass.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct GateRow {
   std::string trial_id;
@@ -27,21 +27,22 @@ struct GateCalibration {
   std::size_t successes = 0;
   double mean_margin_m = 0.0;
   double observed = 0.0;
-  Interval observed_interval;  ///< Wilson.
-  double predicted = 0.0;      ///< Mean of the fitted chances.
+  statistics::Interval observed_interval;  ///< Wilson.
+  double predicted = 0.0;                  ///< Mean of the fitted chances.
 };
 
 /// The fitted chance at a margin, with its pointwise Wald interval on the logit scale.
 struct GateChance {
   double margin_m = 0.0;
   double chance = 0.0;
-  Interval interval;
+  statistics::Interval interval;
 };
 
 struct GateStudy {
   std::vector<GateRow> rows;
-  EvenChance even;                  ///< x is the bottleneck margin in metres.
-  std::optional<LogisticFit> both;  ///< success ~ bottleneck + certificate before the gate.
+  EvenChance even;  ///< x is the bottleneck margin in metres.
+  std::optional<statistics::LogisticFit>
+      both;  ///< success ~ bottleneck + certificate before the gate.
   std::vector<GateCalibration> calibration;  ///< Of five groups of about equal size, by margin.
   std::vector<GateChance> curve;  ///< Over the range of the margins; empty without a fit.
   std::size_t incomplete = 0;     ///< Passes without outcome or bottleneck margin, left out.
@@ -51,4 +52,4 @@ struct GateStudy {
 /// \throws std::invalid_argument as `even_chance`.
 [[nodiscard]] GateStudy gate_study(std::vector<GateRow> rows, const EvenChanceOptions& options);
 
-}  // namespace tcert
+}  // namespace tcert::study

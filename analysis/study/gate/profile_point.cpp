@@ -6,7 +6,7 @@
 #include <statistics/basics/normal.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kTolerance = 1e-12;
@@ -151,11 +151,11 @@ ConfidenceSet profile_point_set(std::span<const double> x,
                                 double slope,
                                 double scale,
                                 double level) {
-  const double z = normal_factor(level);
+  const double z = statistics::normal_factor(level);
   const double target = z * z;
   const Drop drop(x, success, point, slope);
   return drop.beyond_at_infinity(target) > 0.0 ? bounded_set(drop, point, scale, target)
                                                : unbounded_set(drop, point, scale, target);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

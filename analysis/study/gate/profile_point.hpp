@@ -6,7 +6,7 @@
 
 #include "analysis/study/gate/even_chance.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// All x0 at which twice the drop of the log-likelihood of logistic(beta (x - x0)), maximised over
 /// beta, is at most the chi-squared quantile. `point` and `slope` are the estimates, `scale` about
@@ -18,4 +18,4 @@ namespace tcert {
                                               double scale,
                                               double level);
 
-}  // namespace tcert
+}  // namespace tcert::study

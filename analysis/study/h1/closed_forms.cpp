@@ -11,11 +11,11 @@
 #include "analysis/study/h1/hazard_ratio.hpp"
 #include "analysis/study/h1/nested_models.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
-std::vector<Score> scores_of(const H1Data& data) {
-  std::vector<Score> scores;
+std::vector<statistics::Score> scores_of(const H1Data& data) {
+  std::vector<statistics::Score> scores;
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
     scores.push_back(data.score(k));
   }
@@ -26,26 +26,28 @@ std::vector<double> as_numbers(const std::vector<std::uint8_t>& success) {
   return {success.begin(), success.end()};
 }
 
-JointAuc aucs(const H1Data& data, const H1Options& options, bool clustered) {
-  AucOptions auc_options;
+statistics::JointAuc aucs(const H1Data& data, const H1Options& options, bool clustered) {
+  statistics::AucOptions auc_options;
   auc_options.level = options.level;
   if (clustered) {
     auc_options.cluster = data.cluster.codes;
   }
-  return joint_auc(scores_of(data), as_numbers(data.success), auc_options);
+  return statistics::joint_auc(scores_of(data), as_numbers(data.success), auc_options);
 }
 
-ConcordanceResult concordances(const H1Data& data, const H1Options& options, bool clustered) {
-  std::vector<Predictor> predictors;
+statistics::ConcordanceResult concordances(const H1Data& data,
+                                           const H1Options& options,
+                                           bool clustered) {
+  std::vector<statistics::Predictor> predictors;
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
     predictors.push_back(data.timed(k));
   }
-  ConcordanceOptions concordance_options;
+  statistics::ConcordanceOptions concordance_options;
   concordance_options.level = options.level;
   if (clustered) {
     concordance_options.cluster = &data.cluster;
   }
-  return concordance(*data.censored, predictors, concordance_options);
+  return statistics::concordance(*data.censored, predictors, concordance_options);
 }
 
 std::optional<double> root(const std::optional<double>& variance) {
@@ -53,18 +55,19 @@ std::optional<double> root(const std::optional<double>& variance) {
 }
 
 /// The difference between the predictor under test and rival `k`.
-const ConcordanceDifference& gain_of(const ConcordanceResult& result, std::size_t k) {
+const statistics::ConcordanceDifference& gain_of(const statistics::ConcordanceResult& result,
+                                                 std::size_t k) {
   return result.differences[k - 1];
 }
 
 void add_clustered(const H1Data& data, const H1Options& options, H1Panel& panel) {
-  const JointAuc joint = aucs(data, options, true);
+  const statistics::JointAuc joint = aucs(data, options, true);
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
     H1Row& row = panel.rows[k];
     row.auc.closed_form = joint.markers[k].interval;
     row.auc.std_error = root(joint.markers[k].variance);
     if (k > 0) {
-      const AucDifference gain = auc_contrast(joint, 0, k);
+      const statistics::AucDifference gain = statistics::auc_contrast(joint, 0, k);
       row.auc_gain.closed_form = gain.interval;
       row.auc_gain.std_error = root(gain.variance);
       row.auc_p = gain.p_value;
@@ -73,7 +76,7 @@ void add_clustered(const H1Data& data, const H1Options& options, H1Panel& panel)
   if (!data.censored) {
     return;
   }
-  const ConcordanceResult result = concordances(data, options, true);
+  const statistics::ConcordanceResult result = concordances(data, options, true);
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
     H1Row& row = panel.rows[k];
     row.c.closed_form = result.estimates[k].interval;
@@ -87,8 +90,8 @@ void add_clustered(const H1Data& data, const H1Options& options, H1Panel& panel)
 }
 
 void add_case_level(const H1Data& data, const H1Options& options, H1Panel& panel) {
-  const JointAuc joint = aucs(data, options, false);
-  std::optional<ConcordanceResult> result;
+  const statistics::JointAuc joint = aucs(data, options, false);
+  std::optional<statistics::ConcordanceResult> result;
   if (data.censored) {
     result = concordances(data, options, false);
   }
@@ -98,10 +101,10 @@ void add_case_level(const H1Data& data, const H1Options& options, H1Panel& panel
     row.auc = {
         joint.markers[k].auc, {}, {}, joint.markers[k].interval, root(joint.markers[k].variance)};
     if (k > 0) {
-      row.auc_gain_p = auc_contrast(joint, 0, k).p_value;
+      row.auc_gain_p = statistics::auc_contrast(joint, 0, k).p_value;
     }
     if (result) {
-      const ConcordanceEstimate& c = result->estimates[k];
+      const statistics::ConcordanceEstimate& c = result->estimates[k];
       row.c = {c.c, {}, {}, c.interval, c.std_error};
       if (k > 0) {
         row.c_gain_p = gain_of(*result, k).p_value;
@@ -112,11 +115,11 @@ void add_case_level(const H1Data& data, const H1Options& options, H1Panel& panel
 }
 
 /// `others` are predictors that the model holds besides `k`, which comes first.
-CoxData cox_of(const SurvivalOutcome& outcome,
-               const H1Data& data,
-               std::size_t k,
-               const std::vector<std::size_t>& others) {
-  CoxData cox;
+statistics::CoxData cox_of(const statistics::SurvivalOutcome& outcome,
+                           const H1Data& data,
+                           std::size_t k,
+                           const std::vector<std::size_t>& others) {
+  statistics::CoxData cox;
   cox.outcome = outcome;
   cox.design.resize(static_cast<Eigen::Index>(data.rows()),
                     static_cast<Eigen::Index>(others.size()) + 1);
@@ -138,7 +141,8 @@ void add_spreads(const H1Data& data, H1Panel& panel) {
   for (std::size_t r = 0; r < panel.rows.size(); ++r) {
     H1Row& row = panel.rows[r];
     if (row.kind != H1RowKind::together) {
-      row.sd = standard_deviation(data.predictors[row.kind == H1RowKind::added ? 0 : r]);
+      row.sd =
+          statistics::standard_deviation(data.predictors[row.kind == H1RowKind::added ? 0 : r]);
     }
   }
 }
@@ -159,7 +163,7 @@ void add_hazard_ratios(const H1Data& data, const H1Options& options, H1Panel& pa
     const bool added = row.kind == H1RowKind::added;
     const std::size_t k = added ? 0 : r;
     const auto& others = added ? rivals : std::vector<std::size_t>{};
-    const CoxData censored = cox_of(*data.censored, data, k, others);
+    const statistics::CoxData censored = cox_of(*data.censored, data, k, others);
     row.censored = hazard_ratio(censored, data, options.level, false, row.conditions);
     row.at_limit = hazard_ratio(
         cox_of(*data.at_limit, data, k, others), data, options.level, false, row.conditions);
@@ -182,4 +186,4 @@ void add_closed_forms(const H1Data& data,
   add_nested_tests(data, models, panel);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

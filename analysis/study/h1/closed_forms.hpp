@@ -6,7 +6,7 @@
 #include "analysis/study/h1/model_scores.hpp"
 #include "analysis/study/h1/panel_data.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Fills the closed forms of `panel.rows` and `panel.case_level`. O(rows log rows) but for the
 /// fits.
@@ -15,4 +15,4 @@ void add_closed_forms(const H1Data& data,
                       const H1Options& options,
                       H1Panel& panel);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -5,7 +5,7 @@
 #include "analysis/study/h1/model_scores.hpp"
 #include "analysis/study/h1/panel_data.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Fills `roc` and `calibration` of the panel. A single predictor's curve is that of its raw values
 /// in its a-priori direction, a model's that of its fixed part on the trials of the fit: the curves
@@ -16,4 +16,4 @@ void add_curves(const H1Data& data,
                 const H1Options& options,
                 H1Panel& panel);
 
-}  // namespace tcert
+}  // namespace tcert::study

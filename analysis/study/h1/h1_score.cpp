@@ -3,26 +3,26 @@
 #include <cmath>
 #include <utility>
 
-namespace tcert {
+namespace tcert::study {
 
-void take_score(const BootstrapResult& result,
+void take_score(const statistics::BootstrapResult& result,
                 std::size_t value,
                 const H1Options& options,
                 const std::string& quantity,
                 H1Score& score,
-                Conditions& conditions,
+                statistics::Conditions& conditions,
                 std::optional<std::size_t> units) {
-  const BootstrapEstimate estimate =
-      bootstrap_estimate(result, value, options.level, options.interval, units);
+  const statistics::BootstrapEstimate estimate =
+      statistics::bootstrap_estimate(result, value, options.level, options.interval, units);
   if (!score.value && !std::isnan(estimate.observed)) {
     score.value = estimate.observed;
   }
-  score.intervals = bootstrap_intervals(result, value, options.level, units);
+  score.intervals = statistics::bootstrap_intervals(result, value, options.level, units);
   score.interval = estimate.interval;
-  for (Condition condition : estimate.conditions) {
+  for (statistics::Condition condition : estimate.conditions) {
     condition.detail = quantity + (condition.detail.empty() ? "" : ": " + condition.detail);
     conditions.push_back(std::move(condition));
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

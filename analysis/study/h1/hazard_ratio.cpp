@@ -6,27 +6,29 @@
 #include <statistics/model/variable.hpp>
 #include <string>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// The rows whose stratum is known, with their strata.
-CoxData in_strata(const CoxData& cox, const H1Data& data, Conditions& conditions) {
+statistics::CoxData in_strata(const statistics::CoxData& cox,
+                              const H1Data& data,
+                              statistics::Conditions& conditions) {
   std::vector<std::size_t> rows;
   std::vector<Eigen::Index> indices;
   for (std::size_t i = 0; i < data.rows(); ++i) {
-    if (data.strata->codes[i] != Factor::kMissing) {
+    if (data.strata->codes[i] != table::Factor::kMissing) {
       rows.push_back(i);
       indices.push_back(static_cast<Eigen::Index>(i));
     }
   }
-  CoxData kept = cox;
+  statistics::CoxData kept = cox;
   kept.strata = data.strata;
   if (rows.size() == data.rows()) {
     return kept;
   }
   conditions.push_back(
-      {ConditionKind::missing_rows,
-       ConditionSeverity::note,
+      {statistics::ConditionKind::missing_rows,
+       statistics::ConditionSeverity::note,
        data.strata_name,
        std::to_string(data.rows() - rows.size()) + " of the stratified hazard ratio"});
   kept.outcome = {};
@@ -38,8 +40,8 @@ CoxData in_strata(const CoxData& cox, const H1Data& data, Conditions& conditions
     }
   }
   kept.design = cox.design(indices, Eigen::all);
-  kept.strata = on_rows(*data.strata, rows);
-  kept.cluster = on_rows(*cox.cluster, rows);
+  kept.strata = statistics::on_rows(*data.strata, rows);
+  kept.cluster = statistics::on_rows(*cox.cluster, rows);
   return kept;
 }
 
@@ -47,38 +49,41 @@ CoxData in_strata(const CoxData& cox, const H1Data& data, Conditions& conditions
 
 Eigen::VectorXd per_sd(const H1Data& data, std::size_t k) {
   const std::vector<double>& values = data.predictors[k];
-  const double sign = data.higher[k] == HigherMeans::success ? 1.0 : -1.0;
+  const double sign = data.higher[k] == statistics::HigherMeans::success ? 1.0 : -1.0;
   const Eigen::Map<const Eigen::VectorXd> x(values.data(),
                                             static_cast<Eigen::Index>(values.size()));
-  const double sd = standard_deviation(values);
+  const double sd = statistics::standard_deviation(values);
   return x * (sd > 0.0 ? sign / sd : sign);
 }
 
-H1HazardRatio hazard_ratio(
-    CoxData cox, const H1Data& data, double level, bool stratified, Conditions& conditions) {
+H1HazardRatio hazard_ratio(statistics::CoxData cox,
+                           const H1Data& data,
+                           double level,
+                           bool stratified,
+                           statistics::Conditions& conditions) {
   cox.cluster = data.cluster;
   if (stratified) {
     cox = in_strata(cox, data, conditions);
   }
-  CoxOptions cox_options;
+  statistics::CoxOptions cox_options;
   cox_options.level = level;
-  const CoxFit fit = fit_cox(cox, cox_options);
+  const statistics::CoxFit fit = statistics::fit_cox(cox, cox_options);
   H1HazardRatio result;
-  const CoxCoefficient& coefficient = fit.coefficients.front();
+  const statistics::CoxCoefficient& coefficient = fit.coefficients.front();
   result.ratio = coefficient.hazard_ratio;
   result.p_value = coefficient.p_value;
   if (coefficient.interval) {
-    result.interval =
-        Interval{std::exp(coefficient.interval->low), std::exp(coefficient.interval->high), level};
+    result.interval = statistics::Interval{
+        std::exp(coefficient.interval->low), std::exp(coefficient.interval->high), level};
   }
-  for (const Condition& condition : fit.conditions) {
+  for (const statistics::Condition& condition : fit.conditions) {
     const bool known =
         std::find(conditions.begin(), conditions.end(), condition) != conditions.end();
-    if (condition.kind != ConditionKind::few_clusters && !known) {
+    if (condition.kind != statistics::ConditionKind::few_clusters && !known) {
       conditions.push_back(condition);
     }
   }
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

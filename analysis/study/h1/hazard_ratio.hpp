@@ -10,7 +10,7 @@
 
 #include "analysis/study/h1/panel_data.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Predictor `k` of the panel in standard deviations of the panel, rising towards the better side.
 [[nodiscard]] Eigen::VectorXd per_sd(const H1Data& data, std::size_t k);
@@ -18,7 +18,10 @@ namespace tcert {
 /// The ratio of the first column of `cox`, clustered as `data` is, which has its rows; with the
 /// strata of `data` if `stratified`. What the fit met is added to `conditions`, but for few
 /// clusters, which the panel says.
-[[nodiscard]] H1HazardRatio hazard_ratio(
-    CoxData cox, const H1Data& data, double level, bool stratified, Conditions& conditions);
+[[nodiscard]] H1HazardRatio hazard_ratio(statistics::CoxData cox,
+                                         const H1Data& data,
+                                         double level,
+                                         bool stratified,
+                                         statistics::Conditions& conditions);
 
-}  // namespace tcert
+}  // namespace tcert::study

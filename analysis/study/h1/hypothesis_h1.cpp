@@ -19,7 +19,7 @@
 #include "analysis/study/h1/withhold.hpp"
 #include "analysis/study/h1/within_strata.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// Streams of the seed; the panels must not share draws.
@@ -64,8 +64,8 @@ std::optional<Comparison> comparison_of(const H1Panel& panel, std::size_t row) {
 /// Scores of the rows of one bootstrap.
 class RowScores {
  public:
-  RowScores(const BootstrapResult& result,
-            const ResamplingPlan& plan,
+  RowScores(const statistics::BootstrapResult& result,
+            const statistics::ResamplingPlan& plan,
             const H1Options& options,
             H1Panel& panel)
       : result_(result), plan_(plan), options_(options), panel_(panel) {}
@@ -80,25 +80,29 @@ class RowScores {
                  const std::string& quantity,
                  std::size_t row,
                  H1Score& score) {
-    take_of(paired_difference(result_, plan_, better, than), 0, "gain of " + quantity, row, score);
+    take_of(statistics::paired_difference(result_, plan_, better, than),
+            0,
+            "gain of " + quantity,
+            row,
+            score);
   }
 
  private:
-  void take_of(const BootstrapResult& result,
+  void take_of(const statistics::BootstrapResult& result,
                std::size_t value,
                const std::string& quantity,
                std::size_t row,
                H1Score& score) {
-    Conditions met;
+    statistics::Conditions met;
     take_score(result, value, options_, quantity, score, met);
-    for (Condition& condition : met) {
+    for (statistics::Condition& condition : met) {
       condition.column = panel_.rows[row].name;
       panel_.rows[row].conditions.push_back(std::move(condition));
     }
   }
 
-  const BootstrapResult& result_;
-  const ResamplingPlan& plan_;
+  const statistics::BootstrapResult& result_;
+  const statistics::ResamplingPlan& plan_;
   const H1Options& options_;
   H1Panel& panel_;
 };
@@ -130,13 +134,14 @@ void bootstrap_rows(const H1Data& data,
   layout.models = models.models.size();
   layout.has_time = data.censored.has_value();
   layout.has_strata = !panel.within.columns.empty();
-  const ResamplingPlan plan = ResamplingPlan::of_clusters(data.cluster.codes);
-  BootstrapOptions bootstrap_options;
+  const statistics::ResamplingPlan plan =
+      statistics::ResamplingPlan::of_clusters(data.cluster.codes);
+  statistics::BootstrapOptions bootstrap_options;
   bootstrap_options.replicates = options.replicates;
   bootstrap_options.seed = options.seed;
   bootstrap_options.analysis = kFirstStream + static_cast<std::uint32_t>(panel.kind);
-  const BootstrapResult result =
-      bootstrap(joint_statistic(data, layout, models), plan, bootstrap_options);
+  const statistics::BootstrapResult result =
+      statistics::bootstrap(joint_statistic(data, layout, models), plan, bootstrap_options);
 
   RowScores scores(result, plan, options, panel);
   for (std::size_t r = 0; r < panel.rows.size(); ++r) {
@@ -167,7 +172,7 @@ void adjust(H1Panel& panel) {
       p.push_back(row.c_p);
     }
   }
-  const std::vector<std::optional<double>> adjusted = holm(p);
+  const std::vector<std::optional<double>> adjusted = statistics::holm(p);
   std::size_t next = 0;
   for (H1Row& row : panel.rows) {
     if (row.kind == H1RowKind::rival) {
@@ -177,7 +182,7 @@ void adjust(H1Panel& panel) {
   }
 }
 
-H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind kind) {
+H1Panel panel_of(const table::DataTable& table, const H1Options& options, H1PanelKind kind) {
   H1Panel panel;
   panel.kind = kind;
   const H1Data data = panel_data(table, options, panel);
@@ -200,16 +205,16 @@ H1Panel panel_of(const DataTable& table, const H1Options& options, H1PanelKind k
   withhold_if_few(options, panel);
   // A fit that fails costs its own number, not the table.
   for (H1Row& row : panel.rows) {
-    for (Condition& condition : row.conditions) {
-      condition.severity = std::min(condition.severity, ConditionSeverity::warning);
+    for (statistics::Condition& condition : row.conditions) {
+      condition.severity = std::min(condition.severity, statistics::ConditionSeverity::warning);
     }
   }
   return panel;
 }
 
-std::vector<IssuedCount> issued_counts(const DataTable& table, const H1Options& options) {
-  const DataColumn* const issued = table.find("issued");
-  const DataColumn* const success = table.find(options.success);
+std::vector<IssuedCount> issued_counts(const table::DataTable& table, const H1Options& options) {
+  const table::DataColumn* const issued = table.find("issued");
+  const table::DataColumn* const success = table.find(options.success);
   if (issued == nullptr || success == nullptr || issued->is_text || success->is_text) {
     return {};
   }
@@ -239,17 +244,17 @@ void validate(const H1Options& options) {
 }  // namespace
 
 std::vector<H1Predictor> paper_predictors() {
-  return {{"tc_early", HigherMeans::success, "tc_landmark"},
-          {"contacts_per_m", HigherMeans::failure, "contacts_per_m_landmark"},
-          {"dwell", HigherMeans::failure, "dwell_landmark"},
-          {"bend_variance", HigherMeans::failure, "bend_variance_landmark"}};
+  return {{"tc_early", statistics::HigherMeans::success, "tc_landmark"},
+          {"contacts_per_m", statistics::HigherMeans::failure, "contacts_per_m_landmark"},
+          {"dwell", statistics::HigherMeans::failure, "dwell_landmark"},
+          {"bend_variance", statistics::HigherMeans::failure, "bend_variance_landmark"}};
 }
 
 std::string_view to_string(H1PanelKind kind) noexcept {
   return kind == H1PanelKind::paper ? "paper" : "landmark";
 }
 
-H1Table hypothesis_h1(const DataTable& table, const H1Options& options) {
+H1Table hypothesis_h1(const table::DataTable& table, const H1Options& options) {
   validate(options);
   require_columns(table, options);
   H1Table h1;
@@ -284,4 +289,4 @@ std::vector<std::string> columns_of(const H1Options& options) {
   return columns;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -19,13 +19,13 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 
 /// A column with its a-priori direction. `landmark_column` is the same feature of the time window
 /// alone; empty if there is none.
 struct H1Predictor {
   std::string column;
-  HigherMeans higher = HigherMeans::success;
+  statistics::HigherMeans higher = statistics::HigherMeans::success;
   std::string landmark_column;
 };
 
@@ -48,7 +48,8 @@ struct H1Options {
                                   ///< longest time of the panel.
   bool round_times = true;        ///< Times that differ by rounding are one.
   double level = 0.95;
-  BootstrapMethod interval = BootstrapMethod::expanded;  ///< The one to be read; all are kept.
+  statistics::BootstrapMethod interval =
+      statistics::BootstrapMethod::expanded;  ///< The one to be read; all are kept.
   std::size_t replicates = 2000;
   std::size_t folds = 5;
   bool models = true;  ///< The rows of models, what is out of fold, mixed models, and curves.
@@ -68,13 +69,13 @@ enum class H1PanelKind : std::uint8_t {
 /// A hazard ratio of egress per standard deviation towards the better side, cluster-robust.
 struct H1HazardRatio {
   std::optional<double> ratio;
-  std::optional<Interval> interval;
+  std::optional<statistics::Interval> interval;
   std::optional<double> p_value;
 };
 
 struct H1OddsRatio {
   std::optional<double> ratio;
-  std::optional<Interval> interval;  ///< Wald, on the log scale.
+  std::optional<statistics::Interval> interval;  ///< Wald, on the log scale.
 };
 
 /// Logistic mixed model of success with a random intercept by cluster (paper 3.2), fitted by
@@ -101,10 +102,10 @@ enum class H1RowKind : std::uint8_t {
 /// One number by the panel's clusters: its bootstrap intervals, and the closed form beside them.
 struct H1Score {
   std::optional<double> value;
-  std::optional<Interval> interval;     ///< By H1Options::interval.
-  BootstrapIntervals intervals;         ///< All of them, of the same resamples.
-  std::optional<Interval> closed_form;  ///< Clustered DeLong; clustered jackknife of C.
-  std::optional<double> std_error;      ///< Of the closed form.
+  std::optional<statistics::Interval> interval;     ///< By H1Options::interval.
+  statistics::BootstrapIntervals intervals;         ///< All of them, of the same resamples.
+  std::optional<statistics::Interval> closed_form;  ///< Clustered DeLong; clustered jackknife of C.
+  std::optional<double> std_error;                  ///< Of the closed form.
 };
 
 /// AUC and C over pairs of trials of one stratum alone, and the gain over a rival. What differs
@@ -134,7 +135,7 @@ struct H1Strata {
 struct H1Row {
   std::string name;
   H1RowKind kind = H1RowKind::rival;
-  HigherMeans higher = HigherMeans::success;
+  statistics::HigherMeans higher = statistics::HigherMeans::success;
   std::size_t missing = 0;  ///< Trials of the panel without this predictor.
 
   H1Score auc;
@@ -158,7 +159,7 @@ struct H1Row {
   H1HazardRatio at_limit;    ///< Failures stay at risk to the trial limit.
   H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
   H1MixedModel mixed;
-  Conditions conditions;
+  statistics::Conditions conditions;
 
   /// A predictor by itself, not a model.
   [[nodiscard]] bool is_single() const noexcept {
@@ -186,12 +187,12 @@ struct TcDistribution {
 
 struct H1Roc {
   std::string name;  ///< Of its row.
-  RocCurve curve;
+  statistics::RocCurve curve;
 };
 
 struct H1Calibration {
-  std::string name;              ///< Of the model: a predictor alone, or a row.
-  ModelCalibration calibration;  ///< Out of fold.
+  std::string name;                          ///< Of the model: a predictor alone, or a row.
+  statistics::ModelCalibration calibration;  ///< Out of fold.
 };
 
 struct H1Panel {
@@ -223,12 +224,12 @@ struct H1Panel {
 
   std::vector<H1Row> rows;  ///< The predictor, its rivals, together, added.
   std::vector<H1CaseRow> case_level;
-  std::vector<TcDistribution> distribution;  ///< Successes, failures.
-  std::vector<IncidenceCurves> incidence;    ///< By quartile of the predictor under test.
-  std::vector<H1Roc> roc;                    ///< One a row that has scores.
+  std::vector<TcDistribution> distribution;            ///< Successes, failures.
+  std::vector<statistics::IncidenceCurves> incidence;  ///< By quartile of the predictor under test.
+  std::vector<H1Roc> roc;                              ///< One a row that has scores.
   std::vector<H1Calibration> calibration;
   std::vector<std::pair<std::string, std::size_t>> folds;  ///< Cluster and its fold, from 1.
-  Conditions conditions;
+  statistics::Conditions conditions;
 };
 
 /// How often a certificate was issued, for one outcome.
@@ -254,9 +255,9 @@ struct H1Table {
 /// FormulaError if a column is not there, holds the wrong kind or is infinite, or if a landmark is
 /// asked for and no time is known; std::invalid_argument if an option is out of range. O(replicates
 /// trials log trials).
-[[nodiscard]] H1Table hypothesis_h1(const DataTable& table, const H1Options& options = {});
+[[nodiscard]] H1Table hypothesis_h1(const table::DataTable& table, const H1Options& options = {});
 
 /// Names of the columns that it looks for.
 [[nodiscard]] std::vector<std::string> columns_of(const H1Options& options);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -4,17 +4,17 @@
 #include <array>
 #include <statistics/basics/quantile.hpp>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr std::array kShares{0.25, 0.5, 0.75};
 
-Factor quartiles(const std::vector<double>& values) {
+table::Factor quartiles(const std::vector<double>& values) {
   std::array<double, kShares.size()> cuts{};
   for (std::size_t i = 0; i < kShares.size(); ++i) {
-    cuts[i] = quantile(values, kShares[i]).value_or(0.0);
+    cuts[i] = statistics::quantile(values, kShares[i]).value_or(0.0);
   }
-  Factor factor;
+  table::Factor factor;
   factor.levels = {"Q1", "Q2", "Q3", "Q4"};
   for (const double value : values) {
     const auto above =
@@ -30,7 +30,7 @@ void add_incidence_by_quartile(const H1Data& data, H1Panel& panel) {
   if (!data.censored) {
     return;
   }
-  CompetingOutcome outcome;
+  statistics::CompetingOutcome outcome;
   outcome.start = data.censored->start;
   outcome.stop = data.censored->stop;
   outcome.causes = {"egress", "failure"};
@@ -38,11 +38,11 @@ void add_incidence_by_quartile(const H1Data& data, H1Panel& panel) {
     const std::uint32_t cause = data.success[i] != 0 ? 1 : 2;
     outcome.cause.push_back(data.cut[i] != 0 ? 0 : cause);
   }
-  const Factor groups = quartiles(data.predictors.front());
-  IncidenceOptions options;
+  const table::Factor groups = quartiles(data.predictors.front());
+  statistics::IncidenceOptions options;
   options.groups = &groups;
   options.cluster = &data.cluster;
-  panel.incidence = cumulative_incidence(std::move(outcome), options);
+  panel.incidence = statistics::cumulative_incidence(std::move(outcome), options);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -6,19 +6,19 @@
 
 #include "analysis/study/h1/within_strata.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
-std::vector<Score> scores_of(const H1Data& data) {
-  std::vector<Score> scores;
+std::vector<statistics::Score> scores_of(const H1Data& data) {
+  std::vector<statistics::Score> scores;
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
     scores.push_back(data.score(k));
   }
   return scores;
 }
 
-std::vector<Predictor> predictors_of(const H1Data& data) {
-  std::vector<Predictor> predictors;
+std::vector<statistics::Predictor> predictors_of(const H1Data& data) {
+  std::vector<statistics::Predictor> predictors;
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
     predictors.push_back(data.timed(k));
   }
@@ -26,13 +26,13 @@ std::vector<Predictor> predictors_of(const H1Data& data) {
 }
 
 /// AUCs, or Cs, of the models.
-Statistic of_models(const H1Data& data,
-                    const H1Models& models,
-                    double (H1Model::*value)(std::span<const std::uint32_t>) const) {
-  Statistic statistic;
+statistics::Statistic of_models(const H1Data& data,
+                                const H1Models& models,
+                                double (H1Model::*value)(std::span<const std::uint32_t>) const) {
+  statistics::Statistic statistic;
   statistic.rows = data.rows();
   statistic.values = models.models.size();
-  statistic.make_kernel = [&models, value]() -> StatisticKernel {
+  statistic.make_kernel = [&models, value]() -> statistics::StatisticKernel {
     return [&models, value](std::span<const std::uint32_t> multiplicity, std::span<double> values) {
       for (std::size_t k = 0; k < models.models.size(); ++k) {
         values[k] = (models.models[k].*value)(multiplicity);
@@ -44,15 +44,17 @@ Statistic of_models(const H1Data& data,
 
 }  // namespace
 
-Statistic joint_statistic(const H1Data& data, const H1Layout& layout, const H1Models& models) {
-  std::vector<Statistic> parts;
-  const std::vector<Score> scores = scores_of(data);
-  parts.push_back(auc_statistic(scores, data.success));
+statistics::Statistic joint_statistic(const H1Data& data,
+                                      const H1Layout& layout,
+                                      const H1Models& models) {
+  std::vector<statistics::Statistic> parts;
+  const std::vector<statistics::Score> scores = scores_of(data);
+  parts.push_back(statistics::auc_statistic(scores, data.success));
   if (layout.models > 0) {
     parts.push_back(of_models(data, models, &H1Model::auc));
   }
   if (layout.has_time) {
-    parts.push_back(concordance_statistic(*data.censored, predictors_of(data)));
+    parts.push_back(statistics::concordance_statistic(*data.censored, predictors_of(data)));
     if (layout.models > 0) {
       parts.push_back(of_models(data, models, &H1Model::c));
     }
@@ -60,7 +62,7 @@ Statistic joint_statistic(const H1Data& data, const H1Layout& layout, const H1Mo
   if (layout.has_strata) {
     parts.push_back(within_statistic(data));
   }
-  return joined(std::move(parts));
+  return statistics::joined(std::move(parts));
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -8,7 +8,7 @@
 #include "analysis/study/h1/model_scores.hpp"
 #include "analysis/study/h1/panel_data.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Where a number stands among the values of `joint_statistic`; `models` of them follow the
 /// predictors.
@@ -34,8 +34,8 @@ struct H1Layout {
 /// predictors within strata, if there are any. Models are re-fitted on
 /// each resample. NaN where a resample has one class, no comparable pair, or a fit without an
 /// estimate.
-[[nodiscard]] Statistic joint_statistic(const H1Data& data,
-                                        const H1Layout& layout,
-                                        const H1Models& models);
+[[nodiscard]] statistics::Statistic joint_statistic(const H1Data& data,
+                                                    const H1Layout& layout,
+                                                    const H1Models& models);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -7,7 +7,7 @@
 #include "analysis/study/h1/hazard_ratio.hpp"
 #include "analysis/study/trials/feature_table.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kCentimetre = 0.01;
@@ -20,7 +20,7 @@ bool is_in_metres(const std::string& column) {
 }
 
 /// exp(scale * x), whose ends swap if the scale is negative.
-H1OddsRatio odds_ratio(const LogisticCoefficient& one, double scale, double level) {
+H1OddsRatio odds_ratio(const statistics::LogisticCoefficient& one, double scale, double level) {
   H1OddsRatio result;
   if (one.estimate) {
     result.ratio = std::exp(scale * *one.estimate);
@@ -28,14 +28,14 @@ H1OddsRatio odds_ratio(const LogisticCoefficient& one, double scale, double leve
   if (one.interval) {
     const double a = std::exp(scale * one.interval->low);
     const double b = std::exp(scale * one.interval->high);
-    result.interval = Interval{std::min(a, b), std::max(a, b), level};
+    result.interval = statistics::Interval{std::min(a, b), std::max(a, b), level};
   }
   return result;
 }
 
-GlmmFit fit_of(const H1Data& data,
-               const H1Options& options,
-               const std::vector<std::size_t>& predictors) {
+statistics::GlmmFit fit_of(const H1Data& data,
+                           const H1Options& options,
+                           const std::vector<std::size_t>& predictors) {
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(data.rows()),
                           static_cast<Eigen::Index>(predictors.size()));
   std::vector<std::string> names;
@@ -45,13 +45,13 @@ GlmmFit fit_of(const H1Data& data,
     names.push_back(data.names[k]);
     own_units.emplace_back(data.predictors[k]);
   }
-  GlmmOptions glmm;
+  statistics::GlmmOptions glmm;
   glmm.level = options.level;
   glmm.test_terms = false;
-  return fit_glmm(mixed_input(data, columns, names, own_units, options.cluster), glmm);
+  return statistics::fit_glmm(mixed_input(data, columns, names, own_units, options.cluster), glmm);
 }
 
-void take(const GlmmFit& fit, H1Row& row) {
+void take(const statistics::GlmmFit& fit, H1Row& row) {
   row.mixed.log_likelihood = fit.log_likelihood;
   row.mixed.icc = fit.icc;
   row.mixed.r2_marginal = fit.r2_marginal;
@@ -59,23 +59,24 @@ void take(const GlmmFit& fit, H1Row& row) {
   if (!fit.random.empty() && !fit.random.front().sd.empty()) {
     row.mixed.sd_cluster = fit.random.front().sd.front();
   }
-  for (Condition condition : fit.conditions) {
-    if (condition.kind == ConditionKind::few_clusters) {
+  for (statistics::Condition condition : fit.conditions) {
+    if (condition.kind == statistics::ConditionKind::few_clusters) {
       continue;
     }
     // One model of many: its error costs its own row.
-    condition.severity = std::min(condition.severity, ConditionSeverity::warning);
+    condition.severity = std::min(condition.severity, statistics::ConditionSeverity::warning);
     condition.detail = "mixed model" + (condition.detail.empty() ? "" : ": " + condition.detail);
     row.conditions.push_back(std::move(condition));
   }
 }
 
 /// The odds ratio of the first column, predictor `k`.
-void take_ratio(const GlmmFit& fit, const H1Data& data, std::size_t k, double level, H1Row& row) {
+void take_ratio(
+    const statistics::GlmmFit& fit, const H1Data& data, std::size_t k, double level, H1Row& row) {
   if (fit.coefficients.size() < 2) {
     return;
   }
-  const LogisticCoefficient& one = fit.coefficients[1];
+  const statistics::LogisticCoefficient& one = fit.coefficients[1];
   row.mixed.p_value = one.p_value;
   row.mixed.per_sd = odds_ratio(one, 1.0, level);
   const double sd = row.sd.value_or(0.0);
@@ -86,14 +87,14 @@ void take_ratio(const GlmmFit& fit, const H1Data& data, std::size_t k, double le
 
 }  // namespace
 
-GlmmInput mixed_input(const H1Data& data,
-                      const Eigen::MatrixXd& columns,
-                      const std::vector<std::string>& names,
-                      const std::vector<std::span<const double>>& own_units,
-                      const std::string& cluster) {
+statistics::GlmmInput mixed_input(const H1Data& data,
+                                  const Eigen::MatrixXd& columns,
+                                  const std::vector<std::string>& names,
+                                  const std::vector<std::span<const double>>& own_units,
+                                  const std::string& cluster) {
   const Eigen::Index rows = columns.rows();
-  GlmmInput input;
-  LogisticInput& fixed = input.fixed;
+  statistics::GlmmInput input;
+  statistics::LogisticInput& fixed = input.fixed;
   fixed.design.resize(rows, columns.cols() + 1);
   fixed.design << Eigen::VectorXd::Ones(rows), columns;
   fixed.columns = {"(Intercept)"};
@@ -122,7 +123,7 @@ void add_mixed_effects(const H1Data& data, const H1Options& options, H1Panel& pa
   for (std::size_t k = 1; k < data.predictors.size(); ++k) {
     rivals.push_back(k);
   }
-  std::optional<GlmmFit> smaller;
+  std::optional<statistics::GlmmFit> smaller;
   for (std::size_t r = 0; r < panel.rows.size(); ++r) {
     H1Row& row = panel.rows[r];
     std::vector<std::size_t> predictors{r};
@@ -132,7 +133,7 @@ void add_mixed_effects(const H1Data& data, const H1Options& options, H1Panel& pa
         predictors.insert(predictors.begin(), 0);
       }
     }
-    const GlmmFit fit = fit_of(data, options, predictors);
+    const statistics::GlmmFit fit = fit_of(data, options, predictors);
     take(fit, row);
     if (row.kind == H1RowKind::together) {
       smaller = fit;
@@ -142,11 +143,12 @@ void add_mixed_effects(const H1Data& data, const H1Options& options, H1Panel& pa
     take_ratio(fit, data, added ? 0 : r, options.level, row);
     if (added && smaller && smaller->log_likelihood && fit.log_likelihood &&
         fit.rank > smaller->rank) {
-      row.mixed.lr_p_value = chi_square_test(2.0 * (*fit.log_likelihood - *smaller->log_likelihood),
-                                             fit.rank - smaller->rank)
-                                 .p_value;
+      row.mixed.lr_p_value =
+          statistics::chi_square_test(2.0 * (*fit.log_likelihood - *smaller->log_likelihood),
+                                      fit.rank - smaller->rank)
+              .p_value;
     }
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -8,7 +8,7 @@
 #include <statistics/concordance/concordance_replicates.hpp>
 #include <statistics/roc/auc_statistic.hpp>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -17,7 +17,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 Eigen::VectorXd standardised(const std::vector<double>& values) {
   const Eigen::Map<const Eigen::VectorXd> x(values.data(),
                                             static_cast<Eigen::Index>(values.size()));
-  const double sd = standard_deviation(values);
+  const double sd = statistics::standard_deviation(values);
   return sd > 0.0 ? Eigen::VectorXd((x.array() - x.mean()) / sd) : Eigen::VectorXd::Zero(x.size());
 }
 
@@ -31,8 +31,9 @@ std::vector<Eigen::Index> drawn_rows(std::span<const std::uint32_t> multiplicity
   return rows;
 }
 
-SurvivalOutcome on(const SurvivalOutcome& outcome, const std::vector<Eigen::Index>& rows) {
-  SurvivalOutcome chosen;
+statistics::SurvivalOutcome on(const statistics::SurvivalOutcome& outcome,
+                               const std::vector<Eigen::Index>& rows) {
+  statistics::SurvivalOutcome chosen;
   for (const Eigen::Index index : rows) {
     const auto row = static_cast<std::size_t>(index);
     chosen.stop.push_back(outcome.stop[row]);
@@ -44,8 +45,8 @@ SurvivalOutcome on(const SurvivalOutcome& outcome, const std::vector<Eigen::Inde
   return chosen;
 }
 
-CoxData on(const CoxData& data, const std::vector<Eigen::Index>& rows) {
-  CoxData chosen;
+statistics::CoxData on(const statistics::CoxData& data, const std::vector<Eigen::Index>& rows) {
+  statistics::CoxData chosen;
   chosen.columns = data.columns;
   chosen.terms = data.terms;
   chosen.term_of = data.term_of;
@@ -54,17 +55,21 @@ CoxData on(const CoxData& data, const std::vector<Eigen::Index>& rows) {
   return chosen;
 }
 
-CoxFit light_fit(const CoxData& data) {
-  CoxOptions options;
+statistics::CoxFit light_fit(const statistics::CoxData& data) {
+  statistics::CoxOptions options;
   options.inference = false;
-  return fit_cox(data, options);
+  return statistics::fit_cox(data, options);
 }
 
-bool usable(const CoxFit& fit) { return fit.summary.termination == CoxTermination::converged; }
+bool usable(const statistics::CoxFit& fit) {
+  return fit.summary.termination == statistics::CoxTermination::converged;
+}
 
 /// False if these rows do not tell the last column from a constant or from those before it: its
 /// 0 is then no estimate.
-bool last_is_estimated(const CoxFit& fit) { return !fit.estimated.empty() && fit.estimated.back(); }
+bool last_is_estimated(const statistics::CoxFit& fit) {
+  return !fit.estimated.empty() && fit.estimated.back();
+}
 
 std::vector<std::uint32_t> as_multiplicity(std::span<const std::uint8_t> train) {
   return {train.begin(), train.end()};
@@ -91,7 +96,7 @@ H1Model::H1Model(const H1Data& data, const std::vector<std::size_t>& columns) : 
   for (Eigen::Index row = 0; row < rows; ++row) {
     logistic_.successes[row] = data.success[static_cast<std::size_t>(row)];
   }
-  refit_ = std::make_unique<LogisticRefit>(logistic_);
+  refit_ = std::make_unique<statistics::LogisticRefit>(logistic_);
   if (data.censored) {
     cox_.outcome = *data.censored;
     cox_.design = logistic_.design.rightCols(static_cast<Eigen::Index>(columns.size()));
@@ -103,42 +108,43 @@ H1Model::H1Model(const H1Data& data, const std::vector<std::size_t>& columns) : 
 }
 
 double H1Model::auc(std::span<const std::uint32_t> multiplicity) const {
-  const LogisticReplicate fit = refit_->fit(multiplicity);
+  const statistics::LogisticReplicate fit = refit_->fit(multiplicity);
   if (!fit.coefficients) {
     return kNaN;
   }
   const Eigen::VectorXd predictor = refit_->linear_predictor(*fit.coefficients);
-  const Score score{{predictor.data(), static_cast<std::size_t>(predictor.size())}};
+  const statistics::Score score{{predictor.data(), static_cast<std::size_t>(predictor.size())}};
   double value = kNaN;
-  auc_statistic({&score, 1}, data_.success).make_kernel()(multiplicity, {&value, 1});
+  statistics::auc_statistic({&score, 1}, data_.success).make_kernel()(multiplicity, {&value, 1});
   return value;
 }
 
 double H1Model::c(std::span<const std::uint32_t> multiplicity) const {
-  const CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
+  const statistics::CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
   if (!usable(fit)) {
     return kNaN;
   }
   const Eigen::VectorXd risk = cox_.design * fit.beta;
-  const Predictor predictor{
-      "", {risk.data(), static_cast<std::size_t>(risk.size())}, LargerMeans::shorter_time};
-  ConcordanceReplicates::Scratch scratch;
-  return ConcordanceReplicates(cox_.outcome, predictor).c(multiplicity, scratch);
+  const statistics::Predictor predictor{"",
+                                        {risk.data(), static_cast<std::size_t>(risk.size())},
+                                        statistics::LargerMeans::shorter_time};
+  statistics::ConcordanceReplicates::Scratch scratch;
+  return statistics::ConcordanceReplicates(cox_.outcome, predictor).c(multiplicity, scratch);
 }
 
 double H1Model::added_logistic_coefficient(std::span<const std::uint32_t> multiplicity) const {
-  const LogisticReplicate fit = refit_->fit(multiplicity);
+  const statistics::LogisticReplicate fit = refit_->fit(multiplicity);
   return fit.coefficients ? refit_->column_coefficients(*fit.coefficients)(Eigen::last) : kNaN;
 }
 
 double H1Model::added_cox_coefficient(std::span<const std::uint32_t> multiplicity) const {
-  const CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
+  const statistics::CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
   return usable(fit) && last_is_estimated(fit) ? fit.beta(Eigen::last) : kNaN;
 }
 
 std::optional<std::vector<double>> H1Model::logistic_scores(
     std::span<const std::uint8_t> train) const {
-  const LogisticReplicate fit = refit_->fit(as_multiplicity(train));
+  const statistics::LogisticReplicate fit = refit_->fit(as_multiplicity(train));
   if (!fit.coefficients) {
     return std::nullopt;
   }
@@ -147,7 +153,7 @@ std::optional<std::vector<double>> H1Model::logistic_scores(
 }
 
 std::optional<std::vector<double>> H1Model::cox_scores(std::span<const std::uint8_t> train) const {
-  const CoxFit fit = light_fit(on(cox_, drawn_rows(as_multiplicity(train))));
+  const statistics::CoxFit fit = light_fit(on(cox_, drawn_rows(as_multiplicity(train))));
   if (!usable(fit)) {
     return std::nullopt;
   }
@@ -168,4 +174,4 @@ H1Models h1_models(const H1Data& data) {
   return all;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -15,7 +15,7 @@
 
 #include "analysis/study/h1/panel_data.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// A logistic model of success for the AUC and a Cox model of egress for C, on the same predictors,
 /// each scaled to its standard deviation. Both are scored by their fixed part.
@@ -44,14 +44,14 @@ class H1Model {
   [[nodiscard]] std::optional<std::vector<double>> cox_scores(
       std::span<const std::uint8_t> train) const;
 
-  [[nodiscard]] const LogisticInput& logistic() const noexcept { return logistic_; }
-  [[nodiscard]] const CoxData& cox() const noexcept { return cox_; }
+  [[nodiscard]] const statistics::LogisticInput& logistic() const noexcept { return logistic_; }
+  [[nodiscard]] const statistics::CoxData& cox() const noexcept { return cox_; }
 
  private:
   const H1Data& data_;
-  LogisticInput logistic_;
-  CoxData cox_;  ///< Of the censored outcome; without rows if there are no times.
-  std::unique_ptr<LogisticRefit> refit_;
+  statistics::LogisticInput logistic_;
+  statistics::CoxData cox_;  ///< Of the censored outcome; without rows if there are no times.
+  std::unique_ptr<statistics::LogisticRefit> refit_;
 };
 
 struct H1Models {
@@ -61,4 +61,4 @@ struct H1Models {
 /// `data` must outlive them.
 [[nodiscard]] H1Models h1_models(const H1Data& data);
 
-}  // namespace tcert
+}  // namespace tcert::study

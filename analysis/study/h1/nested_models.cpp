@@ -7,7 +7,7 @@
 #include <statistics/resampling/jackknife.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 using Coefficient = double (H1Model::*)(std::span<const std::uint32_t>) const;
@@ -16,12 +16,15 @@ using Coefficient = double (H1Model::*)(std::span<const std::uint32_t>) const;
 std::vector<double> without_clusters(const H1Data& data,
                                      const H1Model& model,
                                      Coefficient coefficient) {
-  const Statistic statistic = scalar_statistic(data.rows(), [&model, coefficient] {
-    return [&model, coefficient](std::span<const std::uint32_t> multiplicity) {
-      return (model.*coefficient)(multiplicity);
-    };
-  });
-  return leave_one_out(statistic, ResamplingPlan::of_clusters(data.cluster.codes)).front();
+  const statistics::Statistic statistic =
+      statistics::scalar_statistic(data.rows(), [&model, coefficient] {
+        return [&model, coefficient](std::span<const std::uint32_t> multiplicity) {
+          return (model.*coefficient)(multiplicity);
+        };
+      });
+  return statistics::leave_one_out(statistic,
+                                   statistics::ResamplingPlan::of_clusters(data.cluster.codes))
+      .front();
 }
 
 std::optional<double> test_of(const H1Data& data,
@@ -34,8 +37,8 @@ std::optional<double> test_of(const H1Data& data,
   const auto failed =
       std::count_if(without.begin(), without.end(), [](double b) { return std::isnan(b); });
   if (failed > 0) {
-    row.conditions.push_back({ConditionKind::no_jackknife,
-                              ConditionSeverity::warning,
+    row.conditions.push_back({statistics::ConditionKind::no_jackknife,
+                              statistics::ConditionSeverity::warning,
                               "",
                               std::string(name) + ": " + std::to_string(failed) + " of " +
                                   std::to_string(without.size()) + " clusters"});
@@ -48,26 +51,27 @@ std::optional<double> likelihood_ratio_p(const std::optional<double>& smaller,
                                          std::size_t df) {
   return !smaller || !larger || df == 0
              ? std::nullopt
-             : std::optional(chi_square_test(2.0 * (*larger - *smaller), df).p_value);
+             : std::optional(statistics::chi_square_test(2.0 * (*larger - *smaller), df).p_value);
 }
 
 /// A coefficient that has run away is finite in name only: a hair decides on it.
-bool is_finite(const LogisticFit& fit) {
-  return fit.separation == Separation::none && fit.log_likelihood.has_value() &&
-         std::none_of(
-             fit.coefficients.begin(), fit.coefficients.end(), [](const LogisticCoefficient& one) {
-               return one.kind == CoefficientKind::ran_away;
-             });
+bool is_finite(const statistics::LogisticFit& fit) {
+  return fit.separation == statistics::Separation::none && fit.log_likelihood.has_value() &&
+         std::none_of(fit.coefficients.begin(),
+                      fit.coefficients.end(),
+                      [](const statistics::LogisticCoefficient& one) {
+                        return one.kind == statistics::CoefficientKind::ran_away;
+                      });
 }
 
-bool is_finite(const CoxFit& fit) {
-  return fit.summary.termination == CoxTermination::converged &&
-         !has(fit.conditions, ConditionKind::near_separation);
+bool is_finite(const statistics::CoxFit& fit) {
+  return fit.summary.termination == statistics::CoxTermination::converged &&
+         !statistics::has(fit.conditions, statistics::ConditionKind::near_separation);
 }
 
 void test_success(const H1Data& data, const H1Models& models, H1Row& added) {
-  const LogisticFit small = fit_logistic(models.models[0].logistic());
-  const LogisticFit large = fit_logistic(models.models[1].logistic());
+  const statistics::LogisticFit small = statistics::fit_logistic(models.models[0].logistic());
+  const statistics::LogisticFit large = statistics::fit_logistic(models.models[1].logistic());
   added.conditions.insert(added.conditions.end(), large.conditions.begin(), large.conditions.end());
   if (is_finite(small) && is_finite(large) && large.rank > small.rank) {
     added.auc_lr_p =
@@ -78,8 +82,8 @@ void test_success(const H1Data& data, const H1Models& models, H1Row& added) {
 }
 
 void test_time(const H1Data& data, const H1Models& models, H1Row& added) {
-  const CoxFit small = fit_cox(models.models[0].cox());
-  const CoxFit large = fit_cox(models.models[1].cox());
+  const statistics::CoxFit small = statistics::fit_cox(models.models[0].cox());
+  const statistics::CoxFit large = statistics::fit_cox(models.models[1].cox());
   if (is_finite(small) && is_finite(large) && large.df > small.df) {
     added.c_lr_p = likelihood_ratio_p(small.loglik, large.loglik, large.df - small.df);
     added.c_p =
@@ -100,7 +104,8 @@ std::optional<double> cluster_jackknife_p(double estimate,
   if (!(variance > 0.0) || !std::isfinite(estimate)) {
     return std::nullopt;
   }
-  return t_p_value(estimate / std::sqrt(variance), clusters - 1.0, Alternative::two_sided);
+  return statistics::t_p_value(
+      estimate / std::sqrt(variance), clusters - 1.0, statistics::Alternative::two_sided);
 }
 
 void add_nested_tests(const H1Data& data, const H1Models& models, H1Panel& panel) {
@@ -113,4 +118,4 @@ void add_nested_tests(const H1Data& data, const H1Models& models, H1Panel& panel
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -8,7 +8,7 @@
 #include "analysis/study/h1/model_scores.hpp"
 #include "analysis/study/h1/panel_data.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Wald's test of one coefficient by Student's t with G - 1 degrees of freedom, G clusters; its
 /// variance is the jackknife of whole clusters, (G - 1) / G sum_g (b_(-g) - b)^2, known as CV3
@@ -24,4 +24,4 @@ namespace tcert {
 /// of them. O(clusters) fits.
 void add_nested_tests(const H1Data& data, const H1Models& models, H1Panel& panel);
 
-}  // namespace tcert
+}  // namespace tcert::study

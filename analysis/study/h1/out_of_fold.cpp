@@ -3,7 +3,7 @@
 #include <limits>
 #include <statistics/resampling/cross_validation.hpp>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 using Rows = std::span<const std::size_t>;
@@ -25,7 +25,7 @@ std::vector<double> scored(std::size_t rows, Rows training, Rows held_out, const
   return chosen;
 }
 
-void note_folds(const Folds& folds, const H1Data& data, H1Panel& panel) {
+void note_folds(const statistics::Folds& folds, const H1Data& data, H1Panel& panel) {
   std::vector<std::size_t> fold_of(data.cluster.levels.size(), 0);
   for (std::size_t row = 0; row < data.rows(); ++row) {
     fold_of[data.cluster.codes[row]] = folds.of_row[row] + 1;
@@ -35,8 +35,10 @@ void note_folds(const Folds& folds, const H1Data& data, H1Panel& panel) {
   }
 }
 
-std::optional<double> value_of(const PooledScore& score, const std::string& name, H1Row& row) {
-  for (Condition condition : score.conditions) {
+std::optional<double> value_of(const statistics::PooledScore& score,
+                               const std::string& name,
+                               H1Row& row) {
+  for (statistics::Condition condition : score.conditions) {
     condition.column = row.name;
     condition.detail = name + (condition.detail.empty() ? "" : ": " + condition.detail);
     row.conditions.push_back(std::move(condition));
@@ -50,10 +52,11 @@ void add_out_of_fold(const H1Data& data,
                      const H1Models& models,
                      const H1Options& options,
                      H1Panel& panel) {
-  FoldOptions fold_options;
+  statistics::FoldOptions fold_options;
   fold_options.folds = options.folds;
   fold_options.seed = options.seed;
-  const Folds folds = assign_folds(data.success, data.cluster.codes, fold_options);
+  const statistics::Folds folds =
+      statistics::assign_folds(data.success, data.cluster.codes, fold_options);
   panel.conditions.insert(panel.conditions.end(), folds.conditions.begin(), folds.conditions.end());
   if (folds.count < 2) {
     return;
@@ -62,13 +65,14 @@ void add_out_of_fold(const H1Data& data,
   const std::size_t predictors = data.predictors.size();
   for (std::size_t k = 0; k < predictors; ++k) {
     H1Row& row = panel.rows[k];
-    row.auc_out_of_fold =
-        value_of(out_of_fold_auc(folds, data.predictors[k], data.success, data.higher[k]),
-                 "out-of-fold AUC",
-                 row);
+    row.auc_out_of_fold = value_of(
+        statistics::out_of_fold_auc(folds, data.predictors[k], data.success, data.higher[k]),
+        "out-of-fold AUC",
+        row);
     if (data.censored) {
       row.c_out_of_fold =
-          value_of(out_of_fold_c(folds, data.predictors[k], *data.censored, data.timed(k).larger),
+          value_of(statistics::out_of_fold_c(
+                       folds, data.predictors[k], *data.censored, data.timed(k).larger),
                    "out-of-fold C",
                    row);
     }
@@ -77,22 +81,24 @@ void add_out_of_fold(const H1Data& data,
     const H1Model& model = models.models[m];
     H1Row& row = panel.rows[predictors + m];
     const std::vector<double> logistic =
-        out_of_fold_scores(folds, [&](Rows training, Rows held_out) {
+        statistics::out_of_fold_scores(folds, [&](Rows training, Rows held_out) {
           return scored(data.rows(), training, held_out, [&](const auto& train) {
             return model.logistic_scores(train);
           });
         });
-    row.auc_out_of_fold =
-        value_of(out_of_fold_auc(folds, logistic, data.success), "out-of-fold AUC", row);
+    row.auc_out_of_fold = value_of(
+        statistics::out_of_fold_auc(folds, logistic, data.success), "out-of-fold AUC", row);
     if (data.censored) {
-      const std::vector<double> cox = out_of_fold_scores(folds, [&](Rows training, Rows held_out) {
-        return scored(data.rows(), training, held_out, [&](const auto& train) {
-          return model.cox_scores(train);
-        });
-      });
-      row.c_out_of_fold = value_of(out_of_fold_c(folds, cox, *data.censored), "out-of-fold C", row);
+      const std::vector<double> cox =
+          statistics::out_of_fold_scores(folds, [&](Rows training, Rows held_out) {
+            return scored(data.rows(), training, held_out, [&](const auto& train) {
+              return model.cox_scores(train);
+            });
+          });
+      row.c_out_of_fold =
+          value_of(statistics::out_of_fold_c(folds, cox, *data.censored), "out-of-fold C", row);
     }
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

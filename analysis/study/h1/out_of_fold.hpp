@@ -5,7 +5,7 @@
 #include "analysis/study/h1/model_scores.hpp"
 #include "analysis/study/h1/panel_data.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Fills `auc_out_of_fold` and `c_out_of_fold` of every row and the folds of the panel. A single
 /// predictor needs no fit: its raw values are scored within the same folds.
@@ -14,4 +14,4 @@ void add_out_of_fold(const H1Data& data,
                      const H1Options& options,
                      H1Panel& panel);
 
-}  // namespace tcert
+}  // namespace tcert::study

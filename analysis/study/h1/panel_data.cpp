@@ -12,19 +12,19 @@
 #include <table/csv_write.hpp>
 #include <table/nearest_name.hpp>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Expression column_named(const std::string& name) {
-  return {Expression::Kind::column, 0.0, name, {}};
+statistics::Expression column_named(const std::string& name) {
+  return {statistics::Expression::Kind::column, 0.0, name, {}};
 }
 
-std::vector<double> numbers(const DataTable& table, const std::string& column) {
-  Variable variable = evaluate(column_named(column), table);
-  if (variable.kind == Variable::Kind::factor) {
-    throw FormulaError("column " + not_numbers(table, column));
+std::vector<double> numbers(const table::DataTable& table, const std::string& column) {
+  statistics::Variable variable = statistics::evaluate(column_named(column), table);
+  if (variable.kind == statistics::Variable::Kind::factor) {
+    throw statistics::FormulaError("column " + statistics::not_numbers(table, column));
   }
   return std::move(variable.numbers);
 }
@@ -32,7 +32,7 @@ std::vector<double> numbers(const DataTable& table, const std::string& column) {
 /// Whether two times are one: but for rounding, as `round_times` has it, unless every time is left
 /// as it is.
 bool is_same(double at, double time, const H1Options& options) {
-  return time == at || (options.round_times && same_time(at, time));
+  return time == at || (options.round_times && statistics::same_time(at, time));
 }
 
 /// Whether `time` is not after `at`.
@@ -42,8 +42,8 @@ bool is_by(double at, double time, const H1Options& options) {
 
 /// A column without a single value is not there: feature tables have a column for all they could
 /// know.
-bool is_there(const DataTable& table, const std::string& name) {
-  const DataColumn* const column = table.find(name);
+bool is_there(const table::DataTable& table, const std::string& name) {
+  const table::DataColumn* const column = table.find(name);
   return column != nullptr &&
          (column->is_text ? !column->text.levels.empty()
                           : std::any_of(column->numbers.begin(),
@@ -52,29 +52,29 @@ bool is_there(const DataTable& table, const std::string& name) {
 }
 
 /// All NaN if the table does not have it.
-std::vector<double> numbers_if_there(const DataTable& table, const std::string& column) {
+std::vector<double> numbers_if_there(const table::DataTable& table, const std::string& column) {
   return table.find(column) == nullptr ? std::vector<double>(table.rows, kNaN)
                                        : numbers(table, column);
 }
 
-std::vector<double> finite_numbers(const DataTable& table, const std::string& column) {
+std::vector<double> finite_numbers(const table::DataTable& table, const std::string& column) {
   std::vector<double> values = numbers_if_there(table, column);
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (std::isinf(values[row])) {
-      throw FormulaError("column '" + column + "' of " + table.file + ", row " +
-                         std::to_string(row + 1) + ": found " + (values[row] > 0.0 ? "" : "-") +
-                         "Inf; make the cell NA or correct it");
+      throw statistics::FormulaError(
+          "column '" + column + "' of " + table.file + ", row " + std::to_string(row + 1) +
+          ": found " + (values[row] > 0.0 ? "" : "-") + "Inf; make the cell NA or correct it");
     }
   }
   return values;
 }
 
-std::vector<double> outcome(const DataTable& table, const std::string& column) {
+std::vector<double> outcome(const table::DataTable& table, const std::string& column) {
   std::vector<double> success = numbers(table, column);
   for (std::size_t row = 0; row < success.size(); ++row) {
     if (!std::isnan(success[row]) && success[row] != 0.0 && success[row] != 1.0) {
-      throw FormulaError("column '" + column + "' of " + table.file + ", row " +
-                         std::to_string(row + 1) + ": an outcome is 0 or 1");
+      throw statistics::FormulaError("column '" + column + "' of " + table.file + ", row " +
+                                     std::to_string(row + 1) + ": an outcome is 0 or 1");
     }
   }
   return success;
@@ -87,13 +87,13 @@ struct Columns {
   std::vector<double> end;  ///< Time, or that of the last tick.
   std::vector<double> log_end;
   std::vector<std::vector<double>> predictors;
-  std::optional<Factor> cluster;
-  std::optional<Factor> strata;
-  std::optional<Factor> group;
+  std::optional<table::Factor> cluster;
+  std::optional<table::Factor> strata;
+  std::optional<table::Factor> group;
 };
 
 /// The landmark's own column where the table has it.
-const std::string& column_of(const DataTable& table,
+const std::string& column_of(const table::DataTable& table,
                              const H1Predictor& predictor,
                              H1PanelKind kind) {
   const bool landmark =
@@ -102,20 +102,22 @@ const std::string& column_of(const DataTable& table,
 }
 
 /// The cross of those columns of `within` that are there; nothing if none is.
-std::optional<Factor> strata_of(const DataTable& table,
-                                const std::vector<std::string>& within,
-                                std::vector<std::string>& used) {
-  std::vector<Factor> factors;
+std::optional<table::Factor> strata_of(const table::DataTable& table,
+                                       const std::vector<std::string>& within,
+                                       std::vector<std::string>& used) {
+  std::vector<table::Factor> factors;
   for (const std::string& name : within) {
     if (is_there(table, name)) {
-      factors.push_back(evaluate_factor(column_named(name), table));
+      factors.push_back(statistics::evaluate_factor(column_named(name), table));
       used.push_back(name);
     }
   }
-  return factors.empty() ? std::nullopt : std::optional(crossed(factors, ", "));
+  return factors.empty() ? std::nullopt : std::optional(statistics::crossed(factors, ", "));
 }
 
-Columns columns_of_table(const DataTable& table, const H1Options& options, H1PanelKind kind) {
+Columns columns_of_table(const table::DataTable& table,
+                         const H1Options& options,
+                         H1PanelKind kind) {
   Columns columns;
   columns.success = outcome(table, options.success);
   columns.time = finite_numbers(table, options.time);
@@ -129,18 +131,18 @@ Columns columns_of_table(const DataTable& table, const H1Options& options, H1Pan
     columns.predictors.push_back(finite_numbers(table, column_of(table, predictor, kind)));
   }
   if (is_there(table, options.cluster)) {
-    columns.cluster = evaluate_factor(column_named(options.cluster), table);
+    columns.cluster = statistics::evaluate_factor(column_named(options.cluster), table);
   }
   if (is_there(table, options.strata)) {
-    columns.strata = evaluate_factor(column_named(options.strata), table);
+    columns.strata = statistics::evaluate_factor(column_named(options.strata), table);
   }
   if (!options.group.empty()) {
-    columns.group = evaluate_factor(column_named(options.group), table);
+    columns.group = statistics::evaluate_factor(column_named(options.group), table);
   }
   return columns;
 }
 
-std::vector<std::size_t> trials_of_panel(const DataTable& table,
+std::vector<std::size_t> trials_of_panel(const table::DataTable& table,
                                          const H1Options& options,
                                          const Columns& columns,
                                          H1Panel& panel) {
@@ -169,7 +171,7 @@ std::vector<std::size_t> trials_of_panel(const DataTable& table,
   return rows;
 }
 
-void count_window_ends(const DataTable& table,
+void count_window_ends(const table::DataTable& table,
                        const H1Options& options,
                        const Columns& columns,
                        H1Panel& panel) {
@@ -229,10 +231,11 @@ std::vector<std::size_t> complete_trials(const std::vector<std::size_t>& rows,
                    return std::isnan(columns.time[row]);
                  }));
   }
-  const auto mark_factor = [&](const std::optional<Factor>& factor, const std::string& name) {
+  const auto mark_factor = [&](const std::optional<table::Factor>& factor,
+                               const std::string& name) {
     if (factor) {
       list_missing(panel, name, mark(rows, complete, [&](std::size_t row) {
-                     return factor->codes[row] == Factor::kMissing;
+                     return factor->codes[row] == table::Factor::kMissing;
                    }));
     }
   };
@@ -267,7 +270,7 @@ std::string bad_times(const std::vector<double>& time,
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (is_by(earliest, time[i], options) && bad++ == 0) {
       found = "found ";
-      append_number(found, time[i]);
+      table::append_number(found, time[i]);
       found += " in row " + std::to_string(rows[i] + 1);
     }
   }
@@ -277,7 +280,7 @@ std::string bad_times(const std::vector<double>& time,
 /// A trial that runs longer than the limit is cut there, without event.
 void end_at_limit(const H1Options& options,
                   double earliest,
-                  SurvivalOutcome& outcome,
+                  statistics::SurvivalOutcome& outcome,
                   H1Panel& panel,
                   H1Data& data) {
   data.cut.assign(outcome.rows(), 0);
@@ -285,7 +288,7 @@ void end_at_limit(const H1Options& options,
     return;
   }
   if (is_by(earliest, *options.limit_s, options)) {
-    throw FormulaError("the trial limit lies before the times begin");
+    throw statistics::FormulaError("the trial limit lies before the times begin");
   }
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < outcome.rows(); ++i) {
@@ -299,8 +302,8 @@ void end_at_limit(const H1Options& options,
     }
   }
   if (beyond > 0) {
-    panel.conditions.push_back({ConditionKind::beyond_limit,
-                                ConditionSeverity::note,
+    panel.conditions.push_back({statistics::ConditionKind::beyond_limit,
+                                statistics::ConditionSeverity::note,
                                 options.time,
                                 std::to_string(beyond) + " of " + std::to_string(outcome.rows())});
   }
@@ -311,7 +314,7 @@ void add_times(const std::vector<double>& time,
                const H1Options& options,
                H1Panel& panel,
                H1Data& data) {
-  SurvivalOutcome outcome;
+  statistics::SurvivalOutcome outcome;
   outcome.stop = time;
   outcome.event = data.success;
   const bool landmark = panel.kind == H1PanelKind::landmark;
@@ -320,31 +323,32 @@ void add_times(const std::vector<double>& time,
   }
   const double earliest = landmark ? options.landmark_s : 0.0;
   if (const std::string bad = bad_times(time, rows, earliest, options); !bad.empty()) {
-    panel.conditions.push_back({ConditionKind::time_not_positive,
-                                ConditionSeverity::warning,
+    panel.conditions.push_back({statistics::ConditionKind::time_not_positive,
+                                statistics::ConditionSeverity::warning,
                                 options.time,
                                 bad + "; no times are used"});
     panel.has_time = false;
     return;
   }
-  add_unlike_times(
+  statistics::add_unlike_times(
       time,
       options.time,
       [&](std::size_t i) { return "row " + std::to_string(rows[i] + 1); },
       panel.conditions);
-  const bool is_far = has(panel.conditions, ConditionKind::unlike_times);
+  const bool is_far = statistics::has(panel.conditions, statistics::ConditionKind::unlike_times);
   end_at_limit(options, earliest, outcome, panel, data);
-  add_rounding_conditions(options.round_times ? round_times(outcome) : count_times(outcome),
-                          options.time,
-                          panel.conditions);
+  statistics::add_rounding_conditions(
+      options.round_times ? statistics::round_times(outcome) : statistics::count_times(outcome),
+      options.time,
+      panel.conditions);
   const double longest =
       time.empty() ? 0.0 : *std::max_element(outcome.stop.begin(), outcome.stop.end());
   panel.limit_s = options.limit_s.value_or(longest);
   if (is_far && !options.limit_s) {
     std::string detail = "failures stay at risk to ";
-    append_number(detail, longest);
-    panel.conditions.push_back({ConditionKind::limit_from_data,
-                                ConditionSeverity::warning,
+    table::append_number(detail, longest);
+    panel.conditions.push_back({statistics::ConditionKind::limit_from_data,
+                                statistics::ConditionSeverity::warning,
                                 options.time,
                                 std::move(detail)});
   }
@@ -352,7 +356,7 @@ void add_times(const std::vector<double>& time,
   std::transform(data.success.begin(), data.success.end(), failed.begin(), [](std::uint8_t s) {
     return static_cast<std::uint8_t>(s == 0 ? 1 : 0);
   });
-  data.at_limit = failures_at_limit(outcome, failed, panel.limit_s);
+  data.at_limit = statistics::failures_at_limit(outcome, failed, panel.limit_s);
   data.censored = std::move(outcome);
 }
 
@@ -374,14 +378,14 @@ TcDistribution distribution(const std::vector<std::size_t>& trials,
   result.missing = result.trials - values.size();
   result.negative = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double value) { return value < 0.0; }));
-  result.p10 = quantile(values, 0.10);
-  result.p50 = quantile(values, 0.50);
-  result.p90 = quantile(values, 0.90);
+  result.p10 = statistics::quantile(values, 0.10);
+  result.p50 = statistics::quantile(values, 0.50);
+  result.p90 = statistics::quantile(values, 0.90);
   return result;
 }
 
-Factor each_its_own(std::size_t rows) {
-  Factor factor;
+table::Factor each_its_own(std::size_t rows) {
+  table::Factor factor;
   for (std::size_t row = 0; row < rows; ++row) {
     factor.codes.push_back(static_cast<std::uint32_t>(row));
     factor.levels.push_back(std::to_string(row + 1));
@@ -393,35 +397,37 @@ Factor each_its_own(std::size_t rows) {
 
 bool can_be_scored(H1Panel& panel) {
   if (panel.complete == 0) {
-    panel.conditions.push_back({ConditionKind::no_rows, ConditionSeverity::error, "", ""});
+    panel.conditions.push_back(
+        {statistics::ConditionKind::no_rows, statistics::ConditionSeverity::error, "", ""});
   } else if (panel.successes == 0 || panel.failures == 0) {
-    panel.conditions.push_back({ConditionKind::one_class,
-                                ConditionSeverity::error,
+    panel.conditions.push_back({statistics::ConditionKind::one_class,
+                                statistics::ConditionSeverity::error,
                                 "",
                                 panel.successes == 0 ? "no success" : "no failure"});
   } else if (panel.clusters == 1) {
-    panel.conditions.push_back({ConditionKind::one_cluster, ConditionSeverity::error, "", ""});
+    panel.conditions.push_back(
+        {statistics::ConditionKind::one_cluster, statistics::ConditionSeverity::error, "", ""});
   }
-  return !has_error(panel.conditions);
+  return !statistics::has_error(panel.conditions);
 }
 
-void require_columns(const DataTable& table, const H1Options& options) {
+void require_columns(const table::DataTable& table, const H1Options& options) {
   for (const std::string& name : options.required) {
     if (table.find(name) == nullptr) {
-      const auto nearest = nearest_name(name, table.header);
-      throw FormulaError("no column '" + name + "' in " + table.file +
-                         (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+      const auto nearest = table::nearest_name(name, table.header);
+      throw statistics::FormulaError("no column '" + name + "' in " + table.file +
+                                     (nearest ? "; did you mean '" + *nearest + "'?" : ""));
     }
   }
 }
 
-bool has_landmark(const DataTable& table, const H1Options& options) {
+bool has_landmark(const table::DataTable& table, const H1Options& options) {
   if (options.always_landmark) {
     if (!is_there(table, options.time) && !is_there(table, "end_s")) {
-      throw FormulaError("--landmark: " + table.file + " has no times, neither in column '" +
-                         options.time +
-                         "' nor in 'end_s', so that nobody knows which trials had ended by then; "
-                         "name the column with --time, or leave --landmark out");
+      throw statistics::FormulaError(
+          "--landmark: " + table.file + " has no times, neither in column '" + options.time +
+          "' nor in 'end_s', so that nobody knows which trials had ended by then; "
+          "name the column with --time, or leave --landmark out");
     }
     return true;
   }
@@ -432,7 +438,7 @@ bool has_landmark(const DataTable& table, const H1Options& options) {
       });
 }
 
-H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& panel) {
+H1Data panel_data(const table::DataTable& table, const H1Options& options, H1Panel& panel) {
   const Columns columns = columns_of_table(table, options, panel.kind);
   panel.has_time = is_there(table, options.time);
   panel.has_clusters = columns.cluster.has_value();
@@ -459,16 +465,17 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
       panel.not_of_window.push_back(data.names.back());
     }
   }
-  data.cluster = columns.cluster ? on_rows(*columns.cluster, rows) : each_its_own(rows.size());
+  data.cluster =
+      columns.cluster ? statistics::on_rows(*columns.cluster, rows) : each_its_own(rows.size());
   if (columns.strata) {
-    data.strata = on_rows(*columns.strata, rows);
+    data.strata = statistics::on_rows(*columns.strata, rows);
     data.strata_name = options.strata;
   }
   if (columns.group) {
-    data.group = on_rows(*columns.group, rows);
+    data.group = statistics::on_rows(*columns.group, rows);
   }
   if (const auto within = strata_of(table, options.within, data.within_columns)) {
-    data.within = on_rows(*within, rows);
+    data.within = statistics::on_rows(*within, rows);
   }
   panel.clusters = data.cluster.levels.size();
   if (panel.has_time) {
@@ -477,4 +484,4 @@ H1Data panel_data(const DataTable& table, const H1Options& options, H1Panel& pan
   return data;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

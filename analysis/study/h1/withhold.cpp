@@ -4,7 +4,7 @@
 #include <limits>
 #include <statistics/basics/few_clusters.hpp>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 std::string fewer_than(std::size_t count, const std::string& what, std::size_t least) {
@@ -13,7 +13,7 @@ std::string fewer_than(std::size_t count, const std::string& what, std::size_t l
 
 void withhold(H1OddsRatio& ratio) { ratio.interval.reset(); }
 
-void withhold(CalibrationCoefficient& coefficient) {
+void withhold(statistics::CalibrationCoefficient& coefficient) {
   coefficient.standard_error.reset();
   coefficient.interval.reset();
 }
@@ -55,8 +55,8 @@ void withhold(H1CaseRow& row) {
   row.c_gain_p.reset();
 }
 
-void withhold(IncidenceCurves& curves) {
-  const auto none = [](IncidenceCurve& curve) {
+void withhold(statistics::IncidenceCurves& curves) {
+  const auto none = [](statistics::IncidenceCurve& curve) {
     std::fill(
         curve.std_error.begin(), curve.std_error.end(), std::numeric_limits<double>::quiet_NaN());
   };
@@ -70,9 +70,10 @@ std::string too_few(const std::string& cluster,
                     std::size_t clusters,
                     std::size_t successes,
                     std::size_t failures) {
-  if (clusters < kTooFewClusters) {
-    return fewer_than(
-        clusters, cluster.empty() ? "trials" : "clusters of '" + cluster + "'", kTooFewClusters);
+  if (clusters < statistics::kTooFewClusters) {
+    return fewer_than(clusters,
+                      cluster.empty() ? "trials" : "clusters of '" + cluster + "'",
+                      statistics::kTooFewClusters);
   }
   if (std::min(successes, failures) < kTooFewOutcomes) {
     return failures < successes ? fewer_than(failures, "failures", kTooFewOutcomes)
@@ -81,17 +82,17 @@ std::string too_few(const std::string& cluster,
   return "";
 }
 
-Condition withheld(const std::string& reason) {
-  return {ConditionKind::withheld, ConditionSeverity::warning, "", reason};
+statistics::Condition withheld(const std::string& reason) {
+  return {statistics::ConditionKind::withheld, statistics::ConditionSeverity::warning, "", reason};
 }
 
-void erase_resampling_conditions(Conditions& conditions) {
-  std::erase_if(conditions, [](const Condition& condition) {
-    return condition.kind == ConditionKind::endpoint_out_of_range ||
-           condition.kind == ConditionKind::failed_replicates ||
-           condition.kind == ConditionKind::constant_replicates ||
-           condition.kind == ConditionKind::infinite_bias ||
-           condition.kind == ConditionKind::no_acceleration;
+void erase_resampling_conditions(statistics::Conditions& conditions) {
+  std::erase_if(conditions, [](const statistics::Condition& condition) {
+    return condition.kind == statistics::ConditionKind::endpoint_out_of_range ||
+           condition.kind == statistics::ConditionKind::failed_replicates ||
+           condition.kind == statistics::ConditionKind::constant_replicates ||
+           condition.kind == statistics::ConditionKind::infinite_bias ||
+           condition.kind == statistics::ConditionKind::no_acceleration;
   });
 }
 
@@ -121,17 +122,17 @@ void withhold_if_few(const H1Options& options, H1Panel& panel) {
   for (H1CaseRow& row : panel.case_level) {
     withhold(row);
   }
-  for (IncidenceCurves& curves : panel.incidence) {
+  for (statistics::IncidenceCurves& curves : panel.incidence) {
     withhold(curves);
   }
   for (H1Calibration& one : panel.calibration) {
     withhold(one.calibration.slope);
     withhold(one.calibration.intercept);
     withhold(one.calibration.in_the_large);
-    for (CalibrationBin& bin : one.calibration.bins) {
+    for (statistics::CalibrationBin& bin : one.calibration.bins) {
       bin.wilson.reset();  // It takes trials as independent.
     }
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

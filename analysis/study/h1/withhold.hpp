@@ -8,7 +8,7 @@
 
 #include "analysis/study/h1/hypothesis_h1.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// With fewer outcomes of a class neither the bootstrap nor a normal test keeps its level.
 inline constexpr std::size_t kTooFewOutcomes = 10;
@@ -21,10 +21,10 @@ inline constexpr std::size_t kTooFewOutcomes = 10;
                                   std::size_t failures);
 
 /// The condition that says so. \pre `reason` is not empty.
-[[nodiscard]] Condition withheld(const std::string& reason);
+[[nodiscard]] statistics::Condition withheld(const std::string& reason);
 
 /// Erases what resamples say of an interval that is withheld.
-void erase_resampling_conditions(Conditions& conditions);
+void erase_resampling_conditions(statistics::Conditions& conditions);
 
 /// Leaves the estimate.
 void withhold(H1Score& score);
@@ -33,4 +33,4 @@ void withhold(H1HazardRatio& ratio);
 /// Leaves the estimates of a panel if it has too few clusters or outcomes, and says so.
 void withhold_if_few(const H1Options& options, H1Panel& panel);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -9,35 +9,35 @@
 #include <string>
 #include <utility>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// The rows whose stratum is known, with everything that pairs are made of.
 struct StrataRows {
   std::vector<std::size_t> rows;
-  Factor strata;
-  Factor cluster;
-  SurvivalOutcome success;  ///< 0 and 1 as times, so that C is the AUC.
-  std::optional<SurvivalOutcome> censored;
+  table::Factor strata;
+  table::Factor cluster;
+  statistics::SurvivalOutcome success;  ///< 0 and 1 as times, so that C is the AUC.
+  std::optional<statistics::SurvivalOutcome> censored;
   std::vector<std::vector<double>> values;  ///< Of each predictor.
 };
 
 StrataRows strata_rows(const H1Data& data, const std::vector<std::size_t>& rows) {
   StrataRows chosen;
   for (const std::size_t row : rows) {
-    if (data.within->codes[row] != Factor::kMissing) {
+    if (data.within->codes[row] != table::Factor::kMissing) {
       chosen.rows.push_back(row);
     }
   }
-  chosen.strata = on_rows(*data.within, chosen.rows);
-  chosen.cluster = on_rows(data.cluster, chosen.rows);
+  chosen.strata = statistics::on_rows(*data.within, chosen.rows);
+  chosen.cluster = statistics::on_rows(data.cluster, chosen.rows);
   std::vector<double> success;
   for (const std::size_t row : chosen.rows) {
     success.push_back(data.success[row]);
   }
-  chosen.success = uncensored(success);
+  chosen.success = statistics::uncensored(success);
   if (data.censored) {
-    chosen.censored = on_rows(*data.censored, chosen.rows);
+    chosen.censored = statistics::on_rows(*data.censored, chosen.rows);
   }
   for (const std::vector<double>& predictor : data.predictors) {
     chosen.values.emplace_back();
@@ -49,25 +49,29 @@ StrataRows strata_rows(const H1Data& data, const std::vector<std::size_t>& rows)
 }
 
 /// For the AUC a larger outcome is the better one, for C a shorter time.
-std::vector<Predictor> predictors_of(const H1Data& data, const StrataRows& chosen, bool timed) {
-  std::vector<Predictor> predictors;
+std::vector<statistics::Predictor> predictors_of(const H1Data& data,
+                                                 const StrataRows& chosen,
+                                                 bool timed) {
+  std::vector<statistics::Predictor> predictors;
   for (std::size_t k = 0; k < chosen.values.size(); ++k) {
-    const bool larger_is_better = data.higher[k] == HigherMeans::success;
-    predictors.push_back(
-        {data.names[k],
-         chosen.values[k],
-         larger_is_better == timed ? LargerMeans::shorter_time : LargerMeans::longer_time});
+    const bool larger_is_better = data.higher[k] == statistics::HigherMeans::success;
+    predictors.push_back({data.names[k],
+                          chosen.values[k],
+                          larger_is_better == timed ? statistics::LargerMeans::shorter_time
+                                                    : statistics::LargerMeans::longer_time});
   }
   return predictors;
 }
 
 /// A statistic of these rows alone, as one of all of them.
-Statistic of_rows(const Statistic& part, std::vector<std::size_t> rows, std::size_t all) {
-  Statistic statistic;
+statistics::Statistic of_rows(const statistics::Statistic& part,
+                              std::vector<std::size_t> rows,
+                              std::size_t all) {
+  statistics::Statistic statistic;
   statistic.rows = all;
   statistic.values = part.values;
   const auto shared = std::make_shared<const std::vector<std::size_t>>(std::move(rows));
-  statistic.make_kernel = [part, shared]() -> StatisticKernel {
+  statistic.make_kernel = [part, shared]() -> statistics::StatisticKernel {
     return
         [kernel = part.make_kernel(), shared, chosen = std::vector<std::uint32_t>(shared->size())](
             std::span<const std::uint32_t> multiplicity, std::span<double> values) mutable {
@@ -86,22 +90,22 @@ std::vector<std::size_t> all_rows(const H1Data& data) {
   return rows;
 }
 
-std::size_t pairs_of(const ConcordanceEstimate& estimate) {
+std::size_t pairs_of(const statistics::ConcordanceEstimate& estimate) {
   return static_cast<std::size_t>(estimate.counts.comparable());
 }
 
 /// Predictor `k`, and what the predictor under test gains over it.
-void take(const ConcordanceResult& result,
+void take(const statistics::ConcordanceResult& result,
           std::size_t k,
           H1Score& score,
           H1Score& gain,
           std::optional<double>& gain_p) {
-  const ConcordanceEstimate& one = result.estimates[k];
+  const statistics::ConcordanceEstimate& one = result.estimates[k];
   score.value = one.c;
   score.closed_form = one.interval;
   score.std_error = one.std_error;
   if (k > 0) {
-    const ConcordanceDifference& difference = result.differences[k - 1];  // 0 less k
+    const statistics::ConcordanceDifference& difference = result.differences[k - 1];  // 0 less k
     gain.value = difference.difference;
     gain.closed_form = difference.interval;
     gain.std_error = difference.std_error;
@@ -111,8 +115,8 @@ void take(const ConcordanceResult& result,
 
 /// Pairs that C compares whatever the strata.
 std::size_t all_c_pairs(const H1Data& data) {
-  const Predictor first = data.timed(0);
-  return pairs_of(concordance(*data.censored, {&first, 1}).estimates.front());
+  const statistics::Predictor first = data.timed(0);
+  return pairs_of(statistics::concordance(*data.censored, {&first, 1}).estimates.front());
 }
 
 }  // namespace
@@ -127,27 +131,28 @@ std::optional<WithinScores> within_scores(const H1Data& data,
   if (chosen.rows.empty()) {
     return std::nullopt;
   }
-  ConcordanceOptions options;
+  statistics::ConcordanceOptions options;
   options.level = level;
   options.strata = &chosen.strata;
   options.cluster = &chosen.cluster;
   WithinScores scores;
-  scores.auc = concordance(chosen.success, predictors_of(data, chosen, false), options);
+  scores.auc = statistics::concordance(chosen.success, predictors_of(data, chosen, false), options);
   if (chosen.censored) {
-    scores.c = concordance(*chosen.censored, predictors_of(data, chosen, true), options);
+    scores.c =
+        statistics::concordance(*chosen.censored, predictors_of(data, chosen, true), options);
   }
   return scores;
 }
 
-Statistic within_statistic(const H1Data& data) {
+statistics::Statistic within_statistic(const H1Data& data) {
   StrataRows chosen = strata_rows(data, all_rows(data));
-  std::vector<Statistic> parts{concordance_statistic(
+  std::vector<statistics::Statistic> parts{statistics::concordance_statistic(
       chosen.success, predictors_of(data, chosen, false), {}, &chosen.strata)};
   if (chosen.censored) {
-    parts.push_back(concordance_statistic(
+    parts.push_back(statistics::concordance_statistic(
         *chosen.censored, predictors_of(data, chosen, true), {}, &chosen.strata));
   }
-  const Statistic part = joined(std::move(parts));
+  const statistics::Statistic part = statistics::joined(std::move(parts));
   return chosen.rows.size() == data.rows() ? part
                                            : of_rows(part, std::move(chosen.rows), data.rows());
 }
@@ -161,7 +166,7 @@ void add_within_strata(const H1Data& data, double level, H1Panel& panel) {
   strata.columns = data.within_columns;
   strata.levels = data.within->levels.size();
   strata.missing = static_cast<std::size_t>(
-      std::count(data.within->codes.begin(), data.within->codes.end(), Factor::kMissing));
+      std::count(data.within->codes.begin(), data.within->codes.end(), table::Factor::kMissing));
   strata.auc_pairs = pairs_of(scores->auc.estimates.front());
   strata.all_auc_pairs = panel.successes * panel.failures;
   if (scores->c) {
@@ -177,4 +182,4 @@ void add_within_strata(const H1Data& data, double level, H1Panel& panel) {
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -10,13 +10,13 @@
 
 #include "analysis/study/h1/panel_data.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Of every predictor, with clustered jackknife variances and differences. For outcomes 0 and 1 C
 /// is the AUC. As R's `concordance(outcome ~ x + strata(s), cluster = day)`.
 struct WithinScores {
-  ConcordanceResult auc;
-  std::optional<ConcordanceResult> c;  ///< Empty without times.
+  statistics::ConcordanceResult auc;
+  std::optional<statistics::ConcordanceResult> c;  ///< Empty without times.
 };
 
 /// On those of `rows` whose stratum is known. Empty without strata, or if no such row has one.
@@ -26,9 +26,9 @@ struct WithinScores {
 
 /// The AUC of every predictor, then C of each if there are times, as functions of all rows of the
 /// panel; NaN where a resample has no pair within a stratum. \pre a row has a stratum.
-[[nodiscard]] Statistic within_statistic(const H1Data& data);
+[[nodiscard]] statistics::Statistic within_statistic(const H1Data& data);
 
 /// Fills `within` of the panel, and the closed forms of `within` of its rows, if it has any.
 void add_within_strata(const H1Data& data, double level, H1Panel& panel);
 
-}  // namespace tcert
+}  // namespace tcert::study

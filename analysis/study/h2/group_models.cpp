@@ -13,7 +13,7 @@
 #include "analysis/study/h1/hazard_ratio.hpp"
 #include "analysis/study/h1/mixed_effects.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 std::vector<Eigen::Index> indices(const std::vector<std::size_t>& rows) {
@@ -28,9 +28,9 @@ Eigen::VectorXd outcome_of(const H1Data& data) {
   return outcome;
 }
 
-void add_conditions(const Conditions& more, Conditions& conditions) {
-  for (const Condition& condition : more) {
-    if (condition.kind != ConditionKind::few_clusters) {
+void add_conditions(const statistics::Conditions& more, statistics::Conditions& conditions) {
+  for (const statistics::Condition& condition : more) {
+    if (condition.kind != statistics::ConditionKind::few_clusters) {
       conditions.push_back(condition);
     }
   }
@@ -42,13 +42,13 @@ H1Data part_of(const H1Data& data, const std::vector<std::size_t>& rows) {
   for (const std::size_t row : rows) {
     part.success.push_back(data.success[row]);
   }
-  part.cluster = on_rows(data.cluster, rows);
+  part.cluster = statistics::on_rows(data.cluster, rows);
   if (data.strata) {
-    part.strata = on_rows(*data.strata, rows);
+    part.strata = statistics::on_rows(*data.strata, rows);
   }
   if (data.censored) {
-    part.censored = on_rows(*data.censored, rows);
-    part.at_limit = on_rows(*data.at_limit, rows);
+    part.censored = statistics::on_rows(*data.censored, rows);
+    part.at_limit = statistics::on_rows(*data.at_limit, rows);
   }
   return part;
 }
@@ -59,8 +59,8 @@ H1HazardRatio odds_ratio(const H1Data& part,
                          const Eigen::VectorXd& x,
                          const std::vector<double>& own_units,
                          double level,
-                         Conditions& conditions) {
-  LogisticInput input;
+                         statistics::Conditions& conditions) {
+  statistics::LogisticInput input;
   input.design = Eigen::MatrixXd::Ones(x.size(), 2);
   input.design.col(1) = x;
   input.columns = {"(Intercept)", name};
@@ -70,25 +70,28 @@ H1HazardRatio odds_ratio(const H1Data& part,
   input.response = "success";
   input.successes = outcome_of(part);
   input.cluster = part.cluster;
-  LogisticOptions options;
+  statistics::LogisticOptions options;
   options.level = level;
-  options.variance = CoefficientVariance::robust;
-  const LogisticFit fit = fit_logistic(input, options);
+  options.variance = statistics::CoefficientVariance::robust;
+  const statistics::LogisticFit fit = statistics::fit_logistic(input, options);
   add_conditions(fit.conditions, conditions);
-  const LogisticCoefficient& one = fit.coefficients[1];
+  const statistics::LogisticCoefficient& one = fit.coefficients[1];
   H1HazardRatio result;
   if (one.estimate) {
     result.ratio = std::exp(*one.estimate);
     result.p_value = one.p_value;
   }
   if (one.interval) {
-    result.interval = Interval{std::exp(one.interval->low), std::exp(one.interval->high), level};
+    result.interval =
+        statistics::Interval{std::exp(one.interval->low), std::exp(one.interval->high), level};
   }
   return result;
 }
 
-CoxData cox_of(const SurvivalOutcome& outcome, Eigen::MatrixXd design, const std::string& name) {
-  CoxData cox;
+statistics::CoxData cox_of(const statistics::SurvivalOutcome& outcome,
+                           Eigen::MatrixXd design,
+                           const std::string& name) {
+  statistics::CoxData cox;
   cox.outcome = outcome;
   cox.design = std::move(design);
   for (Eigen::Index column = 0; column < cox.design.cols(); ++column) {
@@ -112,7 +115,7 @@ struct Interaction {
 };
 
 Interaction interaction_of(const H1Data& data) {
-  const Factor& group = *data.group;
+  const table::Factor& group = *data.group;
   const Eigen::VectorXd x = per_sd(data, 0);
   const auto others = static_cast<Eigen::Index>(group.levels.size()) - 1;
   Interaction result;
@@ -146,9 +149,9 @@ Interaction interaction_of(const H1Data& data) {
 
 /// Wald's test of the last coefficients.
 template <class Coefficient>
-std::optional<ChiSquareTest> test_of_last(const std::vector<Coefficient>& coefficients,
-                                          const Eigen::MatrixXd& covariance,
-                                          Eigen::Index count) {
+std::optional<statistics::ChiSquareTest> test_of_last(const std::vector<Coefficient>& coefficients,
+                                                      const Eigen::MatrixXd& covariance,
+                                                      Eigen::Index count) {
   Eigen::VectorXd estimates(count);
   const std::size_t first = coefficients.size() - static_cast<std::size_t>(count);
   for (Eigen::Index j = 0; j < count; ++j) {
@@ -158,11 +161,11 @@ std::optional<ChiSquareTest> test_of_last(const std::vector<Coefficient>& coeffi
     }
     estimates[j] = *estimate;
   }
-  return wald_test(estimates, covariance.bottomRightCorner(count, count));
+  return statistics::wald_test(estimates, covariance.bottomRightCorner(count, count));
 }
 
 H2Interaction logistic_interaction(const H1Data& data, const Interaction& terms) {
-  LogisticInput input;
+  statistics::LogisticInput input;
   input.design.resize(terms.design.rows(), terms.design.cols() + 1);
   input.design << Eigen::VectorXd::Ones(terms.design.rows()), terms.design;
   input.columns = {"(Intercept)"};
@@ -177,9 +180,9 @@ H2Interaction logistic_interaction(const H1Data& data, const Interaction& terms)
   input.response = "success";
   input.successes = outcome_of(data);
   input.cluster = data.cluster;
-  LogisticOptions options;
-  options.variance = CoefficientVariance::robust;
-  const LogisticFit fit = fit_logistic(input, options);
+  statistics::LogisticOptions options;
+  options.variance = statistics::CoefficientVariance::robust;
+  const statistics::LogisticFit fit = statistics::fit_logistic(input, options);
   H2Interaction result{
       "logistic", test_of_last(fit.coefficients, fit.covariance, terms.products), {}};
   add_conditions(fit.conditions, result.conditions);
@@ -187,14 +190,14 @@ H2Interaction logistic_interaction(const H1Data& data, const Interaction& terms)
 }
 
 H2Interaction cox_interaction(const H1Data& data, const Interaction& terms, bool stratified) {
-  CoxData cox = cox_of(*data.censored, terms.design, data.names[0]);
+  statistics::CoxData cox = cox_of(*data.censored, terms.design, data.names[0]);
   cox.columns = terms.columns;
   cox.terms = terms.columns;
   cox.cluster = data.cluster;
   if (stratified) {
     cox.strata = data.strata;
   }
-  const CoxFit fit = fit_cox(cox);
+  const statistics::CoxFit fit = statistics::fit_cox(cox);
   H2Interaction result{stratified ? "Cox, stratified" : "Cox",
                        test_of_last(fit.coefficients, fit.vcov, terms.products),
                        {}};
@@ -210,24 +213,24 @@ void add_mixed_interaction(const H1Data& data,
   if (!panel.trials.has_clusters || panel.trials.clusters == data.rows()) {
     return;
   }
-  GlmmOptions options;
+  statistics::GlmmOptions options;
   options.test_terms = false;
-  const GlmmFit with = fit_glmm(
+  const statistics::GlmmFit with = statistics::fit_glmm(
       mixed_input(
           data, terms.design, terms.columns, terms.own_units(terms.columns.size()), cluster),
       options);
   const Eigen::Index main_columns = terms.design.cols() - terms.products;
-  const GlmmFit without =
-      fit_glmm(mixed_input(data,
-                           terms.design.leftCols(main_columns),
-                           {terms.columns.begin(), terms.columns.begin() + main_columns},
-                           terms.own_units(static_cast<std::size_t>(main_columns)),
-                           cluster),
-               options);
+  const statistics::GlmmFit without = statistics::fit_glmm(
+      mixed_input(data,
+                  terms.design.leftCols(main_columns),
+                  {terms.columns.begin(), terms.columns.begin() + main_columns},
+                  terms.own_units(static_cast<std::size_t>(main_columns)),
+                  cluster),
+      options);
   H2Interaction result{"logistic, mixed", std::nullopt, {}};
   if (with.log_likelihood && without.log_likelihood && with.rank > without.rank) {
-    result.test = chi_square_test(2.0 * (*with.log_likelihood - *without.log_likelihood),
-                                  with.rank - without.rank);
+    result.test = statistics::chi_square_test(
+        2.0 * (*with.log_likelihood - *without.log_likelihood), with.rank - without.rank);
   }
   add_conditions(with.conditions, result.conditions);
   panel.mixed_interaction = std::move(result);
@@ -237,7 +240,7 @@ void add_mixed_interaction(const H1Data& data,
 
 void add_group_effects(const H1Data& data, double level, H2Panel& panel) {
   const Eigen::VectorXd x = per_sd(data, 0);
-  const auto rows_of = rows_of_levels(*data.group);
+  const auto rows_of = statistics::rows_of_levels(*data.group);
   for (std::size_t g = 0; g < rows_of.size(); ++g) {
     H2Level& one = panel.levels[g];
     const H1Data part = part_of(data, rows_of[g]);
@@ -250,7 +253,7 @@ void add_group_effects(const H1Data& data, double level, H2Panel& panel) {
     if (!part.censored) {
       continue;
     }
-    const CoxData censored = cox_of(*part.censored, own, data.names[0]);
+    const statistics::CoxData censored = cox_of(*part.censored, own, data.names[0]);
     one.censored = hazard_ratio(censored, part, level, false, one.conditions);
     one.at_limit = hazard_ratio(
         cox_of(*part.at_limit, own, data.names[0]), part, level, false, one.conditions);
@@ -272,4 +275,4 @@ void add_interactions(const H1Data& data, const std::string& cluster, H2Panel& p
   add_mixed_interaction(data, terms, cluster, panel);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -18,7 +18,7 @@
 #include "analysis/study/h2/group_models.hpp"
 #include "analysis/study/h2/withhold_groups.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// Streams of the seed; panels, resamples and permutations must not share draws.
@@ -26,18 +26,19 @@ constexpr std::uint32_t kFirstStream = 0x48320000;  // "H2"
 constexpr std::uint32_t kPanelStreams = 16;
 
 /// AUC, and C if there are times, of the predictor on all rows.
-Statistic scores_of(const H1Data& data) {
-  const Score score = data.score(0);
-  Statistic auc = auc_statistic({&score, 1}, data.success);
+statistics::Statistic scores_of(const H1Data& data) {
+  const statistics::Score score = data.score(0);
+  statistics::Statistic auc = statistics::auc_statistic({&score, 1}, data.success);
   if (!data.censored) {
     return auc;
   }
-  const Predictor timed = data.timed(0);
-  return joined({std::move(auc), concordance_statistic(*data.censored, {&timed, 1})});
+  const statistics::Predictor timed = data.timed(0);
+  return statistics::joined(
+      {std::move(auc), statistics::concordance_statistic(*data.censored, {&timed, 1})});
 }
 
 void count_levels(const H1Data& data, H2Panel& panel) {
-  const auto rows_of = rows_of_levels(*data.group);
+  const auto rows_of = statistics::rows_of_levels(*data.group);
   for (std::size_t g = 0; g < rows_of.size(); ++g) {
     H2Level level;
     level.name = data.group->levels[g];
@@ -45,34 +46,40 @@ void count_levels(const H1Data& data, H2Panel& panel) {
     for (const std::size_t row : rows_of[g]) {
       level.successes += data.success[row];
     }
-    level.clusters = on_rows(data.cluster, rows_of[g]).levels.size();
+    level.clusters = statistics::on_rows(data.cluster, rows_of[g]).levels.size();
     panel.levels.push_back(std::move(level));
   }
 }
 
-void take(const GroupScore& score, const std::string& quantity, H1Score& to, H2Level& level) {
+void take(const statistics::GroupScore& score,
+          const std::string& quantity,
+          H1Score& to,
+          H2Level& level) {
   to.value = score.value;
   to.closed_form = score.interval;
   to.std_error = score.standard_error;
-  for (Condition condition : score.conditions) {
+  for (statistics::Condition condition : score.conditions) {
     condition.detail = quantity + (condition.detail.empty() ? "" : ": " + condition.detail);
     level.conditions.push_back(std::move(condition));
   }
 }
 
 void bootstrap_levels(const H1Data& data,
-                      const Statistic& scores,
+                      const statistics::Statistic& scores,
                       const H2Options& options,
                       H2Panel& panel) {
-  const ResamplingPlan plan = ResamplingPlan::of_clusters(data.cluster.codes);
-  BootstrapOptions bootstrap_options;
+  const statistics::ResamplingPlan plan =
+      statistics::ResamplingPlan::of_clusters(data.cluster.codes);
+  statistics::BootstrapOptions bootstrap_options;
   bootstrap_options.replicates = options.trials.replicates;
   bootstrap_options.seed = options.trials.seed;
   bootstrap_options.analysis =
       kFirstStream + kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind);
   const bool has_strata = !panel.trials.within.columns.empty();
-  const Statistic each = has_strata ? joined({scores, within_statistic(data)}) : scores;
-  const BootstrapResult result = bootstrap(by_group(each, *data.group), plan, bootstrap_options);
+  const statistics::Statistic each =
+      has_strata ? statistics::joined({scores, within_statistic(data)}) : scores;
+  const statistics::BootstrapResult result =
+      statistics::bootstrap(statistics::by_group(each, *data.group), plan, bootstrap_options);
   for (std::size_t g = 0; g < panel.levels.size(); ++g) {
     H2Level& level = panel.levels[g];
     std::size_t value = g * each.values;
@@ -93,9 +100,9 @@ void bootstrap_levels(const H1Data& data,
   }
 }
 
-std::optional<H2Equality> equality(const ScoresByGroup& by_level,
+std::optional<H2Equality> equality(const statistics::ScoresByGroup& by_level,
                                    const H1Data& data,
-                                   const Statistic& scores,
+                                   const statistics::Statistic& scores,
                                    std::size_t value,
                                    const H2Options& options,
                                    H2Panel& panel) {
@@ -104,27 +111,28 @@ std::optional<H2Equality> equality(const ScoresByGroup& by_level,
   }
   H2Equality result;
   result.groups = *by_level.joint;
-  EquivalenceOptions equivalence_options;
+  statistics::EquivalenceOptions equivalence_options;
   equivalence_options.margin = options.margin;
-  result.tests = equivalence(result.groups, equivalence_options);
-  for (Condition condition : result.tests.conditions) {
+  result.tests = statistics::equivalence(result.groups, equivalence_options);
+  for (statistics::Condition condition : result.tests.conditions) {
     condition.detail = value == 0 ? "AUC" : "C";
     panel.conditions.push_back(std::move(condition));
   }
-  PermutationOptions permutation;
+  statistics::PermutationOptions permutation;
   permutation.permutations = options.permutations;
   permutation.seed = options.trials.seed;
   permutation.analysis = kFirstStream +
                          kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind) + 1 +
                          static_cast<std::uint32_t>(value);
-  result.range = range_under_equality(data.group->codes,
-                                      data.cluster.codes,
-                                      range_of(scores, value, data.group->levels.size()),
-                                      permutation);
+  result.range = statistics::range_under_equality(
+      data.group->codes,
+      data.cluster.codes,
+      statistics::range_of(scores, value, data.group->levels.size()),
+      permutation);
   return result;
 }
 
-void take(const ConcordanceEstimate& estimate, H1Score& to) {
+void take(const statistics::ConcordanceEstimate& estimate, H1Score& to) {
   to.value = estimate.c;
   to.closed_form = estimate.interval;
   to.std_error = estimate.std_error;
@@ -132,7 +140,7 @@ void take(const ConcordanceEstimate& estimate, H1Score& to) {
 
 void score_within_strata(const H1Data& data, double level, H2Panel& panel) {
   add_within_strata(data, level, panel.trials);
-  const auto rows_of = rows_of_levels(*data.group);
+  const auto rows_of = statistics::rows_of_levels(*data.group);
   for (std::size_t g = 0; g < panel.levels.size(); ++g) {
     const auto scores = within_scores(data, rows_of[g], level);
     if (!scores) {
@@ -147,16 +155,16 @@ void score_within_strata(const H1Data& data, double level, H2Panel& panel) {
 
 void score_levels(const H1Data& data, const H2Options& options, H2Panel& panel) {
   const double level = options.trials.level;
-  const Statistic scores = scores_of(data);
-  const ScoresByGroup auc =
-      auc_by_group(data.score(0), data.success, *data.group, data.cluster.codes, level);
+  const statistics::Statistic scores = scores_of(data);
+  const statistics::ScoresByGroup auc =
+      statistics::auc_by_group(data.score(0), data.success, *data.group, data.cluster.codes, level);
   for (std::size_t g = 0; g < panel.levels.size(); ++g) {
     take(auc.groups[g], "AUC", panel.levels[g].auc, panel.levels[g]);
   }
   panel.auc = equality(auc, data, scores, 0, options, panel);
   if (data.censored) {
-    const ScoresByGroup c =
-        concordance_by_group(*data.censored, data.timed(0), *data.group, data.cluster, level);
+    const statistics::ScoresByGroup c = statistics::concordance_by_group(
+        *data.censored, data.timed(0), *data.group, data.cluster, level);
     for (std::size_t g = 0; g < panel.levels.size(); ++g) {
       take(c.groups[g], "C", panel.levels[g].c, panel.levels[g]);
     }
@@ -166,7 +174,7 @@ void score_levels(const H1Data& data, const H2Options& options, H2Panel& panel) 
   bootstrap_levels(data, scores, options, panel);
 }
 
-H2Panel panel_of(const DataTable& table, const H2Options& options, H1PanelKind kind) {
+H2Panel panel_of(const table::DataTable& table, const H2Options& options, H1PanelKind kind) {
   H2Panel panel;
   panel.trials.kind = kind;
   const H1Data data = panel_data(table, options.trials, panel.trials);
@@ -178,11 +186,13 @@ H2Panel panel_of(const DataTable& table, const H2Options& options, H1PanelKind k
     return panel;
   }
   if (data.group->levels.size() < 2) {
-    panel.conditions.push_back(
-        {ConditionKind::one_group, ConditionSeverity::error, options.trials.group, ""});
+    panel.conditions.push_back({statistics::ConditionKind::one_group,
+                                statistics::ConditionSeverity::error,
+                                options.trials.group,
+                                ""});
     return panel;
   }
-  panel.sd = standard_deviation(data.predictors.front());
+  panel.sd = statistics::standard_deviation(data.predictors.front());
   count_levels(data, panel);
   score_levels(data, options, panel);
   add_group_effects(data, options.trials.level, panel);
@@ -205,7 +215,7 @@ void validate(const H2Options& options) {
 
 }  // namespace
 
-H2Table hypothesis_h2(const DataTable& table, const H2Options& options) {
+H2Table hypothesis_h2(const table::DataTable& table, const H2Options& options) {
   validate(options);
   H2Table h2;
   h2.options = options;
@@ -220,4 +230,4 @@ H2Table hypothesis_h2(const DataTable& table, const H2Options& options) {
 
 std::vector<std::string> columns_of(const H2Options& options) { return columns_of(options.trials); }
 
-}  // namespace tcert
+}  // namespace tcert::study

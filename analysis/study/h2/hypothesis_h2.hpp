@@ -15,7 +15,7 @@
 
 #include "analysis/study/h1/hypothesis_h1.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct H2Options {
   H1Options trials;  ///< Which trials and columns; the first predictor is under test, `group` holds
@@ -42,28 +42,28 @@ struct H2Level {
   H1HazardRatio at_limit;    ///< Failures stay at risk to the trial limit.
   H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
   std::string withheld;      ///< Why p-values and intervals are; empty if they are not.
-  Conditions conditions;
+  statistics::Conditions conditions;
 };
 
 /// AUC or C of all groups.
 struct H2Equality {
-  GroupEstimates groups;  ///< With their joint covariance.
-  Equivalence tests;
-  RangeUnderEquality range;
+  statistics::GroupEstimates groups;  ///< With their joint covariance.
+  statistics::Equivalence tests;
+  statistics::RangeUnderEquality range;
 };
 
 /// Does the effect of the predictor differ between groups? Cluster-robust Wald of group x
 /// predictor.
 struct H2Interaction {
   std::string model;
-  std::optional<ChiSquareTest> test;
-  Conditions conditions;
+  std::optional<statistics::ChiSquareTest> test;
+  statistics::Conditions conditions;
 };
 
 struct H2Panel {
   H1Panel trials;  ///< Who is in it, as H1 counts; its rows are empty.
   std::string predictor;
-  HigherMeans higher = HigherMeans::success;
+  statistics::HigherMeans higher = statistics::HigherMeans::success;
   std::size_t missing = 0;   ///< Trials of the panel without the predictor.
   std::optional<double> sd;  ///< Of the predictor in the whole panel.
   std::vector<H2Level> levels;
@@ -72,7 +72,7 @@ struct H2Panel {
   std::vector<H2Interaction> interactions;  ///< Logistic; Cox; Cox stratified.
   /// Likelihood ratio of the interaction in a mixed model with a random intercept by cluster.
   std::optional<H2Interaction> mixed_interaction;
-  Conditions conditions;  ///< Beside those of `trials`.
+  statistics::Conditions conditions;  ///< Beside those of `trials`.
 };
 
 struct H2Table {
@@ -88,9 +88,9 @@ struct H2Table {
 /// all groups; in a panel that has, all are. \throws FormulaError if a column is not
 /// there or holds the wrong kind; std::invalid_argument if an option is out of range.
 /// O((replicates + permutations groups) trials log trials).
-[[nodiscard]] H2Table hypothesis_h2(const DataTable& table, const H2Options& options);
+[[nodiscard]] H2Table hypothesis_h2(const table::DataTable& table, const H2Options& options);
 
 /// Names of the columns that it looks for.
 [[nodiscard]] std::vector<std::string> columns_of(const H2Options& options);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -4,7 +4,7 @@
 
 #include "analysis/study/h1/withhold.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 void withhold(H2Level& level) {
@@ -66,4 +66,4 @@ void withhold_if_few(const H2Options& options, H2Panel& panel) {
   }
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

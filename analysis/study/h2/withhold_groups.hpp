@@ -4,10 +4,10 @@
 
 #include "analysis/study/h2/hypothesis_h2.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Leaves the estimates of groups that have too few (of all of them if the panel has), and says so:
 /// their p-values and intervals go, those of their pairs, and the tests of all groups.
 void withhold_if_few(const H2Options& options, H2Panel& panel);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -20,7 +20,7 @@
 #include "analysis/study/h3/pareto.hpp"
 #include "analysis/study/replay/replay.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -36,36 +36,36 @@ struct Rows {
       kept;
 };
 
-const DataColumn& column_of(const DataTable& table, const std::string& name) {
-  const DataColumn* column = table.find(name);
+const table::DataColumn& column_of(const table::DataTable& table, const std::string& name) {
+  const table::DataColumn* column = table.find(name);
   if (column == nullptr) {
     throw std::invalid_argument("h3: the table has no column '" + name + "'");
   }
   return *column;
 }
 
-std::vector<double> numbers(const DataTable& table, const std::string& name) {
-  const DataColumn& column = column_of(table, name);
+std::vector<double> numbers(const table::DataTable& table, const std::string& name) {
+  const table::DataColumn& column = column_of(table, name);
   if (column.is_text) {
     throw std::invalid_argument("h3: column '" + name + "' holds text, expected numbers");
   }
   return column.numbers;
 }
 
-std::vector<std::string> words(const DataTable& table, const std::string& name) {
-  const DataColumn& column = column_of(table, name);
+std::vector<std::string> words(const table::DataTable& table, const std::string& name) {
+  const table::DataColumn& column = column_of(table, name);
   std::vector<std::string> out(table.rows);
   for (std::size_t i = 0; i < table.rows; ++i) {
     if (!column.is_text) {
-      append_number(out[i], column.numbers[i]);
-    } else if (column.text.codes[i] != Factor::kMissing) {
+      table::append_number(out[i], column.numbers[i]);
+    } else if (column.text.codes[i] != table::Factor::kMissing) {
       out[i] = column.text.levels[column.text.codes[i]];
     }
   }
   return out;
 }
 
-Rows rows_of(const DataTable& table, const H3Options& options) {
+Rows rows_of(const table::DataTable& table, const H3Options& options) {
   Rows rows;
   rows.trial = words(table, "trial_id");
   rows.algorithm = words(table, "algorithm");
@@ -211,7 +211,7 @@ class Group {
         values.push_back(value);
       }
     }
-    return median(values);
+    return statistics::median(values);
   }
 
   void count() {
@@ -254,27 +254,29 @@ class Group {
     gated_clusters_ = of_gated.size();
     baseline_clusters_ = of_baseline.size();
     if (cluster.empty()) {
-      group_.conditions.push_back(
-          {ConditionKind::no_rows, ConditionSeverity::warning, "success", "no trial succeeds"});
+      group_.conditions.push_back({statistics::ConditionKind::no_rows,
+                                   statistics::ConditionSeverity::warning,
+                                   "success",
+                                   "no trial succeeds"});
       return;
     }
     look_for_few();
     if (group_.withheld.empty()) {
-      if (auto few = few_clusters(group_.clusters)) {
+      if (auto few = statistics::few_clusters(group_.clusters)) {
         group_.conditions.push_back(std::move(*few));
       }
     }
-    Statistic statistic;
+    statistics::Statistic statistic;
     statistic.rows = cluster.size();
     statistic.values = group_values + case_values * cases_.size();
-    statistic.make_kernel = [data]() -> StatisticKernel {
+    statistic.make_kernel = [data]() -> statistics::StatisticKernel {
       return [data](std::span<const std::uint32_t> multiplicity, std::span<double> values) {
         rates(*data, multiplicity, values);
       };
     };
-    bootstrap_ = bootstrap(statistic,
-                           ResamplingPlan::of_clusters(cluster),
-                           {options_.replicates, options_.seed, kH3Stream});
+    bootstrap_ = statistics::bootstrap(statistic,
+                                       statistics::ResamplingPlan::of_clusters(cluster),
+                                       {options_.replicates, options_.seed, kH3Stream});
     group_.ungated = estimate(value_ungated);
     group_.baseline = estimate(value_baseline);
     group_.baseline_standardised = estimate(value_standardised);
@@ -343,16 +345,17 @@ class Group {
     if (bootstrap_.observed.empty() || std::isnan(bootstrap_.observed[value])) {
       return out;
     }
-    const BootstrapEstimate found =
-        bootstrap_estimate(bootstrap_, value, options_.level, options_.interval, units_of(value));
+    const statistics::BootstrapEstimate found = statistics::bootstrap_estimate(
+        bootstrap_, value, options_.level, options_.interval, units_of(value));
     out.value = found.observed;
     if (is_withheld(value)) {
       return out;
     }
     out.interval = found.interval;
-    out.intervals = bootstrap_intervals(bootstrap_, value, options_.level, units_of(value));
-    for (const Condition& condition : found.conditions) {
-      if (!has(group_.conditions, condition.kind)) {
+    out.intervals =
+        statistics::bootstrap_intervals(bootstrap_, value, options_.level, units_of(value));
+    for (const statistics::Condition& condition : found.conditions) {
+      if (!statistics::has(group_.conditions, condition.kind)) {
         group_.conditions.push_back(condition);
       }
     }
@@ -384,13 +387,13 @@ class Group {
       out.lost_share = static_cast<double>(out.lost) / static_cast<double>(group_.trials);
     }
     if (group_.trials > 0 && group_.withheld.empty()) {
-      out.lost_upper = clopper_pearson_upper(out.lost, group_.trials, options_.level);
+      out.lost_upper = statistics::clopper_pearson_upper(out.lost, group_.trials, options_.level);
       out.non_inferior = *out.lost_upper < options_.loss_margin;
     }
     if (group_.successes > 0) {
       out.retained = static_cast<double>(out.kept) / static_cast<double>(group_.successes);
       if (group_.withheld.empty()) {
-        out.retained_interval = wilson(out.kept, group_.successes, options_.level);
+        out.retained_interval = statistics::wilson(out.kept, group_.successes, options_.level);
       }
     }
     return out;
@@ -416,7 +419,7 @@ class Group {
   bool few_gated_ = false;
   bool few_baseline_ = false;
   H3Group group_;
-  BootstrapResult bootstrap_;
+  statistics::BootstrapResult bootstrap_;
 };
 
 /// Trials by lighting, each with its rows; trials that lack a case are refused.
@@ -490,7 +493,7 @@ std::vector<std::string> columns_of(const H3Options& options) {
   return columns;
 }
 
-H3Table hypothesis_h3(const DataTable& replays, const H3Options& options) {
+H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options) {
   require(options);
   H3Table table;
   table.options = options;
@@ -503,8 +506,8 @@ H3Table hypothesis_h3(const DataTable& replays, const H3Options& options) {
   }
   if (all.empty()) {
     table.conditions.push_back(
-        {ConditionKind::no_rows,
-         ConditionSeverity::error,
+        {statistics::ConditionKind::no_rows,
+         statistics::ConditionSeverity::error,
          "algorithm",
          "no trial of '" + options.gated + "' or '" + options.baseline + "'"});
     return table;
@@ -518,4 +521,4 @@ H3Table hypothesis_h3(const DataTable& replays, const H3Options& options) {
   return table;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -14,7 +14,7 @@
 #include <table/data_table.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 
 struct H3Options {
   std::string gated = "M3";       ///< Algorithm that is gated.
@@ -22,7 +22,8 @@ struct H3Options {
   std::string cluster = "day";    ///< Column of the unit of resampling; empty: trials.
   double level = 0.95;            ///< Of intervals and of the one-sided bound; in (0, 1).
   double loss_margin = 0.05;      ///< Loss of successes that would still do; in (0, 1).
-  BootstrapMethod interval = BootstrapMethod::expanded;  ///< The one to be read; all are kept.
+  statistics::BootstrapMethod interval =
+      statistics::BootstrapMethod::expanded;  ///< The one to be read; all are kept.
   std::size_t replicates = 2000;
   std::uint64_t seed = 1;
 };
@@ -32,8 +33,8 @@ struct H3Options {
 
 struct H3Estimate {
   std::optional<double> value;
-  std::optional<Interval> interval;  ///< Clusters of both algorithms resampled jointly.
-  BootstrapIntervals intervals;      ///< By every method that is kept.
+  std::optional<statistics::Interval> interval;  ///< Clusters of both algorithms resampled jointly.
+  statistics::BootstrapIntervals intervals;      ///< By every method that is kept.
 };
 
 /// One speed law and beta under one lighting. Rates are total length over total time of the trials
@@ -48,12 +49,12 @@ struct H3Case {
   std::optional<double> speed_cmd_mps;  ///< Median of the trials' gated medians.
   std::size_t kept = 0;                 ///< Successes that the replay keeps.
   std::size_t lost = 0;
-  std::optional<double> lost_share;           ///< lost / trials.
-  std::optional<double> lost_upper;           ///< Clopper-Pearson, one-sided.
-  std::optional<bool> non_inferior;           ///< lost_upper < loss_margin.
-  std::optional<double> retained;             ///< kept / successes.
-  std::optional<Interval> retained_interval;  ///< Wilson.
-  std::size_t stalls = 0;                     ///< Of all trials.
+  std::optional<double> lost_share;                       ///< lost / trials.
+  std::optional<double> lost_upper;                       ///< Clopper-Pearson, one-sided.
+  std::optional<bool> non_inferior;                       ///< lost_upper < loss_margin.
+  std::optional<double> retained;                         ///< kept / successes.
+  std::optional<statistics::Interval> retained_interval;  ///< Wilson.
+  std::size_t stalls = 0;                                 ///< Of all trials.
   std::size_t stalled_trials = 0;
   bool on_front = false;  ///< Of {gain_share, retained}, among the cases of the group.
 };
@@ -79,19 +80,19 @@ struct H3Group {
   std::optional<double> latency_ms;  ///< Median of the gated algorithm's medians, as logged.
   std::vector<H3Case> cases;
   std::string withheld;  ///< Why intervals, bounds and verdicts are; empty if they are not.
-  Conditions conditions;
+  statistics::Conditions conditions;
 };
 
 struct H3Table {
   H3Options options;
   std::vector<H3Group> groups;  ///< All lightings together first, then each, by name.
   std::size_t unknown = 0;      ///< Trials of the two algorithms without an outcome, left out.
-  Conditions conditions;        ///< Of the table as a whole; an error leaves no groups.
+  statistics::Conditions conditions;  ///< Of the table as a whole; an error leaves no groups.
 };
 
 /// With fewer than kTooFewClusters clusters among the successes no interval, bound or verdict is
 /// given; with fewer than kTooFewOutcomes successes of an algorithm none of its rates. \throws
 /// std::invalid_argument if a column is not there or an option is out of range.
-[[nodiscard]] H3Table hypothesis_h3(const DataTable& replays, const H3Options& options);
+[[nodiscard]] H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tcert {
+namespace tcert::study {
 
 std::vector<bool> pareto_front(std::span<const GainAndRetention> points) {
   std::vector<bool> front;
@@ -18,4 +18,4 @@ std::vector<bool> pareto_front(std::span<const GainAndRetention> points) {
   return front;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 
 struct GainAndRetention {
   double gain = 0.0;
@@ -16,4 +16,4 @@ struct GainAndRetention {
 /// stand or fall together; a point with a NaN is on no front and beats none. O(n^2).
 [[nodiscard]] std::vector<bool> pareto_front(std::span<const GainAndRetention> points);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -3,7 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr std::uint32_t kAsksForRoute = guard_margin | guard_force | guard_replan | guard_no_bound;
@@ -66,4 +66,4 @@ ReplanSummary replan_trial(Certifier& certifier,
   return summary;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -11,7 +11,7 @@
 
 #include "datasets/ticks.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct ReplanSummary {
   std::size_t replans = 0;
@@ -36,4 +36,4 @@ struct ReplanSummary {
                                          const GuardParameters& guard_parameters,
                                          const RouteParameters& parameters);
 
-}  // namespace tcert
+}  // namespace tcert::study

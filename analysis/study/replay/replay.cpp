@@ -8,7 +8,7 @@
 
 #include "analysis/study/trials/motion.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kNanosecond = 1e-9;
@@ -181,4 +181,4 @@ bool keeps_success(const Replay& replay, std::optional<double> limit_s) {
   return replay.stalls == 0 && (!limit_s || replay.gated_time_s <= *limit_s);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

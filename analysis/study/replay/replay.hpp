@@ -12,7 +12,7 @@
 #include "analysis/study/replay/replay_options.hpp"
 #include "datasets/ticks.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// What a run and its replay come to, from its first fresh tick to the first inside G, or to the
 /// end of the log.
@@ -54,4 +54,4 @@ struct Replay {
 /// A success is kept unless it stalls or takes longer than the trial limit.
 [[nodiscard]] bool keeps_success(const Replay& replay, std::optional<double> limit_s);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -4,7 +4,7 @@
 
 #include <tcert/parameter_fields.hpp>
 
-namespace tcert {
+namespace tcert::study {
 
 /// See replay.def.
 struct ReplayOptions {
@@ -23,4 +23,4 @@ void visit_fields(const ReplayOptions&, Visit&& visit) {
 /// \throws std::invalid_argument naming the option and the range it must lie in.
 void validate(const ReplayOptions& options);
 
-}  // namespace tcert
+}  // namespace tcert::study

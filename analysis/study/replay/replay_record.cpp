@@ -1,6 +1,6 @@
 #include "analysis/study/replay/replay_record.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 std::string_view to_string(SpeedLawKind kind) noexcept {
   return kind == SpeedLawKind::squash ? "squash" : "clip";
@@ -20,4 +20,4 @@ std::vector<SpeedLaw> law_grid(const SpeedLaw& law,
   return grid;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -11,7 +11,7 @@
 #include "analysis/study/replay/replay.hpp"
 #include "datasets/bundle.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// "squash", "clip".
 [[nodiscard]] std::string_view to_string(SpeedLawKind kind) noexcept;
@@ -30,4 +30,4 @@ struct ReplayRecord {
                                              const std::vector<SpeedLawKind>& kinds,
                                              const std::vector<double>& betas);
 
-}  // namespace tcert
+}  // namespace tcert::study

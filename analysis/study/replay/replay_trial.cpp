@@ -2,7 +2,7 @@
 
 #include "analysis/study/trials/study_tables.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 std::optional<double> known_median(const std::vector<double>& samples) {
@@ -45,4 +45,4 @@ std::vector<ReplayedTrial> replay_trial(const StudiedTrial& trial,
   return replayed;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -11,7 +11,7 @@
 #include "analysis/study/trials/study.hpp"
 #include "datasets/bundle.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct ReplaySetup {
   std::vector<SpeedLaw> laws;
@@ -31,4 +31,4 @@ struct ReplayedTrial {
                                                       const ParameterSet& parameters,
                                                       const ReplaySetup& setup);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
-const std::vector<double>& numbers(const DataTable& table, const std::string& name) {
-  const DataColumn* column = table.find(name);
+const std::vector<double>& numbers(const table::DataTable& table, const std::string& name) {
+  const table::DataColumn* column = table.find(name);
   if (column == nullptr || column->is_text) {
     throw std::invalid_argument("tracking error: needs a column of numbers '" + name + "'");
   }
@@ -36,7 +36,7 @@ std::size_t place_of(const std::vector<double>& knots, double value) {
 
 }  // namespace
 
-TrackingErrorGrid tracking_error_grid(const DataTable& table) {
+TrackingErrorGrid tracking_error_grid(const table::DataTable& table) {
   const auto& speed = numbers(table, "speed_mps");
   const auto& acceleration = numbers(table, "acceleration_mps2");
   const auto& disturbance = numbers(table, "disturbance");
@@ -63,4 +63,4 @@ TrackingErrorGrid tracking_error_grid(const DataTable& table) {
   return grid;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

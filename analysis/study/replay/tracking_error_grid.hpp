@@ -5,11 +5,11 @@
 #include <table/data_table.hpp>
 #include <tcert/tracking_error.hpp>
 
-namespace tcert {
+namespace tcert::study {
 
 /// One row a knot, in any order: speed_mps, acceleration_mps2, disturbance, radius_m.
 /// \throws std::invalid_argument if a column is not there, a cell is missing, or the rows are not
 /// every knot of a full grid once.
-[[nodiscard]] TrackingErrorGrid tracking_error_grid(const DataTable& table);
+[[nodiscard]] TrackingErrorGrid tracking_error_grid(const table::DataTable& table);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -15,7 +15,7 @@
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/random_worlds/random_run.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kNoPath = ClearanceValue::kNoPath;
@@ -152,7 +152,8 @@ SoundnessSummary summarise(const std::vector<WorldOutcome>& worlds, std::size_t 
     summary.violating_ticks += outcome.violating_ticks;
     summary.largest_excess_m = std::max(summary.largest_excess_m, outcome.excess_m);
   }
-  summary.violation_bound = clopper_pearson_upper(summary.violations, summary.worlds).value_or(1.0);
+  summary.violation_bound =
+      statistics::clopper_pearson_upper(summary.violations, summary.worlds).value_or(1.0);
   return summary;
 }
 
@@ -171,10 +172,10 @@ std::vector<Tightness> tightness_of(const std::vector<WorldOutcome>& worlds, std
                     explored,
                     lanes,
                     values.size(),
-                    quantile_in_place(values, 0.5).value(),
-                    quantile_in_place(values, 0.9).value()});
+                    statistics::quantile_in_place(values, 0.5).value(),
+                    statistics::quantile_in_place(values, 0.9).value()});
   }
   return rows;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -13,7 +13,7 @@
 #include "analysis/study/truth/clearance_value.hpp"
 #include "datasets/random_worlds/random_world.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// A way of certifying: a clearance reading or an ablation, on true or on logged ticks.
 struct SoundnessMethod {
@@ -93,4 +93,4 @@ struct Tightness {
 [[nodiscard]] std::vector<Tightness> tightness_of(const std::vector<WorldOutcome>& worlds,
                                                   std::size_t method);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -64,7 +64,7 @@ std::vector<Cell> first_batch(const Terrain& terrain,
                               Cell start,
                               double threshold,
                               std::uint64_t seed) {
-  RandomStream random(seed, kPurpose, 0);
+  table::RandomStream random(seed, kPurpose, 0);
   const auto draw = [&](int centre, int limit) {
     const int low = std::max(0, centre - 20);
     const int high = std::min(limit, centre + 20);

@@ -6,8 +6,8 @@
 #include <terrain/explore.hpp>
 #include <vector>
 
-#include "datasets/terrain_field/terrain_field.hpp"
 #include "analysis/study/terrain/scenarios.hpp"
+#include "datasets/terrain_field/terrain_field.hpp"
 
 namespace tcert::terrain::study {
 namespace {
@@ -31,7 +31,7 @@ Outcome run(
   field.number = number;
   TerrainGrid made = random_terrain(field);
   const Terrain terrain{{made.rows, made.columns}, std::move(made.values)};
-  RandomStream random(seed, kPurpose, number);
+  table::RandomStream random(seed, kPurpose, number);
   const auto safe_cell = [&] {
     for (;;) {
       const Cell c =

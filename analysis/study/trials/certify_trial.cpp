@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace tcert {
+namespace tcert::study {
 
 TrialSeries certify_trial(Certifier& certifier, const TickTable& ticks) {
   certifier.reset();
@@ -18,4 +18,4 @@ TrialSeries certify_trial(Certifier& certifier, const TickTable& ticks) {
   return series;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -9,7 +9,7 @@
 
 #include "datasets/ticks.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// What a trial shows, tick by tick, and where its last certificate is decided.
 struct TrialSeries {
@@ -23,4 +23,4 @@ struct TrialSeries {
 /// so its graph is the trial's. One certifier serves any number of trials.
 [[nodiscard]] TrialSeries certify_trial(Certifier& certifier, const TickTable& ticks);
 
-}  // namespace tcert
+}  // namespace tcert::study

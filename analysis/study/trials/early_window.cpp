@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tcert {
+namespace tcert::study {
 
 std::int64_t nanoseconds_of(double seconds) noexcept {
   // Beyond 290 years every log has ended.
@@ -55,4 +55,4 @@ Window distance_window(const FreshTicks& fresh, std::int64_t end_ns, double limi
   return window;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

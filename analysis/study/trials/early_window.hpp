@@ -12,7 +12,7 @@
 #include "analysis/study/trials/motion.hpp"
 #include "datasets/ticks.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 [[nodiscard]] std::int64_t nanoseconds_of(double seconds) noexcept;
 [[nodiscard]] double seconds_of(std::int64_t nanoseconds) noexcept;
@@ -47,4 +47,4 @@ struct Window {
                                      double limit_m,
                                      double cap_s);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -2,7 +2,7 @@
 
 #include "analysis/study/trials/feature_table.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 template <auto kMember>
@@ -49,4 +49,4 @@ constexpr auto kColumns = std::to_array<FeatureColumn>({
 
 std::span<const FeatureColumn> feature_columns() noexcept { return kColumns; }
 
-}  // namespace tcert
+}  // namespace tcert::study

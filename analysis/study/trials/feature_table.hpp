@@ -9,7 +9,7 @@
 #include "analysis/study/trials/features.hpp"
 #include "datasets/bundle.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct FeatureRow {
   TrialRow trial;
@@ -27,4 +27,4 @@ struct FeatureColumn {
 /// All features, in the order of the file's columns.
 [[nodiscard]] std::span<const FeatureColumn> feature_columns() noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -9,7 +9,7 @@
 
 #include "analysis/study/trials/early_window.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 std::optional<double> contacts_per_m(std::span<const CertifiedTick> series,
@@ -114,7 +114,7 @@ WindowValues window_values(const Trial& trial, const Window& window) {
     tc.push_back(series_value(trial.series[row]));
   }
   const bool known = std::all_of(tc.begin(), tc.end(), [](double x) { return std::isfinite(x); });
-  return {known ? quantile_in_place(tc, trial.options.quantile) : std::nullopt,
+  return {known ? statistics::quantile_in_place(tc, trial.options.quantile) : std::nullopt,
           contacts_per_m(trial.series, trial.fresh, window.size),
           dwell(trial.fresh, window.size, trial.options.dwell_speed_mps),
           bend_variance(trial.robot, trial.ticks, rows)};
@@ -221,4 +221,4 @@ Features early_features(const Robot& robot,
   return features;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -10,7 +10,7 @@
 
 #include "datasets/ticks.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Which ticks of a trial are early. Time and travel count from the first tick.
 enum class EarlyWindowKind {
@@ -83,4 +83,4 @@ struct Features {
                                       std::span<const CertifiedTick> series,
                                       const EarlyWindowOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -6,7 +6,7 @@
 
 #include "analysis/study/trials/study.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 using Outcome = std::function<bool()>;
@@ -48,4 +48,4 @@ void in_order(std::size_t count, int threads, const std::function<Outcome(std::s
       context);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace tcert {
+namespace tcert::study {
 
 std::vector<Motion> trailing_motion(std::span<const TimedPosition> path, std::int64_t window_ns) {
   std::vector<Motion> motion(path.size());
@@ -26,4 +26,4 @@ std::vector<Motion> trailing_motion(std::span<const TimedPosition> path, std::in
   return motion;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -9,7 +9,7 @@
 #include <tcert/geometry.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 
 struct TimedPosition {
   std::int64_t time_ns = 0;  ///< Strictly increasing.
@@ -27,4 +27,4 @@ struct Motion {
 [[nodiscard]] std::vector<Motion> trailing_motion(std::span<const TimedPosition> path,
                                                   std::int64_t window_ns);
 
-}  // namespace tcert
+}  // namespace tcert::study

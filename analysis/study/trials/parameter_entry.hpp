@@ -16,11 +16,11 @@
 
 #include "analysis/study/trials/parameters.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 inline std::string number_text(double value) {
   std::string text;
-  append_number(text, value);
+  table::append_number(text, value);
   return text;
 }
 
@@ -136,4 +136,4 @@ void add_fields(ParameterEntries& table, Stage stage, Group ParameterSet::*group
   });
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -1,6 +1,6 @@
 #include "analysis/study/trials/parameter_entry.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// The robot's numbers, each of which may take the place of the bundle's.
@@ -31,4 +31,4 @@ std::span<const ParameterInfo> parameter_table() {
   return table;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -7,7 +7,7 @@
 #include <table/nearest_name.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 
 std::string_view to_string(Stage stage) noexcept {
   constexpr std::array<std::string_view, 4> kWords = {"resample", "certify", "features", "control"};
@@ -23,7 +23,7 @@ void set_parameter(ParameterSet& parameters, std::string_view key, std::string_v
     for (const ParameterInfo& one : table) {
       keys.emplace_back(one.key);
     }
-    const auto nearest = nearest_name(key, keys);
+    const auto nearest = table::nearest_name(key, keys);
     throw std::invalid_argument("unknown parameter '" + std::string(key) + "'" +
                                 (nearest ? "; did you mean '" + *nearest + "'?" : ""));
   }
@@ -49,4 +49,4 @@ Robot with_overrides(Robot robot, const RobotOverrides& overrides) {
   return robot;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -18,7 +18,7 @@
 #include "analysis/study/trials/features.hpp"
 #include "datasets/trial_reader.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Values that take the place of those in a bundle's robot.
 struct RobotOverrides {
@@ -73,4 +73,4 @@ void validate(const ParameterSet& parameters);
 /// The bundle's robot with the overrides in place.
 [[nodiscard]] Robot with_overrides(Robot robot, const RobotOverrides& overrides);
 
-}  // namespace tcert
+}  // namespace tcert::study

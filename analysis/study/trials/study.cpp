@@ -6,7 +6,7 @@
 
 #include "datasets/tick_limit.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 std::vector<double> latencies_of(const TrialLog& log) { return log.control.loop_latency_ms; }
@@ -76,4 +76,4 @@ void study_trials(const Bundle& bundle,
   });
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -18,12 +18,12 @@
 #include "datasets/ticks.hpp"
 #include "datasets/trial_reader.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Everything about one trial. A rejected one has diagnostics and neither ticks nor series.
 struct StudiedTrial {
   const TrialRow* row = nullptr;  ///< In the bundle; never null.
-  std::vector<Diagnostic> diagnostics;
+  std::vector<table::Diagnostic> diagnostics;
   bool rejected = false;
   std::size_t log_bytes = 0;
   TickTable ticks;
@@ -67,4 +67,4 @@ void in_order(std::size_t count,
               int threads,
               const std::function<std::function<bool()>(std::size_t)>& work);
 
-}  // namespace tcert
+}  // namespace tcert::study

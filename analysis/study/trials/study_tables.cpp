@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr std::array<std::string_view, 9> kPaperOrder = {
@@ -145,4 +145,4 @@ std::optional<double> published_speed_mps(std::string_view name) noexcept {
   return found == kPublishedSpeeds.end() ? std::nullopt : std::optional(found->speed_mps);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -16,7 +16,7 @@
 #include "analysis/study/trials/feature_table.hpp"
 #include "analysis/study/trials/study.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// One trial of a study, without its ticks.
 struct TrialRecord {
@@ -88,4 +88,4 @@ class StudyRecord {
 
 inline constexpr double kPublishedLatencyMs = 19.6;  ///< p50 in every cell, within 0.1.
 
-}  // namespace tcert
+}  // namespace tcert::study

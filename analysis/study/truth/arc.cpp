@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// Lowers `least` to the clearance of [from, from + length] unless that cannot lower it by more
@@ -42,4 +42,4 @@ double arc_clearance(const Arc& arc,
   return std::max(least - tolerance_m, 0.0);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

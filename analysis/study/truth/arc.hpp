@@ -6,7 +6,7 @@
 
 #include "analysis/study/truth/obstacle_distance.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct Arc {
   Pose from;
@@ -24,4 +24,4 @@ struct Arc {
                                    const ObstacleDistance& obstacles,
                                    double tolerance_m) noexcept;
 
-}  // namespace tcert
+}  // namespace tcert::study

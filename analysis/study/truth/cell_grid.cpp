@@ -7,7 +7,7 @@
 
 #include "datasets/worlds/region_distance.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kMostCells = 134'217'728.0;
@@ -195,4 +195,4 @@ std::vector<std::uint32_t> squared_distances(const CellGrid& grid,
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

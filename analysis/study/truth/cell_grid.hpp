@@ -9,7 +9,7 @@
 
 #include "datasets/world.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Row-major cells; a strip narrower than a cell at the high bounds is left out.
 struct CellGrid {
@@ -44,4 +44,4 @@ void mark_region(const CellGrid& grid,
 [[nodiscard]] std::vector<std::uint32_t> squared_distances(const CellGrid& grid,
                                                            const std::vector<std::uint8_t>& marks);
 
-}  // namespace tcert
+}  // namespace tcert::study

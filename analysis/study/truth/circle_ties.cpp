@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 using Complex = std::complex<double>;
@@ -117,4 +117,4 @@ std::vector<Point> circle_ties(const Disc& circle, const Obstacle& a, const Obst
   return points;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 
 /// The half-plane behind a wall: {p : dot(normal, p) <= offset_m}; `normal` is a unit vector.
 struct Wall {
@@ -35,4 +35,4 @@ using Obstacle = std::variant<Disc, Wall>;
                                              const Obstacle& a,
                                              const Obstacle& b);
 
-}  // namespace tcert
+}  // namespace tcert::study

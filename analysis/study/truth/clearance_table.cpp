@@ -6,7 +6,7 @@
 #include "analysis/study/truth/cell_grid.hpp"
 #include "datasets/worlds/region_distance.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 ClearanceTable::ClearanceTable(const World& world, const ObstacleDistance& obstacles, double step_m)
     : step_m_(step_m) {
@@ -82,4 +82,4 @@ std::vector<std::uint32_t> ClearanceTable::steps_to(const Region& goal, double c
   return steps;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

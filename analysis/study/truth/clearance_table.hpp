@@ -8,7 +8,7 @@
 #include "analysis/study/truth/obstacle_distance.hpp"
 #include "datasets/world.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 class ClearanceTable {
  public:
@@ -36,4 +36,4 @@ class ClearanceTable {
   std::vector<float> clearance_;
 };
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -10,7 +10,7 @@
 
 #include "datasets/world.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// sup over paths from a point of S to a point of G of the least distance to an obstacle or to the
 /// bounds of the world along the path; minus infinity if every path meets one.
@@ -72,4 +72,4 @@ struct GridClearance {
 /// 2^27.
 [[nodiscard]] GridClearance grid_clearance(const World& world, double step_m);
 
-}  // namespace tcert
+}  // namespace tcert::study

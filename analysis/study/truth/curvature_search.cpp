@@ -9,7 +9,7 @@
 
 #include "datasets/worlds/region_distance.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kMostPoses = 33'554'432.0;  // about 1 GB
@@ -241,4 +241,4 @@ std::vector<Arc> search_path(const World& world,
   return Search(world, table, steps, query).run();
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

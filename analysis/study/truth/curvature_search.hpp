@@ -10,7 +10,7 @@
 #include "analysis/study/truth/slack.hpp"
 #include "datasets/world.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// What a search is asked.
 struct CurvatureQuery {
@@ -34,4 +34,4 @@ struct CurvatureQuery {
                                            const std::vector<std::uint32_t>& steps,
                                            const CurvatureQuery& query);
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -7,7 +7,7 @@
 #include "analysis/study/truth/clearance_table.hpp"
 #include "analysis/study/truth/curvature_search.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kTolerance = 1e-4;  // of measured clearances
@@ -131,4 +131,4 @@ CurvatureValue curvature_value(const World& world,
   return rounds.best();
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -10,7 +10,7 @@
 #include "analysis/study/truth/slack.hpp"
 #include "datasets/world.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct CurvatureOptions {
   SlackConvention convention = SlackConvention::width;
@@ -45,4 +45,4 @@ struct CurvatureValue {
                                              double upper_m,
                                              const CurvatureOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -8,7 +8,7 @@
 #include "analysis/study/truth/clearance_value.hpp"
 #include "analysis/study/truth/parity_sets.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// A component of the overlap of two blown-up obstacles is born.
@@ -249,4 +249,4 @@ ClearanceValue exact_disc_clearance(const World& world) {
   return value_of(covered);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

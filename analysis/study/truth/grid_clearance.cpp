@@ -8,7 +8,7 @@
 #include "analysis/study/truth/cell_grid.hpp"
 #include "analysis/study/truth/clearance_value.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr std::uint8_t kFromSource = 8;
@@ -120,4 +120,4 @@ GridClearance grid_clearance(const World& world, double step_m) {
   return result;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

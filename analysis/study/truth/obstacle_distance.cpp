@@ -5,7 +5,7 @@
 
 #include "datasets/worlds/region_distance.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kMostBuckets = 1'000'000.0;
@@ -124,4 +124,4 @@ double ObstacleDistance::at(Point p) const noexcept {
   return std::max(least, 0.0);
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -9,7 +9,7 @@
 
 #include "datasets/world.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 /// Discs and polygon edges in square buckets. Immutable; safe for concurrent use.
 class ObstacleDistance {
@@ -42,4 +42,4 @@ class ObstacleDistance {
   std::vector<Edge> edges_;
 };
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 
 class ParitySets {
  public:
@@ -48,4 +48,4 @@ class ParitySets {
   std::vector<std::size_t> size_;
 };
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -2,7 +2,7 @@
 /// \file
 /// From the clearance of a disc to the clearance slack of a body, in either convention.
 
-namespace tcert {
+namespace tcert::study {
 
 /// What a clearance is counted as. Truth and certificate are compared in the same convention.
 enum class SlackConvention {
@@ -18,4 +18,4 @@ enum class SlackConvention {
                                               : clearance_m - 0.5 * body_width_m;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -5,7 +5,7 @@
 
 #include "analysis/study/truth/curvature_value.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 ClearanceValue clearance_value(const World& world, double step_m) {
   return is_disc_field(world) ? exact_disc_clearance(world) : grid_clearance(world, step_m).value;
@@ -36,4 +36,4 @@ Truth truth_of(const World& world, const Robot& robot, const TruthOptions& optio
   return truth;
 }
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -11,7 +11,7 @@
 #include "analysis/study/truth/slack.hpp"
 #include "datasets/world.hpp"
 
-namespace tcert {
+namespace tcert::study {
 
 struct TruthOptions {
   SlackConvention convention = SlackConvention::width;
@@ -43,4 +43,4 @@ struct Truth {
                              const Robot& robot,
                              const TruthOptions& options = {});
 
-}  // namespace tcert
+}  // namespace tcert::study

@@ -15,7 +15,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 namespace fs = std::filesystem;
@@ -208,4 +208,4 @@ TEST(AtomicFolder, TakesTheNameOfAnEmptyFolder) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

@@ -10,7 +10,7 @@
 #include <table/outcome_word.hpp>
 #include <utility>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -191,4 +191,4 @@ TEST(MixedCells, TellASpoiledColumnFromNames) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

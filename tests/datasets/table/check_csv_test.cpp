@@ -10,7 +10,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 bool has(const std::vector<Diagnostic>& all, Severity severity, std::string_view found) {
@@ -160,4 +160,4 @@ TEST(CheckCsvFile, NamesStampsInATableOfTrials) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

@@ -12,7 +12,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 struct Read {
@@ -306,4 +306,4 @@ TEST(Decompress, SaysWhenTheDataAreCutOrDamaged) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

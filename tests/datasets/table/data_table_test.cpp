@@ -10,7 +10,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -120,4 +120,4 @@ TEST(DataTable, AgreesWithCheck) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

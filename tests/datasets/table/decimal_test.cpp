@@ -11,7 +11,7 @@
 #include <table/bytes.hpp>
 #include <table/csv_write.hpp>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 /// The whole of `text` as a number.
@@ -162,4 +162,4 @@ TEST(AppendText, QuotesOnlyWhatNeedsIt) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 TEST(Diagnostic, PrintsFileLineColumnValueExpectationAndCount) {
@@ -48,4 +48,4 @@ TEST(Shortened, EscapesControlCharactersAndCutsBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

@@ -9,7 +9,7 @@
 
 #include "datasets/world.hpp"
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
@@ -53,4 +53,4 @@ TEST(FlatJson, TakesTimeInProportionToItsKeysAndSeesARepeatedOne) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

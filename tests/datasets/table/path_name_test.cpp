@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 TEST(FileName, IsOneStepThatIsNeitherHiddenNorTooLong) {
@@ -64,4 +64,4 @@ TEST(TemporaryNames, AreHiddenAndEndInTmp) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

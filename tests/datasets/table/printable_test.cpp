@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 TEST(Printable, LetsNothingSteerTheTerminal) {
@@ -32,4 +32,4 @@ TEST(Printable, KeepsLinesAndTabsOfAWholeText) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

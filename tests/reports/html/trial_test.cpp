@@ -31,9 +31,9 @@ std::string series_csv(double start_s = 0.0) {
   return text;
 }
 
-NumberTable series(double start_s = 0.0) {
+table::NumberTable series(double start_s = 0.0) {
   std::string problem;
-  auto table = read_page_series(Bytes::copy_of(series_csv(start_s)), "t.csv", problem);
+  auto table = read_page_series(table::Bytes::copy_of(series_csv(start_s)), "t.csv", problem);
   EXPECT_TRUE(table) << problem;
   return std::move(table.value());
 }
@@ -114,12 +114,12 @@ TEST(TrialBlock, NamesTheFileAndLineOfABadSeries) {
   std::string problem;
   std::string text = series_csv();
   text.replace(text.find("0.020000,"), 4, "oops");
-  EXPECT_FALSE(read_page_series(Bytes::copy_of(text), "series/t.csv", problem));
+  EXPECT_FALSE(read_page_series(table::Bytes::copy_of(text), "series/t.csv", problem));
   EXPECT_NE(problem.find("series/t.csv:3"), std::string::npos) << problem;
 }
 
-TextTable table(std::vector<std::string> columns, std::vector<std::string> cells) {
-  TextTable result;
+table::TextTable table(std::vector<std::string> columns, std::vector<std::string> cells) {
+  table::TextTable result;
   result.columns = std::move(columns);
   result.cells = std::move(cells);
   for (std::size_t i = 0; i < result.cells.size() / result.columns.size(); ++i) {

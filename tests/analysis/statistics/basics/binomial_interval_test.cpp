@@ -6,7 +6,7 @@
 #include <statistics/basics/normal.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Pr(at most k of n) by adding up.
@@ -61,4 +61,4 @@ TEST(BinomialIntervals, RefuseMisuse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 TEST(CompactCodes, CountsCodesThatHaveARow) {
@@ -16,4 +16,4 @@ TEST(CompactCodes, CountsCodesThatHaveARow) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

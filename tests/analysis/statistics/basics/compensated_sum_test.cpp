@@ -6,7 +6,7 @@
 #include <limits>
 #include <table/random.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 TEST(CompensatedSum, KeepsWhatAPlainSumLoses) {
@@ -21,7 +21,7 @@ TEST(CompensatedSum, KeepsWhatAPlainSumLoses) {
 }
 
 TEST(CompensatedSum, EqualsASumOfWiderNumbers) {
-  RandomStream random(7, 1, 0);
+  table::RandomStream random(7, 1, 0);
   for (int round = 0; round < 20; ++round) {
     CompensatedSum sum;
     long double wide = 0.0L;
@@ -44,4 +44,4 @@ TEST(CompensatedSum, OfTermsThatAreNotFiniteIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 Condition separated(const std::string& column) {
@@ -52,4 +52,4 @@ TEST(ConditionGroups, KeepsApartWhatIsOfAnotherQuantity) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using P = std::optional<double>;
@@ -32,4 +32,4 @@ TEST(Holm, RefusesWhatIsNoProbability) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ TEST(Quantile, RefusesAProbabilityOutsideTheUnitInterval) {
 }
 
 TEST(Quantile, EqualsTheSortedDefinitionOnRandomTiedSamples) {
-  RandomStream random(1, 0, 0);
+  table::RandomStream random(1, 0, 0);
   for (int round = 0; round < 500; ++round) {
     SCOPED_TRACE(round);
     std::vector<double> sample(1 + random.below(30));
@@ -82,4 +82,4 @@ TEST(Median, AveragesTheTwoMiddleValues) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

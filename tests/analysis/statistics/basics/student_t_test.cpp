@@ -6,7 +6,7 @@
 #include <numbers>
 #include <statistics/basics/few_clusters.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 TEST(StudentT, EqualsR) {
@@ -51,4 +51,4 @@ TEST(FewClusters, AreANoteBelowThirtyAndAWarningBelowTenOrWithoutFullRank) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 TEST(WaldTest, ByHandAndInAnyUnits) {
@@ -30,4 +30,4 @@ TEST(WaldTest, IsEmptyWithoutAnInverse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

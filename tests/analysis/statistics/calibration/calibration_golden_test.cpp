@@ -12,7 +12,7 @@
 #include <statistics/calibration/out_of_fold.hpp>
 #include <string>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
@@ -31,8 +31,8 @@ void expect_equal(const std::string& quantity, double actual, const json& golden
   EXPECT_LE(error, kRelative) << quantity << ": " << actual << " is not " << expected;
 }
 
-Factor factor_of(const std::vector<std::string>& names) {
-  Factor factor;
+table::Factor factor_of(const std::vector<std::string>& names) {
+  table::Factor factor;
   factor.levels = names;
   std::sort(factor.levels.begin(), factor.levels.end());
   factor.levels.erase(std::unique(factor.levels.begin(), factor.levels.end()), factor.levels.end());
@@ -114,7 +114,7 @@ TEST(CalibrationGolden, EveryCaseEqualsR) {
       p = mine;
     }
     const bool clustered = expected.contains("cluster") && expected["cluster"].is_array();
-    Factor cluster;
+    table::Factor cluster;
     if (clustered) {
       cluster = factor_of(expected["cluster"].get<std::vector<std::string>>());
     }
@@ -128,4 +128,4 @@ TEST(CalibrationGolden, EveryCaseEqualsR) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

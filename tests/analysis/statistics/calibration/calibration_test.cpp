@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <table/random.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -21,7 +21,7 @@ struct Predictions {
 
 /// Outcomes that follow their probabilities, which take few values if `ties`.
 Predictions honest(std::size_t n, bool ties = false) {
-  RandomStream random(3, 1, 0);
+  table::RandomStream random(3, 1, 0);
   Predictions made;
   for (std::size_t i = 0; i < n; ++i) {
     const double p =
@@ -231,4 +231,4 @@ TEST(OutOfFold, NamesFoldsWithoutAFit) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -10,13 +10,13 @@
 #include <sstream>
 #include <statistics/concordance/concordance.hpp>
 #include <statistics/cox/cox.hpp>
-#include <statistics/survival/survival_golden.hpp>
 #include <string>
 #include <vector>
+#include "analysis/statistics/survival/survival_golden.hpp"
 
-#include "support/worst.hpp"
+#include "analysis/statistics/worst.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
@@ -334,4 +334,4 @@ TEST_F(ConcordanceGolden, PairedModelsEqualR) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,17 +6,17 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct Rows {
   SurvivalOutcome outcome;
   std::vector<double> x;
-  Factor strata;
+  table::Factor strata;
 };
 
 Rows random_rows(std::size_t n, std::uint32_t values) {
-  RandomStream random(11, 1, n);
+  table::RandomStream random(11, 1, n);
   Rows rows;
   rows.strata.levels = {"a", "b"};
   for (std::size_t row = 0; row < n; ++row) {
@@ -31,7 +31,7 @@ Rows random_rows(std::size_t n, std::uint32_t values) {
 
 void expect_same_as_weights(const SurvivalOutcome& outcome,
                             const Predictor& predictor,
-                            const Factor* strata) {
+                            const table::Factor* strata) {
   const ConcordanceReplicates replicates(outcome, predictor, strata);
   ConcordanceReplicates::Scratch scratch;
   const std::vector<std::uint32_t> once(outcome.rows(), 1);
@@ -41,7 +41,7 @@ void expect_same_as_weights(const SurvivalOutcome& outcome,
   EXPECT_EQ(replicates.c(once, scratch),
             concordance(outcome, predictors, options).estimates[0].c.value());
 
-  RandomStream random(12, 1, outcome.rows());
+  table::RandomStream random(12, 1, outcome.rows());
   for (int replicate = 0; replicate < 20; ++replicate) {
     std::vector<std::uint32_t> times(outcome.rows(), 0);
     for (std::size_t draw = 0; draw < outcome.rows(); ++draw) {
@@ -95,4 +95,4 @@ TEST(ConcordanceReplicates, HasNoValueWithoutAComparablePair) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// C over all pairs of rows, each as often as it stands.
@@ -44,7 +44,7 @@ struct Data {
 };
 
 Data random_data(std::uint64_t seed, std::size_t rows) {
-  RandomStream random(seed, 8, 0);
+  table::RandomStream random(seed, 8, 0);
   Data data;
   for (std::size_t row = 0; row < rows; ++row) {
     data.outcome.stop.push_back(1.0 + random.below(20));
@@ -109,4 +109,4 @@ TEST(ConcordanceStatistic, RefusesMisuse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -11,7 +11,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -105,7 +105,7 @@ TEST(Concordance, NamesWhatItCannotEstimate) {
 }
 
 TEST(Concordance, HasNoVarianceForOneCluster) {
-  const Factor day{{0, 0, 0}, {"mon"}};
+  const table::Factor day{{0, 0, 0}, {"mon"}};
   ConcordanceOptions options;
   options.cluster = &day;
   const ConcordanceResult result = one({{}, {1, 2, 3}, {1, 1, 1}}, {1, 3, 2}, options);
@@ -154,11 +154,11 @@ struct Case {
   SurvivalOutcome outcome;
   std::vector<double> x;
   std::vector<double> weights;
-  Factor strata;
+  table::Factor strata;
 };
 
 Case random_case(std::uint64_t index, std::size_t n, bool truncated) {
-  RandomStream random(7, 1, index);
+  table::RandomStream random(7, 1, index);
   Case rows;
   rows.strata.levels = {"a", "b", "c"};
   for (std::size_t row = 0; row < n; ++row) {
@@ -337,7 +337,7 @@ TEST(Concordance, DfbetaIsTheDerivativeByTheWeightWithLateEntry) {
   constexpr double kStep = 1e-4;
   std::size_t cases = 0;
   for (std::uint64_t index = 0; index < 300; ++index) {
-    RandomStream random(19, 1, index);
+    table::RandomStream random(19, 1, index);
     SurvivalOutcome outcome;
     std::vector<double> x;
     for (std::size_t row = 0; row < 4 + index % 7; ++row) {
@@ -387,7 +387,7 @@ TEST(Concordance, DoesNotDependOnTheOrderOfRows) {
 
 TEST(Concordance, ComparesPredictorsAsTheirDfbetasSay) {
   const Case rows = random_case(5, 300, true);
-  RandomStream random(8, 1, 5);
+  table::RandomStream random(8, 1, 5);
   std::vector<double> other;
   for (const double x : rows.x) {
     other.push_back(x + random.normal());
@@ -406,4 +406,4 @@ TEST(Concordance, ComparesPredictorsAsTheirDfbetasSay) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -23,7 +23,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,7 +111,7 @@ class CoxGolden : public ::testing::Test {
     if (!fs::exists(path)) {
       return std::nullopt;
     }
-    const DataTableResult table = read_data_table(path);
+    const table::DataTableResult table = table::read_data_table(path);
     FrameOptions options;
     if (model.contains("weights") && model["weights"].is_string()) {
       options.weights = model["weights"].get<std::string>();
@@ -550,4 +550,4 @@ TEST_F(CoxGolden, NamesWhatRLeavesUnsaid) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -15,7 +15,7 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// No row of group c has its event.
@@ -226,4 +226,4 @@ TEST(CoxLimit, AColumnThatHasRunAwayIsTested) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -11,11 +11,11 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 CoxData small_table(std::uint64_t index, std::size_t rows, bool truncated) {
-  RandomStream random(23, 1, index);
+  table::RandomStream random(23, 1, index);
   CoxData data;
   const auto n = static_cast<Eigen::Index>(rows);
   data.design.resize(n, 2);
@@ -203,4 +203,4 @@ TEST(CoxMonotone, WhatDoesNotConvergeHasNoNumbers) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

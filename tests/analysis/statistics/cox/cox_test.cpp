@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 CoxData cox(std::vector<double> stop, std::vector<std::uint8_t> event, Eigen::MatrixXd design) {
@@ -33,8 +33,8 @@ CoxData cox(std::vector<double> stop, std::vector<std::uint8_t> event, Eigen::Ma
   return data;
 }
 
-Factor factor(std::vector<std::uint32_t> codes, std::size_t levels) {
-  Factor result;
+table::Factor factor(std::vector<std::uint32_t> codes, std::size_t levels) {
+  table::Factor result;
   result.codes = std::move(codes);
   for (std::size_t k = 0; k < levels; ++k) {
     result.levels.push_back("g" + std::to_string(k));
@@ -790,4 +790,4 @@ TEST(Cox, RefusesMisuse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

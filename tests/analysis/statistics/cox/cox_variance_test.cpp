@@ -9,15 +9,15 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// `columns` of noise, rows dealt to the clusters in turn.
 CoxData noise(std::uint64_t seed, std::size_t rows, Eigen::Index columns, std::uint32_t clusters) {
-  RandomStream random(seed, 2, 0);
+  table::RandomStream random(seed, 2, 0);
   CoxData data;
   data.design.resize(static_cast<Eigen::Index>(rows), columns);
-  Factor cluster;
+  table::Factor cluster;
   for (std::uint32_t c = 0; c < clusters; ++c) {
     cluster.levels.push_back("D" + std::to_string(c));
   }
@@ -69,7 +69,7 @@ TEST(CoxVariance, WaldNeedsMoreClustersThanColumns) {
 /// up to 0, which is no variance.
 TEST(CoxVariance, AColumnThatOneClusterTellsOfHasNone) {
   CoxData data = noise(3, 60, 1, 6);
-  Factor strata = *data.cluster;
+  table::Factor strata = *data.cluster;
   for (std::size_t i = 0; i < data.rows(); ++i) {
     if (strata.codes[i] != 2) {
       data.design(static_cast<Eigen::Index>(i), 0) = 0.0;
@@ -101,4 +101,4 @@ TEST(CoxVariance, ManyRowsAreFittedToTheEnd) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

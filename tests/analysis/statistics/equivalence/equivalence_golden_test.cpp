@@ -11,7 +11,7 @@
 #include <statistics/equivalence/equivalence.hpp>
 #include <string>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
@@ -123,4 +123,4 @@ TEST(EquivalenceGolden, ZWorstDisagreement) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

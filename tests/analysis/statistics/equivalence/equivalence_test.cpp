@@ -8,7 +8,7 @@
 #include <statistics/equivalence/range_permutation.hpp>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 GroupEstimates three(double spread, double error) {
@@ -155,4 +155,4 @@ TEST(RangeUnderEquality, CountsFailuresAndRefusesMisuse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

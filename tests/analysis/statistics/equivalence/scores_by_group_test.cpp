@@ -12,7 +12,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Trials of days in groups, with ties; the groups share days.
@@ -20,12 +20,12 @@ struct Trials {
   std::vector<double> x;
   std::vector<std::uint8_t> success;
   SurvivalOutcome time;
-  Factor group;
-  Factor day;
+  table::Factor group;
+  table::Factor day;
 };
 
 Trials trials(std::size_t n, std::uint32_t groups, std::uint32_t days, bool nested = false) {
-  RandomStream random(9, 1, n);
+  table::RandomStream random(9, 1, n);
   Trials made;
   for (std::uint32_t g = 0; g < groups; ++g) {
     made.group.levels.push_back("g" + std::to_string(g));
@@ -184,7 +184,7 @@ TEST(ScoresByGroup, AGroupWithoutAnEstimateLeavesNoJointOne) {
   EXPECT_FALSE(scores.joint.has_value());
   EXPECT_TRUE(has(scores.groups[0].conditions, ConditionKind::one_class));
   EXPECT_TRUE(scores.groups[1].value.has_value());
-  t.group.codes[3] = Factor::kMissing;
+  t.group.codes[3] = table::Factor::kMissing;
   EXPECT_THROW(
       static_cast<void>(auc_by_group({t.x, HigherMeans::success}, t.success, t.group, t.day.codes)),
       std::invalid_argument);
@@ -211,4 +211,4 @@ TEST(StatisticByGroup, IsTheStatisticOfEachGroupToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

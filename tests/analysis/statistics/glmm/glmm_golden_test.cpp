@@ -12,13 +12,13 @@
 #include <nlohmann/json.hpp>
 #include <statistics/glmm/glmm.hpp>
 #include <statistics/glmm/glmm_comparison.hpp>
-#include <statistics/glmm/glmm_golden.hpp>
 #include <statistics/glmm/glmm_profile.hpp>
 #include <string>
+#include "analysis/statistics/glmm/glmm_golden.hpp"
 
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 namespace fs = std::filesystem;
@@ -344,4 +344,4 @@ TEST_F(GlmmGolden, ZWorstDisagreement) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -18,7 +18,7 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct Trial {
@@ -30,7 +30,7 @@ struct Trial {
 
 /// Days differ by a shift of standard deviation `sd`.
 std::vector<Trial> trials(int days, int per_day, double sd, std::uint64_t seed) {
-  RandomStream random(seed, 9, 2);
+  table::RandomStream random(seed, 9, 2);
   std::vector<Trial> all;
   for (int day = 0; day < days; ++day) {
     const double shift = sd * random.normal();
@@ -115,7 +115,7 @@ TEST(Glmm, ExplainedVarianceByHand) {
 }
 
 TEST(Glmm, CountsAndRowsGiveOneLikelihoodUpToTheBinomialCoefficients) {
-  const DataTable counts = test_support::table_of(
+  const table::DataTable counts = test_support::table_of(
       "g,k,n\na,1,3\na,2,2\nb,0,2\nb,1,3\nc,3,4\nc,2,3\nd,1,4\nd,0,3\ne,3,3\ne,2,4\n");
   std::string rows = "g,y\n";
   for (std::size_t i = 0; i < counts.rows; ++i) {
@@ -312,4 +312,4 @@ TEST(Glmm, ProfilesOfTwoTermsHoldTheirEstimates) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <statistics/glmm/glmm_random_rows.hpp>
 #include <vector>
+#include "analysis/statistics/glmm/glmm_random_rows.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// log of the integral over u of a group, by the trapezoidal rule on a fine fixed grid.
@@ -109,4 +109,4 @@ TEST(InterceptLikelihood, RefusesWhatOverflows) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,13 +8,13 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <cmath>
-#include <statistics/glmm/glmm_random_rows.hpp>
 #include <statistics/glmm/intercept_likelihood.hpp>
 #include <statistics/glmm/selected_inverse.hpp>
 #include <string>
 #include <vector>
+#include "analysis/statistics/glmm/glmm_random_rows.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Effects of the first `columns` columns of the design, row i in group codes[i].
@@ -103,4 +103,4 @@ TEST(SparseLikelihood, DerivativesEqualDifferences) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -14,7 +14,7 @@
 #include "support/data_table.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
@@ -95,4 +95,4 @@ TEST(FirthGolden, EveryCaseEqualsR) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

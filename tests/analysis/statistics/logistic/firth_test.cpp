@@ -10,7 +10,7 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 LogisticInput input_of(const std::string& csv, const std::string& formula) {
@@ -24,7 +24,7 @@ struct Example {
 };
 
 Example example(Eigen::Index size) {
-  RandomStream random(5, 1, 0);
+  table::RandomStream random(5, 1, 0);
   Example made;
   made.design.resize(size, 4);
   made.rows.successes.resize(size);
@@ -150,4 +150,4 @@ TEST(Firth, NamesColumnsWithoutAnEstimate) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

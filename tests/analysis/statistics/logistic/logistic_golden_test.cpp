@@ -18,7 +18,7 @@
 #include "support/data_table.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 namespace fs = std::filesystem;
@@ -318,4 +318,4 @@ TEST_F(LogisticGolden, ZWorstDisagreement) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

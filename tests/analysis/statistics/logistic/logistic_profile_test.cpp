@@ -8,7 +8,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Columns beside an intercept, each its own term.
@@ -102,7 +102,7 @@ TEST(LogisticProfile, EveryEndIsWhereAWholeFitHasFallenAsFar) {
   int one_sided = 0;
   int two_sided = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
-    RandomStream random(17, 2, seed);
+    table::RandomStream random(17, 2, seed);
     std::vector<std::vector<double>> columns(2, std::vector<double>(14));
     std::vector<double> y(14);
     for (std::size_t i = 0; i < y.size(); ++i) {
@@ -158,4 +158,4 @@ TEST(LogisticProfile, WorkGrowsWithTheCubeOfManyColumns) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 LogisticInput random_input(Eigen::Index n) {
@@ -16,7 +16,7 @@ LogisticInput random_input(Eigen::Index n) {
   input.term_of = {0, 1, 2};
   input.terms = {"a", "b"};
   input.successes.resize(n);
-  RandomStream random(3, 1, 0);
+  table::RandomStream random(3, 1, 0);
   for (Eigen::Index i = 0; i < n; ++i) {
     input.design(i, 0) = 1.0;
     input.design(i, 1) = 1e6 + 100.0 * random.normal();
@@ -32,7 +32,7 @@ TEST(LogisticRefit, EqualsAFitOfTheRepeatedRows) {
   const LogisticRefit refit(input);
   EXPECT_TRUE(refit.warm());
   for (std::uint64_t replicate = 0; replicate < 20; ++replicate) {
-    RandomStream random(5, 2, replicate);
+    table::RandomStream random(5, 2, replicate);
     std::vector<std::uint32_t> times(80, 0);
     for (int draw = 0; draw < 80; ++draw) {
       ++times[random.below(80)];
@@ -73,4 +73,4 @@ TEST(LogisticRefit, SaysWhichReplicatesHaveNoEstimate) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// y ~ 1 + x.
@@ -90,7 +90,7 @@ TEST(Logistic, KeepsTheOffsetInTheNullModel) {
 
 TEST(Logistic, HasTheSandwichOfTheDefinition) {
   LogisticInput input = on({-2, -1, 0, 1, 2, 3, 1, 0}, {0, 1, 0, 0, 1, 1, 1, 0});
-  input.cluster = Factor{{0, 0, 1, 1, 2, 2, 0, 1}, {"a", "b", "c"}};
+  input.cluster = table::Factor{{0, 0, 1, 1, 2, 2, 0, 1}, {"a", "b", "c"}};
   LogisticOptions options;
   options.variance = CoefficientVariance::robust;
   const LogisticFit model = fit_logistic(input);
@@ -106,7 +106,7 @@ TEST(Logistic, HasTheSandwichOfTheDefinition) {
   EXPECT_EQ(robust.clusters, 3U);
   EXPECT_TRUE(has(robust.conditions, ConditionKind::few_clusters));
 
-  input.cluster = Factor{std::vector<std::uint32_t>(8, 0), {"a"}};
+  input.cluster = table::Factor{std::vector<std::uint32_t>(8, 0), {"a"}};
   const LogisticFit one = fit_logistic(input, options);
   EXPECT_TRUE(has(one.conditions, ConditionKind::one_cluster));
   EXPECT_TRUE(one.coefficients[1].estimate.has_value());
@@ -172,4 +172,4 @@ TEST(Logistic, RefusesMisuse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -9,7 +9,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 LogisticInput line(const std::vector<double>& x, const std::vector<double>& y) {
@@ -103,7 +103,7 @@ TEST(NearSeparation, DoesNotDependOnUnits) {
 TEST(NearSeparation, SpeaksOfNothingElse) {
   // An outlier whose probability is numerically 1, as in R's warning; a steep and well known slope;
   // two columns that are nearly one; an intercept far outside of the data.
-  RandomStream random(5, 1, 0);
+  table::RandomStream random(5, 1, 0);
   const Eigen::Index n = 400;
   std::vector<double> x;
   std::vector<double> y;
@@ -138,4 +138,4 @@ TEST(NearSeparation, SpeaksOfNothingElse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

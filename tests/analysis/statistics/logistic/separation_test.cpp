@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 /// Data on small whole numbers, so that the oracle can be exact.
@@ -96,7 +96,7 @@ class Oracle {
 };
 
 Data random_data(std::uint64_t seed) {
-  RandomStream random(seed, 7, 0);
+  table::RandomStream random(seed, 7, 0);
   const auto p = static_cast<Eigen::Index>(1 + random.below(4));
   const auto n = p + static_cast<Eigen::Index>(random.below(9));
   Data data{Eigen::MatrixXd(n, p), Eigen::VectorXd(n), Eigen::VectorXd(n)};
@@ -253,4 +253,4 @@ TEST(Separation, DoesNotDependOnUnitsOrPlace) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -13,7 +13,7 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -207,7 +207,7 @@ const std::vector<Reference>& references() {
 }
 
 TEST(CoxFormula, HasTheRowsAndTheNumbersOfCoxph) {
-  const DataTable table = test_support::table_of(kTrials);
+  const table::DataTable table = test_support::table_of(kTrials);
   for (const Reference& reference : references()) {
     const ModelFrame frame = model_frame(parse_formula(reference.formula), table);
     const CoxFit fit = fit_cox(cox_data(frame));
@@ -230,7 +230,7 @@ TEST(CoxFormula, HasTheRowsAndTheNumbersOfCoxph) {
 }
 
 TEST(CoxFormula, StrataHaveNoTermOfTheirOwn) {
-  const DataTable table = test_support::table_of(kTrials);
+  const table::DataTable table = test_support::table_of(kTrials);
   const ModelFrame frame = model_frame(parse_formula("Surv(time, ev) ~ x * strata(alg)"), table);
   EXPECT_EQ(frame.terms, (std::vector<std::string>{"x", "x:strata(alg)"}));
   EXPECT_EQ(frame.term_of, (std::vector<std::size_t>{0, 1, 2, 2}));
@@ -260,4 +260,4 @@ TEST(CoxFormula, GroupsTakeNoProductWithStrata) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

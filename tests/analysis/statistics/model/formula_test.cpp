@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -133,4 +133,4 @@ TEST(Formula, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

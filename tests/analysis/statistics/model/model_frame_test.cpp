@@ -8,7 +8,7 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using test_support::table_of;
@@ -279,7 +279,8 @@ TEST(ModelFrame, RefusesMoreGroupsThanCanBeCompared) {
 }
 
 TEST(DataTable, TypesItsColumns) {
-  const DataTable table = table_of("n,t,mixed,truth,q\n1.5,b,1,TRUE,\"x,y\"\n,a,two,false,z\n");
+  const table::DataTable table =
+      table_of("n,t,mixed,truth,q\n1.5,b,1,TRUE,\"x,y\"\n,a,two,false,z\n");
   EXPECT_FALSE(table.columns[0].is_text);
   EXPECT_TRUE(std::isnan(table.columns[0].numbers[1]));
   EXPECT_EQ(table.columns[1].text.levels, (Names{"a", "b"}));
@@ -292,18 +293,19 @@ TEST(DataTable, TypesItsColumns) {
 }
 
 TEST(DataTable, SaysWhatIsWrongWithTheFile) {
-  CsvOptions options;
+  table::CsvOptions options;
   options.file = "t.csv";
-  const DataTableResult result = read_data_table(Bytes::copy_of("x,y\n1,2\n3\n4,5\n"), {}, options);
+  const table::DataTableResult result =
+      table::read_data_table(table::Bytes::copy_of("x,y\n1,2\n3\n4,5\n"), {}, options);
   EXPECT_FALSE(result.table.has_value());
-  EXPECT_EQ(to_string(result.diagnostics.at(0)),
+  EXPECT_EQ(table::to_string(result.diagnostics.at(0)),
             "t.csv:3: error: found '1 fields', expected 2 fields, as the header has");
-  const DataTableResult mixed =
-      read_data_table(Bytes::copy_of("x,y\n1,2\n3,4\n4,5x\n"), {}, options);
-  EXPECT_EQ(to_string(mixed.diagnostics.at(0)),
+  const table::DataTableResult mixed =
+      table::read_data_table(table::Bytes::copy_of("x,y\n1,2\n3,4\n4,5x\n"), {}, options);
+  EXPECT_EQ(table::to_string(mixed.diagnostics.at(0)),
             "t.csv:4: warning: column 'y': found '5x', expected a number, as in its 2 other cells; "
             "the column is taken as text");
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

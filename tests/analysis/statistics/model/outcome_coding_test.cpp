@@ -9,7 +9,7 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using test_support::table_of;
@@ -104,7 +104,7 @@ TEST(OutcomeCoding, NamedWordsAreTheSuccesses) {
   EXPECT_EQ(coding.values[2], 1.0);
   EXPECT_TRUE(std::isnan(coding.values[3])) << "missing is missing, not a failure";
   EXPECT_EQ(code_outcome(table_of(csv), "n", {"2"}).values, (Values{0, 1, 0, 0}));
-  const DataTable truths = table_of("y\nTrue\nFalse\nTrue\n");
+  const table::DataTable truths = table_of("y\nTrue\nFalse\nTrue\n");
   EXPECT_EQ(code_outcome(truths, "y", {"FALSE"}).values, (Values{0, 1, 0}));
   EXPECT_EQ(problem_of(csv, "status", {"gaol"}),
             "column 'status' of test.csv holds no 'gaol', only done, goal, wedged");
@@ -270,4 +270,4 @@ TEST(StrayText, AWordForAMissingCellIsNoGroupOfNumbers) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -25,10 +25,10 @@
 #include <variant>
 #include <vector>
 
-#include "support/golden_columns.hpp"
+#include "analysis/statistics/golden_columns.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,7 +155,8 @@ class BootGolden : public ::testing::Test {
 
   [[nodiscard]] Problem problem(const std::string& name, const json& expected) const {
     const Case& test_case = cases().at(name);
-    DataTableResult file = read_data_table(folder_ / "data" / expected["data"].get<std::string>());
+    table::DataTableResult file =
+        table::read_data_table(folder_ / "data" / expected["data"].get<std::string>());
     FrameOptions options;
     if (expected["cluster"].is_string()) {
       options.cluster = expected["cluster"];
@@ -393,4 +394,4 @@ TEST_F(BootGolden, OwnStreamWithinTheirMonteCarloError) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -13,7 +13,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -38,7 +38,7 @@ TEST(ResamplingPlan, DrawsTheWordsOfItsStream) {
   const ResamplingPlan plan = ResamplingPlan::of_rows(50);
   std::vector<std::uint32_t> scratch(50), multiplicity(50), expected(50, 0);
   plan.draw(0x123456789abcdefULL, 7, 0x100000003ULL, scratch, multiplicity);
-  RandomStream random(0x123456789abcdefULL, 7, 0x100000003ULL);
+  table::RandomStream random(0x123456789abcdefULL, 7, 0x100000003ULL);
   for (int k = 0; k < 50; ++k) {
     ++expected[random.below(50)];
   }
@@ -101,7 +101,7 @@ TEST(ResamplingPlan, RefusesMisuse) {
 }
 
 TEST(Bootstrap, IsTheSameForAnyNumberOfThreads) {
-  RandomStream random(5, 0, 0);
+  table::RandomStream random(5, 0, 0);
   std::vector<double> x(200);
   for (double& value : x) {
     value = random.normal();
@@ -267,7 +267,7 @@ TEST(BootstrapInterval, NamesWhatIsWrongWithTheReplicates) {
 
 TEST(Bootstrap, UnitsOfAValueMayBeFewerThanThoseDrawn) {
   std::vector<double> values;
-  RandomStream random(3, 1, 0);
+  table::RandomStream random(3, 1, 0);
   for (int i = 0; i < 22; ++i) {
     values.push_back(random.normal());
   }
@@ -305,4 +305,4 @@ TEST(Bootstrap, SaysWhyBcaAloneHasNoInterval) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

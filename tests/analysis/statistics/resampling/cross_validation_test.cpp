@@ -11,7 +11,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct Data {
@@ -20,7 +20,7 @@ struct Data {
 };
 
 Data study(std::uint64_t seed) {
-  RandomStream random(seed, 6, 0);
+  table::RandomStream random(seed, 6, 0);
   Data data;
   for (std::uint32_t day = 0; day < 22; ++day) {
     for (int trial = 0; trial < 30; ++trial) {
@@ -186,4 +186,4 @@ TEST(OutOfFoldAuc, IsOneHalfForAMeanThatKnowsNothing) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -10,7 +10,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct Data {
@@ -24,7 +24,7 @@ struct Data {
 };
 
 Data random_data(std::uint64_t seed, std::size_t rows, std::uint32_t levels) {
-  RandomStream random(seed, 4, 0);
+  table::RandomStream random(seed, 4, 0);
   Data data;
   data.columns.resize(2);
   for (std::size_t row = 0; row < rows; ++row) {
@@ -139,4 +139,4 @@ TEST(AucStatistic, RefusesMisuse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

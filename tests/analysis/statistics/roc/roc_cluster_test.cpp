@@ -10,7 +10,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 struct Data {
@@ -83,7 +83,7 @@ double paper_covariance(const ClusterSums& a, const ClusterSums& b) {
 }
 
 Data random_data(std::uint64_t seed, std::size_t clusters, std::size_t markers) {
-  RandomStream random(seed, 2, 0);
+  table::RandomStream random(seed, 2, 0);
   Data data;
   data.scores.resize(markers);
   for (std::size_t c = 0; c < clusters; ++c) {
@@ -196,7 +196,7 @@ TEST(ClusteredAuc, NamesWhatItCannotEstimate) {
   ASSERT_TRUE(has(together.conditions, ConditionKind::one_cluster));
   EXPECT_EQ(together.conditions[0].detail, "all failures are in it");
 
-  const std::vector<std::uint32_t> missing{1, Factor::kMissing, 2, 3};
+  const std::vector<std::uint32_t> missing{1, table::Factor::kMissing, 2, 3};
   EXPECT_EQ(auc(score, success, HigherMeans::success, {0.95, missing}).missing, 1U);
   EXPECT_THROW(static_cast<void>(auc(
                    score, success, HigherMeans::success, {0.95, std::vector<std::uint32_t>(3, 5)})),
@@ -227,4 +227,4 @@ TEST(AucContrast, HasOneSidedAlternatives) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

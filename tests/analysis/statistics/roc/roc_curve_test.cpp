@@ -8,7 +8,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -36,7 +36,7 @@ TEST(RocCurve, StepsFromEverythingToNothing) {
 RocCurve random_curve(HigherMeans higher,
                       std::vector<double>& score,
                       std::vector<double>& success) {
-  RandomStream random(7, 0, 0);
+  table::RandomStream random(7, 0, 0);
   for (int i = 0; i < 200; ++i) {
     success.push_back(i % 4 == 0 ? 0 : 1);
     score.push_back(static_cast<double>(random.below(25)) + 3.0 * success.back());
@@ -110,4 +110,4 @@ TEST(SensitivityAt, TakesThePointOrTheLineBetween) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "support/golden_columns.hpp"
+#include "analysis/statistics/golden_columns.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 namespace fs = std::filesystem;
@@ -253,4 +253,4 @@ TEST_F(RocGolden, TestsEqualPRoc) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

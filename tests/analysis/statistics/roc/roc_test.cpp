@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -154,7 +154,7 @@ double covariance(const std::vector<double>& a, const std::vector<double>& b) {
 TEST(PairedAucTest, EqualsTheMatrixOfPairsOnRandomTiedScores) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
-    RandomStream random(seed, 1, 0);
+    table::RandomStream random(seed, 1, 0);
     std::vector<double> a;
     std::vector<double> b;
     std::vector<double> success{0, 0, 1, 1};
@@ -239,7 +239,7 @@ std::pair<double, double> coverage(double shift, double truth) {
   int covered = 0;
   double sum = 0.0;
   for (int k = 0; k < kDataSets; ++k) {
-    RandomStream random(11, shift == 0.0 ? 0 : 1, static_cast<std::uint64_t>(k));
+    table::RandomStream random(11, shift == 0.0 ? 0 : 1, static_cast<std::uint64_t>(k));
     std::vector<double> score;
     std::vector<double> success;
     for (int i = 0; i < 660; ++i) {
@@ -275,4 +275,4 @@ TEST(Auc, IntervalCoversTheTruthAtItsNominalRate) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

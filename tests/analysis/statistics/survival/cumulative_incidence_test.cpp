@@ -13,9 +13,9 @@
 #include <table/random.hpp>
 #include <vector>
 
-#include "support/worst.hpp"
+#include "analysis/statistics/worst.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
@@ -40,7 +40,7 @@ TEST(CumulativeIncidence, AddsUpByHand) {
 }
 
 TEST(CumulativeIncidence, NamesWhatItCannotEstimate) {
-  const Factor groups{{1, 1}, {"none", "some"}};
+  const table::Factor groups{{1, 1}, {"none", "some"}};
   IncidenceOptions options;
   options.groups = &groups;
   const auto curves = cumulative_incidence({{}, {1, 2}, {0, 0}, kCauses}, options);
@@ -55,11 +55,11 @@ TEST(CumulativeIncidence, NamesWhatItCannotEstimate) {
 struct Case {
   CompetingOutcome outcome;
   std::vector<double> weights;
-  Factor cluster;
+  table::Factor cluster;
 };
 
 Case random_case(std::uint64_t index) {
-  RandomStream random(21, 1, index);
+  table::RandomStream random(21, 1, index);
   Case rows;
   rows.outcome.causes = kCauses;
   rows.cluster.levels = {"a", "b", "c", "d", "e"};
@@ -134,12 +134,12 @@ TEST(CumulativeIncidence, OfOneCauseIsKaplanMeier) {
   }
 }
 
-Factor factor_of(const std::vector<std::string>& names) {
+table::Factor factor_of(const std::vector<std::string>& names) {
   std::map<std::string, std::uint32_t> codes;
   for (const std::string& name : names) {
     codes[name] = 0;
   }
-  Factor factor;
+  table::Factor factor;
   for (auto& [name, code] : codes) {
     code = static_cast<std::uint32_t>(factor.levels.size());
     factor.levels.push_back(name);
@@ -218,4 +218,4 @@ TEST(CumulativeIncidence, ARiskSetThatEmptiesLeavesNoRounding) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 TEST(FailuresAtLimit, KeepsFailuresAtRiskAndLeavesTheRestAlone) {
@@ -31,4 +31,4 @@ TEST(FailuresAtLimit, RefusesMisuse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

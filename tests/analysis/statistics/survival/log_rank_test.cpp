@@ -8,7 +8,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 TEST(LogRank, AddsUpByHand) {
@@ -40,9 +40,9 @@ TEST(LogRank, NamesWhatItCannotTest) {
 
 TEST(LogRank, AGroupAddsOnlyWhileItIsAtRisk) {
   // Of many groups few are at risk together; each pair against the sum of its definition.
-  RandomStream random(43, 1, 0);
+  table::RandomStream random(43, 1, 0);
   SurvivalOutcome outcome;
-  Factor groups;
+  table::Factor groups;
   constexpr std::uint32_t kGroups = 40;
   for (std::uint32_t row = 0; row < 4 * kGroups; ++row) {
     const std::uint32_t group = row % kGroups;
@@ -73,9 +73,9 @@ TEST(LogRank, AGroupAddsOnlyWhileItIsAtRisk) {
 }
 
 TEST(LogRank, TakesACommonStartForNone) {
-  RandomStream random(41, 1, 0);
+  table::RandomStream random(41, 1, 0);
   SurvivalOutcome outcome;
-  Factor groups{{}, {"a", "b", "c"}};
+  table::Factor groups{{}, {"a", "b", "c"}};
   for (int row = 0; row < 90; ++row) {
     outcome.stop.push_back(16.0 + random.below(20));
     outcome.event.push_back(random.below(4) == 0 ? 0 : 1);
@@ -87,4 +87,4 @@ TEST(LogRank, TakesACommonStartForNone) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -8,7 +8,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 TEST(SurvivalCurve, MultipliesOutByHand) {
@@ -50,12 +50,12 @@ TEST(SurvivalCurve, CountsRowsAtRisk) {
   const std::vector<double> times{3, 0, 2, 5.5};
   const auto counts = numbers_at_risk(outcome, nullptr, times);
   EXPECT_EQ(counts[0], (std::vector<std::size_t>{2, 0, 1, 0}));
-  const Factor groups{{0, 1, 1}, {"a", "b"}};
+  const table::Factor groups{{0, 1, 1}, {"a", "b"}};
   EXPECT_EQ(numbers_at_risk(outcome, &groups, times)[1], (std::vector<std::size_t>{2, 0, 1, 0}));
 }
 
 TEST(SurvivalCurve, NamesWhatItCannotEstimate) {
-  const Factor groups{{1, 1}, {"none", "some"}};
+  const table::Factor groups{{1, 1}, {"none", "some"}};
   CurveOptions options;
   options.groups = &groups;
   const auto curves = survival_curves({{}, {1, 2}, {0, 0}}, options);
@@ -71,11 +71,11 @@ TEST(SurvivalCurve, NamesWhatItCannotEstimate) {
 struct Case {
   SurvivalOutcome outcome;
   std::vector<double> weights;
-  Factor cluster;
+  table::Factor cluster;
 };
 
 Case random_case(std::uint64_t index) {
-  RandomStream random(31, 1, index);
+  table::RandomStream random(31, 1, index);
   Case rows;
   rows.cluster.levels = {"a", "b", "c", "d"};
   for (std::size_t row = 0; row < 25; ++row) {
@@ -160,4 +160,4 @@ TEST(SurvivalInterval, HasNoEndsWhereItsScaleHasNone) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -1,4 +1,4 @@
-#include <statistics/survival/survival_golden.hpp>
+#include "analysis/statistics/survival/survival_golden.hpp"
 
 #include <cmath>
 #include <fstream>

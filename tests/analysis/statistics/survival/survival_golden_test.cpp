@@ -9,14 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <statistics/survival/log_rank.hpp>
 #include <statistics/survival/survival_curve.hpp>
-#include <statistics/survival/survival_golden.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
+#include "analysis/statistics/survival/survival_golden.hpp"
 
-#include "support/worst.hpp"
+#include "analysis/statistics/worst.hpp"
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
@@ -283,4 +283,4 @@ TEST_F(SurvivalGolden, LogRankTestsEqualSurvdiff) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -11,7 +11,7 @@
 #include <table/unlike_times.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 SurvivalOutcome events_at(std::vector<double> stop) {
@@ -117,7 +117,7 @@ TEST(TimeRounding, NoChain) {
 }
 
 TEST(TimeRounding, AStepIsFoundAgainByATimeThatIsItButForRounding) {
-  RandomStream random(3, 1, 0);
+  table::RandomStream random(3, 1, 0);
   for (int round = 0; round < 200; ++round) {
     std::vector<double> steps;
     for (int k = 0; k < 12; ++k) {
@@ -147,21 +147,21 @@ TEST(TimeRounding, CurvesAreReadAtTheStepThatWasPrinted) {
 }
 
 TEST(UnlikeTimes, FindsStampsAmongDurationsAndDurationsAmongStamps) {
-  EXPECT_FALSE(unlike_times(std::vector<double>{}));
-  EXPECT_FALSE(unlike_times(std::vector<double>{0.01, 5, 9, 200}));
-  EXPECT_FALSE(unlike_times(std::vector<double>{1.7e9, 1.7e9 + 5}));
-  EXPECT_TRUE(are_stamps(std::vector<double>{1.7e9, 1.7e9 + 36'000}));
-  EXPECT_FALSE(are_stamps(std::vector<double>{1.7e9, 36.0}));
-  EXPECT_FALSE(are_stamps(std::vector<double>{1.7e9}));
-  const auto above = unlike_times(std::vector<double>{5, 1.7e9, 9, 7, 1.8e9}).value();
+  EXPECT_FALSE(table::unlike_times(std::vector<double>{}));
+  EXPECT_FALSE(table::unlike_times(std::vector<double>{0.01, 5, 9, 200}));
+  EXPECT_FALSE(table::unlike_times(std::vector<double>{1.7e9, 1.7e9 + 5}));
+  EXPECT_TRUE(table::are_stamps(std::vector<double>{1.7e9, 1.7e9 + 36'000}));
+  EXPECT_FALSE(table::are_stamps(std::vector<double>{1.7e9, 36.0}));
+  EXPECT_FALSE(table::are_stamps(std::vector<double>{1.7e9}));
+  const auto above = table::unlike_times(std::vector<double>{5, 1.7e9, 9, 7, 1.8e9}).value();
   EXPECT_EQ(above.first, 1U);
   EXPECT_EQ(above.time, 1.8e9);
   EXPECT_EQ(above.count, 2U);
   EXPECT_EQ(above.median, 9.0);
-  const auto below = unlike_times(std::vector<double>{1.7e9, 1.7e9, 5, 7, 1.8e9}).value();
+  const auto below = table::unlike_times(std::vector<double>{1.7e9, 1.7e9, 5, 7, 1.8e9}).value();
   EXPECT_EQ(below.first, 2U);
   EXPECT_EQ(below.time, 5.0);
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

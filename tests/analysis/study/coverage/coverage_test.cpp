@@ -10,25 +10,28 @@
 
 #include "analysis/study/coverage/coverage_study.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 TEST(CoverageStudy, KnowsItsTruth) {
   // One trial a day: 200,000 independent trials.
   const coverage::Study study = coverage::simulate({"", 200000, 1, 0.5}, 3, 1, 0);
   const std::vector<double> outcome(study.success.begin(), study.success.end());
-  const AucEstimate first = auc(study.first, outcome, HigherMeans::success);
-  const AucEstimate second = auc(study.second, outcome, HigherMeans::success);
+  const statistics::AucEstimate first =
+      statistics::auc(study.first, outcome, statistics::HigherMeans::success);
+  const statistics::AucEstimate second =
+      statistics::auc(study.second, outcome, statistics::HigherMeans::success);
   EXPECT_NEAR(coverage::true_auc(coverage::kFirstCorrelation),
               first.auc.value(),
               4.0 * std::sqrt(first.variance.value()));
   EXPECT_NEAR(coverage::true_auc(coverage::kSecondCorrelation),
               second.auc.value(),
               4.0 * std::sqrt(second.variance.value()));
-  const SurvivalOutcome times{{}, study.time, study.success};
-  const std::vector<Predictor> predictors{{"", study.first, LargerMeans::shorter_time},
-                                          {"", study.second, LargerMeans::shorter_time}};
-  const ConcordanceResult c = concordance(times, predictors);
+  const statistics::SurvivalOutcome times{{}, study.time, study.success};
+  const std::vector<statistics::Predictor> predictors{
+      {"", study.first, statistics::LargerMeans::shorter_time},
+      {"", study.second, statistics::LargerMeans::shorter_time}};
+  const statistics::ConcordanceResult c = statistics::concordance(times, predictors);
   EXPECT_NEAR(coverage::true_c(coverage::kFirstCorrelation),
               c.estimates[0].c.value(),
               4.0 * c.estimates[0].std_error.value());
@@ -66,4 +69,4 @@ TEST(CoverageStudy, SeesThatTrialsOfADayAreNotIndependent) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -8,7 +8,7 @@
 #include "analysis/study/coverage/coverage_study.hpp"
 #include "analysis/study/coverage/equivalence_study.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 TEST(EquivalenceStudy, KnowsItsTruth) {
@@ -21,8 +21,11 @@ TEST(EquivalenceStudy, KnowsItsTruth) {
   const double worse = coverage::correlation_of(0.6);
   const coverage::LightingStudy study =
       coverage::simulate(scenario, {better, better, worse}, 3, 1, 0);
-  const ScoresByGroup scores = auc_by_group(
-      {study.predictor, HigherMeans::success}, study.success, study.lighting, study.day);
+  const statistics::ScoresByGroup scores =
+      statistics::auc_by_group({study.predictor, statistics::HigherMeans::success},
+                               study.success,
+                               study.lighting,
+                               study.day);
   EXPECT_NEAR(*scores.groups[0].value, 0.76, 4.0 * *scores.groups[0].standard_error + 1e-4);
   EXPECT_NEAR(*scores.groups[2].value, 0.6, 4.0 * *scores.groups[2].standard_error + 1e-4);
 }
@@ -45,4 +48,4 @@ TEST(EquivalenceStudy, FindsWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

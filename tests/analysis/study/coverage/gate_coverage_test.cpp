@@ -4,7 +4,7 @@
 
 #include "analysis/study/coverage/gate_study.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 TEST(GateCoverage, SetsOfAFewStudiesCoverTheLargeSamplePoint) {
@@ -27,4 +27,4 @@ TEST(GateCoverage, SetsOfAFewStudiesCoverTheLargeSamplePoint) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

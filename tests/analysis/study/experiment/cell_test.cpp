@@ -7,7 +7,7 @@
 #include "analysis/study/experiment/fingerprint.hpp"
 #include "analysis/study/experiment/paper_cells.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 Robot robot() {
@@ -93,4 +93,4 @@ TEST(PaperCells, AreAllPossibleAndAllDifferentFromTheFullMethod) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

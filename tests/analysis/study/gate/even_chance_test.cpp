@@ -11,7 +11,7 @@
 #include "analysis/study/gate/gate_study.hpp"
 #include "analysis/study/gate/profile_point.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 const std::vector<double> kMargins{-0.035, -0.031, -0.028, -0.022, -0.018, -0.015, -0.011,
@@ -79,14 +79,14 @@ TEST(EvenChance, SeparatedPassesHaveNone) {
   const EvenChance found = even_chance(kMargins, success, {});
   EXPECT_FALSE(found.point);
   EXPECT_EQ(found.fieller.kind, ConfidenceSetKind::unknown);
-  EXPECT_TRUE(has(found.conditions, ConditionKind::complete_separation));
+  EXPECT_TRUE(statistics::has(found.conditions, statistics::ConditionKind::complete_separation));
   EXPECT_THROW((void)even_chance(kMargins, {}, {}), std::invalid_argument);
 }
 
 TEST(FiellerSet, HoldsWhereItsInequalityHolds) {
   std::mt19937 random(1);
   const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
-  const double z = normal_factor(0.95);
+  const double z = statistics::normal_factor(0.95);
   std::size_t shapes[4] = {};
   for (int repeat = 0; repeat < 2000; ++repeat) {
     const double alpha = 3.0 * uniform();
@@ -137,7 +137,7 @@ double drop_by_search(const std::vector<double>& x,
 TEST(ProfilePointSet, HoldsWhereTheTestDoesNotReject) {
   std::mt19937 random(3);
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  const double target = std::pow(normal_factor(0.95), 2);
+  const double target = std::pow(statistics::normal_factor(0.95), 2);
   std::size_t shapes[4] = {};
   for (int repeat = 0; repeat < 60; ++repeat) {
     std::vector<double> x;
@@ -201,8 +201,8 @@ TEST(GateStudy, CalibratesByGroupsOfLikeMargin) {
   // The score of the intercept is 0: predictions add up to the successes.
   EXPECT_NEAR(predicted, static_cast<double>(study.even.successes), 1e-9);
   ASSERT_TRUE(study.both);
-  EXPECT_TRUE(has(study.both->conditions, ConditionKind::collinear_column));
+  EXPECT_TRUE(statistics::has(study.both->conditions, statistics::ConditionKind::collinear_column));
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -18,14 +18,14 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 using test_support::table_of;
 
 /// Trials on `days` days; a larger tc makes success likelier and sooner, noise does nothing.
 std::string trials_csv(int days, int per_day, const std::string& header_tail = "") {
-  RandomStream random(7, 1, 0);
+  table::RandomStream random(7, 1, 0);
   std::string csv =
       "day,algorithm,success,time_s,tc_early,noise,end_s,window_end_s,still_at_landmark,tc_"
       "landmark" +
@@ -47,21 +47,22 @@ std::string trials_csv(int days, int per_day, const std::string& header_tail = "
 
 H1Options options_for(const std::string& rival = "noise") {
   H1Options options;
-  options.predictors = {{"tc_early", HigherMeans::success, "tc_landmark"},
-                        {rival, HigherMeans::failure, ""}};
+  options.predictors = {{"tc_early", statistics::HigherMeans::success, "tc_landmark"},
+                        {rival, statistics::HigherMeans::failure, ""}};
   options.replicates = 200;
   return options;
 }
 
 TEST(HypothesisH1, HasTheMixedModelThatFitGives) {
-  const DataTable table = table_of(trials_csv(12, 20));
+  const table::DataTable table = table_of(trials_csv(12, 20));
   const H1Panel panel = hypothesis_h1(table, options_for()).panels.front();
   const auto fit = [&](const std::string& formula) {
-    return fit_glmm(glmm_input(model_frame(parse_formula(formula), table)));
+    return statistics::fit_glmm(
+        statistics::glmm_input(statistics::model_frame(statistics::parse_formula(formula), table)));
   };
-  const GlmmFit alone = fit("success ~ tc_early + (1 | day)");
-  const GlmmFit rival = fit("success ~ noise + (1 | day)");
-  const GlmmFit both = fit("success ~ tc_early + noise + (1 | day)");
+  const statistics::GlmmFit alone = fit("success ~ tc_early + (1 | day)");
+  const statistics::GlmmFit rival = fit("success ~ noise + (1 | day)");
+  const statistics::GlmmFit both = fit("success ~ tc_early + noise + (1 | day)");
   const H1MixedModel& mixed = panel.rows[0].mixed;
   const double slope = alone.coefficients[1].estimate.value();
   EXPECT_NEAR(std::log(mixed.per_sd.ratio.value()), slope * panel.rows[0].sd.value(), 1e-7);
@@ -75,7 +76,9 @@ TEST(HypothesisH1, HasTheMixedModelThatFitGives) {
   EXPECT_FALSE(panel.rows[1].mixed.per_cm.ratio) << "no metres";
   EXPECT_FALSE(panel.rows[2].mixed.per_sd.ratio) << "no single ratio";
   const double statistic = 2.0 * (*both.log_likelihood - *rival.log_likelihood);
-  EXPECT_NEAR(panel.rows[3].mixed.lr_p_value.value(), chi_square_test(statistic, 1).p_value, 1e-9);
+  EXPECT_NEAR(panel.rows[3].mixed.lr_p_value.value(),
+              statistics::chi_square_test(statistic, 1).p_value,
+              1e-9);
 }
 
 TEST(HypothesisH1, HasNoMixedModelWhereTrialsAreTheirOwnClusters) {
@@ -154,12 +157,14 @@ TEST(HypothesisH1, NamesWhatCannotBeScored) {
   const std::string header = "day,algorithm,success,time_s,tc_early,noise\n";
   const H1Table one_class =
       hypothesis_h1(table_of(header + "a,A,1,3,1,2\nb,A,1,4,2,1\n"), options_for());
-  EXPECT_TRUE(has(one_class.panels[0].conditions, ConditionKind::one_class));
+  EXPECT_TRUE(
+      statistics::has(one_class.panels[0].conditions, statistics::ConditionKind::one_class));
   const H1Table one_day =
       hypothesis_h1(table_of(header + "a,A,1,3,1,2\na,A,0,4,2,1\n"), options_for());
-  EXPECT_TRUE(has(one_day.panels[0].conditions, ConditionKind::one_cluster));
+  EXPECT_TRUE(
+      statistics::has(one_day.panels[0].conditions, statistics::ConditionKind::one_cluster));
   const H1Table none = hypothesis_h1(table_of(header + "a,A,1,3,NA,2\n"), options_for());
-  EXPECT_TRUE(has(none.panels[0].conditions, ConditionKind::no_rows));
+  EXPECT_TRUE(statistics::has(none.panels[0].conditions, statistics::ConditionKind::no_rows));
   EXPECT_THROW(static_cast<void>(hypothesis_h1(table_of(header + "a,A,2,3,1,2\n"), options_for())),
                FormulaError);
   EXPECT_THROW(
@@ -181,7 +186,7 @@ std::string changed_csv(
     const std::function<void(int row, std::map<std::string, std::string>& cells)>& change) {
   const std::vector<std::string> header{
       "day", "algorithm", "success", "time_s", "tc_early", "noise"};
-  RandomStream random(11, 1, 0);
+  table::RandomStream random(11, 1, 0);
   std::string csv = "day,algorithm,success,time_s,tc_early,noise\n";
   for (int row = 0; row < 120; ++row) {
     std::map<std::string, std::string> cells{{"day", "d" + std::to_string(row % 12)},
@@ -204,18 +209,20 @@ TEST(HypothesisH1, AFitThatFailsCostsItsOwnNumbers) {
   const std::string separated =
       changed_csv([](int, auto& cells) { cells["noise"] = cells["success"]; });
   const H1Panel panel = hypothesis_h1(table_of(separated), options_for()).panels[0];
-  EXPECT_TRUE(has(panel.rows[2].conditions, ConditionKind::fold_without_fit));
+  EXPECT_TRUE(
+      statistics::has(panel.rows[2].conditions, statistics::ConditionKind::fold_without_fit));
   EXPECT_FALSE(panel.rows[2].auc_out_of_fold.has_value());
   EXPECT_TRUE(panel.rows[0].auc_out_of_fold.has_value());
   EXPECT_EQ(panel.rows[1].auc_out_of_fold, 0.0);  // in its a-priori direction
   for (const H1Row& row : panel.rows) {
-    EXPECT_FALSE(has_error(row.conditions));
+    EXPECT_FALSE(statistics::has_error(row.conditions));
   }
   // The rival is the time itself, or all but: no fold has a Cox fit.
   const std::string monotone =
       changed_csv([](int, auto& cells) { cells["noise"] = cells["time_s"]; });
   const H1Panel timed = hypothesis_h1(table_of(monotone), options_for()).panels[0];
-  EXPECT_TRUE(has(timed.rows[2].conditions, ConditionKind::fold_without_fit));
+  EXPECT_TRUE(
+      statistics::has(timed.rows[2].conditions, statistics::ConditionKind::fold_without_fit));
   EXPECT_FALSE(timed.rows[2].c_out_of_fold.has_value());
   EXPECT_TRUE(timed.rows[0].c_out_of_fold.has_value());
   EXPECT_FALSE(timed.rows[1].censored.ratio.has_value());
@@ -225,9 +232,11 @@ TEST(HypothesisH1, AConstantPredictorCostsItsOwnRow) {
   const std::string csv = changed_csv([](int, auto& cells) { cells["noise"] = "0.1"; });
   const H1Panel panel = hypothesis_h1(table_of(csv), options_for()).panels[0];
   EXPECT_FALSE(panel.rows[1].censored.ratio.has_value());
-  EXPECT_TRUE(has(panel.rows[1].conditions, ConditionKind::constant_column));
-  EXPECT_FALSE(has(panel.rows[1].conditions, ConditionKind::infinite_value));
-  EXPECT_FALSE(has_error(panel.rows[1].conditions));
+  EXPECT_TRUE(
+      statistics::has(panel.rows[1].conditions, statistics::ConditionKind::constant_column));
+  EXPECT_FALSE(
+      statistics::has(panel.rows[1].conditions, statistics::ConditionKind::infinite_value));
+  EXPECT_FALSE(statistics::has_error(panel.rows[1].conditions));
   EXPECT_TRUE(panel.rows[0].censored.ratio.has_value());
 }
 
@@ -241,7 +250,7 @@ TEST(HypothesisH1, AnInfiniteCellIsNamedWithItsRow) {
     try {
       static_cast<void>(hypothesis_h1(table_of(csv), options_for()));
       FAIL();
-    } catch (const FormulaError& error) {
+    } catch (const statistics::FormulaError& error) {
       EXPECT_EQ(
           std::string(error.what()),
           "column '" + column + "' of test.csv, row 7: found -Inf; make the cell NA or correct it");
@@ -276,7 +285,7 @@ TEST(HypothesisH1, OnlyTheStratifiedRatioNeedsTheStrata) {
   EXPECT_EQ(some.rows[0].censored.ratio, full.rows[0].censored.ratio);
   EXPECT_TRUE(some.rows[0].stratified.ratio.has_value());
   EXPECT_NE(some.rows[0].stratified.ratio, full.rows[0].stratified.ratio);
-  EXPECT_TRUE(has(some.rows[0].conditions, ConditionKind::missing_rows));
+  EXPECT_TRUE(statistics::has(some.rows[0].conditions, statistics::ConditionKind::missing_rows));
 }
 
 TEST(HypothesisH1, ALandmarkPanelNeedsNoLandmarkColumns) {
@@ -293,7 +302,7 @@ TEST(HypothesisH1, ATimeOfTheLandmarkButForRoundingHasEndedByIt) {
   H1Options options = options_for();
   options.always_landmark = true;
   options.models = false;
-  const DataTable table = table_of(changed_csv([](int row, auto& cells) {
+  const table::DataTable table = table_of(changed_csv([](int row, auto& cells) {
     if (row == 0) {
       cells["time_s"] = "15.0000002";
     }
@@ -317,7 +326,7 @@ TEST(HypothesisH1, ALimitAtTheLandmarkButForRoundingIsRefused) {
   options.models = false;
   options.limit_s = 15.0000002;
   // Some end before, so that the other panel has its events.
-  const DataTable table = table_of(changed_csv([](int row, auto& cells) {
+  const table::DataTable table = table_of(changed_csv([](int row, auto& cells) {
     if (row < 40) {
       cells["time_s"] = std::to_string(5.0 + 0.2 * row);
     }
@@ -329,16 +338,17 @@ TEST(HypothesisH1, ATimeBeyondTheLimitByAHairIsCutOnlyWhereTimesAreLeftAsTheyAre
   H1Options options = options_for();
   options.models = false;
   options.limit_s = 100.0;
-  const DataTable table = table_of(changed_csv([](int row, auto& cells) {
+  const table::DataTable table = table_of(changed_csv([](int row, auto& cells) {
     if (row == 0) {
       cells["success"] = "1";
       cells["time_s"] = "100.0000002";
     }
   }));
-  EXPECT_FALSE(
-      has(hypothesis_h1(table, options).panels[0].conditions, ConditionKind::beyond_limit));
+  EXPECT_FALSE(statistics::has(hypothesis_h1(table, options).panels[0].conditions,
+                               ConditionKind::beyond_limit));
   options.round_times = false;
-  EXPECT_TRUE(has(hypothesis_h1(table, options).panels[0].conditions, ConditionKind::beyond_limit));
+  EXPECT_TRUE(statistics::has(hypothesis_h1(table, options).panels[0].conditions,
+                              ConditionKind::beyond_limit));
 }
 
 TEST(HypothesisH1, ALandmarkWithoutTimesIsRefused) {
@@ -348,7 +358,7 @@ TEST(HypothesisH1, ALandmarkWithoutTimesIsRefused) {
   try {
     static_cast<void>(hypothesis_h1(table_of(csv), options));
     FAIL();
-  } catch (const FormulaError& error) {
+  } catch (const statistics::FormulaError& error) {
     EXPECT_NE(std::string(error.what()).find("--landmark: test.csv has no times"),
               std::string::npos)
         << error.what();
@@ -368,9 +378,10 @@ TEST(HypothesisH1, SaysWhichColumnsAreNotOfTheWindow) {
 TEST(HypothesisH1, KeepsEveryIntervalAndReadsTheOneAskedFor) {
   H1Options options = options_for();
   options.models = false;
-  const DataTable table = table_of(trials_csv(12, 20));
-  for (const BootstrapMethod method :
-       {BootstrapMethod::expanded, BootstrapMethod::percentile, BootstrapMethod::bca}) {
+  const table::DataTable table = table_of(trials_csv(12, 20));
+  for (const statistics::BootstrapMethod method : {statistics::BootstrapMethod::expanded,
+                                                   statistics::BootstrapMethod::percentile,
+                                                   statistics::BootstrapMethod::bca}) {
     options.interval = method;
     const H1Score& auc = hypothesis_h1(table, options).panels[0].rows[0].auc;
     EXPECT_EQ(auc.interval.value().low, auc.intervals.of(method)->low);
@@ -386,7 +397,7 @@ TEST(HypothesisH1, WithholdsInferenceFromFewClustersOrOutcomes) {
   };
   const auto expect_withheld = [](const H1Panel& panel, const std::string& reason) {
     EXPECT_EQ(panel.withheld, reason);
-    ASSERT_TRUE(has(panel.conditions, ConditionKind::withheld));
+    ASSERT_TRUE(statistics::has(panel.conditions, statistics::ConditionKind::withheld));
     for (const H1Row& row : panel.rows) {
       EXPECT_TRUE(row.auc.value.has_value());
       EXPECT_TRUE(row.c.value.has_value());
@@ -420,9 +431,9 @@ TEST(HypothesisH1, BadTimesAreNamedWithTheirRow) {
     }
   });
   const H1Panel panel = hypothesis_h1(table_of(csv), options_for()).panels[0];
-  ASSERT_TRUE(has(panel.conditions, ConditionKind::time_not_positive));
+  ASSERT_TRUE(statistics::has(panel.conditions, statistics::ConditionKind::time_not_positive));
   const auto bad = std::find_if(panel.conditions.begin(), panel.conditions.end(), [](auto& one) {
-    return one.kind == ConditionKind::time_not_positive;
+    return one.kind == statistics::ConditionKind::time_not_positive;
   });
   EXPECT_EQ(bad->detail, "found 0 in row 8 (and 1 more); no times are used");
   EXPECT_FALSE(panel.rows[0].c.value.has_value());
@@ -438,7 +449,7 @@ TEST(HypothesisH1, WhatWasAskedForMustBeThere) {
   try {
     static_cast<void>(hypothesis_h1(table_of(changed_csv([](int, auto&) {})), options));
     FAIL();
-  } catch (const FormulaError& error) {
+  } catch (const statistics::FormulaError& error) {
     EXPECT_STREQ(error.what(), "no column 'algoritm' in test.csv; did you mean 'algorithm'?");
   }
 }
@@ -458,13 +469,13 @@ TEST(HypothesisH1, TimesAboveTheLimitAreCensoredThere) {
   });
   const H1Panel panel = hypothesis_h1(table_of(far), options).panels[0];
   const H1Panel other = hypothesis_h1(table_of(near), options).panels[0];
-  EXPECT_TRUE(has(panel.conditions, ConditionKind::beyond_limit));
+  EXPECT_TRUE(statistics::has(panel.conditions, statistics::ConditionKind::beyond_limit));
   EXPECT_EQ(panel.rows[0].c.value, other.rows[0].c.value);
   EXPECT_EQ(panel.rows[0].at_limit.ratio, other.rows[0].at_limit.ratio);
-  for (const IncidenceCurves& curves : panel.incidence) {
+  for (const statistics::IncidenceCurves& curves : panel.incidence) {
     EXPECT_LE(curves.time.back(), 60.0);
   }
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -11,7 +11,7 @@
 #include "analysis/study/h1/hypothesis_h1.hpp"
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 TEST(NestedTest, IsTheJackknifeOfClustersByT) {
@@ -27,7 +27,8 @@ TEST(NestedTest, IsTheJackknifeOfClustersByT) {
 
 H1Options two_predictors() {
   H1Options options;
-  options.predictors = {{"added", HigherMeans::success, ""}, {"rival", HigherMeans::success, ""}};
+  options.predictors = {{"added", statistics::HigherMeans::success, ""},
+                        {"rival", statistics::HigherMeans::success, ""}};
   options.replicates = 1;
   return options;
 }
@@ -35,7 +36,7 @@ H1Options two_predictors() {
 /// 22 days of 30 trials whose outcome, rival and added predictor are alike within a day (0.5); what
 /// is added is unrelated to the outcome.
 std::string study(std::uint64_t index) {
-  RandomStream random(5, 3, index);
+  table::RandomStream random(5, 3, index);
   std::string csv = "day,success,time_s,added,rival\n";
   const double half = std::sqrt(0.5);
   for (int day = 0; day < 22; ++day) {
@@ -79,7 +80,7 @@ TEST(NestedTest, KeepsItsLevelWhereTrialsOfADayAreAlike) {
 TEST(NestedTest, ARowWithoutAFitHasNoP) {
   // `added` tells successes from failures without error.
   std::string csv = "day,success,time_s,added,rival\n";
-  RandomStream random(5, 4, 0);
+  table::RandomStream random(5, 4, 0);
   for (int i = 0; i < 240; ++i) {
     const double margin = 0.1 + 0.01 * (i % 40);
     const bool success = margin > 0.25;
@@ -92,10 +93,10 @@ TEST(NestedTest, ARowWithoutAFitHasNoP) {
   EXPECT_FALSE(row.auc_p);
   EXPECT_FALSE(row.auc_lr_p);
   EXPECT_TRUE(row.c_p) << "the Cox model has a fit";
-  ASSERT_TRUE(has(row.conditions, ConditionKind::complete_separation));
+  ASSERT_TRUE(statistics::has(row.conditions, statistics::ConditionKind::complete_separation));
   // The threshold in the units of the column, not in standard deviations.
   bool named = false;
-  for (const Condition& condition : row.conditions) {
+  for (const statistics::Condition& condition : row.conditions) {
     named = named || condition.detail.find(
                          "every row with added >= 0.26 has success = 1, every row with added <= "
                          "0.25 has success = 0") != std::string::npos;
@@ -114,7 +115,7 @@ TEST(NestedTest, ARowWithoutAFitHasNoP) {
 template <class Added, class Success>
 std::string trials(const Added& added, const Success& success) {
   std::string csv = "day,success,time_s,added,rival\n";
-  RandomStream random(5, 6, 0);
+  table::RandomStream random(5, 6, 0);
   for (int i = 0; i < 240; ++i) {
     csv += "d" + std::to_string(i % 12) + (success(i) ? ",1," : ",0,") +
            std::to_string(20 + random.below(60)) + "," + std::to_string(added(i)) + "," +
@@ -134,8 +135,8 @@ TEST(NestedTest, ADayThatAloneMovesThePredictorLeavesNoTest) {
   EXPECT_FALSE(row.c_p) << "without that day the coefficient is no 0, there is none";
   EXPECT_FALSE(row.auc_p);
   bool named = false;
-  for (const Condition& condition : row.conditions) {
-    named = named || (condition.kind == ConditionKind::no_jackknife &&
+  for (const statistics::Condition& condition : row.conditions) {
+    named = named || (condition.kind == statistics::ConditionKind::no_jackknife &&
                       condition.detail == "Cox model: 1 of 12 clusters");
   }
   EXPECT_TRUE(named);
@@ -145,11 +146,11 @@ TEST(NestedTest, APredictorThatHasRunAwayHasNoP) {
   // Complete separation but for one failure, among the successes by a hair.
   const auto margin = [](int i) { return i == 15 ? 0.26001 : 0.1 + 0.01 * (i % 40); };
   const H1Row row = last_row(trials(margin, [&](int i) { return i != 15 && margin(i) > 0.255; }));
-  EXPECT_TRUE(has(row.conditions, ConditionKind::near_separation));
+  EXPECT_TRUE(statistics::has(row.conditions, statistics::ConditionKind::near_separation));
   EXPECT_FALSE(row.auc_lr_p);
   EXPECT_FALSE(row.auc_p);
   EXPECT_TRUE(row.c_lr_p) << "the Cox model has a fit";
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -9,7 +9,7 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 struct Trial {
@@ -23,7 +23,7 @@ struct Trial {
 /// Algorithms differ in speed and in success, and `speed` knows nothing else; `tc` knows a little
 /// within them. Values are coarse, so that there are ties. A few trials have no lighting.
 std::vector<Trial> trials_of(int count) {
-  RandomStream random(9, 1, 0);
+  table::RandomStream random(9, 1, 0);
   std::vector<Trial> trials;
   for (int i = 0; i < count; ++i) {
     Trial one;
@@ -52,8 +52,8 @@ std::string csv_of(const std::vector<Trial>& trials) {
 
 H1Options options_of(std::vector<std::string> within) {
   H1Options options;
-  options.predictors = {{"tc_early", HigherMeans::success, ""},
-                        {"speed", HigherMeans::failure, ""}};
+  options.predictors = {{"tc_early", statistics::HigherMeans::success, ""},
+                        {"speed", statistics::HigherMeans::failure, ""}};
   options.replicates = 400;
   options.models = false;
   options.within = std::move(within);
@@ -125,7 +125,7 @@ TEST(WithinStrata, CountsPairsOfOneStratum) {
 TEST(WithinStrata, AGainBetweenGroupsVanishesWithinThem) {
   // `speed`, turned to the wrong side, loses to tc by what algorithms differ in.
   H1Options options = options_of({"algorithm"});
-  options.predictors[1].higher = HigherMeans::success;
+  options.predictors[1].higher = statistics::HigherMeans::success;
   const H1Panel panel =
       hypothesis_h1(test_support::table_of(csv_of(trials_of(600))), options).panels[0];
   const H1Row& speed = panel.rows[1];
@@ -153,7 +153,7 @@ TEST(WithinStrata, OneStratumIsThePooledNumber) {
 }
 
 TEST(WithinStrata, WithoutColumnsThereAreNone) {
-  const DataTable table = test_support::table_of(csv_of(trials_of(120)));
+  const table::DataTable table = test_support::table_of(csv_of(trials_of(120)));
   const H1Panel panel = hypothesis_h1(table, options_of({"planner"})).panels[0];
   EXPECT_TRUE(panel.within.columns.empty());
   EXPECT_FALSE(panel.rows[0].within.auc.value);
@@ -162,4 +162,4 @@ TEST(WithinStrata, WithoutColumnsThereAreNone) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -9,14 +9,14 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 using test_support::table_of;
 
 /// Trials on `days` days in three lightings; the slope of Outdoor is `outdoor`, that of others 1.
 std::string trials_csv(int days, int per_day, double outdoor) {
-  RandomStream random(17, 1, 0);
+  table::RandomStream random(17, 1, 0);
   std::string csv = "day,lighting,algorithm,success,time_s,tc_early,tc_landmark,end_s\n";
   const char* const names[] = {"Dark", "Indoor", "Outdoor"};
   for (int day = 0; day < days; ++day) {
@@ -35,7 +35,7 @@ std::string trials_csv(int days, int per_day, double outdoor) {
 
 H2Options options_for() {
   H2Options options;
-  options.trials.predictors = {{"tc_early", HigherMeans::success, "tc_landmark"}};
+  options.trials.predictors = {{"tc_early", statistics::HigherMeans::success, "tc_landmark"}};
   options.trials.group = "lighting";
   options.trials.replicates = 200;
   options.permutations = 200;
@@ -86,14 +86,14 @@ TEST(HypothesisH2, AnIntervalIsExpandedForTheClustersOfItsGroup) {
       csv.replace(at, from.size(), "\nd" + std::to_string(day) + ",Indoor");
     }
   }
-  const DataTable table = table_of(csv);
+  const table::DataTable table = table_of(csv);
   H2Options options = options_for();
   options.trials.replicates = 999;
   const H2Level found = hypothesis_h2(table, options).panels[0].levels[2];
   ASSERT_EQ(found.name, "Outdoor");
   EXPECT_EQ(found.clusters, 12U);
   // Expanded percentiles of G units are percentiles of a higher level, of the same resamples.
-  options.trials.level = 1.0 - 2.0 * expanded_tail(options.trials.level, 12);
+  options.trials.level = 1.0 - 2.0 * statistics::expanded_tail(options.trials.level, 12);
   const H2Level wider = hypothesis_h2(table, options).panels[0].levels[2];
   EXPECT_NEAR(found.auc.intervals.expanded->low, wider.auc.intervals.percentile->low, 1e-9);
   EXPECT_NEAR(found.auc.interval->high, wider.auc.intervals.percentile->high, 1e-9);
@@ -141,7 +141,7 @@ TEST(HypothesisH2, NamesGroupsWithoutAnEstimate) {
   ASSERT_EQ(panel.levels.size(), 4U);
   const H2Level& fog = panel.levels[1];
   EXPECT_EQ(fog.name, "Fog");
-  EXPECT_TRUE(has(fog.conditions, ConditionKind::one_class));
+  EXPECT_TRUE(statistics::has(fog.conditions, statistics::ConditionKind::one_class));
   EXPECT_FALSE(fog.auc.value.has_value());
   EXPECT_FALSE(panel.auc.has_value());
   EXPECT_TRUE(panel.levels[0].auc.value.has_value());
@@ -160,7 +160,7 @@ TEST(HypothesisH2, WithholdsWhatRestsOnASmallGroup) {
   EXPECT_EQ(fog.withheld, "4 failures, fewer than 10");
   EXPECT_TRUE(fog.auc.value.has_value());
   EXPECT_FALSE(fog.auc.interval || fog.odds.p_value || fog.c_within.interval);
-  EXPECT_FALSE(has(fog.conditions, ConditionKind::failed_replicates))
+  EXPECT_FALSE(statistics::has(fog.conditions, statistics::ConditionKind::failed_replicates))
       << "resamples without days 0 and 6 have no failure, but there is no interval to speak of";
   EXPECT_TRUE(panel.levels[0].auc.interval.has_value());
   ASSERT_TRUE(panel.auc.has_value());
@@ -168,14 +168,14 @@ TEST(HypothesisH2, WithholdsWhatRestsOnASmallGroup) {
                panel.auc->range.p_value);
   EXPECT_TRUE(panel.auc->tests.range.has_value());
   EXPECT_FALSE(panel.interactions[0].test.has_value());
-  EXPECT_TRUE(has(panel.conditions, ConditionKind::withheld));
+  EXPECT_TRUE(statistics::has(panel.conditions, statistics::ConditionKind::withheld));
 }
 
 TEST(HypothesisH2, NamesASingleGroupAndRefusesMisuse) {
   const std::string header = "day,lighting,algorithm,success,time_s,tc_early\n";
-  const DataTable one = table_of(header + "a,Dark,A,1,3,1\nb,Dark,A,0,4,2\n");
-  EXPECT_TRUE(
-      has(hypothesis_h2(one, options_for()).panels[0].conditions, ConditionKind::one_group));
+  const table::DataTable one = table_of(header + "a,Dark,A,1,3,1\nb,Dark,A,0,4,2\n");
+  EXPECT_TRUE(statistics::has(hypothesis_h2(one, options_for()).panels[0].conditions,
+                              ConditionKind::one_group));
   H2Options options = options_for();
   options.trials.group = "light";
   EXPECT_THROW(static_cast<void>(hypothesis_h2(one, options)), FormulaError);
@@ -185,4 +185,4 @@ TEST(HypothesisH2, NamesASingleGroupAndRefusesMisuse) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -8,7 +8,7 @@
 
 #include "support/data_table.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 const std::string kHeader =
@@ -156,7 +156,7 @@ TEST(HypothesisH3, WithholdsInferenceFromFewDays) {
   EXPECT_TRUE(one.gain.value && one.lost_share && one.retained);
   EXPECT_FALSE(one.gain.interval || one.recovered.value || one.lost_upper || one.non_inferior ||
                one.retained_interval);
-  EXPECT_TRUE(has(few.conditions, ConditionKind::withheld));
+  EXPECT_TRUE(statistics::has(few.conditions, statistics::ConditionKind::withheld));
   // Enough days, but few successes of the baseline: only its rates have no intervals.
   std::string csv = small_study(6);
   for (const char* const id : {"c1_0,", "c1_1,", "c1_2,"}) {
@@ -186,9 +186,9 @@ void fail(std::string& csv, const std::string& id, int pairs) {
   }
 }
 
-std::string details(const H3Group& group, ConditionKind kind) {
+std::string details(const H3Group& group, statistics::ConditionKind kind) {
   std::string all;
-  for (const Condition& condition : group.conditions) {
+  for (const statistics::Condition& condition : group.conditions) {
     all += condition.kind == kind ? condition.detail + ";" : "";
   }
   return all;
@@ -203,12 +203,13 @@ TEST(HypothesisH3, NamesEveryAlgorithmThatIsFew) {
   const H3Group gated = h3_of(csv).groups[0];
   EXPECT_EQ(gated.successes, 6U);
   EXPECT_EQ(gated.clusters, 12U);
-  EXPECT_EQ(details(gated, ConditionKind::withheld), "6 successes of 'M3', fewer than 10;");
+  EXPECT_EQ(details(gated, statistics::ConditionKind::withheld),
+            "6 successes of 'M3', fewer than 10;");
   EXPECT_TRUE(gated.baseline.interval) << "its rate is its own";
   EXPECT_FALSE(gated.ungated.interval || gated.gap.interval || gated.cases[0].gain.interval);
   fail(csv, "c1", 3);
   const H3Group both = h3_of(csv).groups[0];
-  EXPECT_EQ(details(both, ConditionKind::withheld),
+  EXPECT_EQ(details(both, statistics::ConditionKind::withheld),
             "6 successes of 'M3', fewer than 10;9 successes of 'CB-V', fewer than 10;");
   EXPECT_FALSE(both.baseline.interval);
   // A baseline that never succeeds has no rate, and it is said.
@@ -216,12 +217,13 @@ TEST(HypothesisH3, NamesEveryAlgorithmThatIsFew) {
   fail(none, "c1", 6);
   fail(none, "c2", 6);
   const H3Group without = h3_of(none).groups[0];
-  EXPECT_EQ(details(without, ConditionKind::withheld), "0 successes of 'CB-V', fewer than 10;");
+  EXPECT_EQ(details(without, statistics::ConditionKind::withheld),
+            "0 successes of 'CB-V', fewer than 10;");
   EXPECT_TRUE(without.ungated.interval);
 }
 
 TEST(HypothesisH3, FewClustersAreSaidAsEverywhere) {
-  EXPECT_EQ(details(h3_of(small_study(6)).groups[0], ConditionKind::few_clusters),
+  EXPECT_EQ(details(h3_of(small_study(6)).groups[0], statistics::ConditionKind::few_clusters),
             "12 clusters, fewer than 30;");
 }
 
@@ -246,7 +248,7 @@ TEST(HypothesisH3, AnIntervalIsExpandedForTheDaysOfItsOwnAlgorithm) {
              ",6," + std::to_string(25 + i % 7) + ",30,0.12,0.15,19.6,0,1\n";
     }
   }
-  const DataTable table = test_support::table_of(csv);
+  const table::DataTable table = test_support::table_of(csv);
   H3Options options;
   options.replicates = 999;
   const H3Group found = hypothesis_h3(table, options).groups[0];
@@ -254,7 +256,7 @@ TEST(HypothesisH3, AnIntervalIsExpandedForTheDaysOfItsOwnAlgorithm) {
   // Expanded percentiles of G units are percentiles of a higher level, of the same resamples.
   const auto of_units = [&](std::size_t units) {
     H3Options other = options;
-    other.level = 1.0 - 2.0 * expanded_tail(options.level, units);
+    other.level = 1.0 - 2.0 * statistics::expanded_tail(options.level, units);
     return hypothesis_h3(table, other).groups[0];
   };
   const H3Group gated = of_units(12);
@@ -315,9 +317,9 @@ TEST(HypothesisH3, SaysWhatItCannotUse) {
       << "a trial that lacks a beta";
   options.gated = "nobody";
   options.baseline = "no one";
-  EXPECT_TRUE(
-      has(hypothesis_h3(test_support::table_of(csv), options).conditions, ConditionKind::no_rows));
+  EXPECT_TRUE(statistics::has(hypothesis_h3(test_support::table_of(csv), options).conditions,
+                              ConditionKind::no_rows));
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

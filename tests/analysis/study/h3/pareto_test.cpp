@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 TEST(ParetoFront, KeepsWhatNothingBeats) {
@@ -48,4 +48,4 @@ TEST(ParetoFront, EveryOtherPointIsBeatenByOneOnIt) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

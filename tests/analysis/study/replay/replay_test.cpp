@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr std::int64_t kTickNs = 100'000'000;
@@ -196,4 +196,4 @@ TEST(Replay, NothingComesOfNothing) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -9,7 +9,7 @@
 #include "analysis/study/truth/truth.hpp"
 #include "datasets/corpus/tentacles.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 std::vector<WorldOutcome> study(const std::vector<SoundnessMethod>& methods,
@@ -147,4 +147,4 @@ TEST(Soundness, SummaryCountsWorlds) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 /// Straight along x from a disc at the origin to one at 3 m, walls felt 0.4 m to either side.
@@ -74,4 +74,4 @@ TEST(CertifyTrial, HasNoBottleneckWithoutAConnection) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -19,7 +19,7 @@
 #include "analysis/study/trials/features.hpp"
 #include "datasets/corpus/corpus.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 enum Column : std::size_t {
@@ -44,8 +44,10 @@ constexpr std::array<const char*, columns> kNames{"tc_early",
                                                   "duration",
                                                   "contacts in 15 s",
                                                   "contacts per m of all"};
-constexpr std::array<HigherMeans, features> kHigher{
-    HigherMeans::success, HigherMeans::failure, HigherMeans::failure, HigherMeans::failure};
+constexpr std::array<statistics::HigherMeans, features> kHigher{statistics::HigherMeans::success,
+                                                                statistics::HigherMeans::failure,
+                                                                statistics::HigherMeans::failure,
+                                                                statistics::HigherMeans::failure};
 
 struct Study {
   std::array<std::vector<double>, columns> column;
@@ -260,25 +262,27 @@ TEST(CorpusFeatures, AreNoFunctionOfEachOther) {
   }
 }
 
-JointAuc aucs(const Study& study) {
-  std::vector<Score> scores;
+statistics::JointAuc aucs(const Study& study) {
+  std::vector<statistics::Score> scores;
   for (std::size_t k = 0; k < features; ++k) {
     scores.push_back({study.column[k], kHigher[k]});
   }
-  AucOptions options;
+  statistics::AucOptions options;
   options.cluster = study.day;
-  return joint_auc(scores, study.success, options);
+  return statistics::joint_auc(scores, study.success, options);
 }
 
 // The same drives with other noise and other clocks: each AUC within its standard error. Another
 // study altogether: within three standard errors of the difference.
 TEST(CorpusFeatures, HaveTheSameAucsWhateverTheNoise) {
-  const JointAuc first = aucs(default_study());
-  const JointAuc noise = aucs(study_of(1, 2));
-  const JointAuc other = aucs(study_of(2, 2));
+  const statistics::JointAuc first = aucs(default_study());
+  const statistics::JointAuc noise = aucs(study_of(1, 2));
+  const statistics::JointAuc other = aucs(study_of(2, 2));
   for (std::size_t k = 0; k < features; ++k) {
-    const auto value = [k](const JointAuc& joint) { return joint.markers[k].auc.value(); };
-    const auto error = [k](const JointAuc& joint) {
+    const auto value = [k](const statistics::JointAuc& joint) {
+      return joint.markers[k].auc.value();
+    };
+    const auto error = [k](const statistics::JointAuc& joint) {
       return std::sqrt(joint.markers[k].variance.value());
     };
     std::printf("AUC of %-15s %.3f (%.3f), other noise %.3f (%.3f), other study %.3f (%.3f)\n",
@@ -296,4 +300,4 @@ TEST(CorpusFeatures, HaveTheSameAucsWhateverTheNoise) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 TEST(FeatureColumns, HaveDistinctNames) {
@@ -32,4 +32,4 @@ TEST(FeatureColumns, GiveWhatIsKnown) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -294,4 +294,4 @@ TEST(EarlyWindowOptions, AreCheckedOneByOne) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -5,7 +5,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr std::int64_t kTick = 100'000'000;
@@ -38,7 +38,7 @@ TEST(TrailingMotion, StartsAnewAfterABreak) {
 }
 
 TEST(TrailingMotion, TakesPoseNoiseAtAStandstillForNoMotion) {
-  RandomStream random(3, 0, 0);
+  table::RandomStream random(3, 0, 0);
   std::vector<TimedPosition> path;
   for (int k = 0; k < 2000; ++k) {
     path.push_back({k * kTick, {0.002 * random.normal(), 0.002 * random.normal()}, false});
@@ -58,4 +58,4 @@ TEST(TrailingMotion, TakesPoseNoiseAtAStandstillForNoMotion) {
 TEST(TrailingMotion, HasNothingToSayOfNoPath) { EXPECT_TRUE(trailing_motion({}, kTick).empty()); }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 std::string message_of(std::string_view key, std::string_view value) {
@@ -115,4 +115,4 @@ TEST(WithOverrides, ReplacesOnlyWhatIsSet) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -7,7 +7,7 @@
 #include <statistics/basics/quantile.hpp>
 #include <table/random.hpp>
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 TrialRecord trial(const char* algorithm,
@@ -26,7 +26,7 @@ TEST(Tally, HasTheMedianOfItsSamples) {
   EXPECT_FALSE(Tally().median().has_value());
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
-    RandomStream random(seed, 1, 0);
+    table::RandomStream random(seed, 1, 0);
     std::vector<double> samples(1 + random.below(9));
     for (double& sample : samples) {
       sample = random.below(4);  // few values, so that they tie
@@ -39,8 +39,8 @@ TEST(Tally, HasTheMedianOfItsSamples) {
     merged.add(std::span(samples).first(cut));
     rest.add(std::span(samples).subspan(cut));
     merged.add(rest);
-    EXPECT_EQ(whole.median(), median(samples));
-    EXPECT_EQ(merged.median(), median(samples));
+    EXPECT_EQ(whole.statistics::median(), median(samples));
+    EXPECT_EQ(merged.statistics::median(), median(samples));
   }
 }
 
@@ -95,4 +95,4 @@ TEST(PublishedSpeed, IsKnownForThePapersNamesOnly) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

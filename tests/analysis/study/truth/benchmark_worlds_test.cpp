@@ -14,7 +14,7 @@
 #include "datasets/worlds/world_files.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 double number(const std::string& text) {
@@ -27,7 +27,8 @@ using Paths = std::map<std::string, std::vector<Point>>;
 
 Paths reference_paths(const std::filesystem::path& file) {
   Paths paths;
-  const TextTableResult read = read_text_table(file, {"world", "gazebo_x_m", "gazebo_y_m"});
+  const table::TextTableResult read =
+      table::read_text_table(file, {"world", "gazebo_x_m", "gazebo_y_m"});
   for (std::size_t row = 0; read.table && row < read.table->rows(); ++row) {
     const auto cell = [&](const char* name) {
       return read.table->at(row, *read.table->find(name));
@@ -46,7 +47,7 @@ TEST(BenchmarkWorlds, NoBarnReferencePathBeatsTheTruth) {
   frame.start = Disc{{-2.25, 3.0}, 0.25};
   frame.goal = Disc{{-2.25, 13.0}, 1.0};
   const WorldsResult read = read_worlds(folder / "cylinders.csv", frame);
-  ASSERT_TRUE(read.diagnostics.empty()) << to_string(read.diagnostics.front());
+  ASSERT_TRUE(read.diagnostics.empty()) << table::to_string(read.diagnostics.front());
   ASSERT_EQ(read.worlds.size(), 300U);
   const Paths paths = reference_paths(folder / "reference_paths.csv");
   ASSERT_EQ(paths.size(), 300U);
@@ -88,7 +89,7 @@ TEST_P(Mazes, ClearanceIsTheWidthOfTheCorridors) {
   frame.goal = Disc{{middle(GetParam().goal_column), 512.0 - middle(GetParam().goal_row)}, 0.3};
   const WorldsResult read = read_worlds(path, frame);
   ASSERT_EQ(read.worlds.size(), 1U)
-      << (read.diagnostics.empty() ? "" : to_string(read.diagnostics.front()));
+      << (read.diagnostics.empty() ? "" : table::to_string(read.diagnostics.front()));
   const double step = 0.25;
   const ClearanceValue value = grid_clearance(read.worlds.front(), step).value;
   EXPECT_LE(value.lower_m, 0.5 * width);
@@ -110,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(MovingAi,
                          });
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -6,7 +6,7 @@
 
 #include "analysis/study/truth/random_worlds.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 World field(std::vector<Disc> discs) {
@@ -86,4 +86,4 @@ INSTANTIATE_TEST_SUITE_P(Radii, RandomDiscWorlds, testing::Bool(), [](const auto
 });
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

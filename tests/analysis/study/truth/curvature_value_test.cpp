@@ -11,7 +11,7 @@
 #include "analysis/study/truth/random_worlds.hpp"
 #include "analysis/study/truth/truth.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -182,4 +182,4 @@ TEST(CurvatureValue, LiesBelowTheExactClearanceInRandomWorlds) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

@@ -11,7 +11,7 @@
 #include "analysis/study/truth/random_worlds.hpp"
 #include "datasets/worlds/region_distance.hpp"
 
-namespace tcert {
+namespace tcert::study {
 namespace {
 
 World mixed_world(std::uint64_t index) {
@@ -32,7 +32,7 @@ double distance_by_all(const World& world, Point p) {
 }
 
 TEST(ObstacleDistance, IsTheLeastOfAllObstacles) {
-  RandomStream random(3, 1, 0);
+  table::RandomStream random(3, 1, 0);
   for (std::uint64_t i = 0; i < 50; ++i) {
     const World world = mixed_world(i);
     const ObstacleDistance obstacles(world);
@@ -46,7 +46,7 @@ TEST(ObstacleDistance, IsTheLeastOfAllObstacles) {
 }
 
 TEST(ArcClearance, IsNeverAboveAnySample) {
-  RandomStream random(3, 2, 0);
+  table::RandomStream random(3, 2, 0);
   for (std::uint64_t i = 0; i < 50; ++i) {
     const ObstacleDistance obstacles(mixed_world(i));
     const Arc arc{{{random.uniform(0.5, 3.5), random.uniform(0.5, 2.5)}, random.uniform(-3.0, 3.0)},
@@ -94,4 +94,4 @@ TEST(CellGrid, DistancesAreTheLeastOfAllMarkedCells) {
 }
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::study

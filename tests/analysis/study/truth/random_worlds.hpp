@@ -13,7 +13,7 @@ namespace tcert::test_support {
 /// Up to 60 discs of equal or unequal radii in 4 m x 3 m; S and G are discs free of obstacles,
 /// small or so large that the tightest place may lie in them.
 [[nodiscard]] inline World random_disc_world(std::uint64_t index, bool equal_radii) {
-  RandomStream random(7, 0x7465'7374, index);
+  table::RandomStream random(7, 0x7465'7374, index);
   World world;
   world.name = "random " + std::to_string(index);
   world.bounds = {{0.0, 0.0}, {4.0, 3.0}};

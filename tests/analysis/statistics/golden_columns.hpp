@@ -13,7 +13,7 @@ namespace tcert::test_support {
 
 /// One numeric column of a CSV file; NA is NaN. Empty if the file has no such column.
 inline std::vector<double> read_column(const std::filesystem::path& path, const std::string& name) {
-  const TextTableResult file = read_text_table(path, {name});
+  const table::TextTableResult file = table::read_text_table(path, {name});
   std::vector<double> values;
   if (!file.table) {
     return values;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <statistics/survival/survival_golden.hpp>
 #include <string>
+#include "analysis/statistics/survival/survival_golden.hpp"
 
 namespace tcert::test_support {
 
