@@ -48,6 +48,10 @@ class Line {
     while (from != to && is_blank(to[-1])) {
       --to;
     }
+    if (to - from >= 2 && *from == '"' && to[-1] == '"') {
+      ++from;
+      --to;
+    }
     cell = {from, static_cast<std::size_t>(to - from)};
     return true;
   }
@@ -151,7 +155,7 @@ class Reader {
           ++table_.words;
         } else {
           report(number,
-                 std::to_string(columns),
+                 bad_columns_.of(columns),
                  shortened(cell),
                  "a finite number in every cell, or a gap: nothing, nan or NA");
         }
@@ -207,12 +211,24 @@ class Reader {
   std::string file_;
   CellTable table_;
   DiagnosticGroups problems_;
+  NamedColumns bad_columns_;
   std::size_t ends_in_nothing_ = 0;
   char separator_ = ',';
   bool full_ = false;
 };
 
 }  // namespace
+
+std::string NamedColumns::of(std::size_t column) {
+  constexpr std::size_t kMostNamed = 3;
+  if (std::find(named_.begin(), named_.end(), column) == named_.end()) {
+    if (named_.size() == kMostNamed) {
+      return {};
+    }
+    named_.push_back(column);
+  }
+  return std::to_string(column);
+}
 
 bool to_number(std::string_view cell, double& value) {
   double number = 0.0;

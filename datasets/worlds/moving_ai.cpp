@@ -17,6 +17,10 @@ class Lines {
   explicit Lines(std::string_view text) : rest_(text) {}
 
   [[nodiscard]] bool next() {
+    if (again_) {
+      again_ = false;
+      return true;
+    }
     if (rest_.empty()) {
       return false;
     }
@@ -29,11 +33,15 @@ class Lines {
     return true;
   }
 
+  /// The next line is this one.
+  void again() { again_ = true; }
+
   std::string_view line;
   std::size_t number = 0;
 
  private:
   std::string_view rest_;
+  bool again_ = false;
 };
 
 class Reader {
@@ -62,13 +70,7 @@ class Reader {
     while (lines_.next()) {
       const std::string_view line = lines_.line;
       if (line == "map" || line == "MapData") {
-        if (raster.columns == 0 || raster.rows == 0) {
-          return fail("height and width, both above 0, before the map");
-        }
-        if (raster.columns > kMostCells / raster.rows) {
-          return fail("at most 100 million cells");
-        }
-        return true;
+        return fits(raster);
       }
       const std::size_t split = line.find_first_of(" =");
       const std::string_view key = line.substr(0, split);
@@ -84,6 +86,10 @@ class Reader {
       std::size_t* const value = key == "height" || key == "MapHeight" ? &raster.rows
                                  : key == "width" || key == "MapWidth" ? &raster.columns
                                                                        : nullptr;
+      if (value == nullptr && begins_cells(raster)) {
+        lines_.again();
+        return fits(raster);
+      }
       if (value == nullptr || split == std::string_view::npos) {
         return fail("type, height, width, free, obstacle, map, or MapHeight=, MapWidth=, MapData");
       }
@@ -95,6 +101,24 @@ class Reader {
       }
     }
     return fail("a line 'map' or 'MapData' before the cells");
+  }
+
+  [[nodiscard]] bool fits(const Raster& raster) {
+    if (raster.columns == 0 || raster.rows == 0) {
+      return fail("height and width, both above 0, before the map");
+    }
+    if (raster.columns > kMostCells / raster.rows) {
+      return fail("at most 100 million cells");
+    }
+    return true;
+  }
+
+  /// Some headers end without a line 'map'.
+  [[nodiscard]] bool begins_cells(const Raster& raster) const {
+    return raster.rows > 0 && raster.columns > 0 && lines_.line.size() == raster.columns &&
+           std::all_of(lines_.line.begin(), lines_.line.end(), [&](char c) {
+             return is_free(c).has_value();
+           });
   }
 
   /// "free ." and "obstacle @": further signs, one after the other or with blanks between.
