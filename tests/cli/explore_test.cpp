@@ -492,6 +492,26 @@ TEST_F(ExploreCommand, ANodataValueOfTheTerrainIsNoneOfTheObstacles) {
                                       "obstacles.csv"});
   EXPECT_EQ(0, run.exit_code) << to_string(run);
   expect_part(run.err, "13 of 300 cells are gaps (13 of the nodata value 0)");
+  // How a terrain is read belongs to what is made again.
+  const ProcessResult kept = work.run({"explore",
+                                       "terrain.csv",
+                                       "--start",
+                                       "4,7",
+                                       "--threshold",
+                                       "1000",
+                                       "--lipschitz",
+                                       "25",
+                                       "--nodata",
+                                       "-1",
+                                       "--terrain-format",
+                                       "grid",
+                                       "--obstacles",
+                                       "obstacles.csv",
+                                       "--output",
+                                       "kept"});
+  EXPECT_EQ(0, kept.exit_code) << to_string(kept);
+  const ProcessResult stands = work.run({"verify", "kept", "--inputs", "."});
+  EXPECT_EQ(0, stands.exit_code) << to_string(stands);
 }
 
 TEST_F(ExploreCommand, ReadsPointsAndEsriGridsAndRefusesImages) {
