@@ -57,11 +57,14 @@ class Reader {
 
   void read_table(std::string_view bytes) {
     reading::CellTable table = reading::read_cells(bytes, options_.file);
+    result_.diagnostics = std::move(table.problems);
+    if (has_error(result_.diagnostics)) {
+      return;  // Its lines may be of different lengths.
+    }
     reading::HeaderDecision decision = reading::decide_header(table, options_.header);
     if (decision.header && options_.header == TerrainHeader::detect && starts_with_a_point(table)) {
       decision = {};
     }
-    result_.diagnostics = std::move(table.problems);
     terrain_.header = decision.header ? std::string(table.first_text) : table.comment;
     if (!decision.header && table.first_line != 0) {
       put_first_line(table);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "datasets/cell_reading.hpp"
 #include "datasets/decimal.hpp"
@@ -98,7 +99,7 @@ class Line {
 
 class Reader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {}
+  explicit Reader(std::string file) : file_(std::move(file)) {}
 
   void line(std::string_view text, std::size_t number) {
     const std::size_t begin = text.find_first_not_of(" \t");

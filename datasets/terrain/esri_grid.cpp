@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "datasets/terrain/cell_table.hpp"
 
@@ -67,7 +68,7 @@ constexpr std::array<Key, 10> kKeys{{{"ncols", &Header::columns},
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+  Reader(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {}
 
   EsriGrid read() {
     if (read_header() && read_cells()) {

@@ -61,7 +61,9 @@ struct Extreme {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double lowest = kInfinity;
   for (const double v : values) {
-    lowest = std::min(lowest, std::isnan(v) ? kInfinity : sign * v);
+    if (!std::isnan(v)) {
+      lowest = std::min(lowest, sign * v);
+    }
   }
   Extreme extreme;
   extreme.value = sign * lowest;

@@ -51,6 +51,9 @@ TEST(TerrainFile, SaysWhatIsWrongAndWhere) {
     EXPECT_NE(std::string::npos, problems(result).find(part)) << problems(result);
   };
   expect("1,2\n3\n5,6\n", "t.csv:2: error: found '1 cells', expected as many cells");
+  // Rows that end early, under what would be a header.
+  expect("1,2,3,4,5\n9,7,9,7,9\n1\n2\n", "t.csv:3: error: found '1 cells'");
+  expect("n1,2,3,4\n1,2,3,4\n5\n6\n", "t.csv:3: error: found '1 cells'");
   expect("1,2\n3,x\n", "t.csv:2: error: column '2': found 'x'");
   // Many bad columns are three by number, and the others together.
   const auto many = read("1,2,3,4,5,6\na,b,c,d,e,f\na,b,c,d,e,f\n");
