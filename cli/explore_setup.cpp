@@ -88,6 +88,7 @@ using terrain::Terrain;
 [[nodiscard]] std::vector<Measurement> measured(const Terrain& terrain,
                                                 const std::vector<Cell>& cells) {
   std::vector<Measurement> measurements;
+  measurements.reserve(cells.size());
   for (const Cell c : cells) {
     measurements.push_back({terrain::position(c), terrain.at(c)});
   }
