@@ -193,6 +193,9 @@ int main_of(int argc, char** argv) {
     trusting.name = "trusting the model";
     trusting.rules.trust_model = true;
     trusting.rules.beta = kTrustedBeta;
+    Variant narrow = trusting;
+    narrow.name = "trusting the model, beta 3";
+    narrow.rules.beta = Rules{}.beta;
     Variant adaptive = ahead;
     adaptive.name = "certified, look-ahead, adaptive";
     adaptive.adaptive.on = true;
@@ -211,6 +214,7 @@ int main_of(int argc, char** argv) {
                              certified(s.threshold, lipschitz, terrain.at(s.start)),
                              ahead,
                              trusting,
+                             narrow,
                              adaptive,
                              reactive,
                              batched,
