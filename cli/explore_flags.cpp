@@ -25,9 +25,6 @@ constexpr std::array kUses{Use{"noise-bound", true, false, false},
                            Use{"look-ahead", true, false, false},
                            Use{"travel-weight", true, false, false},
                            Use{"trust-model", true, false, false},
-                           // The published safe set is made without it. A config file's value acts
-                           // on the expanders, as in the program that it belongs to.
-                           Use{"lipschitz", true, true, false},
                            Use{"start-radius", true, true, false}};
 
 [[nodiscard]] std::string names_of(const Use& use) {
@@ -65,6 +62,11 @@ void check_uses(const ExploreOptions& o, const CommonOptions& common) {
                     "leave it out, or take --rules published or --motion reactive",
                     o.rules,
                     o.motion));
+  }
+  if (is_given(common, "lipschitz") && o.rules == "published") {
+    say("note: under --rules published --lipschitz acts on the expanders alone: the safe set is "
+        "the "
+        "model's.");
   }
   if (is_given(common, "robot-radius") && o.motion != "reactive") {
     say(fmt::format(

@@ -88,7 +88,8 @@ CommandLine explore_command_line(ExploreOptions& o) {
       "lipschitz",
       text(o.lipschitz, "L"),
       "largest slope per cell: give it if it is known; 'auto' is an estimate, several times "
-      "too wide from one place, so that goals may not be reached (certified rules)")(
+      "too wide from one place, so that goals may not be reached (certified rules); published "
+      "rules make the safe set without it")(
       "confidence",
       number(o.confidence, "P"),
       "that no estimate of the Lipschitz constant in the run is too low")(

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <table/random.hpp>
+#include <terrain/limits.hpp>
 #include <terrain/lipschitz.hpp>
 
 #include "cli/errors.hpp"
@@ -87,6 +88,7 @@ using terrain::Terrain;
 [[nodiscard]] std::vector<Measurement> measured(const Terrain& terrain,
                                                 const std::vector<Cell>& cells) {
   std::vector<Measurement> measurements;
+  measurements.reserve(cells.size());
   for (const Cell c : cells) {
     measurements.push_back({terrain::position(c), terrain.at(c)});
   }
@@ -103,9 +105,11 @@ void set_certified(terrain::ExploreSetup& setup,
   for (const Cell c : around) {
     if (terrain.at(c) - o.noise_bound < o.threshold) {
       throw BadData(
-          fmt::format("the ground round the start is not safe: {} at ({}, {}) is below "
+          fmt::format("the ground round the start is not safe: {}{} at ({}, {}) is below "
                       "the threshold {}; start elsewhere or lower --start-radius",
                       terrain.at(c),
+                      o.noise_bound > 0.0 ? fmt::format(" less --noise-bound {}", o.noise_bound)
+                                          : std::string(),
                       c.x,
                       c.y,
                       o.threshold));
@@ -137,6 +141,14 @@ void set_certified(terrain::ExploreSetup& setup,
       throw UsageError("the Lipschitz constant cannot be estimated from " +
                        std::to_string(first.size()) +
                        " measurements; give it with --lipschitz or raise --start-radius");
+    }
+    if (const double least = terrain::limit_of("lipschitz").low; estimate.constant < least) {
+      throw BadData(
+          fmt::format("the slopes of the terrain are too small to reckon with: {:.3g} per cell, at "
+                      "least {:g} is "
+                      "needed; multiply its values",
+                      estimate.constant,
+                      least));
     }
     setup.rules.lipschitz = estimate.constant;
     setup.lipschitz_confidence = o.confidence;

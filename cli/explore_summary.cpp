@@ -67,6 +67,9 @@ using terrain::ExploreSetup;
 
 [[nodiscard]] std::string certificate(const ExploreResult& result) {
   const auto& value = result.last().certificate;
+  if (!value && (result.end == End::reached || result.end == End::goal_at_edge)) {
+    return "certificate: NA (the start is not on certified ground)\n";
+  }
   if (!value) {
     return "certificate: NA (start and goal are not joined over certified ground)\n";
   }

@@ -384,7 +384,11 @@ void require_range(std::string_view option, double value, double low, double hig
     return;
   }
   std::string text = "--" + std::string(option) + ": found ";
-  table::append_number(text, value);
+  if (std::isnan(value)) {
+    text += "nan";
+  } else {
+    table::append_number(text, value);
+  }
   text += ", expected a value from ";
   table::append_number(text, low);
   text += " to ";

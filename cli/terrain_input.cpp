@@ -102,6 +102,8 @@ terrain::CellSet blocked_cells(const TerrainGrid& terrain,
   if (!obstacles.empty()) {
     TerrainFileOptions layer_options = options;
     layer_options.header = TerrainHeader::detect;
+    // A value that means a gap of the terrain may be a free cell's here.
+    layer_options.nodata.declared.reset();
     const TerrainGrid layer = read_terrain_or_throw(obstacles, layer_options);
     if (layer.rows != terrain.rows || layer.columns != terrain.columns) {
       throw BadData(fmt::format("'{}': found {} x {} cells, expected the terrain's {} x {}",

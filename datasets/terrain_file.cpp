@@ -57,11 +57,14 @@ class Reader {
 
   void read_table(std::string_view bytes) {
     reading::CellTable table = reading::read_cells(bytes, options_.file);
+    result_.diagnostics = std::move(table.problems);
+    if (table::has_error(result_.diagnostics)) {
+      return;  // Its lines may be of different lengths.
+    }
     reading::HeaderDecision decision = reading::decide_header(table, options_.header);
     if (decision.header && options_.header == TerrainHeader::detect && starts_with_a_point(table)) {
       decision = {};
     }
-    result_.diagnostics = std::move(table.problems);
     terrain_.header = decision.header ? std::string(table.first_text) : table.comment;
     if (!decision.header && table.first_line != 0) {
       put_first_line(table);
@@ -85,6 +88,9 @@ class Reader {
       if (read_points(table, options_.format == TerrainFormat::points || named)) {
         return;
       }
+      note(
+          "read as a terrain three cells wide; if these are points x, y, value, they form no "
+          "lattice: put them on one first (gdal_grid)");
     }
     note(decision.note);
     terrain_.rows = static_cast<int>(table.rows);
@@ -164,15 +170,23 @@ class Reader {
       return;
     }
     std::vector<double> first;
+    table::DiagnosticGroups words;
+    reading::NamedColumns columns;
     for (std::size_t k = 0; k < table.first.size(); ++k) {
       double value = std::nan("");
       if (!reading::is_gap_word(table.first[k]) && !reading::to_number(table.first[k], value)) {
-        fail(table.first_line,
-             std::to_string(k + 1),
-             table::shortened(table.first[k]),
-             "a finite number in every cell, or a gap: nothing, nan or NA");
+        words.add({table::Severity::error,
+                   options_.file,
+                   table.first_line,
+                   columns.of(k + 1),
+                   table::shortened(table.first[k]),
+                   "a finite number in every cell, or a gap: nothing, nan or NA",
+                   1});
       }
       first.push_back(value);
+    }
+    for (table::Diagnostic& word : words.take()) {
+      result_.diagnostics.push_back(std::move(word));
     }
     table.values.insert(table.values.begin(), first.begin(), first.end());
     ++table.rows;

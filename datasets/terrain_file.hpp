@@ -66,10 +66,11 @@ struct TerrainFileResult {
 /// Comma, semicolon, tab or blanks between the numbers, whichever the first row uses; # begins a
 /// comment line. Three columns whose first two run over an evenly spaced lattice are points: x
 /// counts the lattice along the first, y along the second, both upwards, and nodes without a point
-/// are gaps. Rejects binary files by what they are, lines of different lengths, cells that are
-/// neither numbers nor gaps, three columns that may be points but form no lattice, fewer than two
-/// rows or columns, and more than 2^26 cells or 8192 a side, naming line and cell. O(size), for
-/// points O(points log points).
+/// are gaps. Three columns of 16 lines or more that form none are refused, unless they are said to
+/// be a grid or lines begin alike: then a note says so. Rejects binary files by what they are,
+/// lines of different lengths, cells that are neither numbers nor gaps, three columns that may be
+/// points but form no lattice, fewer than two rows or columns, and more than 2^26 cells or 8192 a
+/// side, naming line and cell. O(size), for points O(points log points).
 [[nodiscard]] TerrainFileResult read_terrain(const table::Bytes& bytes,
                                              const TerrainFileOptions& options);
 

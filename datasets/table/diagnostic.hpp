@@ -47,7 +47,7 @@ class DiagnosticGroups {
   /// In the order of first occurrence; leaves the collection empty.
   [[nodiscard]] std::vector<Diagnostic> take();
 
-  [[nodiscard]] bool has_error() const noexcept { return tcert::has_error(groups_); }
+  [[nodiscard]] bool has_error() const noexcept { return table::has_error(groups_); }
 
  private:
   using Kind = std::tuple<Severity, std::string, std::string, std::string>;

@@ -51,7 +51,8 @@ constexpr std::array kMagics{
 [[nodiscard]] std::string with_name(std::string_view way_out, std::string_view file) {
   std::string text(way_out);
   constexpr std::string_view kPlace = "FILE";
-  if (const std::size_t at = text.find(kPlace); at != std::string::npos && !file.empty()) {
+  for (std::size_t at = text.find(kPlace); at != std::string::npos && !file.empty();
+       at = text.find(kPlace, at + file.size())) {
     text.replace(at, kPlace.size(), file);
   }
   return text;

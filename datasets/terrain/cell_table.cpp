@@ -6,6 +6,7 @@
 #include <limits>
 #include <table/cell_reading.hpp>
 #include <table/decimal.hpp>
+#include <utility>
 
 #include "datasets/terrain_file.hpp"
 
@@ -46,6 +47,10 @@ class Line {
       ++from;
     }
     while (from != to && is_blank(to[-1])) {
+      --to;
+    }
+    if (to - from >= 2 && *from == '"' && to[-1] == '"') {
+      ++from;
       --to;
     }
     cell = {from, static_cast<std::size_t>(to - from)};
@@ -94,7 +99,7 @@ class Line {
 
 class Reader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {}
+  explicit Reader(std::string file) : file_(std::move(file)) {}
 
   void line(std::string_view text, std::size_t number) {
     const std::size_t begin = text.find_first_not_of(" \t");
@@ -151,7 +156,7 @@ class Reader {
           ++table_.words;
         } else {
           report(number,
-                 std::to_string(columns),
+                 bad_columns_.of(columns),
                  table::shortened(cell),
                  "a finite number in every cell, or a gap: nothing, nan or NA");
         }
@@ -207,12 +212,24 @@ class Reader {
   std::string file_;
   CellTable table_;
   table::DiagnosticGroups problems_;
+  NamedColumns bad_columns_;
   std::size_t ends_in_nothing_ = 0;
   char separator_ = ',';
   bool full_ = false;
 };
 
 }  // namespace
+
+std::string NamedColumns::of(std::size_t column) {
+  constexpr std::size_t kMostNamed = 3;
+  if (std::find(named_.begin(), named_.end(), column) == named_.end()) {
+    if (named_.size() == kMostNamed) {
+      return {};
+    }
+    named_.push_back(column);
+  }
+  return std::to_string(column);
+}
 
 bool to_number(std::string_view cell, double& value) {
   double number = 0.0;

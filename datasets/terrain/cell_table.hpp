@@ -23,8 +23,19 @@ struct CellTable {
   std::vector<table::Diagnostic> problems;
 };
 
+/// Columns that problems name: the first few that have one by number, the others together.
+class NamedColumns {
+ public:
+  /// `column` as text, or nothing. \pre column > 0
+  [[nodiscard]] std::string of(std::size_t column);
+
+ private:
+  std::vector<std::size_t> named_;
+};
+
 /// Comma, semicolon, tab or blanks between the cells, whichever the first line with a number uses;
-/// # begins a comment line. A separator at the end of every line is none. Problems: lines of
+/// # begins a comment line. A separator at the end of every line is none, nor are double
+/// quotes round a cell part of it. Problems: lines of
 /// different lengths, cells that are neither a number nor a gap, more than 2^26 cells. O(size).
 /// \pre `text` is of Bytes, and outlives the table.
 [[nodiscard]] CellTable read_cells(std::string_view text, const std::string& file);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "datasets/terrain/cell_table.hpp"
 
@@ -28,6 +29,8 @@ struct Header {
   std::optional<double> rows;
   std::optional<double> x;
   std::optional<double> y;
+  std::optional<double> centre_x;
+  std::optional<double> centre_y;
   std::optional<double> cell;
   std::optional<double> dx;
   std::optional<double> dy;
@@ -41,9 +44,9 @@ struct Key {
 constexpr std::array<Key, 10> kKeys{{{"ncols", &Header::columns},
                                      {"nrows", &Header::rows},
                                      {"xllcorner", &Header::x},
-                                     {"xllcenter", &Header::x},
+                                     {"xllcenter", &Header::centre_x},
                                      {"yllcorner", &Header::y},
-                                     {"yllcenter", &Header::y},
+                                     {"yllcenter", &Header::centre_y},
                                      {"cellsize", &Header::cell},
                                      {"dx", &Header::dx},
                                      {"dy", &Header::dy},
@@ -65,7 +68,7 @@ constexpr std::array<Key, 10> kKeys{{{"ncols", &Header::columns},
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+  Reader(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {}
 
   EsriGrid read() {
     if (read_header() && read_cells()) {
@@ -149,9 +152,11 @@ class Reader {
         double value = std::numeric_limits<double>::quiet_NaN();
         if (!to_number(word, value) && !is_gap_word(word)) {
           fail(number_,
-               std::to_string(column),
+               bad_columns_.of(column),
                word,
-               "a finite number in every cell, or a gap: nan or the NODATA_value");
+               word.find(',') == std::string_view::npos
+                   ? "a finite number in every cell, or a gap: nan or the NODATA_value"
+                   : "numbers with a decimal point, not a comma");
         }
         if (found <= wanted) {
           grid_.terrain.values.push_back(value);
@@ -179,6 +184,10 @@ class Reader {
     if (header_.x && header_.y) {
       text +=
           fmt::format("; its south-west corner lies at {:.10g}, {:.10g}", *header_.x, *header_.y);
+    } else if (header_.centre_x && header_.centre_y) {
+      text += fmt::format("; the centre of its south-west cell lies at {:.10g}, {:.10g}",
+                          *header_.centre_x,
+                          *header_.centre_y);
     }
     const std::optional<double> dx = header_.dx ? header_.dx : header_.cell;
     const std::optional<double> dy = header_.dy ? header_.dy : header_.cell;
@@ -187,7 +196,7 @@ class Reader {
           "; a cell is {:.6g} x {:.6g} units, not square, and all lengths are in cells", *dx, *dy);
     } else if (dx && dy) {
       text += fmt::format(
-          "; a cell is {0:.6g} units wide, but lengths, --lipschitz and length scales stay per "
+          "; its cellsize is {0:.6g}, but lengths, --lipschitz and length scales stay per "
           "cell "
           "(a slope of s per unit is L = {0:.6g} s)",
           *dx);
@@ -200,6 +209,7 @@ class Reader {
   Header header_;
   EsriGrid grid_;
   table::DiagnosticGroups problems_;
+  NamedColumns bad_columns_;
   std::size_t number_ = 0;
 };
 

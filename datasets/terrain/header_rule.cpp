@@ -103,7 +103,8 @@ struct FirstLine {
 
 [[nodiscard]] HeaderDecision decide_by_numbers(const CellTable& table, const FirstLine& line) {
   const std::span<const double> numbers(line.numbers);
-  if (numbers.size() != table.first.size() || table.rows == 0) {
+  // With one line below there is no terrain without the first.
+  if (numbers.size() != table.first.size() || table.rows < 2) {
     return {};
   }
   const std::vector<double> column = first_column(table);

@@ -17,7 +17,8 @@ struct HeaderDecision {
 };
 
 /// As TerrainHeader has it. A first column of row numbers or row coordinates is dropped if the
-/// header has nothing, or a word, or no cell above it. O(columns + rows).
+/// header has nothing, or a word, or no cell above it. O(columns + rows). \pre the table has no
+/// problems
 [[nodiscard]] HeaderDecision decide_header(const CellTable& table, TerrainHeader mode);
 
 /// Three numbers or more, one as far from the next as any other, and not equal.

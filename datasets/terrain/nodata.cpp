@@ -61,7 +61,9 @@ struct Extreme {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double lowest = kInfinity;
   for (const double v : values) {
-    lowest = std::min(lowest, std::isnan(v) ? kInfinity : sign * v);
+    if (!std::isnan(v)) {
+      lowest = std::min(lowest, sign * v);
+    }
   }
   Extreme extreme;
   extreme.value = sign * lowest;
@@ -126,16 +128,12 @@ class Marker {
   }
 
   void recognised(std::vector<std::string>& notes) {
+    // One that goes may leave another at the other end as far outside as it should be.
+    while (mark_sentinel(1.0) || mark_sentinel(-1.0)) {
+      guessed_ = true;
+    }
     for (const double sign : {1.0, -1.0}) {
-      for (;;) {
-        const Extreme e = extreme_of(values_, sign);
-        if (e.alone || !is_sentinel(e.value) || e.outside < kOutside * e.range) {
-          ask(e, notes);
-          break;
-        }
-        add(fmt::format("of {:.9g}", e.value), mark([&](double v) { return v == e.value; }));
-        guessed_ = true;
-      }
+      ask(extreme_of(values_, sign), notes);
     }
   }
 
@@ -167,21 +165,32 @@ class Marker {
   }
 
  private:
+  /// Makes gaps of the lowest value, or with `sign` -1 of the highest, if it is a sentinel.
+  bool mark_sentinel(double sign) {
+    const Extreme e = extreme_of(values_, sign);
+    if (e.alone || !is_sentinel(e.value) || e.outside < kOutside * e.range) {
+      return false;
+    }
+    add(fmt::format("of {:.9g}", e.value), mark([&](double v) { return v == e.value; }));
+    return true;
+  }
+
   void add(const std::string& kind, std::size_t count) {
     gaps_ += count;
     kinds_ += fmt::format("{}{} {}", kinds_.empty() ? "" : ", ", count, kind);
   }
 
   static void ask(const Extreme& e, std::vector<std::string>& notes) {
-    const bool odd = !e.alone && e.count > 1 && e.range > 0.0 &&
-                     (is_sentinel(e.value) || e.outside > kFarOutside * e.range);
+    const bool odd = !e.alone && e.range > 0.0 &&
+                     (is_sentinel(e.value) || (e.count > 1 && e.outside > kFarOutside * e.range));
     if (odd) {
       notes.push_back(fmt::format(
-          "warning: {0} cells hold {1:.9g}, {2:.4g} from the nearest other value; if that means "
-          "that nothing is known, give --nodata {1:.9g}, else --nodata none",
+          "warning: {0} {3} {1:.9g}, {2:.4g} from the nearest other value; if that means that "
+          "nothing is known, give --nodata {1:.9g}, else --nodata none",
           e.count,
           e.value,
-          e.outside));
+          e.outside,
+          e.count == 1 ? "cell holds" : "cells hold"));
     }
   }
 

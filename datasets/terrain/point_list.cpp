@@ -18,6 +18,8 @@ constexpr double kLeastFilled = 0.25;
 constexpr double kPointsPerLine = 1.5;
 constexpr double kMostTwice = 0.1;  // of the points
 constexpr double kApart = 3.0;      // times the widest span
+/// So many lines of three are points sooner than a terrain three cells wide.
+constexpr std::size_t kMostRowsOfAStrip = 16;
 
 constexpr std::string_view kWayOut =
     "; put points on a lattice first (gdal_grid), or, if this is a terrain three cells wide, give "
@@ -59,7 +61,12 @@ struct Axis {
       ++axis.distinct;
     }
   }
-  const double lines = std::round(range / step);
+  // Each distance counts its own steps, so that coordinates that were rounded do not add up.
+  double lines = 0.0;
+  for (std::size_t i = 1; i < v.size(); ++i) {
+    const double d = v[i] - v[i - 1];
+    lines += d > kSameCoordinate * range ? std::round(d / step) : 0.0;
+  }
   if (lines > kMostTerrainSide - 1) {
     return std::nullopt;
   }
@@ -75,7 +82,8 @@ struct Axis {
 struct Nodes {
   std::vector<double> values;  ///< NaN where there is no point.
   std::size_t filled = 0;
-  std::size_t twice = 0;
+  std::size_t repeated = 0;     ///< Points that say again what their node holds.
+  std::size_t twice = 0;        ///< Points that say another value.
   std::size_t first_twice = 0;  ///< Index of the first point whose node was taken.
 };
 
@@ -88,14 +96,19 @@ struct Nodes {
   for (std::size_t i = 0; i < values.size(); i += kColumns) {
     const std::size_t at = static_cast<std::size_t>(x.node(values[i])) * width +
                            static_cast<std::size_t>(y.node(values[i + 1]));
-    if (taken[at]) {
+    const double value = values[i + 2];
+    if (taken[at] && (nodes.values[at] == value || std::isnan(value))) {
+      ++nodes.repeated;
+      continue;
+    }
+    if (taken[at] && !std::isnan(nodes.values[at])) {
       nodes.first_twice = nodes.twice == 0 ? i / kColumns : nodes.first_twice;
       ++nodes.twice;
       continue;
     }
+    nodes.filled += taken[at] ? 0U : 1U;
     taken[at] = true;
-    nodes.values[at] = values[i + 2];
-    ++nodes.filled;
+    nodes.values[at] = value;
   }
   return nodes;
 }
@@ -148,58 +161,84 @@ struct Nodes {
                     x.step);
 }
 
+[[nodiscard]] PointListResult broken(std::string problem) {
+  PointListResult result;
+  result.kind = PointList::broken;
+  result.problem = std::move(problem) + std::string(kWayOut);
+  return result;
+}
+
+/// Whether so many points may fill the nodes of two axes.
+[[nodiscard]] bool is_dense(const std::optional<Axis>& x,
+                            const std::optional<Axis>& y,
+                            std::size_t points) {
+  return x && y && x->distinct > 1 && y->distinct > 1 &&
+         static_cast<double>(x->count) * y->count <= static_cast<double>(points) / kLeastFilled;
+}
+
+/// Points whose coordinates lie on the nodes of two axes; `none` if that may be chance.
+[[nodiscard]] PointListResult on_nodes(std::span<const double> values,
+                                       const Axis& x,
+                                       const Axis& y,
+                                       bool wanted) {
+  const std::size_t points = values.size() / kColumns;
+  Nodes nodes = fill(values, x, y);
+  const auto longer = static_cast<double>(std::max(x.distinct, y.distinct));
+  const bool full = static_cast<double>(nodes.filled) >= kPointsPerLine * longer;
+  const bool few_twice =
+      static_cast<double>(nodes.twice + nodes.repeated) <= kMostTwice * static_cast<double>(points);
+  if (!wanted && !(full && few_twice)) {
+    return {};
+  }
+  if (nodes.twice > 0) {
+    return broken(
+        fmt::format("one value at every point x, y, but the point number {} stands where another "
+                    "does, with another value",
+                    nodes.first_twice + 1));
+  }
+  if (!full) {
+    return broken("points on a lattice, but too few of its nodes are there");
+  }
+  PointListResult result;
+  result.kind = PointList::lattice;
+  result.terrain = {x.count, y.count, std::move(nodes.values), {}};
+  result.note = note_of(x, y, points);
+  return result;
+}
+
+/// What is expected of points that there are too few of, or that have no place; or nothing.
+[[nodiscard]] std::string_view lack_of(std::span<const double> values) {
+  for (std::size_t i = 0; i < values.size(); i += kColumns) {
+    if (!std::isfinite(values[i]) || !std::isfinite(values[i + 1])) {
+      return "two coordinates of every point";
+    }
+  }
+  return values.size() < 4 * kColumns ? "four points x, y, value or more" : "";
+}
+
 }  // namespace
 
 PointListResult read_points(std::span<const double> values, bool wanted) {
-  PointListResult result;
-  const auto broken = [&](std::string problem) {
-    result.kind = PointList::broken;
-    result.problem = std::move(problem) + std::string(kWayOut);
-    return result;
-  };
+  if (const std::string_view lack = lack_of(values); !lack.empty()) {
+    return wanted ? broken(std::string(lack)) : PointListResult{};
+  }
   const std::size_t points = values.size() / kColumns;
-  for (std::size_t i = 0; i < values.size(); i += kColumns) {
-    if (!std::isfinite(values[i]) || !std::isfinite(values[i + 1])) {
-      return wanted ? broken("two coordinates of every point") : result;
-    }
-  }
-  if (points < 4) {
-    return wanted ? broken("four points x, y, value or more") : result;
-  }
   const auto x = axis_of(column_of(values, 0));
   const auto y = axis_of(column_of(values, 1));
-  if (x && y && x->distinct > 1 && y->distinct > 1 &&
-      static_cast<double>(x->count) * y->count <=
-          static_cast<double>(points) / kLeastFilled) {
-    Nodes nodes = fill(values, *x, *y);
-    const auto longer = static_cast<double>(std::max(x->distinct, y->distinct));
-    const bool full = static_cast<double>(nodes.filled) >= kPointsPerLine * longer;
-    const bool few_twice =
-        static_cast<double>(nodes.twice) <= kMostTwice * static_cast<double>(points);
-    if (full && nodes.twice == 0) {
-      result.kind = PointList::lattice;
-      result.terrain = {x->count, y->count, std::move(nodes.values), {}};
-      result.note = note_of(*x, *y, points);
+  if (is_dense(x, y, points)) {
+    PointListResult result = on_nodes(values, *x, *y, wanted);
+    if (result.kind != PointList::none) {
       return result;
     }
-    if ((full && few_twice) || wanted) {
-      return broken(nodes.twice == 0
-                        ? "points on a lattice, but too few of its nodes are there"
-                        : fmt::format("one value at every point x, y, but the point number {} "
-                                      "stands where another does",
-                                      nodes.first_twice + 1));
-    }
-    return result;
   }
   if (wanted) {
     return broken("points x, y, value whose x and y are evenly spaced");
   }
-  if (all_places_differ(values) && columns_lie_apart(values)) {
+  if (all_places_differ(values) && (points >= kMostRowsOfAStrip || columns_lie_apart(values))) {
     return broken(
-        "a terrain, but these three columns look like points x, y, value that form no "
-        "lattice");
+        "a terrain, but these three columns look like points x, y, value that form no lattice");
   }
-  return result;
+  return {};
 }
 
 bool names_coordinates(std::string_view first, std::string_view second) {

@@ -13,7 +13,7 @@ namespace tcert::terrain_reading {
 
 enum class PointList {
   none,     ///< Three columns of a terrain.
-  lattice,  ///< Points on a lattice of even spacing, each node at most once.
+  lattice,  ///< Points on a lattice of even spacing, one value a node.
   broken,   ///< Points, or what may be some, that form no such lattice.
 };
 
@@ -25,10 +25,11 @@ struct PointListResult {
 };
 
 /// `values` are rows of x, y, value. On a lattice: both coordinates evenly spaced (missing lines
-/// allowed), every node at most once, a quarter of the nodes there, and as many points as half
-/// again the longer side. Broken: points are `wanted` and there is none; or nodes are given twice;
-/// or the three columns lie further apart than three times what any of them spans, which no terrain
-/// does. O(n log n).
+/// allowed), one value a node (few of them said twice), a quarter of the nodes there, and as many
+/// points as half again the longer side. Broken: points are `wanted` and there is none; or a few
+/// nodes have two values; or no two lines begin alike and there are 16 or more of them, or their
+/// three columns lie further apart than three times what any of them spans, which no terrain does.
+/// O(n log n).
 [[nodiscard]] PointListResult read_points(std::span<const double> values, bool wanted);
 
 /// "x,y", "lon,lat", "easting,northing": the names of coordinates, in any case and quotes.

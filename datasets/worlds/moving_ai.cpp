@@ -2,6 +2,7 @@
 #include <charconv>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "datasets/worlds/raster_world.hpp"
 #include "datasets/worlds/world_files.hpp"
@@ -17,6 +18,10 @@ class Lines {
   explicit Lines(std::string_view text) : rest_(text) {}
 
   [[nodiscard]] bool next() {
+    if (again_) {
+      again_ = false;
+      return true;
+    }
     if (rest_.empty()) {
       return false;
     }
@@ -29,16 +34,21 @@ class Lines {
     return true;
   }
 
+  /// The next line is this one.
+  void again() { again_ = true; }
+
   std::string_view line;
   std::size_t number = 0;
 
  private:
   std::string_view rest_;
+  bool again_ = false;
 };
 
 class Reader {
  public:
-  Reader(const table::Bytes& bytes, const std::string& file) : lines_(bytes.view()), file_(file) {}
+  Reader(const table::Bytes& bytes, std::string file)
+      : lines_(bytes.view()), file_(std::move(file)) {}
 
   [[nodiscard]] bool read(Raster& raster) {
     return read_header(raster) && read_cells(raster) && read_end(raster);
@@ -60,41 +70,60 @@ class Reader {
 
   [[nodiscard]] bool read_header(Raster& raster) {
     while (lines_.next()) {
-      const std::string_view line = lines_.line;
-      if (line == "map" || line == "MapData") {
-        if (raster.columns == 0 || raster.rows == 0) {
-          return fail("height and width, both above 0, before the map");
-        }
-        if (raster.columns > kMostCells / raster.rows) {
-          return fail("at most 100 million cells");
-        }
-        return true;
+      if (lines_.line == "map" || lines_.line == "MapData") {
+        return fits(raster);
       }
-      const std::size_t split = line.find_first_of(" =");
-      const std::string_view key = line.substr(0, split);
-      if (line.empty() || key == "type") {
-        continue;
+      if (begins_cells(raster)) {
+        lines_.again();
+        return fits(raster);
       }
-      if (key == "free" || key == "obstacle") {
-        if (!read_signs(key == "free" ? free_ : obstacle_, line.substr(key.size()))) {
-          return false;
-        }
-        continue;
-      }
-      std::size_t* const value = key == "height" || key == "MapHeight" ? &raster.rows
-                                 : key == "width" || key == "MapWidth" ? &raster.columns
-                                                                       : nullptr;
-      if (value == nullptr || split == std::string_view::npos) {
-        return fail("type, height, width, free, obstacle, map, or MapHeight=, MapWidth=, MapData");
-      }
-      const std::string_view digits = line.substr(split + 1);
-      const auto [stop, error] =
-          std::from_chars(digits.data(), digits.data() + digits.size(), *value);
-      if (error != std::errc{} || stop != digits.data() + digits.size()) {
-        return fail("a whole number of cells");
+      if (!lines_.line.empty() && !read_field(raster)) {
+        return false;
       }
     }
     return fail("a line 'map' or 'MapData' before the cells");
+  }
+
+  /// A line of the header: its name, and what it says.
+  [[nodiscard]] bool read_field(Raster& raster) {
+    const std::string_view line = lines_.line;
+    const std::size_t split = line.find_first_of(" =");
+    const std::string_view key = line.substr(0, split);
+    if (key == "type") {
+      return true;
+    }
+    if (key == "free" || key == "obstacle") {
+      return read_signs(key == "free" ? free_ : obstacle_, line.substr(key.size()));
+    }
+    std::size_t* const value = key == "height" || key == "MapHeight" ? &raster.rows
+                               : key == "width" || key == "MapWidth" ? &raster.columns
+                                                                     : nullptr;
+    if (value == nullptr || split == std::string_view::npos) {
+      return fail("type, height, width, free, obstacle, map, or MapHeight=, MapWidth=, MapData");
+    }
+    const std::string_view digits = line.substr(split + 1);
+    const auto [stop, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), *value);
+    return (error == std::errc{} && stop == digits.data() + digits.size()) ||
+           fail("a whole number of cells");
+  }
+
+  [[nodiscard]] bool fits(const Raster& raster) {
+    if (raster.columns == 0 || raster.rows == 0) {
+      return fail("height and width, both above 0, before the map");
+    }
+    if (raster.columns > kMostCells / raster.rows) {
+      return fail("at most 100 million cells");
+    }
+    return true;
+  }
+
+  /// Some headers end without a line 'map'.
+  [[nodiscard]] bool begins_cells(const Raster& raster) const {
+    return raster.rows > 0 && raster.columns > 0 && lines_.line.size() == raster.columns &&
+           std::all_of(lines_.line.begin(), lines_.line.end(), [&](char c) {
+             return is_free(c).has_value();
+           });
   }
 
   /// "free ." and "obstacle @": further signs, one after the other or with blanks between.

@@ -38,8 +38,8 @@ struct WorldsResult {
 
 /// MovingAI (Sturtevant, 2012): 'type octile', height, width, map; or MapWidth=, MapHeight=,
 /// MapData. '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' are not, unless header lines 'free .'
-/// or 'obstacle @' say otherwise of a sign. The first row lies at high y, the low corner at the
-/// origin.
+/// or 'obstacle @' say otherwise of a sign; a line 'map' may be missing. The first row lies at high
+/// y, the low corner at the origin.
 [[nodiscard]] WorldsResult world_from_moving_ai(const table::Bytes& bytes,
                                                 const std::string& file,
                                                 const WorldFrame& frame);

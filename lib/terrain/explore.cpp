@@ -201,7 +201,8 @@ class Run {
   [[nodiscard]] End what_forbids() const {
     CellSet good(terrain_.grid.size());
     for (std::size_t i = 0; i < good.size(); ++i) {
-      good[i] = terrain_.values[i] >= setup_.rules.threshold ? 1 : 0;
+      // What a gap holds is not known: it may be good.
+      good[i] = terrain_.values[i] < setup_.rules.threshold ? 0 : 1;
     }
     if (!goal_joined_over(good)) {
       return End::not_reachable;
@@ -414,9 +415,10 @@ ExploreResult explore(const Terrain& terrain, const ExploreSetup& setup, const O
   }
   if (setup.rules.kind == RuleSet::certified &&
       terrain.at(setup.start) - setup.rules.noise_bound < setup.rules.threshold) {
-    throw std::invalid_argument("the start " + text_of(setup.start) + " stands on unsafe ground: " +
-                                std::to_string(terrain.at(setup.start)) +
-                                " is below the threshold " + std::to_string(setup.rules.threshold));
+    throw std::invalid_argument(
+        "the start " + text_of(setup.start) +
+        " stands on unsafe ground: " + std::to_string(terrain.at(setup.start)) +
+        " less the noise bound is below the threshold " + std::to_string(setup.rules.threshold));
   }
   return Run(terrain, setup, observe).run();
 }

@@ -168,7 +168,8 @@ TEST_F(ExploreCommand, ReadsThePrintedConfiguration) {
                                             "50,40",
                                             "--max-steps",
                                             "20"});
-  EXPECT_EQ(0, certified.exit_code) << to_string(certified);
+  // What is estimated instead is too wide for a goal within 20 steps.
+  EXPECT_EQ(7, certified.exit_code) << to_string(certified);
   expect_part(certified.err, "0.003 is contradicted by the first measurements");
   expect_part(certified.out, "unsafe cells held to be safe, at most: 0");
   work.write("bad.toml", "[optimization]\nLIPSHITZ = 3\n");
@@ -194,6 +195,18 @@ TEST_F(ExploreCommand, SaysWhatIsWrong) {
   refused({"terrain.csv", "--start", "45,35", "--threshold", "1e6", "--lipschitz", "18"},
           65,
           "is not safe");
+  refused({"terrain.csv", "--start", "45,35", "--threshold", "nan"}, 2, "found nan, expected");
+  refused({"terrain.csv",
+           "--start",
+           "45,35",
+           "--threshold",
+           "940",
+           "--lipschitz",
+           "18",
+           "--noise-bound",
+           "1e6"},
+          65,
+          "less --noise-bound 1000000");
   work.write("ragged.csv", "1,2,3\n4,5\n");
   refused({"ragged.csv", "--start", "0,0"}, 65, "ragged.csv:2: error");
   work.write("text.csv", "1,2,3\n4,five,6\n");
@@ -252,6 +265,7 @@ std::string plateau(
 
 TEST_F(ExploreCommand, NamesEveryEndByWordAndExitCode) {
   work.write("flat.csv", plateau(12, 12, "100"));
+  work.write("low.csv", plateau(12, 12, "1"));
   work.write("wall.csv", plateau(12, 12, "0", 6, "1"));
   std::string whole;
   for (int x = 0; x < 12; ++x) {
@@ -269,25 +283,40 @@ TEST_F(ExploreCommand, NamesEveryEndByWordAndExitCode) {
   ends({"--lipschitz", "1"}, 0, "end: explored: no cell can make the ground grow");
   ends({"--lipschitz", "200", "--goal", "9,9"}, 5, "only the Lipschitz constant forbids it");
   ends({"--lipschitz", "80", "--goal", "9,9", "--max-steps", "1"}, 7, "end: step limit");
+  const ProcessResult nothing = work.run(
+      {"explore", "low.csv", "--start", "2,2", "--threshold", "5", "--rules", "published"});
+  EXPECT_EQ(8, nothing.exit_code) << to_string(nothing);
+  expect_part(nothing.out, "end: empty safe set");
+  ends({"--lipschitz", "200", "--goal", "9,9", "--rules", "thesis"},
+       5,
+       "only the rule set forbids it");
   ends({"--lipschitz", "20", "--goal", "6,2", "--obstacles", "wall.csv"},
        65,
        "the goal (6, 2) lies in a physical obstacle");
   ends({"--lipschitz", "20", "--goal", "9,9", "--obstacles", "cut.csv"},
        65,
        "the goal (9, 9) cannot be reached whatever the ground is");
-  work.write("wide.csv", plateau(80, 80, "100"));
+  // A ramp, whose corner is certified after some steps only.
+  std::string ramp;
+  for (int x = 0; x < 60; ++x) {
+    for (int y = 0; y < 50; ++y) {
+      ramp += (y == 0 ? "" : ",") + std::to_string(x);
+    }
+    ramp += '\n';
+  }
+  work.write("ramp.csv", ramp);
   const ProcessResult edge = work.run({"explore",
-                                       "wide.csv",
+                                       "ramp.csv",
                                        "--start",
-                                       "30,30",
+                                       "45,4",
                                        "--goal",
-                                       "79,79",
+                                       "59,49",
                                        "--threshold",
-                                       "95",
+                                       "30",
                                        "--rules",
                                        "published",
                                        "--max-steps",
-                                       "300"});
+                                       "30"});
   EXPECT_EQ(6, edge.exit_code) << to_string(edge);
   expect_part(
       edge.out,
@@ -318,7 +347,6 @@ TEST_F(ExploreCommand, FlagsThatTheRulesWouldNotLookAtAreErrors) {
       refused(rules, flags, "--rules " + rules);
     }
   }
-  refused("published", {"--lipschitz", "18"}, "--rules published");
   refused("published", {"--start-radius", "1"}, "--rules published");
   refused("thesis", {"--simplification", "3"}, "--rules thesis");
   refused("certified", {"--travel-weight", "0.5"}, "--look-ahead");
@@ -327,6 +355,22 @@ TEST_F(ExploreCommand, FlagsThatTheRulesWouldNotLookAtAreErrors) {
   refused("certified",
           {"--lipschitz", "1e300"},
           "expected a number above 0, from 1e-30 to 1e+30, or auto");
+  // It acts on the published expanders, not on the safe set: no error, but a word.
+  const ProcessResult partly = work.run({"explore",
+                                         "terrain.csv",
+                                         "--start",
+                                         "45,35",
+                                         "--threshold",
+                                         "940",
+                                         "--rules",
+                                         "published",
+                                         "--lipschitz",
+                                         "18",
+                                         "--max-steps",
+                                         "2"});
+  EXPECT_EQ(0, partly.exit_code) << to_string(partly);
+  expect_part(partly.err, "--lipschitz acts on the expanders alone");
+  expect_part(partly.out, "Lipschitz constant: 18\n");
   const ProcessResult note = work.run({"explore",
                                        "terrain.csv",
                                        "--start",
@@ -427,6 +471,47 @@ TEST_F(ExploreCommand, GoesRoundGapsOfAllKinds) {
                                        "--nodata",
                                        "-77"});
   expect_part(told.err, "13 of 300 cells are gaps (13 of the nodata value -77)");
+}
+
+TEST_F(ExploreCommand, ANodataValueOfTheTerrainIsNoneOfTheObstacles) {
+  work.write("terrain.csv", plateau(20, 15, "1200.5", 9, "0"));
+  work.write("obstacles.csv", plateau(20, 15, "0", 12, "1"));
+  const ProcessResult run = work.run({"explore",
+                                      "terrain.csv",
+                                      "--start",
+                                      "4,7",
+                                      "--goal",
+                                      "15,7",
+                                      "--threshold",
+                                      "1000",
+                                      "--lipschitz",
+                                      "25",
+                                      "--nodata",
+                                      "0",
+                                      "--obstacles",
+                                      "obstacles.csv"});
+  EXPECT_EQ(0, run.exit_code) << to_string(run);
+  expect_part(run.err, "13 of 300 cells are gaps (13 of the nodata value 0)");
+  // How a terrain is read belongs to what is made again.
+  const ProcessResult kept = work.run({"explore",
+                                       "terrain.csv",
+                                       "--start",
+                                       "4,7",
+                                       "--threshold",
+                                       "1000",
+                                       "--lipschitz",
+                                       "25",
+                                       "--nodata",
+                                       "-1",
+                                       "--terrain-format",
+                                       "grid",
+                                       "--obstacles",
+                                       "obstacles.csv",
+                                       "--output",
+                                       "kept"});
+  EXPECT_EQ(0, kept.exit_code) << to_string(kept);
+  const ProcessResult stands = work.run({"verify", "kept", "--inputs", "."});
+  EXPECT_EQ(0, stands.exit_code) << to_string(stands);
 }
 
 TEST_F(ExploreCommand, ReadsPointsAndEsriGridsAndRefusesImages) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace tcert {
 namespace {
@@ -50,7 +51,14 @@ TEST(TerrainFile, SaysWhatIsWrongAndWhere) {
     EXPECT_NE(std::string::npos, problems(result).find(part)) << problems(result);
   };
   expect("1,2\n3\n5,6\n", "t.csv:2: error: found '1 cells', expected as many cells");
+  // Rows that end early, under what would be a header.
+  expect("1,2,3,4,5\n9,7,9,7,9\n1\n2\n", "t.csv:3: error: found '1 cells'");
+  expect("n1,2,3,4\n1,2,3,4\n5\n6\n", "t.csv:3: error: found '1 cells'");
   expect("1,2\n3,x\n", "t.csv:2: error: column '2': found 'x'");
+  // Many bad columns are three by number, and the others together.
+  const auto many = read("1,2,3,4,5,6\na,b,c,d,e,f\na,b,c,d,e,f\n");
+  EXPECT_EQ(4U, many.diagnostics.size()) << problems(many);
+  EXPECT_EQ(6U, many.diagnostics.back().count);
   expect("1,2,3\n", "found '1 x 3', expected at least two rows");
   expect("1\n2\n", "found '2 x 1', expected at least two rows");
   expect("", "found '0 x 0'");
@@ -130,6 +138,13 @@ TEST(TerrainFile, RecognisesNodataFarOutsideTheOtherValues) {
   EXPECT_EQ(0U, gaps(with("-9999", {true, -500.0})));
   EXPECT_EQ(0U, gaps(with("-9999", {false, {}})));
   EXPECT_FALSE(with("1e31", {false, {}}).terrain);
+  // A sentinel that is not far enough outside is asked about, even one cell of it.
+  const auto near = read("8000,9999,7000\n3000,1000,2000\n4000,0,500\n");
+  EXPECT_EQ(0U, gaps(near));
+  expect_part(notes(near), "warning: 1 cell holds 9999");
+  // One at each end: the higher stands in the way of the lower until it is gone.
+  const auto both = read("1200,32767,1190\n1205,-9999,1195\n1201,1202,1203\n");
+  EXPECT_EQ(2U, gaps(both)) << notes(both);
   // Two plateaus are two plateaus.
   EXPECT_EQ(0U, gaps(read("50,50,50\n-50,-50,-50\n50,50,50\n")));
 }
@@ -159,6 +174,10 @@ TEST(TerrainFile, KnowsALineThatNumbersTheColumns) {
   EXPECT_EQ(3, frame.terrain->rows);
   EXPECT_EQ(3, frame.terrain->columns);
   EXPECT_EQ(1200.0, frame.terrain->values.front());
+  // As R writes them, in quotes.
+  const auto quoted = read("\"\",\"V1\",\"V2\"\n\"1\",1200,1210\n\"2\",1205,1201\n");
+  ASSERT_TRUE(quoted.terrain) << problems(quoted);
+  EXPECT_EQ((std::vector<double>{1200, 1210, 1205, 1201}), quoted.terrain->values);
 }
 
 /// z = 100 x + y on 4 x 5 nodes half a unit apart, far from the origin.
@@ -204,6 +223,9 @@ TEST(TerrainFile, ReadsPointsOnALattice) {
       expect_part(notes(result), "cell x is (x - 500000) / 0.5, cell y is (y - 4000000) / 0.5");
     }
   }
+  const auto twice = read(points(',', true, "") + "500000.0,4000000.0,0\n");
+  ASSERT_TRUE(twice.terrain) << "the same said twice: " << problems(twice);
+  EXPECT_EQ(20U, twice.terrain->values.size());
   const auto hole = read(points(',', true, "", 7));
   ASSERT_TRUE(hole.terrain) << problems(hole);
   EXPECT_EQ(20U, hole.terrain->values.size());
@@ -215,6 +237,20 @@ TEST(TerrainFile, ReadsPointsOnALattice) {
   const auto two = read("5,7,1,9\n5,8,2,9\n6,7,3,9\n6,8,4,9\n7,7,4,9\n7,8,4,9\n");
   EXPECT_FALSE(two.terrain);
   expect_part(problems(two), "keep x, y and one value");
+  // Degrees that were rounded: no step is quite the mean one.
+  std::string seconds;
+  for (int x = 0; x < 1500; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      char line[64];
+      std::snprintf(line, sizeof line, "%.6f,%.6f,%d\n", 11.5 + x / 3600.0, 48.1 + y / 3600.0, x);
+      seconds += line;
+    }
+  }
+  const auto degrees = read(seconds);
+  ASSERT_TRUE(degrees.terrain) << problems(degrees);
+  EXPECT_EQ(1500, degrees.terrain->rows);
+  EXPECT_EQ(3, degrees.terrain->columns);
+  EXPECT_EQ(0U, gaps(degrees));
   // 0, 1, 2 is the first point here, not a header.
   EXPECT_EQ(3, read("0,1,2\n0,2,5\n1,1,9\n1,2,4\n2,1,7\n2,2,1\n").terrain->rows);
 }
@@ -226,6 +262,13 @@ TEST(TerrainFile, RefusesPointsThatFormNoLattice) {
     expect_part(problems(result), "--terrain-format grid");
   };
   refused(points(',', false, "") + "500000.0,4000000.0,7\n");
+  // Scattered ones, too many for a terrain three cells wide.
+  std::string scattered;
+  for (int i = 0; i < 20; ++i) {
+    scattered += std::to_string(37 * i % 101) + ".3," + std::to_string(53 * i % 97) + ".7," +
+                 std::to_string(i % 7) + '\n';
+  }
+  refused(scattered);
   refused(
       "500000.13,4000000.71,1200\n500001.92,4000003.14,1201\n500007.5,4000001.1,1199\n"
       "500003.3,4000009.2,1210\n");
@@ -234,6 +277,7 @@ TEST(TerrainFile, RefusesPointsThatFormNoLattice) {
   const auto strip = read("1200,1210,1190\n1205,1201,1195\n1207,1209,1200\n1203,1206,1201\n");
   ASSERT_TRUE(strip.terrain) << problems(strip);
   EXPECT_EQ(3, strip.terrain->columns);
+  expect_part(notes(strip), "read as a terrain three cells wide");
   TerrainFileOptions grid{"t.csv", TerrainHeader::detect, TerrainFormat::grid, {}};
   EXPECT_EQ(20, read_terrain(table::Bytes::copy_of(points(',', false, "")), grid).terrain->rows);
 }
@@ -254,6 +298,10 @@ TEST(TerrainFile, ReadsEsriGrids) {
     expect_part(notes(result), "x counts its rows from north to south");
     expect_part(notes(result), "a slope of s per unit is L = 0.5 s");
   }
+  expect_part(notes(read("ncols 3\nnrows 2\nxllcorner 5\nyllcorner 7\ncellsize 1\n" + values)),
+              "its south-west corner lies at 5, 7");
+  expect_part(notes(read("ncols 3\nnrows 2\nxllcenter 5\nyllcenter 7\ncellsize 1\n" + values)),
+              "the centre of its south-west cell lies at 5, 7");
   // Five lines; values broken anywhere.
   const std::string five = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
   EXPECT_EQ(1U, gaps(read(five + "1 2\n3 4 -9999\n6\n")));

@@ -210,6 +210,12 @@ TEST(WorldFiles, MovingAiHeadersThatSayWhatIsFree) {
   const WorldsResult own = read("free _ @\nobstacle # .\n", "##_#\n_@@_\n");
   ASSERT_EQ(own.worlds.size(), 1U) << refusal(own);
   EXPECT_EQ(own.worlds[0].obstacles.size(), 2U);
+  const WorldsResult no_map = world_from_moving_ai(
+      Bytes::copy_of("height 3\nwidth 4\nfree .\nobstacle @\n....\n.@@.\n....\n"),
+      "m.map",
+      frame());
+  ASSERT_EQ(no_map.worlds.size(), 1U) << refusal(no_map);
+  EXPECT_EQ(no_map.worlds[0].obstacles.size(), 1U);
   EXPECT_HAS(refusal(read("free #\nobstacle #\n", "....\n....\n")), "either free or an obstacle");
   EXPECT_HAS(refusal(read("free\n", "....\n....\n")), "a sign after");
 }

@@ -83,22 +83,31 @@ class Draws {
   std::size_t left_;
 };
 
-/// Some of the numbers drawn anew, every word within its words.
+/// A few of the fields drawn anew: numbers, words within their words, and room for little, so that
+/// it is used up.
 template <class Group>
 Group drawn(Draws& draws) {
+  std::uint64_t changed = 0;  // a bit for each field
+  for (std::uint32_t changes = draws.below(5); changes > 0; --changes) {
+    changed |= std::uint64_t{1} << draws.below(64);
+  }
   Group group;
   visit_fields(group, [&](const auto& field, auto member) {
     auto& value = group.*member;
     using Value = std::decay_t<decltype(value)>;
+    const bool anew = (changed & 1U) != 0;
+    changed >>= 1U;
     if constexpr (std::is_same_v<Value, double>) {
-      if (draws.below(24) == 0) {
+      if (anew) {
         value = draws.number(value == 0.0 ? 0.1 : value);
       }
     } else if constexpr (std::is_enum_v<Value>) {
-      const auto spaces = std::count(field.words.begin(), field.words.end(), ' ');
-      value = static_cast<Value>(draws.below(static_cast<std::uint32_t>(spaces) + 1));
+      if (anew) {
+        const auto spaces = std::count(field.words.begin(), field.words.end(), ' ');
+        value = static_cast<Value>(draws.below(static_cast<std::uint32_t>(spaces) + 1));
+      }
     } else {
-      value = 2 + 4 * draws.byte();  // room for little, so that it is used up
+      value = anew ? 2 + 4 * draws.byte() : 64;
     }
   });
   return group;

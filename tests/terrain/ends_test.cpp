@@ -68,27 +68,61 @@ TEST(Ends, ObstaclesForbidWhatTheThresholdAllows) {
   EXPECT_EQ(End::past_obstacles, explore(terrain, setup).end);
 }
 
+TEST(Ends, WhatAGapHoldsIsNotSaidToBreakTheThreshold) {
+  Terrain terrain = flat(20, 12, 100.0);
+  ExploreSetup setup = setup_of({2, 2}, Cell{17, 2}, 100.0);
+  setup.blocked = wall(terrain.grid, 10, 0, 11);
+  for (std::size_t i = 0; i < terrain.values.size(); ++i) {
+    if (setup.blocked[i] != 0) {
+      terrain.values[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  EXPECT_EQ(End::past_obstacles, explore(terrain, setup).end);
+}
+
 TEST(Ends, TheRulesForbidIt) {
-  // Q_t on S_t alone, and a band so wide that no lower bound comes above the threshold.
-  ExploreSetup setup = setup_of({2, 2}, Cell{9, 9}, 30.0);
+  // So steep an L that no disc holds a neighbour: Algorithm 1 cannot leave its seed.
+  ExploreSetup setup = setup_of({2, 2}, Cell{9, 9}, 200.0);
   setup.rules.kind = RuleSet::thesis;
-  setup.rules.threshold = 99.0;
-  setup.rules.beta = 1e5;
   setup.seeds = {{2, 2}};
   setup.max_steps = 200;
-  const End end = explore(flat(12, 12, 100.0), setup).end;
-  EXPECT_TRUE(end == End::only_rules || end == End::step_limit) << to_string(end);
+  const ExploreResult result = explore(flat(12, 12, 100.0), setup);
+  EXPECT_EQ(End::only_rules, result.end) << to_string(result.end);
+  EXPECT_EQ(1U, result.last().safe);
+}
+
+TEST(Ends, NothingIsSafe) {
+  // A zero prior draws the one measurement down below the threshold.
+  ExploreSetup setup = setup_of({2, 2}, Cell{9, 9}, 20.0);
+  setup.rules.kind = RuleSet::published;
+  setup.rules.threshold = 90.0;
+  setup.prior = {0.0, 2.0, 30.0, 1.0};
+  EXPECT_EQ(End::empty_safe_set, explore(flat(12, 12, 100.0), setup).end);
 }
 
 TEST(Ends, TheGoalLiesAtTheEdge) {
-  ExploreSetup setup = setup_of({4, 4}, Cell{11, 11}, 0.003);
+  // A ramp, whose goal in the corner is certified after some steps only: at the first plan depth is
+  // not asked for.
+  Terrain terrain = flat(60, 50, 0.0);
+  for (std::size_t i = 0; i < terrain.values.size(); ++i) {
+    terrain.values[i] = terrain.grid.cell(i).x;
+  }
+  ExploreSetup setup = setup_of({45, 4}, Cell{59, 49}, 0.003);
   setup.rules.kind = RuleSet::published;
-  setup.rules.threshold = 98.0;  // not certified at the first plan, where depth is not asked for
+  setup.rules.threshold = 30.0;
+  for (int x = 30; x < 60; x += 4) {
+    for (int y = 0; y < 24; y += 4) {
+      setup.first_cells.push_back({x, y});
+    }
+  }
   setup.prior = {0.0, 2.0, 30.0, 1.0};
-  setup.max_steps = 60;
-  const ExploreResult result = explore(flat(12, 12, 100.0), setup);
+  setup.max_steps = 30;
+  const ExploreResult result = explore(terrain, setup);
   EXPECT_EQ(End::goal_at_edge, result.end) << to_string(result.end);
-  EXPECT_EQ(position({11, 11}), result.frontier);
+  EXPECT_EQ(position({59, 49}), result.frontier);
+  // Without a depth it is reached.
+  setup.simplification = 0.0;
+  EXPECT_EQ(End::reached, explore(terrain, setup).end);
 }
 
 TEST(Ends, TheLimitOfSteps) {

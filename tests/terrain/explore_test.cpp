@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <table/random.hpp>
+
 #include <terrain/explore.hpp>
 #include <terrain/lipschitz.hpp>
 #include "analysis/study/terrain/baselines.hpp"

@@ -1,12 +1,13 @@
 // Runs the scenarios on a terrain file: one CSV row a run.
 #include <tbb/parallel_for.h>
 
+#include <table/random.hpp>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <table/random.hpp>
 #include <terrain/lipschitz.hpp>
 #include <vector>
 #include "analysis/study/terrain/baselines.hpp"
@@ -193,6 +194,9 @@ int main_of(int argc, char** argv) {
     trusting.name = "trusting the model";
     trusting.rules.trust_model = true;
     trusting.rules.beta = kTrustedBeta;
+    Variant narrow = trusting;
+    narrow.name = "trusting the model, beta 3";
+    narrow.rules.beta = Rules{}.beta;
     Variant adaptive = ahead;
     adaptive.name = "certified, look-ahead, adaptive";
     adaptive.adaptive.on = true;
@@ -211,6 +215,7 @@ int main_of(int argc, char** argv) {
                              certified(s.threshold, lipschitz, terrain.at(s.start)),
                              ahead,
                              trusting,
+                             narrow,
                              adaptive,
                              reactive,
                              batched,

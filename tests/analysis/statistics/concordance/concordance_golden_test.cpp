@@ -2,14 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <statistics/concordance/concordance.hpp>
+#include <statistics/cox/cox.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <statistics/concordance/concordance.hpp>
-#include <statistics/cox/cox.hpp>
 #include <string>
 #include <vector>
 #include "analysis/statistics/survival/survival_golden.hpp"

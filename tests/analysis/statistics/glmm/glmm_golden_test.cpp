@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <statistics/glmm/glmm.hpp>
+#include <statistics/glmm/glmm_comparison.hpp>
+#include <statistics/glmm/glmm_profile.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -10,9 +14,6 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <statistics/glmm/glmm.hpp>
-#include <statistics/glmm/glmm_comparison.hpp>
-#include <statistics/glmm/glmm_profile.hpp>
 #include <string>
 #include "analysis/statistics/glmm/glmm_golden.hpp"
 

@@ -5,11 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <statistics/glmm/intercept_likelihood.hpp>
+#include <statistics/glmm/selected_inverse.hpp>
+
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <cmath>
-#include <statistics/glmm/intercept_likelihood.hpp>
-#include <statistics/glmm/selected_inverse.hpp>
 #include <string>
 #include <vector>
 #include "analysis/statistics/glmm/glmm_random_rows.hpp"

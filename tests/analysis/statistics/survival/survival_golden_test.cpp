@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <statistics/survival/log_rank.hpp>
+#include <statistics/survival/survival_curve.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <statistics/survival/log_rank.hpp>
-#include <statistics/survival/survival_curve.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
