@@ -22,7 +22,7 @@ struct Scoring {
   const CellFiles& files;
   study::H1Options h1;
   study::H3Options h3;
-  Cache* store;  ///< May be null.
+  Cache* store = nullptr;
 
   /// The rows kept under the digest of `key`, or those that `make` makes.
   [[nodiscard]] CellRows kept(const std::string& key, const std::function<CellRows()>& make) const;

@@ -241,7 +241,7 @@ class FrameBuilder {
     }
     const table::Factor& factor = used.value.factor;
     const bool has_order = text_column(expression) == nullptr ||
-                           options_.reference.count(text_column(expression)->name) > 0;
+                           options_.reference.contains(text_column(expression)->name);
     if (const auto coding = has_order ? std::nullopt : coded_by_words(factor)) {
       return kept_coding(*coding);
     }

@@ -133,6 +133,31 @@ void set_statistic(LogRankTest& test) {
   test.p_value = form->p_value;
 }
 
+/// The covariance of one event time, upper triangle: of the groups at risk, the others add nothing.
+/// `present` is room to work in.
+void add_hypergeometric(double scale,
+                        double all,
+                        const Eigen::VectorXd& at_risk,
+                        std::vector<Eigen::Index>& present,
+                        Eigen::MatrixXd& covariance) {
+  present.clear();
+  for (Eigen::Index g = 0; g < at_risk.size(); ++g) {
+    if (at_risk(g) > 0.0) {
+      present.push_back(g);
+    }
+  }
+  for (const Eigen::Index a : present) {
+    const double share = scale / all * at_risk(a);
+    for (const Eigen::Index b : present) {
+      if (b > a) {
+        break;
+      }
+      covariance(b, a) -= share * at_risk(b);
+    }
+    covariance(a, a) += scale * at_risk(a);
+  }
+}
+
 }  // namespace
 
 LogRankTest log_rank_test(const SurvivalOutcome& outcome,
@@ -156,7 +181,7 @@ LogRankTest log_rank_test(const SurvivalOutcome& outcome,
   Eigen::VectorXd observed = Eigen::VectorXd::Zero(k);
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(k);
   test.covariance = Eigen::MatrixXd::Zero(k, k);
-  std::vector<Eigen::Index> present;  // groups at risk: the others add nothing
+  std::vector<Eigen::Index> present;
   for (std::size_t s = 0; s < order.groups(); ++s) {
     Stratum stratum(outcome, groups, order.stops_of(s), order.starts_of(s));
     stratum.for_each_event_time([&](double events,
@@ -168,22 +193,7 @@ LogRankTest log_rank_test(const SurvivalOutcome& outcome,
       expected += (weight * events / all) * at_risk;
       if (all > 1.0) {
         const double scale = weight * weight * events * (all - events) / (all * (all - 1.0));
-        present.clear();
-        for (Eigen::Index g = 0; g < k; ++g) {
-          if (at_risk(g) > 0.0) {
-            present.push_back(g);
-          }
-        }
-        for (const Eigen::Index a : present) {
-          const double share = scale / all * at_risk(a);
-          for (const Eigen::Index b : present) {
-            if (b > a) {
-              break;
-            }
-            test.covariance(b, a) -= share * at_risk(b);
-          }
-          test.covariance(a, a) += scale * at_risk(a);
-        }
+        add_hypergeometric(scale, all, at_risk, present, test.covariance);
       }
     });
   }

@@ -91,7 +91,7 @@ struct RestrictedMean {
 };
 
 /// O(points).
-[[nodiscard]] RestrictedMean restricted_mean(const SurvivalCurve& curve, double limit);
+[[nodiscard]] RestrictedMean restricted_mean(const SurvivalCurve& curve, double asked);
 
 /// The latest time of any of the curves: R's `rmean = "common"`; 0 without points.
 [[nodiscard]] double common_limit(std::span<const SurvivalCurve> curves) noexcept;
