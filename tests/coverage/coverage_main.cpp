@@ -6,9 +6,9 @@
 #include "analysis/study/coverage/coverage_study.hpp"
 
 int main(int argc, char** argv) {
-  using tcert::coverage::Coverage;
-  using tcert::coverage::Options;
-  using tcert::coverage::Scenario;
+  using tcert::study::coverage::Coverage;
+  using tcert::study::coverage::Options;
+  using tcert::study::coverage::Scenario;
   Options options;
   if (argc > 1) {
     options.data_sets = std::strtoul(argv[1], nullptr, 10);
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
       "scenario,quantity,method,truth,mean_estimate,intervals,missing,coverage,mc_se,mean_width\n");
   std::uint32_t stream = 10;
   for (const Scenario& scenario : scenarios) {
-    for (const Coverage& row : tcert::coverage::run(scenario, stream++, options)) {
+    for (const Coverage& row : tcert::study::coverage::run(scenario, stream++, options)) {
       std::printf("%s,%s,%s,%.4f,%.4f,%zu,%zu,%.4f,%.4f,%.4f\n",
                   row.scenario.c_str(),
                   row.quantity.c_str(),

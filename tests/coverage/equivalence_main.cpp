@@ -8,8 +8,8 @@
 #include "analysis/study/coverage/equivalence_study.hpp"
 
 int main(int argc, char** argv) {
-  using tcert::coverage::EquivalenceRates;
-  using tcert::coverage::LightingScenario;
+  using tcert::study::coverage::EquivalenceRates;
+  using tcert::study::coverage::LightingScenario;
   const std::size_t data_sets = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 2000;
   if (data_sets == 0 || argc > 2) {
     std::fprintf(stderr, "usage: equivalence_study [DATA_SETS]\n");
@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
         scenario.margin = margin;
         scenario.difference = share * margin;
         const EquivalenceRates row =
-            tcert::coverage::run_equivalence(scenario, stream++, data_sets);
+            tcert::study::coverage::run_equivalence(scenario, stream++, data_sets);
         std::printf("%.1f,%.2f,%.3f,%zu,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n",
                     icc,
                     margin,

@@ -6,7 +6,7 @@
 #include "analysis/study/coverage/gate_study.hpp"
 
 int main(int argc, char** argv) {
-  tcert::coverage::GateOptions options;
+  tcert::study::coverage::GateOptions options;
   if (argc > 1) {
     options.studies = std::strtoul(argv[1], nullptr, 10);
   }
@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: gate_study [STUDIES [REPLICATES]]\n");
     return 2;
   }
-  const tcert::coverage::GateSummary summary = tcert::coverage::run_gates(options);
+  const tcert::study::coverage::GateSummary summary = tcert::study::coverage::run_gates(options);
   std::fprintf(
       stderr,
       "%zu studies: large-sample 50 %% point %.5f m (SE %.5f), its bias from 0; slope %.2f "
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
       summary.median_estimate_m,
       summary.separated);
   std::printf("method,sets,unbounded_share,coverage,mc_se,covers_zero,median_width_m\n");
-  for (const tcert::coverage::GateCoverage& row : summary.methods) {
+  for (const tcert::study::coverage::GateCoverage& row : summary.methods) {
     std::printf("%s,%zu,%.4f,%.4f,%.4f,%.4f,%.5f\n",
                 row.method.c_str(),
                 row.sets,

@@ -15,7 +15,7 @@
 #include <statistics/roc/roc.hpp>
 #include <table/random.hpp>
 
-namespace tcert::coverage {
+namespace tcert::study::coverage {
 namespace {
 
 constexpr std::size_t kMethods = 8;
@@ -232,4 +232,4 @@ std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const 
   return rows;
 }
 
-}  // namespace tcert::coverage
+}  // namespace tcert::study::coverage

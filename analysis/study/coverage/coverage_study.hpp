@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert::coverage {
+namespace tcert::study::coverage {
 
 /// Trials of days. A latent ability L of a trial, standard normal, decides its outcome: it fails
 /// below a threshold that 77 of 660 trials miss. Two predictors see it through noise:
@@ -71,4 +71,4 @@ struct Coverage {
 /// numbers for any number of threads.
 std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const Options& options);
 
-}  // namespace tcert::coverage
+}  // namespace tcert::study::coverage

@@ -14,7 +14,7 @@
 
 #include "analysis/study/coverage/coverage_study.hpp"
 
-namespace tcert::coverage {
+namespace tcert::study::coverage {
 namespace {
 
 constexpr double kBetterAuc = 0.76;
@@ -129,4 +129,4 @@ EquivalenceRates run_equivalence(const LightingScenario& scenario,
   return rates;
 }
 
-}  // namespace tcert::coverage
+}  // namespace tcert::study::coverage

@@ -9,7 +9,7 @@
 #include <table/factor.hpp>
 #include <vector>
 
-namespace tcert::coverage {
+namespace tcert::study::coverage {
 
 inline constexpr std::size_t kLightings = 3;
 
@@ -62,4 +62,4 @@ EquivalenceRates run_equivalence(const LightingScenario& scenario,
                                  std::size_t data_sets,
                                  std::uint64_t seed = 1);
 
-}  // namespace tcert::coverage
+}  // namespace tcert::study::coverage

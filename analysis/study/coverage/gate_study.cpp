@@ -17,7 +17,7 @@
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/trial_reader.hpp"
 
-namespace tcert::coverage {
+namespace tcert::study::coverage {
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
@@ -132,4 +132,4 @@ GateSummary run_gates(const GateOptions& options) {
   return summary;
 }
 
-}  // namespace tcert::coverage
+}  // namespace tcert::study::coverage

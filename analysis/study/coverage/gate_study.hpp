@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tcert::coverage {
+namespace tcert::study::coverage {
 
 struct GateOptions {
   std::size_t studies = 1000;  ///< Each one is `simulate --micro-study` of its own seed.
@@ -39,4 +39,4 @@ struct GateSummary {
 /// any number of threads.
 GateSummary run_gates(const GateOptions& options);
 
-}  // namespace tcert::coverage
+}  // namespace tcert::study::coverage
