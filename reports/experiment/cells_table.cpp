@@ -19,7 +19,7 @@ TableCell estimate(const Score& score) {
 }
 
 /// The rival over which the certificate gains least; null without a rival that has a gain.
-const study::H1Row* strongest_rival(const study::H1Panel& panel, study::H1Score H1Row::*gain) {
+const study::H1Row* strongest_rival(const study::H1Panel& panel, study::H1Score study::H1Row::*gain) {
   const study::H1Row* strongest = nullptr;
   for (const study::H1Row& row : panel.rows) {
     const bool counts = row.kind == study::H1RowKind::rival && (row.*gain).value;
@@ -31,8 +31,8 @@ const study::H1Row* strongest_rival(const study::H1Panel& panel, study::H1Score 
 }
 
 void add_rival(const study::H1Panel& panel,
-               study::H1Score H1Row::*gain,
-               std::optional<double> H1Row::*holm,
+               study::H1Score study::H1Row::*gain,
+               std::optional<double> study::H1Row::*holm,
                std::vector<TableCell>& cells) {
   const study::H1Row* const rival = strongest_rival(panel, gain);
   cells.push_back(rival != nullptr ? TableCell{rival->name} : TableCell{});

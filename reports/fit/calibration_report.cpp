@@ -84,7 +84,7 @@ Table bin_table(const statistics::ModelCalibration& calibration) {
 
 Table brier_table(const statistics::ModelCalibration& calibration) {
   Record record("brier", "Brier score and its parts");
-  const auto part = [&](double BrierParts::*member) {
+  const auto part = [&](double statistics::BrierParts::*member) {
     return calibration.brier ? std::optional((*calibration.brier).*member) : std::nullopt;
   };
   record.number("score", "Brier score", part(&statistics::BrierParts::score))
