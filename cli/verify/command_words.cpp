@@ -192,6 +192,8 @@ const std::vector<AllowedCommand>& allowed_commands() {
                 {"goal"},
                 {"mode"},
                 {"header"},
+                {"terrain-format"},
+                {"nodata"},
                 {"threshold"},
                 {"lipschitz"},
                 {"confidence"},

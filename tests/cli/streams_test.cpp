@@ -194,6 +194,21 @@ TEST_F(Surroundings, TheLiveLoopOutlivesItsDisk) {
   EXPECT_NE(recorded.find("ended with 73"), std::string::npos) << recorded;
 }
 
+TEST_F(Surroundings, TheLiveLoopOutlivesTheDiskOfItsRows) {
+  const std::string live = "timeout 30 $T live --bundle corpus < ticks.csv ";
+  ASSERT_EQ(shell->run(live + "--record whole > all.csv").exit_code, 0);
+  const ProcessResult full = shell->run(live + "--record full > /dev/full");
+  EXPECT_EQ(full.exit_code, 73) << to_string(full);
+  EXPECT_NE(full.err.find("cannot write to stdout"), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("rows were lost"), std::string::npos) << full.err;
+  EXPECT_EQ(shell->contents("full"), shell->contents("whole")) << "every tick was taken";
+  const ProcessResult cut = shell->run("(ulimit -f 4; " + live + "> cut.csv)");
+  EXPECT_EQ(cut.exit_code, 73) << to_string(cut);
+  const std::string rows = shell->work().read("cut.csv");
+  EXPECT_EQ(rows, shell->work().read("all.csv").substr(0, rows.size()));
+  EXPECT_GT(rows.size(), 1024U);
+}
+
 TEST_F(Surroundings, WhatATerminalWouldObeyIsSaidInOtherWords) {
   shell->work().write("esc/trials.csv",
                       "trial_id,success,time_s\n\x1b[31mred,1,2\nt\x1b]0;x,1,2\n");
