@@ -245,6 +245,25 @@ TEST_F(Surroundings, JsonThatIsNestedTooDeeplyIsAnErrorWhereverItIsRead) {
   EXPECT_EQ(shell->run("$T live --bundle corpus < deep_ticks.jsonl").exit_code, 3);
 }
 
+TEST_F(Surroundings, AnObjectOfVeryManyKeysIsAnErrorAtOnce) {
+  std::string wide = "{";
+  for (int i = 0; i < 200'000; ++i) {
+    wide += "\"k" + std::to_string(i) + "\":1,";
+  }
+  auto& work = shell->work();
+  const auto widened = [&](const std::string& name) { return wide + work.read(name).substr(1); };
+  work.write("wide/one/manifest.json", widened("made/manifest.json"));
+  work.write("wide.json", widened("corpus/worlds/t0000000.json"));
+  work.write("wide/bundle.json", widened("corpus/bundle.json"));
+  work.write("wide/trials.csv", "trial_id,success,time_s\n");
+  for (const char* line :
+       {"verify wide", "figures wide --output drawn", "world wide.json", "check wide"}) {
+    const ProcessResult run = shell->run(std::string("timeout 10 $T ") + line);
+    EXPECT_TRUE(run.exit_code == 65 || run.exit_code == 66) << to_string(run);
+    EXPECT_NE(run.err.find("more than 4096 keys"), std::string::npos) << to_string(run);
+  }
+}
+
 TEST_F(Surroundings, AFileMadeToFillTheMemoryIsRefused) {
   const ProcessResult run = shell->run(
       "cp -r corpus bomb && (echo time_s,x_m,y_m,yaw_rad; head -c 300000000 /dev/zero) | gzip -9 > "
