@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -167,6 +169,67 @@ TEST_F(Attacks, AManifestRunsNothingButWhatMakesResults) {
     EXPECT_NE(run.err.find("its manifest"), std::string::npos)
         << other["arguments"] << to_string(run);
   }
+}
+
+/// The other side of it: no option that shapes a result was forgotten.
+TEST_F(Attacks, AManifestMayHaveEveryOptionThatShapesAResult) {
+  const std::set<std::string> others = {
+      "help", "output", "quiet", "threads", "config", "cache", "no-cache", "picture", "figures"};
+  ordered_json manifest =
+      ordered_json::parse(shell->work().read("run/tree/certificates/manifest.json"));
+  ASSERT_EQ(shell->run("rm -rf run/signed && mkdir -p run/signed/one").exit_code, 0);
+  const auto is_refused = [&](const std::vector<ordered_json>& words, const std::string& option) {
+    manifest["arguments"] = words;
+    shell->work().write("run/signed/one/manifest.json", manifest.dump(2) + "\n");
+    const ProcessResult run = shell->run("cd run && $T verify signed");
+    EXPECT_NE(run.exit_code, 0) << to_string(run);
+    return run.err.find("the option '" + option + "'") != std::string::npos;
+  };
+  int options = 0;
+  for (const char* line : {"simulate",        "simulate terrain",
+                           "import barn",     "certify",
+                           "replay",          "ablate",
+                           "sweep",           "gate",
+                           "hypotheses h1",   "world",
+                           "figures",         "report",
+                           "explore",         "fit glm",
+                           "fit cox",         "fit km",
+                           "fit glmm",        "fit roc",
+                           "fit calibration", "fit concordance"}) {
+    std::istringstream words(line);
+    std::string command;
+    std::string kind;
+    words >> command >> kind;
+    std::istringstream help(shell->run(std::string("$T ") + line + " --help").out);
+    for (std::string text; std::getline(help, text);) {
+      if (!text.starts_with("  --")) {
+        continue;
+      }
+      const std::string name = text.substr(4, text.find(' ', 4) - 4);
+      if (others.count(name) != 0) {
+        continue;
+      }
+      const std::string option = "--" + name;
+      manifest["command"] = command;
+      std::vector<ordered_json> front;
+      if (!kind.empty()) {
+        front.emplace_back(kind);
+      }
+      const auto with = [&](std::initializer_list<ordered_json> value) {
+        std::vector<ordered_json> all = front;
+        all.push_back(option);
+        all.insert(all.end(), value.begin(), value.end());
+        // Nothing is run, whatever is allowed: one may be taken for a value, the other is refused.
+        all.insert(all.end(), 2, "--no-such-option");
+        return all;
+      };
+      EXPECT_FALSE(is_refused(with({}), option) && is_refused(with({"1"}), option) &&
+                   is_refused(with({ordered_json{{"input", "nowhere"}}}), option))
+          << line << ' ' << option;
+      ++options;
+    }
+  }
+  EXPECT_GT(options, 150);
 }
 
 TEST_F(Attacks, BytesBehindAManifestAndAddedLinksAreNoticed) {

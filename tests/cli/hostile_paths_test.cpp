@@ -21,12 +21,11 @@ const std::vector<std::string>& writers() {
       "replay tree/corpus --output",
       "ablate tree/corpus --replicates 20 --no-cache --output",
       "sweep tree/corpus --replicates 20 --no-cache --grid beta_per_m=5 --output",
-      "gate gates --replicates 20 --output",
       "hypotheses h1 --features tree/certificates/features.csv --replicates 20 --output",
       "fit km --data tree/certificates/features.csv --formula 'Surv(time_s,success)~1' --output",
       "world tree/corpus/worlds/t0000000.json --no-curvature --output",
       "world tree/corpus/worlds/t0000000.json --no-curvature --picture",
-      "explore map.csv --start 2,2 --lipschitz 18 --output",
+      "explore map.csv --start 2,2 --lipschitz 18 --threshold=-1e9 --mode explore --output",
       "figures tree --output",
       "report tree --output",
       "live --bundle tree/corpus --record",
@@ -39,7 +38,7 @@ class HostilePaths : public Attacks {
   static void SetUpTestSuite() {
     Attacks::SetUpTestSuite();
     const ProcessResult run = shell->run(
-        "cd run && $T simulate --micro-study --output gates && $T simulate terrain --rows 4 "
+        "cd run && $T simulate terrain --rows 4 "
         "--columns 4 --output map.csv && "
         "echo 'FLASER 3 1 1 1 0 0 0 0 0 0 1 host 1' > log.clf && mkfifo pipe && "
         "ln -s ../canary/new dangling && ln -s canary/x to_file && ln -s loop loop");
