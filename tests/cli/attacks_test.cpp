@@ -223,7 +223,7 @@ TEST_F(Attacks, AManifestMayHaveEveryOptionThatShapesAResult) {
         all.insert(all.end(), 2, "--no-such-option");
         return all;
       };
-      EXPECT_FALSE(is_refused(with({}), option) && is_refused(with({"1"}), option) &&
+      EXPECT_FALSE(is_refused(with({"1"}), option) && is_refused(with({}), option) &&
                    is_refused(with({ordered_json{{"input", "nowhere"}}}), option))
           << line << ' ' << option;
       ++options;
