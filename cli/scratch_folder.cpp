@@ -24,8 +24,9 @@ fs::path place() {
   const fs::path folder = fs::temp_directory_path(error);
   if (error) {
     const char* const told = std::getenv("TMPDIR");
-    throw WriteError("cannot make a scratch folder in '" + std::string(told ? told : "/tmp") +
-                     "': " + error.message() + "; TMPDIR must name a folder");
+    throw WriteError("cannot make a scratch folder in '" +
+                     std::string(told != nullptr ? told : "/tmp") + "': " + error.message() +
+                     "; TMPDIR must name a folder");
   }
   return folder / "tcert";
 }
