@@ -107,7 +107,7 @@ ParameterSet effective_parameters(const std::map<std::string, std::string>& of_b
 Robot effective_robot(const BundleInfo& info, const ParameterSet& parameters) {
   Robot robot = with_overrides(info.robot, parameters.robot);
   try {
-    validate(robot);
+    validate(robot, parameters.certificate);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

@@ -259,8 +259,9 @@ int run(Arguments arguments) {
   }
   const bool own_corpus = options.bundle.empty();
   const fs::path output = common.output;
-  sweep_leftovers_in(output);
+  // First, for it finishes a page whose manifest was written and lacks its name alone.
   remove_stale(output, options);
+  sweep_leftovers_in(output);
   const std::string bundle =
       own_corpus ? corpus_in(output / "corpus", false, options, common) : options.bundle;
   for (const char* part : {"certificates", "replays", "ablation", "sensitivity"}) {

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <string>
 #include <system_error>
 
 #include "datasets/atomic_file.hpp"
@@ -21,8 +23,10 @@ fs::path place() {
   std::error_code error;
   const fs::path folder = fs::temp_directory_path(error);
   if (error) {
-    throw WriteError("cannot make a scratch folder in '" + folder.string() +
-                     "': " + error.message() + "; TMPDIR must name a folder");
+    const char* const told = std::getenv("TMPDIR");
+    throw WriteError("cannot make a scratch folder in '" +
+                     std::string(told != nullptr ? told : "/tmp") + "': " + error.message() +
+                     "; TMPDIR must name a folder");
   }
   return folder / "tcert";
 }
@@ -51,12 +55,12 @@ ScratchFolder::ScratchFolder() {
 }
 
 ScratchFolder::~ScratchFolder() {
+  if (lock_ >= 0) {
+    ::close(lock_);  // Where descriptors are short, removing needs it.
+  }
   std::error_code ignored;
   fs::remove_all(path_, ignored);
   forget_interrupted(path_);
-  if (lock_ >= 0) {
-    ::close(lock_);
-  }
 }
 
 }  // namespace tcert::cli

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "datasets/json_depth.hpp"
+#include "datasets/json_shape.hpp"
 #include "datasets/nearest_name.hpp"
 
 namespace tcert {
@@ -57,9 +57,8 @@ std::optional<json> parse_json(std::string_view text,
                                DiagnosticGroups& problems) {
   KeyWatch watch;
   std::optional<json> value;
-  if (is_nested_too_deeply(text)) {
-    problems.add(
-        {Severity::error, file, 0, "", std::string(kNestedTooDeeply), "a JSON document", 1});
+  if (const auto shape = json_shape_problem(text); !shape.empty()) {
+    problems.add({Severity::error, file, 0, "", std::string(shape), "a JSON document", 1});
     return value;
   }
   try {

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
-#include "datasets/json_depth.hpp"
+#include "datasets/json_shape.hpp"
 
 namespace tcert {
 namespace {
@@ -190,8 +190,8 @@ std::string to_json(const World& world) {
 }
 
 World world_from_json(std::string_view text) {
-  if (is_nested_too_deeply(text)) {
-    throw WorldFormatError(std::string(kNestedTooDeeply));
+  if (const auto shape = json_shape_problem(text); !shape.empty()) {
+    throw WorldFormatError(std::string(shape));
   }
   try {
     return read_world(Json::parse(text));

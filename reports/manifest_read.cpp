@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/bytes.hpp"
-#include "datasets/json_depth.hpp"
+#include "datasets/json_shape.hpp"
 #include "reports/manifest_checks.hpp"
 
 namespace tcert {
@@ -93,7 +93,7 @@ std::string_view to_string(FileChange change) noexcept {
 
 std::optional<WrittenResult> read_manifest(const std::filesystem::path& path) {
   const BytesResult file = read_raw_file(path);
-  if (!file.bytes || is_nested_too_deeply(file.bytes->view())) {
+  if (!file.bytes || !json_shape_problem(file.bytes->view()).empty()) {
     return std::nullopt;
   }
   const Json json = Json::parse(file.bytes->view(), nullptr, false);
@@ -112,9 +112,9 @@ std::string why_no_manifest(const std::filesystem::path& path) {
   std::string words = "'" + path.string() + "' is not a manifest of this tool";
   if (!file.bytes) {
     words += ": " + file.problem;
-  } else if (is_nested_too_deeply(file.bytes->view())) {
+  } else if (const auto shape = json_shape_problem(file.bytes->view()); !shape.empty()) {
     words += ": ";
-    words += kNestedTooDeeply;
+    words += shape;
   }
   return words;
 }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "datasets/json_depth.hpp"
+#include "datasets/json_shape.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -107,8 +107,8 @@ Table table_of(const Json& json) {
 }  // namespace
 
 Table table_from_json(std::string_view text) {
-  if (is_nested_too_deeply(text)) {
-    throw std::invalid_argument("not a table: " + std::string(kNestedTooDeeply));
+  if (const auto shape = json_shape_problem(text); !shape.empty()) {
+    throw std::invalid_argument("not a table: " + std::string(shape));
   }
   try {
     return table_of(Json::parse(text));

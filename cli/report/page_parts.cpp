@@ -9,7 +9,7 @@
 
 #include "cli/errors.hpp"
 #include "datasets/bytes.hpp"
-#include "datasets/json_depth.hpp"
+#include "datasets/json_shape.hpp"
 #include "reports/html/packed.hpp"
 
 namespace tcert::cli {
@@ -50,8 +50,8 @@ bool is_table(const fs::path& path) {
   if (!file.bytes) {
     throw BadData("'" + path.string() + "': " + file.problem);
   }
-  if (is_nested_too_deeply(file.bytes->view())) {
-    throw BadData("'" + path.string() + "': " + std::string(kNestedTooDeeply));
+  if (const auto shape = json_shape_problem(file.bytes->view()); !shape.empty()) {
+    throw BadData("'" + path.string() + "': " + std::string(shape));
   }
   const auto json = nlohmann::json::parse(file.bytes->view(), nullptr, false);
   return json.is_object() && json.contains("columns") && json.contains("rows") &&

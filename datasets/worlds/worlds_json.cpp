@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "datasets/json_depth.hpp"
+#include "datasets/json_shape.hpp"
 #include "datasets/worlds/world_files.hpp"
 
 namespace tcert {
@@ -72,7 +72,7 @@ WorldsResult worlds_from_json(const Bytes& bytes, const std::string& file) {
     return worlds.take();
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && text[first] == '[' && !is_nested_too_deeply(text)) {
+  if (first != std::string_view::npos && text[first] == '[' && json_shape_problem(text).empty()) {
     const auto array = nlohmann::ordered_json::parse(text, nullptr, false);
     if (!array.is_discarded()) {
       for (const auto& world : array) {

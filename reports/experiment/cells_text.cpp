@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "datasets/json_depth.hpp"
+#include "datasets/json_shape.hpp"
 
 namespace tcert {
 namespace {
@@ -76,8 +76,8 @@ std::string to_text(const CellRows& rows) {
 }
 
 CellRows cell_rows_from(const std::string& text) {
-  if (is_nested_too_deeply(text)) {
-    throw std::invalid_argument(std::string(kNestedTooDeeply));
+  if (const auto shape = json_shape_problem(text); !shape.empty()) {
+    throw std::invalid_argument(std::string(shape));
   }
   try {
     CellRows rows;
