@@ -62,6 +62,9 @@ DataFile read_data_file(const std::string& path,
   if (!std::filesystem::exists(path, error)) {
     throw NoInput("no table at '" + path + "'");
   }
+  if (!common.output.empty()) {
+    require_apart(path, common.output);
+  }
   if (!wanted.empty()) {
     wanted.emplace_back(kSeedColumn);
   }

@@ -73,6 +73,11 @@ std::string overview() {
     text += "  " + name + std::string(12 - name.size(), ' ') + std::string(command->summary) + '\n';
   }
   return text +
+         "\nExit codes: 0 done; 1 a check found something; 2 wrong usage; 3 done, but some trials, "
+         "cells or\nlines were rejected; 4 to 8 ends of 'explore'; 65 bad data; 66 no such input; "
+         "70 a "
+         "fault of this tool;\n71 the system has too little of something (memory, descriptors, "
+         "threads); 73 cannot write.\n"
          "\n'tcert COMMAND --help' describes one command, 'tcert help parameters' every "
          "parameter, 'tcert help columns' every column of the results.\n";
 }

@@ -107,7 +107,7 @@ study::ParameterSet effective_parameters(const std::map<std::string, std::string
 Robot effective_robot(const BundleInfo& info, const study::ParameterSet& parameters) {
   Robot robot = study::with_overrides(info.robot, parameters.robot);
   try {
-    validate(robot);
+    validate(robot, parameters.certificate);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <system_error>
@@ -42,6 +45,17 @@ int run(const std::vector<std::string>& arguments) {
   return command_of(first).run(Arguments(arguments).subspan(1));
 }
 
+/// True if nothing of that name can be used, whatever the system has.
+bool is_of_a_name(const std::error_code& error) {
+  constexpr std::array kKinds{std::errc::no_such_file_or_directory,
+                              std::errc::not_a_directory,
+                              std::errc::is_a_directory,
+                              std::errc::permission_denied,
+                              std::errc::filename_too_long,
+                              std::errc::too_many_symbolic_link_levels};
+  return std::ranges::any_of(kKinds, [&](std::errc kind) { return error == kind; });
+}
+
 int exit_code_of_current_exception(const std::string& who) {
   try {
     throw;
@@ -67,7 +81,18 @@ int exit_code_of_current_exception(const std::string& who) {
         ": there is not enough memory; fewer trials at a time (--trials), fewer --threads, or "
         "smaller bounds (max_nodes, max_edges, max_memory_cells, max_swept_cells) take less");
     return exit_system;
+  } catch (const std::filesystem::filesystem_error& error) {
+    if (is_of_a_name(error.code())) {
+      say(who + ": cannot use '" + error.path1().string() + "': " + error.code().message());
+      return exit_no_input;
+    }
+    say(who + ": the system refused: " + error.what());
+    return exit_system;
   } catch (const std::system_error& error) {
+    if (is_of_a_name(error.code())) {
+      say(who + ": cannot use " + error.what());
+      return exit_no_input;
+    }
     say(who + ": the system refused: " + error.what());
     return exit_system;
   } catch (const std::exception& error) {

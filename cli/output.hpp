@@ -29,7 +29,7 @@ void say(std::string_view lines);
 /// One line each on stderr.
 void say(std::span<const table::Diagnostic> diagnostics);
 
-/// \throws UsageError if writing `output` would replace `input`: it is that folder or holds it.
+/// \throws UsageError if `output` is or holds `input`; WriteError, see require_output_place().
 void require_apart(const std::filesystem::path& input, const std::filesystem::path& output);
 
 }  // namespace tcert::cli

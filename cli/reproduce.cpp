@@ -259,8 +259,9 @@ int run(Arguments arguments) {
   }
   const bool own_corpus = options.bundle.empty();
   const fs::path output = common.output;
-  table::sweep_leftovers_in(output);
+  // First, for it finishes a page whose manifest was written and lacks its name alone.
   remove_stale(output, options);
+  table::sweep_leftovers_in(output);
   const std::string bundle =
       own_corpus ? corpus_in(output / "corpus", false, options, common) : options.bundle;
   for (const char* part : {"certificates", "replays", "ablation", "sensitivity"}) {
@@ -273,7 +274,8 @@ int run(Arguments arguments) {
   const Words replays = {"--replays", (output / "replays" / "replay.csv").string()};
   steps.require(
       kCertify,
-      joined({{bundle}, steps.of_logs(), options.no_series ? Words{"--no-series"} : Words{}}),
+      joined(
+          {{bundle}, steps.of_logs(), options.no_series ? Words{"--no-series"} : Words{}}),
       "certificates");
   const Words test = joined({steps.of_process(), steps.seed()});
   steps.attempt(kHypotheses, joined({{"h1"}, features, landmark, test}), "h1");

@@ -60,13 +60,17 @@ std::FILE* open_for_writing(const fs::path& path) {
   return file;
 }
 
-/// \throws WriteError unless `name` leads to a place within `folder`, through folders that are none
-/// of them a link.
-void require_within(const fs::path& folder, const fs::path& name) {
+/// \throws WriteError unless `name` leads to a place within the folder that it is relative to.
+void require_within(const fs::path& name) {
   if (!table::leads_below(name)) {
     throw table::WriteError("cannot write '" + name.string() +
                             "': it does not lie in the output folder");
   }
+}
+
+/// Makes the folders that `name` lies in within `folder`, but not `folder` itself: once an
+/// interrupt has removed it nothing brings it back. \throws WriteError if one of them is a link.
+void make_folders_within(const fs::path& folder, const fs::path& name) {
   fs::path place = folder;
   for (const fs::path& part : name.parent_path()) {
     place /= part;
@@ -74,6 +78,10 @@ void require_within(const fs::path& folder, const fs::path& name) {
     if (fs::is_symlink(place, error)) {
       throw table::WriteError("cannot write '" + name.string() + "': '" + part.string() +
                               "' is a link");
+    }
+    fs::create_directory(place, error);
+    if (error) {
+      fail(place, error.value());
     }
   }
 }
@@ -140,14 +148,9 @@ ResultFolder::ResultFolder(const fs::path& path, const std::string& command)
       folder_(path_, may_replace(path_, command_)) {}
 
 void ResultFolder::write(const fs::path& name, std::string_view bytes) const {
-  require_within(staging(), name);
-  const fs::path path = staging() / name;
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  if (error) {
-    fail(path.parent_path(), error.value());
-  }
-  ResultFile file(path);
+  require_within(name);
+  make_folders_within(staging(), name);
+  ResultFile file(staging() / name);
   file.write(bytes);
   file.close();
 }

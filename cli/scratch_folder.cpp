@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <string>
 #include <system_error>
 #include <table/atomic_file.hpp>
 #include <table/temporary_name.hpp>
@@ -20,8 +22,10 @@ fs::path place() {
   std::error_code error;
   const fs::path folder = fs::temp_directory_path(error);
   if (error) {
-    throw table::WriteError("cannot make a scratch folder in '" + folder.string() +
-                            "': " + error.message() + "; TMPDIR must name a folder");
+    const char* const told = std::getenv("TMPDIR");
+    throw table::WriteError("cannot make a scratch folder in '" +
+                            std::string(told != nullptr ? told : "/tmp") + "': " + error.message() +
+                            "; TMPDIR must name a folder");
   }
   return folder / "tcert";
 }
@@ -50,12 +54,12 @@ ScratchFolder::ScratchFolder() {
 }
 
 ScratchFolder::~ScratchFolder() {
+  if (lock_ >= 0) {
+    ::close(lock_);  // Where descriptors are short, removing needs it.
+  }
   std::error_code ignored;
   fs::remove_all(path_, ignored);
   table::forget_interrupted(path_);
-  if (lock_ >= 0) {
-    ::close(lock_);
-  }
 }
 
 }  // namespace tcert::cli

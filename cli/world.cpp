@@ -201,6 +201,11 @@ int run(Arguments arguments) {
     if (!std::filesystem::exists(file)) {
       throw NoInput("no world at '" + file + "'");
     }
+    for (const std::string& output : {common.output, options.picture}) {
+      if (!output.empty()) {
+        require_apart(file, output);
+      }
+    }
     WorldsResult read = read_worlds(file, frame);
     say(read.diagnostics);
     rejected = rejected || table::has_error(read.diagnostics);

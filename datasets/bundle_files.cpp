@@ -1,5 +1,6 @@
 #include "datasets/bundle_files.hpp"
 
+#include <sys/stat.h>
 #include <zip.h>
 
 #include <cerrno>
@@ -22,6 +23,12 @@ std::string zip_message(int code) {
   return message;
 }
 
+void discard(zip_t* archive) noexcept {
+  if (archive != nullptr) {
+    zip_discard(archive);
+  }
+}
+
 /// The folder of the bundle.json that lies least deep; empty if there is none or it is at the top.
 std::string common_prefix(zip_t* archive) {
   std::optional<std::string> prefix;
@@ -40,11 +47,27 @@ std::string common_prefix(zip_t* archive) {
   return prefix.value_or("");
 }
 
-}  // namespace
+/// The archive that a thread opened last. A study reads one trial after the other out of the same
+/// archive, and to read the list of a large one takes longer than the trial.
+struct LastArchive {
+  struct stat file {};
+  std::shared_ptr<zip_t> archive;
+  std::string prefix;
 
-void BundleFiles::CloseArchive::operator()(struct ::zip* archive) const noexcept {
-  zip_discard(archive);
+  /// True if it is the file of that state.
+  [[nodiscard]] bool is(const struct stat& now) const noexcept {
+    return archive && now.st_dev == file.st_dev && now.st_ino == file.st_ino &&
+           now.st_size == file.st_size && now.st_mtim.tv_sec == file.st_mtim.tv_sec &&
+           now.st_mtim.tv_nsec == file.st_mtim.tv_nsec;
+  }
+};
+
+LastArchive& last_archive() {
+  thread_local LastArchive last;
+  return last;
 }
+
+}  // namespace
 
 BundleFiles::BundleFiles(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code error;
@@ -60,14 +83,24 @@ BundleFiles::BundleFiles(std::filesystem::path path) : path_(std::move(path)) {
     problem_ = "it is a pipe, a socket or a device, not a file";
     return;
   }
+  LastArchive& last = last_archive();
+  struct stat now {};
+  const bool is_known = ::stat(path_.c_str(), &now) == 0;
+  if (is_known && last.is(now)) {
+    archive_ = last.archive;
+    prefix_ = last.prefix;
+    return;
+  }
+  last = {};
   int code = 0;
   errno = 0;
-  archive_.reset(zip_open(path_.c_str(), ZIP_RDONLY, &code));
+  archive_ = std::shared_ptr<zip_t>(zip_open(path_.c_str(), ZIP_RDONLY, &code), discard);
   if (!archive_) {
     table::require_resources(path_, errno);
   }
   if (archive_) {
     prefix_ = common_prefix(archive_.get());
+    last = {now, is_known ? archive_ : nullptr, prefix_};
   } else if (path_.filename() == kDescription) {
     problem_ = "a file of a bundle; name the folder that it is in";
   } else {

@@ -34,15 +34,11 @@ class BundleFiles {
   [[nodiscard]] table::BytesResult read(const std::string& name) const;
 
  private:
-  struct CloseArchive {
-    void operator()(struct ::zip* archive) const noexcept;
-  };
-
   [[nodiscard]] table::BytesResult read_from_archive(const std::string& name) const;
 
   std::filesystem::path path_;
-  std::unique_ptr<struct ::zip, CloseArchive> archive_;  // none for a folder
-  std::string prefix_;                                   // of every name in the archive
+  std::shared_ptr<struct ::zip> archive_;  // none for a folder; shared within a thread
+  std::string prefix_;                     // of every name in the archive
   std::string problem_;
 };
 

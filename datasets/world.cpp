@@ -5,7 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
-#include <table/json_depth.hpp>
+#include <table/json_shape.hpp>
 
 namespace tcert {
 namespace {
@@ -189,8 +189,8 @@ std::string to_json(const World& world) {
 }
 
 World world_from_json(std::string_view text) {
-  if (table::is_nested_too_deeply(text)) {
-    throw WorldFormatError(std::string(table::kNestedTooDeeply));
+  if (const auto shape = table::json_shape_problem(text); !shape.empty()) {
+    throw WorldFormatError(std::string(shape));
   }
   try {
     return read_world(Json::parse(text));

@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <table/bytes.hpp>
-#include <table/json_depth.hpp>
+#include <table/json_shape.hpp>
 
 #include "reports/manifest_checks.hpp"
 
@@ -93,7 +93,7 @@ std::string_view to_string(FileChange change) noexcept {
 
 std::optional<WrittenResult> read_manifest(const std::filesystem::path& path) {
   const table::BytesResult file = table::read_raw_file(path);
-  if (!file.bytes || table::is_nested_too_deeply(file.bytes->view())) {
+  if (!file.bytes || !table::json_shape_problem(file.bytes->view()).empty()) {
     return std::nullopt;
   }
   const Json json = Json::parse(file.bytes->view(), nullptr, false);
@@ -112,9 +112,9 @@ std::string why_no_manifest(const std::filesystem::path& path) {
   std::string words = "'" + path.string() + "' is not a manifest of this tool";
   if (!file.bytes) {
     words += ": " + file.problem;
-  } else if (table::is_nested_too_deeply(file.bytes->view())) {
+  } else if (const auto shape = table::json_shape_problem(file.bytes->view()); !shape.empty()) {
     words += ": ";
-    words += table::kNestedTooDeeply;
+    words += shape;
   }
   return words;
 }

@@ -11,6 +11,15 @@ namespace tcert {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The first two digits of keys.
+bool is_part(std::string_view name) {
+  return name.size() == 2 && name.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+}  // namespace
+
 ResultStore::ResultStore(fs::path folder) : folder_(std::move(folder)) {
   std::error_code error;
   fs::create_directories(folder_, error);
@@ -20,6 +29,9 @@ ResultStore::ResultStore(fs::path folder) : folder_(std::move(folder)) {
   }
   for (fs::directory_iterator part(folder_, error), end; !error && part != end;
        part.increment(error)) {
+    if (!is_part(part->path().filename().native())) {
+      continue;  // The folder may hold other things, which are not ours to sweep.
+    }
     table::sweep_leftovers_in(part->path());
   }
 }

@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <table/json_depth.hpp>
+#include <table/json_shape.hpp>
 
 #include "reports/table.hpp"
 
@@ -20,7 +20,7 @@ ColumnKind kind_of(const std::string& word) {
                               ColumnKind::estimate,
                               ColumnKind::p_value};
   const auto* const kind = std::find_if(
-      kKinds.begin(), kKinds.end(), [&](ColumnKind one) { return to_string(one) == word; });
+      kKinds.begin(), kKinds.end(), [&](ColumnKind one) { return table::to_string(one) == word; });
   if (kind == kKinds.end()) {
     throw std::invalid_argument("unknown kind of column '" + word + "'");
   }
@@ -107,8 +107,8 @@ Table table_of(const Json& json) {
 }  // namespace
 
 Table table_from_json(std::string_view text) {
-  if (table::is_nested_too_deeply(text)) {
-    throw std::invalid_argument("not a table: " + std::string(table::kNestedTooDeeply));
+  if (const auto shape = table::json_shape_problem(text); !shape.empty()) {
+    throw std::invalid_argument("not a table: " + std::string(shape));
   }
   try {
     return table_of(Json::parse(text));

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <table/bytes.hpp>
 #include <tcert/certifier.hpp>
 #include <tcert/guards.hpp>
@@ -52,8 +53,9 @@ series. It appears when the run ends, by the end of the input, SIGINT or SIGTERM
 if the process is killed, it is the hidden folder .DIR.*.tmp beside it, which can be read as well.
 
 --audit FILE writes one row for every guard that began or ceased to trip, with its cause, at once.
-FILE must not be there, or be an audit log of an earlier run. When the disk is full the run goes on:
-that is said once, what is lost is counted, and the exit code is 73.
+FILE must not be there, or be an audit log of an earlier run. When a disk is full, that of the audit,
+of the record or of the rows, the run goes on: that is said once, what is lost is counted, and the
+exit code is 73.
 
 Usage: tcert live --bundle BUNDLE [options] < ticks
 
@@ -181,7 +183,7 @@ void follow(Producer& producer,
   for (;;) {
     std::array<pollfd, 3> wait{{{interrupt, POLLIN, 0},
                                 {producer.descriptor(), POLLIN, 0},
-                                {rows.waits() ? STDOUT_FILENO : -1, POLLOUT, 0}}};
+                                {rows.waits_for_reader() ? STDOUT_FILENO : -1, POLLOUT, 0}}};
     ::poll(wait.data(), wait.size(), stall.left_ms());
     if (wait[0].revents != 0) {
       return;
@@ -220,7 +222,9 @@ void report(const TickSource& source,
   };
   say(source.bad_lines(), " bad lines were skipped.");
   say(producer.lost(), " datagrams were lost by the system before they were read.");
-  say(rows.dropped(), " rows were dropped: whoever reads them is too slow. No tick was.");
+  say(rows.dropped(),
+      rows.disk_error() != 0 ? " rows were lost: the disk had no room for them. No tick was."
+                             : " rows were dropped: whoever reads them is too slow. No tick was.");
   if (rows.cut_off()) {
     status.say("tcert live: the last row was cut off: nobody read on.");
   }
@@ -271,6 +275,16 @@ int run(Arguments arguments) {
                     status);
   StallWatch stall(options.stale_after_s, status);
   std::string row;
+  bool is_full_said = false;
+  const auto put = [&](std::string_view text) {
+    const bool go_on = rows.put(text);
+    if (rows.disk_error() != 0 && !std::exchange(is_full_said, true)) {
+      status.say("tcert live: cannot write to stdout: " +
+                 std::generic_category().message(rows.disk_error()) +
+                 "; the run goes on, rows that find no room are counted");
+    }
+    return go_on;
+  };
   const auto take = [&](const TickLine& line) {
     stall.tick();
     const CertifiedTick certified = certifier.update(line.tick);
@@ -281,7 +295,7 @@ int run(Arguments arguments) {
     row.clear();
     append_series_row(
         row, line.tick, certified, certifier.ray_margins(), format, guarded, line.yaw_rate_cmd_rps);
-    const bool go_on = rows.put(row);
+    const bool go_on = put(row);
     if (audit) {
       audit->add(line.tick, certified, guarded, status);
     }
@@ -289,7 +303,7 @@ int run(Arguments arguments) {
   };
   bool has_reader = true;
   try {
-    if (rows.put(series_header(format, robot))) {
+    if (put(series_header(format, robot))) {
       follow(*producer, source, rows, stall, interrupt, take);
     }
     rows.finish(kLastRows_ms);
@@ -299,7 +313,8 @@ int run(Arguments arguments) {
   const bool audited = !audit || audit->close(status);
   const bool recorded = !record || record->close(status);
   report(source, *producer, rows, status, has_reader);
-  if (!recorded || !audited) {
+  const bool written = rows.disk_error() == 0 || rows.dropped() == 0;
+  if (!recorded || !audited || !written) {
     return exit_cannot_write;
   }
   return source.bad_lines() > 0 ? exit_rejected : exit_done;

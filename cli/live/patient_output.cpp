@@ -31,6 +31,11 @@ bool is_socket(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && S_ISSOCK(status.st_mode);
 }
 
+/// True for what may pass when somebody makes room.
+bool is_of_a_disk(int error) {
+  return error == ENOSPC || error == EDQUOT || error == EFBIG || error == EIO;
+}
+
 /// A pipe with room takes so many bytes without waiting; a socket is told not to.
 ssize_t write_without_waiting(int descriptor, const char* bytes, std::size_t size) {
   static const std::array<bool, 3> sockets{false, is_socket(1), is_socket(2)};
@@ -45,9 +50,12 @@ ssize_t write_without_waiting(int descriptor, const char* bytes, std::size_t siz
 void RowSink::write_some() {
   const ssize_t written =
       write_without_waiting(STDOUT_FILENO, pending_.data() + at_, pending_.size() - at_);
+  is_full_ = written < 0 && is_of_a_disk(errno);
   if (written >= 0) {
     at_ += static_cast<std::size_t>(written);
     last_written_ = at_ > 0 ? pending_[at_ - 1] : last_written_;
+  } else if (is_full_) {
+    disk_error_ = errno;
   } else if (errno == EPIPE) {
     throw BrokenPipe("stdout");
   } else if (errno != EINTR && errno != EAGAIN) {
@@ -60,13 +68,14 @@ void RowSink::write_some() {
 }
 
 void RowSink::drain() {
-  while (waits() && takes_more(STDOUT_FILENO)) {
+  is_full_ = false;  // perhaps not any more
+  while (waits_for_reader() && takes_more(STDOUT_FILENO)) {
     write_some();
   }
 }
 
 bool RowSink::put(std::string_view row) {
-  if (when_slow_ == WhenSlow::drop && pending_.size() - at_ + row.size() > kRoom) {
+  if ((when_slow_ == WhenSlow::drop || is_full_) && pending_.size() - at_ + row.size() > kRoom) {
     drain();
     if (pending_.size() - at_ + row.size() > kRoom) {
       ++dropped_;
@@ -79,7 +88,7 @@ bool RowSink::put(std::string_view row) {
   }
   pending_ += row;
   drain();
-  while (when_slow_ == WhenSlow::wait && waits()) {
+  while (when_slow_ == WhenSlow::wait && waits_for_reader()) {
     std::array<pollfd, 2> wait{{{STDOUT_FILENO, POLLOUT, 0}, {interrupt_, POLLIN, 0}}};
     if (::poll(wait.data(), wait.size(), -1) > 0 && wait[1].revents != 0) {
       return false;
@@ -93,7 +102,7 @@ void RowSink::finish(int patience_ms) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + std::chrono::milliseconds(patience_ms);
   drain();
-  while (waits() && Clock::now() < until) {
+  while (waits_for_reader() && Clock::now() < until) {
     pollfd wait{STDOUT_FILENO, POLLOUT, 0};
     ::poll(&wait, 1, 10);
     drain();

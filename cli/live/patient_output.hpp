@@ -8,7 +8,8 @@
 
 namespace tcert::cli {
 
-/// Rows on stdout, each whole and at once.
+/// Rows on stdout, each whole and at once. A disk that is full is waited for like a reader that is
+/// slow, but without standing still: up to 1 MiB waits here, and what finds no room is dropped.
 class RowSink {
  public:
   enum class WhenSlow {
@@ -19,7 +20,8 @@ class RowSink {
   /// A wait ends when `interrupt` becomes readable.
   RowSink(WhenSlow when_slow, int interrupt) : when_slow_(when_slow), interrupt_(interrupt) {}
 
-  /// False if an interrupt came first. \throws BrokenPipe if nobody reads any more, WriteError.
+  /// False if an interrupt came first. \throws BrokenPipe if nobody reads any more; WriteError, but
+  /// not because a disk is full.
   [[nodiscard]] bool put(std::string_view row);
 
   /// Writes as much as the reader has room for.
@@ -30,7 +32,11 @@ class RowSink {
   void finish(int patience_ms);
 
   [[nodiscard]] bool waits() const noexcept { return at_ < pending_.size(); }
+  /// True if something waits that it is of use to wait for.
+  [[nodiscard]] bool waits_for_reader() const noexcept { return waits() && !is_full_; }
   [[nodiscard]] std::size_t dropped() const noexcept { return dropped_; }
+  /// What the disk said when it last took nothing; 0 if it always did.
+  [[nodiscard]] int disk_error() const noexcept { return disk_error_; }
   /// True if the last row that was written is not whole.
   [[nodiscard]] bool cut_off() const noexcept { return last_written_ != '\n'; }
 
@@ -43,6 +49,8 @@ class RowSink {
   std::size_t at_ = 0;
   char last_written_ = '\n';
   std::size_t dropped_ = 0;
+  int disk_error_ = 0;
+  bool is_full_ = false;  // since the last write
 };
 
 /// Lines on stderr that never wait: one that finds no room is dropped and counted.

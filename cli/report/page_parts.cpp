@@ -7,7 +7,7 @@
 #include <string_view>
 #include <system_error>
 #include <table/bytes.hpp>
-#include <table/json_depth.hpp>
+#include <table/json_shape.hpp>
 
 #include "cli/errors.hpp"
 #include "reports/html/packed.hpp"
@@ -50,8 +50,8 @@ bool is_table(const fs::path& path) {
   if (!file.bytes) {
     throw BadData("'" + path.string() + "': " + file.problem);
   }
-  if (table::is_nested_too_deeply(file.bytes->view())) {
-    throw BadData("'" + path.string() + "': " + std::string(table::kNestedTooDeeply));
+  if (const auto shape = table::json_shape_problem(file.bytes->view()); !shape.empty()) {
+    throw BadData("'" + path.string() + "': " + std::string(shape));
   }
   const auto json = nlohmann::json::parse(file.bytes->view(), nullptr, false);
   return json.is_object() && json.contains("columns") && json.contains("rows") &&

@@ -139,7 +139,7 @@ const std::vector<AllowedCommand>& allowed_commands() {
                 {"no-time-rounding", Takes::nothing},
                 {"firth", Takes::nothing},
                 {"profile", Takes::nothing},
-                {"drop", Takes::nothing},
+                {"drop1", Takes::nothing},
                 {"reverse", Takes::nothing},
                 {"formula"},
                 {"cluster"},

@@ -28,7 +28,8 @@ What no manifest covers and no result has as its input is named. Inputs are
 looked for beside the results, in the current folder, and where --inputs says.
 
 Exit code: 0 if all stands, 1 if something does not, 66 if something cannot be made
-again because its inputs are not found.
+again because its inputs are not found; 71 if the system has too little memory or descriptors and 73
+if no scratch folder can be made (TMPDIR): then nothing is known.
 
 Usage: tcert verify RESULTS [options]
 

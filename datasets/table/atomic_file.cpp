@@ -232,13 +232,13 @@ AtomicFolder::AtomicFolder(const fs::path& path, bool replace, Leftover leftover
 }
 
 AtomicFolder::~AtomicFolder() {
+  if (lock_ >= 0) {
+    ::close(lock_);  // Where descriptors are short, removing needs it.
+  }
   if (!staging_.empty()) {
     std::error_code ignored;
     fs::remove_all(staging_, ignored);
     forget_interrupted(staging_);
-  }
-  if (lock_ >= 0) {
-    ::close(lock_);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <set>
-#include <table/json_depth.hpp>
+#include <table/json_shape.hpp>
 #include <table/nearest_name.hpp>
 #include <utility>
 #include <vector>
@@ -56,9 +56,8 @@ std::optional<json> parse_json(std::string_view text,
                                DiagnosticGroups& problems) {
   KeyWatch watch;
   std::optional<json> value;
-  if (is_nested_too_deeply(text)) {
-    problems.add(
-        {Severity::error, file, 0, "", std::string(kNestedTooDeeply), "a JSON document", 1});
+  if (const auto shape = json_shape_problem(text); !shape.empty()) {
+    problems.add({Severity::error, file, 0, "", std::string(shape), "a JSON document", 1});
     return value;
   }
   try {

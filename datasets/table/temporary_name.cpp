@@ -12,6 +12,7 @@
 #include <ctime>
 #include <system_error>
 #include <table/path_name.hpp>
+#include <utility>
 
 namespace tcert::table {
 namespace {
@@ -73,7 +74,11 @@ void sweep(const fs::path& folder, const std::string* name) noexcept {
 }  // namespace
 
 std::string name_in_temporary(const fs::path& path) {
-  return path.filename().string().substr(0, kLongestPart);
+  std::string name = path.filename().string();
+  if (auto temporary = swept_name_from(name)) {
+    name = std::move(temporary->name);
+  }
+  return name.substr(0, kLongestPart);
 }
 
 fs::path temporary_name(const fs::path& path, Leftover leftover) {

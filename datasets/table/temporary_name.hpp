@@ -12,7 +12,8 @@
 
 namespace tcert::table {
 
-/// The name of `path` as its temporaries have it: the first 210 bytes.
+/// The name of `path` as its temporaries have it: the first 210 bytes. Of a temporary, that of what
+/// it is called after, so that both are swept together.
 [[nodiscard]] std::string name_in_temporary(const std::filesystem::path& path);
 
 /// Hidden, beside `path`, and not used by another thread or process.

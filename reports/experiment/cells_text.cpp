@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <table/json_depth.hpp>
+#include <table/json_shape.hpp>
 
 namespace tcert {
 namespace {
@@ -75,8 +75,8 @@ std::string to_text(const CellRows& rows) {
 }
 
 CellRows cell_rows_from(const std::string& text) {
-  if (table::is_nested_too_deeply(text)) {
-    throw std::invalid_argument(std::string(table::kNestedTooDeeply));
+  if (const auto shape = table::json_shape_problem(text); !shape.empty()) {
+    throw std::invalid_argument(std::string(shape));
   }
   try {
     CellRows rows;

@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include "reports/sha256.hpp"
-#include "support/shell.hpp"
+#include "cli/attacks.hpp"
 
 namespace tcert {
 namespace {
@@ -19,111 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using test_support::ProcessResult;
-using test_support::Shell;
-
-/// Ids as a stranger would write them into a table.
-std::vector<std::string> hostile_ids() {
-  std::vector<std::string> ids = {"..",
-                                  ".",
-                                  ".hidden",
-                                  ".x.1-0.tmp",
-                                  "../canary/x",
-                                  "../../canary/x",
-                                  "../../../canary/x",
-                                  "a/../../../canary/x",
-                                  "../canary",
-                                  "series/../../canary/x",
-                                  "a/b",
-                                  "a\\..\\b",
-                                  "~/x",
-                                  "$HOME/x",
-                                  "`touch x`/y",
-                                  "x\ty",
-                                  "\x1b[2J",
-                                  "x\ny",
-                                  "\x7F",
-                                  std::string(231, 'a'),
-                                  std::string(255, 'a'),
-                                  std::string(5000, 'b'),
-                                  "link/x",
-                                  "manifest.json/x",
-                                  "x\xC2\x9By/z"};
-  for (int depth = 1; depth <= 8; ++depth) {
-    std::string up;
-    for (int k = 0; k < depth; ++k) {
-      up += "../";
-    }
-    ids.push_back(up + "canary/planted");
-    ids.push_back("x/" + up + "canary/planted");
-  }
-  return ids;
-}
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  }
-  return out + "\"";
-}
-
-class Attacks : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    shell = std::make_unique<Shell>();
-    const ProcessResult run = shell->run(
-        "mkdir -p run && cd run && $T simulate --trials 6 --output tree/corpus && "
-        "$T certify tree/corpus --output tree/certificates && mkdir -p canary out ../canary && "
-        "echo mine > canary/x && echo mine > canary/x.csv && echo mine > ../canary/planted && "
-        "echo mine > ../canary/planted.csv && ln -s ../canary link");
-    ASSERT_EQ(run.exit_code, 0) << to_string(run);
-  }
-  static void TearDownTestSuite() { shell.reset(); }
-
-  /// Runs a line in the folder `run` and looks at all that lies outside of run/out.
-  static ProcessResult attack(const std::string& line) {
-    const auto before = shell->contents("", "run/out");
-    ProcessResult run = shell->run("cd run && rm -rf out && mkdir out && timeout 60 " + line);
-    const auto after = shell->contents("", "run/out");
-    for (const auto& [path, bytes] : before) {
-      const auto now = after.find(path);
-      EXPECT_TRUE(now != after.end() && now->second == bytes) << path << "\n" << to_string(run);
-    }
-    for (const auto& [path, bytes] : after) {
-      EXPECT_TRUE(before.count(path) == 1) << "planted: " << path << "\n" << to_string(run);
-    }
-    EXPECT_NE(run.exit_code, 70) << to_string(run);
-    EXPECT_LT(run.exit_code, 124) << to_string(run);
-    return run;
-  }
-
-  /// A copy of the certificates whose first trial is called `id`, with a manifest that fits.
-  static void foreign_tree(const std::string& id) {
-    fs::remove_all(shell->work() / "run/foreign");
-    fs::copy(
-        shell->work() / "run/tree", shell->work() / "run/foreign", fs::copy_options::recursive);
-    const std::string folder = "run/foreign/certificates/";
-    ordered_json manifest = ordered_json::parse(shell->work().read(folder + "manifest.json"));
-    for (const char* name : {"certificates.csv", "features.csv"}) {
-      std::string text = shell->work().read(folder + name);
-      for (auto at = text.find("t0000000"); at != std::string::npos; at = text.find("t0000000")) {
-        text.replace(at, 8, quoted(id));
-      }
-      shell->work().write(folder + name, text);
-      for (auto& output : manifest["outputs"]) {
-        if (output["path"] == name) {
-          output["bytes"] = text.size();
-          output["sha256"] = sha256(text);
-        }
-      }
-    }
-    shell->work().write(folder + "manifest.json", manifest.dump(2) + "\n");
-  }
-
-  static std::unique_ptr<Shell> shell;
-};
-
-std::unique_ptr<Shell> Attacks::shell;
 
 TEST_F(Attacks, TrialsOfABundleAreRejectedOneByOne) {
   std::string table = shell->work().read("run/tree/corpus/trials.csv");
@@ -275,6 +169,67 @@ TEST_F(Attacks, AManifestRunsNothingButWhatMakesResults) {
     EXPECT_NE(run.err.find("its manifest"), std::string::npos)
         << other["arguments"] << to_string(run);
   }
+}
+
+/// The other side of it: no option that shapes a result was forgotten.
+TEST_F(Attacks, AManifestMayHaveEveryOptionThatShapesAResult) {
+  const std::set<std::string> others = {
+      "help", "output", "quiet", "threads", "config", "cache", "no-cache", "picture", "figures"};
+  ordered_json manifest =
+      ordered_json::parse(shell->work().read("run/tree/certificates/manifest.json"));
+  ASSERT_EQ(shell->run("rm -rf run/signed && mkdir -p run/signed/one").exit_code, 0);
+  const auto is_refused = [&](const std::vector<ordered_json>& words, const std::string& option) {
+    manifest["arguments"] = words;
+    shell->work().write("run/signed/one/manifest.json", manifest.dump(2) + "\n");
+    const ProcessResult run = shell->run("cd run && $T verify signed");
+    EXPECT_NE(run.exit_code, 0) << to_string(run);
+    return run.err.find("the option '" + option + "'") != std::string::npos;
+  };
+  int options = 0;
+  for (const char* line : {"simulate",        "simulate terrain",
+                           "import barn",     "certify",
+                           "replay",          "ablate",
+                           "sweep",           "gate",
+                           "hypotheses h1",   "world",
+                           "figures",         "report",
+                           "explore",         "fit glm",
+                           "fit cox",         "fit km",
+                           "fit glmm",        "fit roc",
+                           "fit calibration", "fit concordance"}) {
+    std::istringstream words(line);
+    std::string command;
+    std::string kind;
+    words >> command >> kind;
+    std::istringstream help(shell->run(std::string("$T ") + line + " --help").out);
+    for (std::string text; std::getline(help, text);) {
+      if (!text.starts_with("  --")) {
+        continue;
+      }
+      const std::string name = text.substr(4, text.find(' ', 4) - 4);
+      if (others.count(name) != 0) {
+        continue;
+      }
+      const std::string option = "--" + name;
+      manifest["command"] = command;
+      std::vector<ordered_json> front;
+      if (!kind.empty()) {
+        front.emplace_back(kind);
+      }
+      const auto with = [&](std::initializer_list<ordered_json> value) {
+        std::vector<ordered_json> all = front;
+        all.push_back(option);
+        all.insert(all.end(), value.begin(), value.end());
+        // Nothing is run, whatever is allowed: one may be taken for a value, the other is refused.
+        all.insert(all.end(), 2, "--no-such-option");
+        return all;
+      };
+      EXPECT_FALSE(is_refused(with({"1"}), option) && is_refused(with({}), option) &&
+                   is_refused(with({ordered_json{{"input", "nowhere"}}}), option))
+          << line << ' ' << option;
+      ++options;
+    }
+  }
+  EXPECT_GT(options, 150);
 }
 
 TEST_F(Attacks, BytesBehindAManifestAndAddedLinksAreNoticed) {

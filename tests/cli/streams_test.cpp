@@ -194,6 +194,21 @@ TEST_F(Surroundings, TheLiveLoopOutlivesItsDisk) {
   EXPECT_NE(recorded.find("ended with 73"), std::string::npos) << recorded;
 }
 
+TEST_F(Surroundings, TheLiveLoopOutlivesTheDiskOfItsRows) {
+  const std::string live = "timeout 30 $T live --bundle corpus < ticks.csv ";
+  ASSERT_EQ(shell->run(live + "--record whole > all.csv").exit_code, 0);
+  const ProcessResult full = shell->run(live + "--record full > /dev/full");
+  EXPECT_EQ(full.exit_code, 73) << to_string(full);
+  EXPECT_NE(full.err.find("cannot write to stdout"), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("rows were lost"), std::string::npos) << full.err;
+  EXPECT_EQ(shell->contents("full"), shell->contents("whole")) << "every tick was taken";
+  const ProcessResult cut = shell->run("(ulimit -f 4; " + live + "> cut.csv)");
+  EXPECT_EQ(cut.exit_code, 73) << to_string(cut);
+  const std::string rows = shell->work().read("cut.csv");
+  EXPECT_EQ(rows, shell->work().read("all.csv").substr(0, rows.size()));
+  EXPECT_GT(rows.size(), 1024U);
+}
+
 TEST_F(Surroundings, WhatATerminalWouldObeyIsSaidInOtherWords) {
   shell->work().write("esc/trials.csv",
                       "trial_id,success,time_s\n\x1b[31mred,1,2\nt\x1b]0;x,1,2\n");
@@ -228,6 +243,25 @@ TEST_F(Surroundings, JsonThatIsNestedTooDeeplyIsAnErrorWhereverItIsRead) {
   }
   work.write("deep_ticks.jsonl", "{\"time_s\":" + deep + "\n");
   EXPECT_EQ(shell->run("$T live --bundle corpus < deep_ticks.jsonl").exit_code, 3);
+}
+
+TEST_F(Surroundings, AnObjectOfVeryManyKeysIsAnErrorAtOnce) {
+  std::string wide = "{";
+  for (int i = 0; i < 200'000; ++i) {
+    wide += "\"k" + std::to_string(i) + "\":1,";
+  }
+  auto& work = shell->work();
+  const auto widened = [&](const std::string& name) { return wide + work.read(name).substr(1); };
+  work.write("wide/one/manifest.json", widened("made/manifest.json"));
+  work.write("wide.json", widened("corpus/worlds/t0000000.json"));
+  work.write("wide/bundle.json", widened("corpus/bundle.json"));
+  work.write("wide/trials.csv", "trial_id,success,time_s\n");
+  for (const char* line :
+       {"verify wide", "figures wide --output drawn", "world wide.json", "check wide"}) {
+    const ProcessResult run = shell->run(std::string("timeout 10 $T ") + line);
+    EXPECT_TRUE(run.exit_code == 65 || run.exit_code == 66) << to_string(run);
+    EXPECT_NE(run.err.find("more than 4096 keys"), std::string::npos) << to_string(run);
+  }
 }
 
 TEST_F(Surroundings, AFileMadeToFillTheMemoryIsRefused) {

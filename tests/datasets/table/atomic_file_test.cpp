@@ -138,6 +138,17 @@ TEST(Leftovers, OfDeadProcessesAreSweptAndNoOthers) {
   EXPECT_TRUE(fs::exists(out.staging()));
 }
 
+TEST(Leftovers, OfATemporaryAreCalledAfterWhatItIsCalledAfter) {
+  const TemporaryFolder folder;
+  AtomicFolder outer(folder.path() / "a");
+  AtomicFolder inner(outer.staging());
+  EXPECT_NE(inner.staging(), outer.staging());
+  EXPECT_TRUE(inner.staging().filename().native().starts_with(".a.")) << inner.staging();
+  inner.commit();
+  outer.commit();
+  EXPECT_EQ(entries(folder.path()), 1U);
+}
+
 TEST(Leftovers, ThatAreHeldByALivingProcessStay) {
   const TemporaryFolder folder;
   const fs::path held = folder.write(".out." + std::to_string(dead_process()) + "-0.tmp", "half");

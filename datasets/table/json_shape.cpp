@@ -1,8 +1,11 @@
-#include <table/json_depth.hpp>
+#include <table/json_shape.hpp>
+
+#include <array>
 
 namespace tcert::table {
 
-bool is_nested_too_deeply(std::string_view text) noexcept {
+std::string_view json_shape_problem(std::string_view text) noexcept {
+  std::array<std::size_t, kDeepestJson + 1> keys{};  // of what is open, by depth
   std::size_t depth = 0;
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -17,13 +20,16 @@ bool is_nested_too_deeply(std::string_view text) noexcept {
       in_string = true;
     } else if (c == '[' || c == '{') {
       if (++depth > kDeepestJson) {
-        return true;
+        return kNestedTooDeeply;
       }
+      keys[depth] = 0;
     } else if ((c == ']' || c == '}') && depth > 0) {
       --depth;
+    } else if (c == ':' && ++keys[depth] > kMostJsonKeys) {
+      return kTooManyKeys;
     }
   }
-  return false;
+  return {};
 }
 
 }  // namespace tcert::table
