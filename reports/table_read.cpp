@@ -20,7 +20,7 @@ ColumnKind kind_of(const std::string& word) {
                               ColumnKind::estimate,
                               ColumnKind::p_value};
   const auto* const kind = std::find_if(
-      kKinds.begin(), kKinds.end(), [&](ColumnKind one) { return table::to_string(one) == word; });
+      kKinds.begin(), kKinds.end(), [&](ColumnKind one) { return to_string(one) == word; });
   if (kind == kKinds.end()) {
     throw std::invalid_argument("unknown kind of column '" + word + "'");
   }
