@@ -52,7 +52,7 @@ void say(std::span<const table::Diagnostic> diagnostics) {
 }
 
 void require_apart(const std::filesystem::path& input, const std::filesystem::path& output) {
-  require_output_place(output);
+  table::require_output_place(output);
   const auto from = std::filesystem::weakly_canonical(input);
   const auto to = std::filesystem::weakly_canonical(output);
   const auto [end, _] = std::mismatch(to.begin(), to.end(), from.begin(), from.end());
