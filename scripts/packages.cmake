@@ -3,9 +3,10 @@ include(GNUInstallDirs)
 set(packages_runtime libtcert1)
 set(packages_dev libtcert-dev)
 set(packages_tool tcert)
+set(packages_statistics libtcert-statistics-dev)
 set(components runtime dev)
 if(TCERT_BUILD_TOOLS)
-  list(APPEND components tool)
+  list(APPEND components tool statistics)
 endif()
 foreach(component IN LISTS components)
   install(FILES LICENSE RENAME copyright COMPONENT ${component}
@@ -41,4 +42,12 @@ set(CPACK_DEBIAN_TOOL_PACKAGE_NAME tcert)
 set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION science)
 set(CPACK_COMPONENT_TOOL_DESCRIPTION
   "traversability certificates from what a robot felt: log analysis, statistics, live certification")
+
+set(CPACK_DEBIAN_STATISTICS_PACKAGE_NAME libtcert-statistics-dev)
+set(CPACK_DEBIAN_STATISTICS_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_STATISTICS_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_STATISTICS_PACKAGE_DEPENDS
+  "libtcert-dev (= ${PROJECT_VERSION}), libeigen3-dev, libceres-dev, nlohmann-json3-dev, libfmt-dev, libtbb-dev, zlib1g-dev, libzstd-dev")
+set(CPACK_COMPONENT_STATISTICS_DESCRIPTION
+  "traversability certificates: the estimators alone (Cox, survival, C, AUC, mixed models, resampling)")
 include(CPack)
