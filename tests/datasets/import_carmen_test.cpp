@@ -141,7 +141,7 @@ TEST(ImportCarmen, WritesNothingFromALogWithoutScansAndReplacesNothing) {
   EXPECT_FALSE(import_carmen(folder.path() / "none.log", folder.path() / "bundle").summary);
   const auto log = folder.write("a.log", kLog);
   EXPECT_TRUE(import_carmen(log, folder.path() / "bundle").summary);
-  EXPECT_THROW(static_cast<void>(import_carmen(log, folder.path() / "bundle")), WriteError);
+  EXPECT_THROW(static_cast<void>(import_carmen(log, folder.path() / "bundle")), table::WriteError);
   CarmenImportOptions options;
   options.trial_id = "../x";
   EXPECT_THROW(static_cast<void>(import_carmen(log, folder.path() / "b", options)),

@@ -94,7 +94,7 @@ TEST(ResamplingPlan, RefusesMisuse) {
   const std::vector<std::uint32_t> cluster{1, 1, 2};
   EXPECT_THROW(ResamplingPlan::of_clusters(cluster, std::vector<std::uint32_t>{1, 2, 2}),
                std::invalid_argument);
-  EXPECT_THROW(ResamplingPlan::of_clusters(std::vector<std::uint32_t>{1, Factor::kMissing}),
+  EXPECT_THROW(ResamplingPlan::of_clusters(std::vector<std::uint32_t>{1, table::Factor::kMissing}),
                std::invalid_argument);
   EXPECT_THROW(ResamplingPlan::of_rows(0), std::invalid_argument);
   EXPECT_THROW(ResamplingPlan::of_rows(2, std::vector<std::uint32_t>{1}), std::invalid_argument);

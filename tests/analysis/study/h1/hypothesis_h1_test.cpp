@@ -166,10 +166,10 @@ TEST(HypothesisH1, NamesWhatCannotBeScored) {
   const H1Table none = hypothesis_h1(table_of(header + "a,A,1,3,NA,2\n"), options_for());
   EXPECT_TRUE(statistics::has(none.panels[0].conditions, statistics::ConditionKind::no_rows));
   EXPECT_THROW(static_cast<void>(hypothesis_h1(table_of(header + "a,A,2,3,1,2\n"), options_for())),
-               FormulaError);
+               statistics::FormulaError);
   EXPECT_THROW(
       static_cast<void>(hypothesis_h1(table_of(header + "a,A,1,3,1,2\n"), options_for("nois"))),
-      FormulaError);
+      statistics::FormulaError);
 }
 
 TEST(HypothesisH1, ARowOfItsOwnIsACluster) {
@@ -331,7 +331,7 @@ TEST(HypothesisH1, ALimitAtTheLandmarkButForRoundingIsRefused) {
       cells["time_s"] = std::to_string(5.0 + 0.2 * row);
     }
   }));
-  EXPECT_THROW(static_cast<void>(hypothesis_h1(table, options)), FormulaError);
+  EXPECT_THROW(static_cast<void>(hypothesis_h1(table, options)), statistics::FormulaError);
 }
 
 TEST(HypothesisH1, ATimeBeyondTheLimitByAHairIsCutOnlyWhereTimesAreLeftAsTheyAre) {
@@ -345,10 +345,10 @@ TEST(HypothesisH1, ATimeBeyondTheLimitByAHairIsCutOnlyWhereTimesAreLeftAsTheyAre
     }
   }));
   EXPECT_FALSE(statistics::has(hypothesis_h1(table, options).panels[0].conditions,
-                               ConditionKind::beyond_limit));
+                               statistics::ConditionKind::beyond_limit));
   options.round_times = false;
   EXPECT_TRUE(statistics::has(hypothesis_h1(table, options).panels[0].conditions,
-                              ConditionKind::beyond_limit));
+                              statistics::ConditionKind::beyond_limit));
 }
 
 TEST(HypothesisH1, ALandmarkWithoutTimesIsRefused) {

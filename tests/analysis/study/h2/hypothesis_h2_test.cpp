@@ -175,10 +175,10 @@ TEST(HypothesisH2, NamesASingleGroupAndRefusesMisuse) {
   const std::string header = "day,lighting,algorithm,success,time_s,tc_early\n";
   const table::DataTable one = table_of(header + "a,Dark,A,1,3,1\nb,Dark,A,0,4,2\n");
   EXPECT_TRUE(statistics::has(hypothesis_h2(one, options_for()).panels[0].conditions,
-                              ConditionKind::one_group));
+                              statistics::ConditionKind::one_group));
   H2Options options = options_for();
   options.trials.group = "light";
-  EXPECT_THROW(static_cast<void>(hypothesis_h2(one, options)), FormulaError);
+  EXPECT_THROW(static_cast<void>(hypothesis_h2(one, options)), statistics::FormulaError);
   options = options_for();
   options.margin = 0.0;
   EXPECT_THROW(static_cast<void>(hypothesis_h2(one, options)), std::invalid_argument);

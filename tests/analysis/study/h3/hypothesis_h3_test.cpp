@@ -318,7 +318,7 @@ TEST(HypothesisH3, SaysWhatItCannotUse) {
   options.gated = "nobody";
   options.baseline = "no one";
   EXPECT_TRUE(statistics::has(hypothesis_h3(test_support::table_of(csv), options).conditions,
-                              ConditionKind::no_rows));
+                              statistics::ConditionKind::no_rows));
 }
 
 }  // namespace
