@@ -211,7 +211,7 @@ TEST(WorldFiles, MovingAiHeadersThatSayWhatIsFree) {
   ASSERT_EQ(own.worlds.size(), 1U) << refusal(own);
   EXPECT_EQ(own.worlds[0].obstacles.size(), 2U);
   const WorldsResult no_map = world_from_moving_ai(
-      Bytes::copy_of("height 3\nwidth 4\nfree .\nobstacle @\n....\n.@@.\n....\n"),
+      table::Bytes::copy_of("height 3\nwidth 4\nfree .\nobstacle @\n....\n.@@.\n....\n"),
       "m.map",
       frame());
   ASSERT_EQ(no_map.worlds.size(), 1U) << refusal(no_map);

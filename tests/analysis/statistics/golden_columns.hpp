@@ -9,7 +9,7 @@
 #include <table/csv.hpp>
 #include <vector>
 
-namespace tcert::test_support {
+namespace tcert::statistics {
 
 /// One numeric column of a CSV file; NA is NaN. Empty if the file has no such column.
 inline std::vector<double> read_column(const std::filesystem::path& path, const std::string& name) {
@@ -40,4 +40,4 @@ inline double number(const nlohmann::json& value) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace tcert::test_support
+}  // namespace tcert::statistics

@@ -10,7 +10,7 @@
 #include <string>
 #include "analysis/statistics/survival/survival_golden.hpp"
 
-namespace tcert::test_support {
+namespace tcert::statistics {
 
 class Worst {
  public:
@@ -34,4 +34,4 @@ class Worst {
   std::map<std::string, double> worst_;
 };
 
-}  // namespace tcert::test_support
+}  // namespace tcert::statistics

@@ -21,10 +21,6 @@ namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
-using test_support::golden_frame;
-using test_support::golden_number;
-using test_support::golden_text;
-using test_support::Worst;
 
 constexpr double kRelative = 1e-10;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -52,9 +48,7 @@ void expect_counts(const ConcordanceEstimate& estimate, const json& expected, Wo
 
 struct Call {
   Call(ModelFrame of, std::vector<std::vector<double>> values)
-      : frame(std::move(of)),
-        outcome(test_support::survival_outcome(frame)),
-        predictors(std::move(values)) {
+      : frame(std::move(of)), outcome(survival_outcome(frame)), predictors(std::move(values)) {
     if (frame.weights) {
       weights.assign(frame.weights->begin(), frame.weights->end());
     }
@@ -142,7 +136,7 @@ void expect_hmisc(const ConcordanceEstimate& estimate, const json& expected, Wor
 class ConcordanceGolden : public ::testing::Test {
  protected:
   void SetUp() override {
-    golden_ = test_support::golden_values("concordance.json");
+    golden_ = golden_values("concordance.json");
     if (golden_.is_null()) {
       GTEST_SKIP() << "no golden values: stats/golden/concordance.json is missing";
     }
@@ -260,7 +254,7 @@ std::vector<std::string> terms_of(const std::string& formula) {
 /// Linear predictor of the Cox model of some terms of a frame.
 std::vector<double> cox_score(const ModelFrame& frame, const std::vector<std::string>& terms) {
   CoxData data;
-  data.outcome = test_support::survival_outcome(frame);
+  data.outcome = survival_outcome(frame);
   std::vector<Eigen::Index> used;
   for (std::size_t column = 0; column < frame.columns.size(); ++column) {
     const std::size_t term = frame.term_of[column];

@@ -142,7 +142,7 @@ void compare_with_lme4(const GlmmFit& fit, const json& golden, int quadrature) {
 TEST_F(GlmmGolden, SingleInterceptsEqualTheReferences) {
   std::size_t cases = 0;
   for (const auto& [name, model] : golden_.items()) {
-    const GlmmInput input = test_support::golden_input(folder_ / "data", model);
+    const GlmmInput input = golden_input(folder_ / "data", model);
     for (const auto& [key, golden] : model["fits"].items()) {
       SCOPED_TRACE(name + " " + key);
       GlmmOptions options;
@@ -216,7 +216,7 @@ TEST_F(GlmmGolden, OtherModelsEqualGlmer) {
     SCOPED_TRACE(name);
     GlmmOptions options;
     options.quadrature = golden["nAGQ"].get<int>();
-    const GlmmFit fit = fit_glmm(test_support::golden_input(folder_ / "data", golden), options);
+    const GlmmFit fit = fit_glmm(golden_input(folder_ / "data", golden), options);
     ASSERT_FALSE(has_error(fit.conditions)) << to_string(fit.conditions.back());
     EXPECT_EQ(fit.termination, GlmmTermination::converged);
     if (golden.contains("reference")) {
@@ -246,10 +246,9 @@ TEST_F(GlmmGolden, QuadratureOfTwoTermsIsRefused) {
   ASSERT_TRUE(extra_["nAGQ10_two_terms"].contains("error"));
   GlmmOptions options;
   options.quadrature = 10;
-  EXPECT_THROW(
-      static_cast<void>(fit_glmm(
-          test_support::golden_input(folder_ / "data", extra_["sim660_lightnested"]), options)),
-      std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(
+                   fit_glmm(golden_input(folder_ / "data", extra_["sim660_lightnested"]), options)),
+               std::invalid_argument);
 }
 
 constexpr double kChiSquared = 3.841458820694124;  // 95 %, one degree of freedom
@@ -284,7 +283,7 @@ TEST_F(GlmmGolden, ProfileIntervalsEqualConfint) {
     }
     SCOPED_TRACE(name);
     const std::string model = models.at(name.substr(0, cut));
-    const GlmmInput input = test_support::golden_input(folder_ / "data", golden_[model]);
+    const GlmmInput input = golden_input(folder_ / "data", golden_[model]);
     GlmmOptions options;
     options.quadrature = std::stoi(name.substr(cut + 13));
     const GlmmProfile profile = glmm_profile(input, options);
@@ -315,7 +314,7 @@ TEST_F(GlmmGolden, ProfileIntervalsEqualConfint) {
 }
 
 TEST_F(GlmmGolden, TestsOfTermsEqualDrop1AndAnova) {
-  const GlmmInput input = test_support::golden_input(folder_ / "data", golden_["sim660"]);
+  const GlmmInput input = golden_input(folder_ / "data", golden_["sim660"]);
   GlmmOptions laplace;
   laplace.quadrature = 1;
   const std::vector<DroppedTerm> terms = drop_terms(input, laplace);

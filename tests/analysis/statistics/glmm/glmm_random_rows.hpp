@@ -12,7 +12,7 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert::test_support {
+namespace tcert::statistics {
 
 /// Rows in random groups; the first column is the intercept. Groups differ by a shift.
 struct RandomRows {
@@ -25,7 +25,7 @@ struct RandomRows {
              std::uint32_t groups,
              Eigen::Index columns,
              bool counts) {
-    RandomStream stream(seed, 9, 0);
+    table::RandomStream stream(seed, 9, 0);
     design.setOnes(size, columns);
     rows.successes.resize(size);
     rows.trials.setOnes(size);
@@ -78,4 +78,4 @@ inline void expect_derivatives(MixedLikelihood& likelihood,
   }
 }
 
-}  // namespace tcert::test_support
+}  // namespace tcert::statistics

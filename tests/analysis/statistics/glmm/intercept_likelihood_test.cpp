@@ -30,7 +30,7 @@ double integral(const GroupedRows& rows, std::size_t g, const Eigen::VectorXd& p
 }
 
 GroupedRows random_rows(std::uint64_t seed, bool counts, Eigen::Index columns = 3) {
-  const test_support::RandomRows data(seed, 80, 7, columns, counts);
+  const RandomRows data(seed, 80, 7, columns, counts);
   return grouped_rows(data.design, data.rows, data.codes, 7);
 }
 
@@ -59,7 +59,7 @@ TEST(InterceptLikelihood, ManyPointsEqualTheIntegral) {
 }
 
 TEST(InterceptLikelihood, NoVarianceIsThePlainLikelihood) {
-  const test_support::RandomRows data(3, 80, 7, 3, true);
+  const RandomRows data(3, 80, 7, 3, true);
   const GroupedRows rows = grouped_rows(data.design, data.rows, data.codes, 7);
   const Eigen::VectorXd p = parameters(4, 0.0);
   for (const int quadrature : {1, 9}) {
@@ -82,7 +82,7 @@ TEST(InterceptLikelihood, DerivativesEqualDifferences) {
         SCOPED_TRACE(testing::Message() << counts << " " << quadrature << " " << theta);
         const GroupedRows rows = random_rows(2, counts);
         InterceptLikelihood likelihood(rows, quadrature);
-        test_support::expect_derivatives(likelihood, parameters(4, theta), 1e-7, 1e-7);
+        expect_derivatives(likelihood, parameters(4, theta), 1e-7, 1e-7);
       }
     }
   }

@@ -19,7 +19,7 @@ namespace tcert::statistics {
 namespace {
 
 /// Effects of the first `columns` columns of the design, row i in group codes[i].
-TermRows term_of(const test_support::RandomRows& data,
+TermRows term_of(const RandomRows& data,
                  const std::vector<std::uint32_t>& codes,
                  std::uint32_t groups,
                  Eigen::Index columns) {
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> crossing(std::size_t rows, std::uint32_t groups) {
 }
 
 TEST(SelectedInverse, EqualsTheInverseWhereTheFactorIs) {
-  RandomStream random(1, 9, 1);
+  table::RandomStream random(1, 9, 1);
   Eigen::MatrixXd dense = 6.0 * Eigen::MatrixXd::Identity(12, 12);
   for (int k = 0; k < 14; ++k) {
     const auto a = static_cast<Eigen::Index>(random.below(12));
@@ -66,7 +66,7 @@ TEST(SelectedInverse, EqualsTheInverseWhereTheFactorIs) {
 }
 
 TEST(SparseLikelihood, EqualsTheOtherKernelOnOneIntercept) {
-  const test_support::RandomRows data(6, 90, 7, 3, true);
+  const RandomRows data(6, 90, 7, 3, true);
   const std::vector<TermRows> terms{term_of(data, data.codes, 7, 1)};
   SparseLikelihood sparse(data.design, data.rows, terms);
   const GroupedRows grouped = grouped_rows(data.design, data.rows, data.codes, 7);
@@ -86,7 +86,7 @@ TEST(SparseLikelihood, EqualsTheOtherKernelOnOneIntercept) {
 
 TEST(SparseLikelihood, DerivativesEqualDifferences) {
   for (const bool counts : {false, true}) {
-    const test_support::RandomRows data(7, 120, 7, 3, counts);
+    const RandomRows data(7, 120, 7, 3, counts);
     const auto other = crossing(120, 5);
     const std::vector<std::vector<TermRows>> models{
         {term_of(data, data.codes, 7, 2)},
@@ -98,7 +98,7 @@ TEST(SparseLikelihood, DerivativesEqualDifferences) {
       for (Eigen::Index j = 0; j < p.size(); ++j) {
         p[j] = 0.5 * std::cos(static_cast<double>(j));
       }
-      test_support::expect_derivatives(likelihood, p, 1e-7, 1e-6);
+      expect_derivatives(likelihood, p, 1e-7, 1e-6);
     }
   }
 }

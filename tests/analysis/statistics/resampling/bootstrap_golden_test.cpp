@@ -33,7 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using test_support::number;
 
 constexpr double kFromReplicates = 1e-9;
 constexpr double kJackknife = 1e-10;

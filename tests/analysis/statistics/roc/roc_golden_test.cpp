@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using test_support::number;
-using test_support::read_column;
 
 constexpr double kRelative = 1e-12;
 constexpr double kPValue = 1e-9;

@@ -154,7 +154,7 @@ TEST(CumulativeIncidence, EqualsSurvfit) {
   std::ifstream file(std::string(TCERT_GOLDEN) + "/aalen_johansen.json");
   ASSERT_TRUE(file);
   const json golden = json::parse(file);
-  test_support::Worst worst(1e-10);
+  Worst worst(1e-10);
   std::size_t cases = 0;
   for (const auto& [name, expected] : golden["cases"].items()) {
     SCOPED_TRACE(name);

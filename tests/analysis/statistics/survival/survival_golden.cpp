@@ -9,7 +9,7 @@
 #include "support/data_table.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace tcert::test_support {
+namespace tcert::statistics {
 
 nlohmann::json golden_values(const std::string& name) {
   std::ifstream file(shared_data() / "stats" / "golden" / name);
@@ -58,4 +58,4 @@ double disagreement(double actual, double expected) {
   return expected == 0.0 ? difference : difference / std::abs(expected);
 }
 
-}  // namespace tcert::test_support
+}  // namespace tcert::statistics

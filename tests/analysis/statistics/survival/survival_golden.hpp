@@ -6,7 +6,7 @@
 #include <statistics/survival/survival_outcome.hpp>
 #include <string>
 
-namespace tcert::test_support {
+namespace tcert::statistics {
 
 /// The R values in `golden/<name>`, null if they are not there.
 [[nodiscard]] nlohmann::json golden_values(const std::string& name);
@@ -28,4 +28,4 @@ namespace tcert::test_support {
 /// |actual - expected| relative to |expected|, absolute if it is 0; 0 if both are NaN.
 [[nodiscard]] double disagreement(double actual, double expected);
 
-}  // namespace tcert::test_support
+}  // namespace tcert::statistics

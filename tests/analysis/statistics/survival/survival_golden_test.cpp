@@ -21,9 +21,6 @@ namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
-using test_support::golden_frame;
-using test_support::golden_number;
-using test_support::golden_text;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -34,7 +31,7 @@ struct Call {
     options.right_side = RightSide::groups;
     options.weights = golden_text(test_case, "weights");
     frame = golden_frame(golden_text(test_case, "data"), golden_text(test_case, "f"), options);
-    outcome = test_support::survival_outcome(frame);
+    outcome = survival_outcome(frame);
     if (frame.weights) {
       weights.assign(frame.weights->begin(), frame.weights->end());
     }
@@ -54,7 +51,7 @@ const std::map<std::string, IntervalScale> kScales{{"ci_log", IntervalScale::log
 class SurvivalGolden : public ::testing::Test {
  protected:
   void SetUp() override {
-    golden_ = test_support::golden_values("survfit.json");
+    golden_ = golden_values("survfit.json");
     if (golden_.is_null()) {
       GTEST_SKIP() << "no golden values: stats/golden/survfit.json is missing";
     }
@@ -66,7 +63,7 @@ class SurvivalGolden : public ::testing::Test {
   void expect_table(const std::vector<SurvivalCurve>& curves, const json& expected);
 
   json golden_;
-  test_support::Worst worst_{1e-10};
+  Worst worst_{1e-10};
 };
 
 const SurvivalCurve& curve_named(const std::vector<SurvivalCurve>& curves, const json& name) {
@@ -212,7 +209,7 @@ TEST_F(SurvivalGolden, CurvesEqualSurvfit) {
 
 TEST_F(SurvivalGolden, FlemingHarringtonVariantsEqualSurvfit) {
   const SurvivalOutcome outcome =
-      test_support::survival_outcome(golden_frame("edge_ties.csv", "Surv(time, status) ~ 1"));
+      survival_outcome(golden_frame("edge_ties.csv", "Surv(time, status) ~ 1"));
   std::size_t cases = 0;
   for (const int stype : {1, 2}) {
     for (const int ctype : {1, 2}) {
