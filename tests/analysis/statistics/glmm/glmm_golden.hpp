@@ -25,7 +25,7 @@ inline void make_factors(table::DataTable& table, const std::vector<std::string>
 
 /// The model of one golden case: its data, formula, weights and factors.
 inline GlmmInput golden_input(const std::filesystem::path& data, const nlohmann::json& golden) {
-  table::DataTable table = table_of_file(data / golden["data"].get<std::string>());
+  table::DataTable table = test_support::table_of_file(data / golden["data"].get<std::string>());
   make_factors(table, golden["as_factor"].get<std::vector<std::string>>());
   FrameOptions options;
   if (golden.contains("weights") && golden["weights"].is_string()) {

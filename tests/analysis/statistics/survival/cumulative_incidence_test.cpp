@@ -166,8 +166,8 @@ TEST(CumulativeIncidence, EqualsSurvfit) {
     if (expected["data"] == "truncated") {
       outcome.start = data["start"].get<std::vector<double>>();
     }
-    const Factor groups = factor_of(data["group"].get<std::vector<std::string>>());
-    const Factor days = factor_of(data["day"].get<std::vector<std::string>>());
+    const table::Factor groups = factor_of(data["group"].get<std::vector<std::string>>());
+    const table::Factor days = factor_of(data["day"].get<std::vector<std::string>>());
     const auto weights = data["weight"].get<std::vector<double>>();
     IncidenceOptions options;
     options.groups = &groups;
