@@ -12,14 +12,14 @@
 namespace tcert::statistics {
 
 nlohmann::json golden_values(const std::string& name) {
-  std::ifstream file(shared_data() / "stats" / "golden" / name);
+  std::ifstream file(test_support::shared_data() / "stats" / "golden" / name);
   return file ? nlohmann::json::parse(file) : nlohmann::json();
 }
 
 ModelFrame golden_frame(const std::string& data,
                         const std::string& formula,
                         const FrameOptions& options) {
-  return frame_of_file(shared_data() / "stats" / "data" / data, formula, options);
+  return test_support::frame_of_file(shared_data() / "stats" / "data" / data, formula, options);
 }
 
 SurvivalOutcome survival_outcome(const ModelFrame& frame) {
