@@ -1,4 +1,3 @@
-#ifdef TCERT_BINARY
 #include "support/shell.hpp"
 
 #include <filesystem>
@@ -30,4 +29,3 @@ std::map<std::string, std::string> Shell::contents(const std::string& name,
 }
 
 }  // namespace tcert::test_support
-#endif

@@ -19,7 +19,8 @@ nlohmann::json golden_values(const std::string& name) {
 ModelFrame golden_frame(const std::string& data,
                         const std::string& formula,
                         const FrameOptions& options) {
-  return test_support::frame_of_file(shared_data() / "stats" / "data" / data, formula, options);
+  return test_support::frame_of_file(
+      test_support::shared_data() / "stats" / "data" / data, formula, options);
 }
 
 SurvivalOutcome survival_outcome(const ModelFrame& frame) {

@@ -39,8 +39,8 @@ TEST(Tally, HasTheMedianOfItsSamples) {
     merged.add(std::span(samples).first(cut));
     rest.add(std::span(samples).subspan(cut));
     merged.add(rest);
-    EXPECT_EQ(whole.statistics::median(), median(samples));
-    EXPECT_EQ(merged.statistics::median(), median(samples));
+    EXPECT_EQ(whole.median(), statistics::median(samples));
+    EXPECT_EQ(merged.median(), statistics::median(samples));
   }
 }
 
