@@ -46,7 +46,7 @@ CommandLine command_line(CertifyOptions& o) {
       kText,
       uses_parameters | uses_output | uses_format | uses_threads | uses_trials | uses_logs,
       po::options_description("Options"),
-      {{"BUNDLE", &o.bundle}}};
+      {{"BUNDLE", &o.bundle, true, OptionRole::input}}};
   line.own.add_options()("ticks",
                          po::bool_switch(&o.ticks),
                          "also write DIR/ticks/<trial_id>.csv, which 'live' reads and a bundle "

@@ -60,7 +60,7 @@ CommandLine explore_command_line(ExploreOptions& o) {
                    kText,
                    uses_output | uses_seed,
                    po::options_description("Options"),
-                   {{"TERRAIN", &o.terrain, false}}};
+                   {{"TERRAIN", &o.terrain, false, OptionRole::input}}};
   const auto text = [](std::string& value, const char* name) {
     return po::value(&value)->value_name(name)->default_value(value);
   };
@@ -70,7 +70,7 @@ CommandLine explore_command_line(ExploreOptions& o) {
   const auto whole = [](std::int64_t& value, const char* name) {
     return po::value(&value)->value_name(name)->default_value(value);
   };
-  line.own.add_options()("config", text(o.config, "FILE"), "published configuration file (INI)")(
+  line.own.add_options()("config", input(o.config, "FILE"), "published configuration file (INI)")(
       "rules", text(o.rules, "RULES"), "certified, thesis or published")(
       "start", text(o.start, "X,Y"), "cell where the robot stands")(
       "goal", text(o.goal, "X,Y"), "cell to be reached; none: explore")(
@@ -133,7 +133,7 @@ CommandLine explore_command_line(ExploreOptions& o) {
       "more "
       "(certified rules)")(
       "obstacles",
-      text(o.obstacles, "FILE"),
+      input(o.obstacles, "FILE"),
       "second layer, a terrain file of the same size: cells that are not 0, or gaps, are blocked")(
       "max-steps", whole(o.max_steps, "N"), "measurements at most")(
       "frames", whole(o.frames, "N"), "pictures, evenly spaced over the run");

@@ -49,7 +49,7 @@ CommandLine command_line(GateOptions& o) {
                    uses_parameters | uses_output | uses_format | uses_seed | uses_threads |
                        uses_trials | uses_logs,
                    po::options_description("Options"),
-                   {{"BUNDLE", &o.bundle}}};
+                   {{"BUNDLE", &o.bundle, true, OptionRole::input}}};
   line.own.add_options()("level",
                          po::value(&o.level)->value_name("P")->default_value(o.level, "0.95"),
                          "of the intervals")(

@@ -13,7 +13,7 @@ namespace tcert::cli {
 void add_tracking_error_option(po::options_description& own, std::string& path) {
   own.add_options()(
       "tracking-error",
-      po::value(&path)->value_name("FILE"),
+      input(path, "FILE"),
       "a table speed_mps, acceleration_mps2, disturbance, radius_m: a full grid that never falls; "
       "unless given a declared one, for a control loop of 20 ms");
 }

@@ -62,7 +62,7 @@ void add_h1_options(po::options_description& own, HypothesesOptions& o) {
     return po::value(&value)->value_name(name);
   };
   auto add = own.add_options();
-  add("features", text(o.features, "FILE"), "a table of trials instead of a bundle");
+  add("features", input(o.features, "FILE"), "a table of trials instead of a bundle");
   add("predictor",
       text(o.predictor, "COLUMN"),
       "the predictor under test; tc_early unless given; ':smaller' turns its direction");

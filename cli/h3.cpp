@@ -86,7 +86,7 @@ Study study_of_bundle(const H3CommandOptions& options,
 
 void add_h3_options(po::options_description& own, H3CommandOptions& options) {
   own.add_options()("replays",
-                    po::value(&options.replays)->value_name("FILE"),
+                    input(options.replays, "FILE"),
                     "h3: replay.csv of 'tcert replay' instead of a bundle")(
       "gated",
       po::value(&options.gated)->value_name("NAME")->default_value(options.gated),

@@ -89,7 +89,8 @@ CommandLine command_line(HypothesesOptions& o, H3CommandOptions& h3) {
                    uses_parameters | uses_output | uses_format | uses_seed | uses_threads |
                        uses_trials | uses_logs,
                    po::options_description("Options"),
-                   {{"a hypothesis: h1, h2 or h3", &o.hypothesis}, {"BUNDLE", &o.bundle, false}}};
+                   {{"a hypothesis: h1, h2 or h3", &o.hypothesis},
+                    {"BUNDLE", &o.bundle, false, OptionRole::input}}};
   add_h1_options(line.own, o);
   add_h3_options(line.own, h3);
   return line;

@@ -50,8 +50,8 @@ CommandLine command_line(ImportOptions& o) {
                    po::options_description("Options"),
                    {{"FORMAT", &o.format}}};
   line.own.add_options()(
-      "trials", po::value(&o.trials)->value_name("FILE"), "outcomes: trials.csv or mlda_dated.csv")(
-      "metrics", po::value(&o.metrics)->value_name("FILE"), "difficulty_metrics.csv")(
+      "trials", input(o.trials, "FILE"), "outcomes: trials.csv or mlda_dated.csv")(
+      "metrics", input(o.metrics, "FILE"), "difficulty_metrics.csv")(
       "planners",
       po::value(&o.planners)->value_name("NAMES"),
       "keep these, comma between; all if it is not given")(

@@ -50,7 +50,7 @@ CommandLine command_line(ImportOptions& o) {
                    kText,
                    uses_output | uses_config,
                    po::options_description("Options"),
-                   {{"FORMAT", &o.format}, {"LOG", &o.log}}};
+                   {{"FORMAT", &o.format}, {"LOG", &o.log, true, OptionRole::input}}};
   line.own.add_options()(
       "goal-x", po::value(&o.goal_x_m)->value_name("M"), "centre of G in the frame of the log")(
       "goal-y", po::value(&o.goal_y_m)->value_name("M"), "the same")(

@@ -17,15 +17,14 @@ namespace {
 
 constexpr std::string_view kSet = "set";
 constexpr std::string_view kConfig = "config";
+constexpr std::string_view kHelp = "help";
 constexpr std::string_view kPositional = "positional";
 
 po::options_description common_description(unsigned use, CommonOptions& o) {
   po::options_description text("Common options");
   auto add = text.add_options();
   if ((use & uses_output) != 0) {
-    add("output",
-        po::value(&o.output)->value_name("PATH"),
-        "where to write; appears only when it is whole");
+    add("output", output(o.output, "PATH"), "where to write; appears only when it is whole");
   }
   if ((use & uses_format) != 0) {
     add("format",
@@ -39,7 +38,7 @@ po::options_description common_description(unsigned use, CommonOptions& o) {
   }
   if ((use & uses_threads) != 0) {
     add("threads",
-        po::value(&o.threads)->value_name("N")->default_value(o.threads),
+        process(o.threads, "N")->default_value(o.threads),
         "0 takes all cores; the results are the same for any number");
   }
   if ((use & uses_trials) != 0) {
@@ -60,7 +59,7 @@ po::options_description common_description(unsigned use, CommonOptions& o) {
   }
   if ((use & (uses_config | uses_parameters)) != 0) {
     add("config",
-        po::value<std::string>()->value_name("FILE"),
+        process(o.config, "FILE"),
         "INI file with the same names as the flags; flags go first");
   }
   if ((use & uses_parameters) != 0) {
@@ -69,7 +68,7 @@ po::options_description common_description(unsigned use, CommonOptions& o) {
         "one parameter, repeatable; also --KEY VALUE and KEY=VALUE in the config file; 'tcert help "
         "parameters' lists them");
   }
-  add("quiet", po::bool_switch(&o.quiet), "no progress and no summary on stderr");
+  add("quiet", process_switch(o.quiet), "no progress and no summary on stderr");
   add("help", "print this text");
   return text;
 }
@@ -164,29 +163,23 @@ std::string as_text(const boost::any& value) {
   return text;
 }
 
-/// Neither where the result and what goes with it (pictures, figures) go, nor what is kept for
-/// later, nor by how many threads it is made; the config file and --set by what they say.
-bool shapes_the_result(const std::string& name) {
-  return name != "output" && name != "threads" && name != "quiet" && name != "help" &&
-         name != "cache" && name != "no-cache" && name != "picture" && name != "figures" &&
-         name != kConfig && name != kSet && name != kPositional;
-}
-
-bool is_input(const po::options_description& all, const std::string& name) {
-  const po::option_description* const known = all.find_nothrow(name, false);
-  return known != nullptr && (known->semantic()->name().rfind("FILE", 0) == 0 ||
-                              known->semantic()->name().rfind("FOLDER", 0) == 0);
+/// The config file of the parameters and --set are written down by what they say.
+bool is_written_down(const po::option_description& option) {
+  const OptionRole role = role_of(option);
+  return (role == OptionRole::shapes || role == OptionRole::input) && option.long_name() != kSet &&
+         option.long_name() != kHelp;
 }
 
 /// What shapes the result; files by their names.
 Settings effective_options(const po::variables_map& values, const po::options_description& shown) {
   Settings settings;
-  for (const std::string& name : names_of(shown)) {
-    if (!shapes_the_result(name)) {
+  for (const auto& option : shown.options()) {
+    if (!is_written_down(*option)) {
       continue;
     }
+    const std::string& name = option->long_name();
     std::string text = values.count(name) != 0 ? as_text(values[name].value()) : "";
-    if (is_input(shown, name)) {
+    if (role_of(*option) == OptionRole::input) {
       text = name_of(text);
     }
     settings.emplace_back(name, std::move(text));
@@ -224,8 +217,7 @@ std::vector<ManifestArgument> arguments_of(const CommandLine& line,
   std::vector<ManifestArgument> arguments;
   for (const Positional& one : line.positional) {
     if (!one.value->empty()) {
-      const bool input = one.name == "BUNDLE" || one.name == "LOG" || one.name == "RESULTS" ||
-                         one.name == "TERRAIN" || one.name == "FILE";
+      const bool input = one.role == OptionRole::input;
       arguments.push_back({input ? name_of(*one.value) : *one.value, input});
     }
   }
@@ -234,12 +226,10 @@ std::vector<ManifestArgument> arguments_of(const CommandLine& line,
       arguments.push_back({name_of(one), true});
     }
   }
-  for (const std::string& name : names_of(shown)) {
-    // A --config of the command's own kind is an input: nothing else says what it says.
-    const bool own_config = name == kConfig && (line.common & (uses_config | uses_parameters)) == 0;
-    if ((shapes_the_result(name) || own_config) && values.count(name) != 0 &&
-        !values[name].defaulted()) {
-      append_option(name, values[name].value(), is_input(shown, name), arguments);
+  for (const auto& option : shown.options()) {
+    const std::string& name = option->long_name();
+    if (is_written_down(*option) && values.count(name) != 0 && !values[name].defaulted()) {
+      append_option(name, values[name].value(), role_of(*option) == OptionRole::input, arguments);
     }
   }
   for (const Settings* parameters : {&common.file_parameters, &common.flag_parameters}) {

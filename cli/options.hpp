@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/option_role.hpp"
 #include "reports/manifest.hpp"
 #include "reports/table.hpp"
 
@@ -40,6 +41,7 @@ struct CommonOptions {
   bool repair = false;
   bool decimal_comma = false;
   bool quiet = false;
+  std::string config;  ///< Of the parameters: what it says is in file_parameters.
 
   Settings file_parameters;        ///< Parameters of the config file, in its order.
   Settings flag_parameters;        ///< Of --set and of flags, in their order.
@@ -56,6 +58,7 @@ struct Positional {
   std::string name;  ///< As the usage line has it: "BUNDLE".
   std::string* value = nullptr;
   bool required = true;
+  OptionRole role = OptionRole::shapes;
 };
 
 /// How a command is called.

@@ -52,7 +52,7 @@ CommandLine command_line(ReplayCommandOptions& o) {
       kText,
       uses_parameters | uses_output | uses_format | uses_threads | uses_trials | uses_logs,
       po::options_description("Options"),
-      {{"BUNDLE", &o.bundle}}};
+      {{"BUNDLE", &o.bundle, true, OptionRole::input}}};
   add_replay_law_options(line.own, o.laws);
   line.own.add_options()(
       "replan",

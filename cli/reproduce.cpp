@@ -56,7 +56,7 @@ CommandLine command_line(ReproduceOptions& o) {
                    uses_parameters | uses_output | uses_format | uses_seed | uses_threads |
                        uses_trials | uses_logs,
                    po::options_description("Options"),
-                   {{"BUNDLE", &o.bundle, false}}};
+                   {{"BUNDLE", &o.bundle, false, OptionRole::input}}};
   line.own.add_options()("effect",
                          po::value(&o.effect)->value_name("E")->default_value(o.effect),
                          "of the corpus, as for 'tcert simulate'; 0 makes a null corpus")(
@@ -274,8 +274,7 @@ int run(Arguments arguments) {
   const Words replays = {"--replays", (output / "replays" / "replay.csv").string()};
   steps.require(
       kCertify,
-      joined(
-          {{bundle}, steps.of_logs(), options.no_series ? Words{"--no-series"} : Words{}}),
+      joined({{bundle}, steps.of_logs(), options.no_series ? Words{"--no-series"} : Words{}}),
       "certificates");
   const Words test = joined({steps.of_process(), steps.seed()});
   steps.attempt(kHypotheses, joined({{"h1"}, features, landmark, test}), "h1");

@@ -65,7 +65,7 @@ CommandLine command_line(WorldOptions& o) {
                    kText,
                    uses_output | uses_format | uses_threads | uses_config,
                    po::options_description("Options"),
-                   {{"FILE", &o.first}},
+                   {{"FILE", &o.first, true, OptionRole::input}},
                    &o.rest};
   line.own.add_options()("clearance",
                          po::value(&o.clearance)->value_name("WORD")->default_value(o.clearance),
@@ -91,7 +91,7 @@ CommandLine command_line(WorldOptions& o) {
       "goal", po::value(&o.goal)->value_name("X,Y,R"), "G likewise")(
       "bounds", po::value(&o.bounds)->value_name("X,Y,X,Y"), "low and high corner, for a CSV")(
       "picture",
-      po::value(&o.picture)->value_name("DIR"),
+      output(o.picture, "DIR"),
       "also draw each world, its widest path and its bottleneck: DIR/<world>.svg");
   return line;
 }

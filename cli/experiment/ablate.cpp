@@ -34,7 +34,7 @@ int run(Arguments arguments) {
                    uses_parameters | uses_output | uses_format | uses_seed | uses_threads |
                        uses_trials | uses_logs,
                    po::options_description("Options"),
-                   {{"BUNDLE", &options.bundle}}};
+                   {{"BUNDLE", &options.bundle, true, OptionRole::input}}};
   add_batch_options(line.own, options);
   if (!parse(line, common, arguments)) {
     return exit_done;

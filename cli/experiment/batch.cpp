@@ -194,7 +194,7 @@ void add_batch_options(po::options_description& own, BatchOptions& o) {
   };
   auto add = own.add_options();
   add("cells",
-      text(o.cells, "FILE"),
+      input(o.cells, "FILE"),
       "cells from a CSV file: a column 'cell' with names, every other column a parameter; an empty "
       "cell leaves it as it is");
   add("cluster",
@@ -207,9 +207,9 @@ void add_batch_options(po::options_description& own, BatchOptions& o) {
       po::value(&o.replicates)->value_name("R")->default_value(o.replicates),
       "of the bootstrap; more for stable third digits");
   add("cache",
-      text(o.cache, "DIR"),
+      process(o.cache, "DIR"),
       "where results are kept for the next run; the user's cache folder unless given");
-  add("no-cache", po::bool_switch(&o.no_cache), "neither read nor write the cache");
+  add("no-cache", process_switch(o.no_cache), "neither read nor write the cache");
   add("table",
       text(o.table, "NAME"),
       "what is printed without --output: cells (unless given), issuance or speed");

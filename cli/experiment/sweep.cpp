@@ -62,7 +62,7 @@ int run(Arguments arguments) {
                    uses_parameters | uses_output | uses_format | uses_seed | uses_threads |
                        uses_trials | uses_logs,
                    po::options_description("Options"),
-                   {{"BUNDLE", &options.bundle}}};
+                   {{"BUNDLE", &options.bundle, true, OptionRole::input}}};
   line.own.add_options()("grid",
                          po::value(&grid)->composing()->value_name("KEY=VALUES"),
                          "a parameter and its values, comma between; repeatable")(

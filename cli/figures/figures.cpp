@@ -38,7 +38,7 @@ int run(Arguments arguments) {
                    kText,
                    uses_output,
                    po::options_description("Options"),
-                   {{"RESULTS", &options.results}}};
+                   {{"RESULTS", &options.results, true, OptionRole::input}}};
   line.own.add_options()("trials",
                          po::value(&options.trials)->value_name("IDS"),
                          "trials whose series and map are drawn, comma between; unless given a "

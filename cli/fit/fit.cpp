@@ -106,7 +106,7 @@ CommandLine command_line(FitOptions& o, std::string_view help) {
   const auto text = [](std::string& value, const char* name) {
     return po::value(&value)->value_name(name);
   };
-  add("data", text(o.data, "FILE"), "a CSV table, one row a trial; .gz and .zst are expanded");
+  add("data", input(o.data, "FILE"), "a CSV table, one row a trial; .gz and .zst are expanded");
   add("formula", text(o.formula, "F"), "outcome ~ terms, quoted for the shell");
   add("cluster",
       text(o.cluster, "COLUMN"),

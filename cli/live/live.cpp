@@ -96,7 +96,7 @@ CommandLine command_line(LiveOptions& o) {
       po::bool_switch(&o.guards),
       "more columns: gated speed, robust margin, force limit, which guards trip")(
       "audit",
-      po::value(&o.audit)->value_name("FILE"),
+      output(o.audit, "FILE"),
       "log of the guards: when each began and ceased to trip, and why")(
       "listen",
       po::value(&o.listen)->value_name("WHERE"),

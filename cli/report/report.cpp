@@ -54,9 +54,9 @@ CommandLine command_line(ReportOptions& o) {
                    kText,
                    uses_config | uses_output | uses_threads,
                    po::options_description("Options"),
-                   {{"RESULTS", &o.results}}};
+                   {{"RESULTS", &o.results, true, OptionRole::input}}};
   line.own.add_options()("bundle",
-                         po::value(&o.bundle)->value_name("FOLDER"),
+                         input(o.bundle, "FOLDER"),
                          "the logs that the results were made from, for the courses on the maps; "
                          "needed if RESULTS does "
                          "not hold them")(
@@ -67,7 +67,7 @@ CommandLine command_line(ReportOptions& o) {
       po::value(&o.ticks)->value_name("N")->default_value(o.ticks),
       "most ticks of a trial on the page; 60 or more; more make it larger, 0 goes by the number of "
       "trials")("figures",
-                po::value(&o.figures)->value_name("DIR"),
+                output(o.figures, "DIR"),
                 "also write the figures there for a paper, as 'tcert figures' does");
   return line;
 }

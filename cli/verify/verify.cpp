@@ -125,7 +125,7 @@ int run(Arguments arguments) {
                    kText,
                    uses_format | uses_threads,
                    po::options_description("Options"),
-                   {{"RESULTS", &options.results}}};
+                   {{"RESULTS", &options.results, true, OptionRole::input}}};
   line.own.add_options()("inputs",
                          po::value(&options.inputs)->composing()->value_name("PATH"),
                          "an input, or a folder that holds some; repeatable")(
