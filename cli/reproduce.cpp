@@ -12,6 +12,7 @@
 #include "cli/output.hpp"
 #include "cli/result_folder.hpp"
 #include "cli/simulated.hpp"
+#include "datasets/corpus/tentacles.hpp"
 #include "reports/results/results.hpp"
 
 namespace tcert::cli {
@@ -195,20 +196,41 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
 }
 
 /// What an earlier run left and this one does not make, and the page, which is made last: it would
-/// be of other tables. \throws WriteError if any of it was edited.
+/// be of other tables. Nothing is removed before all of it may be. \throws WriteError if any of it
+/// was edited.
 void remove_stale(const fs::path& output, const ReproduceOptions& options) {
+  std::vector<std::pair<fs::path, const char*>> folders;
   if (!options.sensitivity) {
-    remove_own_folder(output / "sensitivity", "sweep");
+    folders.emplace_back(output / "sensitivity", "sweep");
   }
   if (!options.bundle.empty()) {
-    remove_own_folder(output / "gate", "gate");
+    folders.emplace_back(output / "gate", "gate");
     for (const char* const part : {"gates", "corpus"}) {
       if (!lies_in(options.bundle, output / part)) {
-        remove_own_folder(output / part, "simulate");
+        folders.emplace_back(output / part, "simulate");
       }
     }
   }
+  require_own_file(output / "report.html");
+  for (const auto& [folder, command] : folders) {
+    require_own_folder(folder, command);
+  }
+  for (const auto& [folder, command] : folders) {
+    remove_own_folder(folder, command);
+  }
   remove_own_file(output / "report.html");
+}
+
+/// \throws what opening the bundle does, or UsageError for parameters, before anything is removed.
+void require_readable(const ReproduceOptions& options, const CommonOptions& common) {
+  if (options.bundle.empty()) {
+    BundleInfo corpus;
+    corpus.robot = corpus_robot();
+    static_cast<void>(effective_robot(corpus, effective_parameters({}, common)));
+  } else {
+    const OpenedBundle opened = open_for(options.bundle, common, SayDiagnostics::no);
+    static_cast<void>(effective_robot(opened.bundle.info, opened.parameters));
+  }
 }
 
 /// The tables that people read, in the order of the paper.
@@ -259,7 +281,8 @@ int run(Arguments arguments) {
   }
   const bool own_corpus = options.bundle.empty();
   const fs::path output = common.output;
-  // First, for it finishes a page whose manifest was written and lacks its name alone.
+  require_readable(options, common);
+  // Then at once, for it finishes a page whose manifest was written and lacks its name alone.
   remove_stale(output, options);
   table::sweep_leftovers_in(output);
   const std::string bundle =

@@ -219,6 +219,10 @@ void require_own_file(const fs::path& path) {
   }
 }
 
+void require_own_folder(const fs::path& path, const std::string& command) {
+  static_cast<void>(may_replace(path, command));
+}
+
 void remove_own_folder(const fs::path& path, const std::string& command) {
   const FolderState before = state_of(path);
   if (!may_replace(path, command)) {
@@ -232,9 +236,15 @@ void remove_own_folder(const fs::path& path, const std::string& command) {
     fail(path, error.value());
   }
   if (state_of(aside) != before) {
+    const fs::path kept = table::temporary_name((path / "").parent_path(), table::Leftover::kept);
     fs::rename(aside, path, error);
-    throw table::WriteError("cannot remove the folder '" + path.string() +
-                            "': something in it was added or changed just now");
+    if (error) {
+      fs::rename(aside, kept, error);
+    }
+    throw table::WriteError(
+        "cannot remove the folder '" + path.string() +
+        "': something in it was added or changed just now" +
+        (fs::exists(kept, error) ? "; it is called '" + kept.string() + "' now" : ""));
   }
   fs::remove_all(aside, error);
   if (error) {
@@ -262,6 +272,8 @@ void write_with_manifest(const fs::path& path, std::string_view text, Manifest m
   beside.write(to_json(manifest));
   beside.sync();
   require_own_file(path);
+  // From here on an interrupt leaves the manifest to the next run, as a kill does.
+  beside.keep_when_interrupted();
   file.commit();
   beside.commit();
 }

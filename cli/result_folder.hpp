@@ -61,6 +61,9 @@ class ResultFolder {
 /// which this tool did not write or which was changed since; see require_output_place.
 void require_own_file(const std::filesystem::path& path);
 
+/// \throws WriteError if there is something that ResultFolder(path, command) may not replace.
+void require_own_folder(const std::filesystem::path& path, const std::string& command);
+
 /// Removes what ResultFolder(path, command) would replace, if it is there. \throws WriteError if it
 /// may not be replaced.
 void remove_own_folder(const std::filesystem::path& path, const std::string& command);

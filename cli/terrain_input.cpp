@@ -47,12 +47,10 @@ template <class Word>
   }
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) {
+  if (error != std::errc{} || end != text.data() + text.size() || std::isnan(value)) {
     throw UsageError("--nodata: found '" + text + "', expected a number, auto or none");
   }
-  if (!std::isnan(value)) {
-    rule.declared = value;
-  }
+  rule.declared = value;
   return rule;
 }
 
@@ -102,6 +100,7 @@ terrain::CellSet blocked_cells(const TerrainGrid& terrain,
   if (!obstacles.empty()) {
     TerrainFileOptions layer_options = options;
     layer_options.header = TerrainHeader::detect;
+    layer_options.format = TerrainFormat::detect;
     // A value that means a gap of the terrain may be a free cell's here.
     layer_options.nodata.declared.reset();
     const TerrainGrid layer = read_terrain_or_throw(obstacles, layer_options);

@@ -1,6 +1,7 @@
 #include "cli/live/live_audit.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -44,12 +45,11 @@ LiveAudit::LiveAudit(std::string path, const GuardParameters& parameters)
     ::close(descriptor_);
     refuse(path_, "it holds something else; name another file or remove it");
   }
-  int error = ::ftruncate(descriptor_, 0) == 0 ? 0 : errno;
-  error = error != 0 ? error : append(audit_header());
-  if (error != 0) {
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(descriptor_);
-    refuse(path_, reason_of(error));
+    refuse(path_, "another run writes it");
   }
+  was_empty_ = status.st_size == 0;
 }
 
 LiveAudit::~LiveAudit() {
@@ -60,7 +60,9 @@ LiveAudit::~LiveAudit() {
 
 int LiveAudit::append(std::string_view rows) noexcept {
   std::string_view left = rows;
-  int error = ::lseek(descriptor_, size_, SEEK_SET) < 0 ? errno : 0;
+  // Only now, at the first tick, does the log of an earlier run go.
+  int error = size_ == 0 && ::ftruncate(descriptor_, 0) != 0 ? errno : 0;
+  error = error == 0 && ::lseek(descriptor_, size_, SEEK_SET) < 0 ? errno : error;
   while (error == 0 && !left.empty()) {
     const ssize_t written = ::write(descriptor_, left.data(), left.size());
     if (written >= 0) {
@@ -81,7 +83,8 @@ void LiveAudit::add(const Tick& tick,
                     const CertifiedTick& certified,
                     const GuardedTick& guarded,
                     StatusLines& status) {
-  rows_.clear();
+  rows_ = size_ == 0 ? audit_header() : "";
+  const std::size_t before = rows_.size();
   append_audit_rows(rows_, tick, certified, guarded, parameters_);
   if (rows_.empty()) {
     return;
@@ -91,11 +94,15 @@ void LiveAudit::add(const Tick& tick,
       status.say("tcert live: cannot write the audit log '" + path_ + "': " + reason_of(error) +
                  "; the run goes on, rows that find no room are counted");
     }
-    lost_ += static_cast<std::size_t>(std::count(rows_.begin(), rows_.end(), '\n'));
+    const auto rows = rows_.begin() + static_cast<std::ptrdiff_t>(before);
+    lost_ += static_cast<std::size_t>(std::count(rows, rows_.end(), '\n'));
   }
 }
 
 bool LiveAudit::close(StatusLines& status) {
+  if (size_ == 0 && was_empty_ && append(audit_header()) != 0) {
+    ++lost_;
+  }
   const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
   if (!closed) {
     status.say("tcert live: the audit log '" + path_ + "' may not be whole: " + reason_of(errno));

@@ -17,8 +17,8 @@ namespace tcert::cli {
 /// file never ends in half a row.
 class LiveAudit {
  public:
-  /// \throws WriteError if the file cannot be written, is a link or no file, or holds anything but
-  /// an audit log.
+  /// What an earlier run left goes at the first tick. \throws WriteError if the file cannot be
+  /// written, is a link or no file, holds anything but an audit log, or another run writes it.
   LiveAudit(std::string path, const GuardParameters& parameters);
   ~LiveAudit();
   LiveAudit(const LiveAudit&) = delete;
@@ -40,6 +40,7 @@ class LiveAudit {
   const GuardParameters& parameters_;
   int descriptor_ = -1;
   long long size_ = 0;  ///< Bytes of whole rows.
+  bool was_empty_ = false;
   std::size_t lost_ = 0;
   std::string rows_;
 };

@@ -1,8 +1,12 @@
 #include "cli/verify/make_again.hpp"
 
 #include <algorithm>
+#include <new>
 #include <optional>
+#include <system_error>
+#include <table/atomic_file.hpp>
 #include <table/path_name.hpp>
+#include <table/regular_file.hpp>
 #include <utility>
 
 #include "cli/command.hpp"
@@ -67,6 +71,14 @@ bool run_into(CommandWords words, const fs::path& output, Finding& finding) {
     words.command->run(words.words);
     return true;
   } catch (const NoInput& error) {
+    finding.obstacles.push_back(std::string("it cannot be made again here: ") + error.what());
+  } catch (const table::OutOfResources&) {
+    throw;  // Nothing is known then.
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const table::WriteError& error) {
+    finding.obstacles.push_back(std::string("it cannot be made again here: ") + error.what());
+  } catch (const std::system_error& error) {
     finding.obstacles.push_back(std::string("it cannot be made again here: ") + error.what());
   } catch (const std::exception& error) {
     finding.differences.push_back(std::string("it cannot be made again: ") + error.what());

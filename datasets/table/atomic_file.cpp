@@ -148,6 +148,8 @@ void AtomicFile::sync() {
   }
 }
 
+void AtomicFile::keep_when_interrupted() noexcept { forget_interrupted(temporary_); }
+
 void AtomicFile::commit(Durable durable) {
   if (durable == Durable::yes) {
     sync();
@@ -262,7 +264,10 @@ void AtomicFolder::commit(const std::function<void(const fs::path&)>& still_ours
       still_ours(staging_);
     } catch (const WriteError&) {
       if (!exchange(staging_, path_)) {
-        const std::string old = staging_.string();
+        // Under a name that nothing sweeps.
+        const fs::path kept = temporary_name(path_, Leftover::kept);
+        const std::string old =
+            (::rename(staging_.c_str(), kept.c_str()) == 0 ? kept : staging_).string();
         staging_.clear();
         throw WriteError("cannot give '" + path_.string() +
                          "' its old contents back, which were changed while they were made again; "

@@ -55,6 +55,9 @@ class AtomicFile {
   /// What was written outlives a power cut, under the name of the temporary. \throws WriteError.
   void sync();
 
+  /// An interrupt no longer removes what is written: the next run finds it.
+  void keep_when_interrupted() noexcept;
+
   /// sync() unless told otherwise, and rename. \throws WriteError.
   void commit(Durable durable = Durable::yes);
 

@@ -45,10 +45,11 @@ bool is_control(std::string_view character) noexcept {
     return byte(0) < 0x20U || byte(0) == 0x7FU;
   }
   if (character.size() == 2) {
-    return byte(0) == 0xC2U && byte(1) < 0xA0U;
+    return (byte(0) == 0xC2U && byte(1) < 0xA0U) || (byte(0) == 0xD8U && byte(1) == 0x9CU);
   }
   return character.size() == 3 && byte(0) == 0xE2U &&
          ((byte(1) == 0x80U && byte(2) >= 0xA8U && byte(2) <= 0xAEU) ||
+          (byte(1) == 0x80U && (byte(2) == 0x8EU || byte(2) == 0x8FU)) ||
           (byte(1) == 0x81U && byte(2) >= 0xA6U && byte(2) <= 0xA9U));
 }
 

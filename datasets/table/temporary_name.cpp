@@ -30,7 +30,7 @@ bool is_held(const fs::path& path) noexcept {
   if (descriptor < 0) {
     return true;
   }
-  const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
   ::close(descriptor);
   return held;
 }

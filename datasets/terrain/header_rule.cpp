@@ -162,6 +162,8 @@ HeaderDecision decide_header(const CellTable& table, TerrainHeader mode) {
     HeaderDecision decision{true, index && table.first.front().empty(), {}};
     decision.index_column =
         decision.index_column || (index && table.first.size() + 1 == table.columns);
+    // A named column that counts the rows: 0, 1, 2 or 1, 2, 3.
+    decision.index_column = decision.index_column || (table.rows > 2 && counts(column));
     if (decision.index_column) {
       decision.note = "the first column names the rows and is no data; --header no reads it";
     }

@@ -247,8 +247,14 @@ double tan(double angle_rad) noexcept {
 }
 
 double atan2(double y, double x) noexcept {
-  const double across = std::abs(y);
-  const double along = std::abs(x);
+  if (std::isnan(x) || std::isnan(y)) {
+    return x + y;
+  }
+  // A power of two keeps sums and products below from overflow and underflow.
+  const double larger = std::abs(x) > std::abs(y) ? std::abs(x) : std::abs(y);
+  const double scale = larger > 0x1p+1000 ? 0x1p-100 : larger < 0x1p-900 ? 0x1p+300 : 1.0;
+  const double across = scale * std::abs(y);
+  const double along = scale * std::abs(x);
   double angle = 0.0;
   if (across <= along) {
     if (along > 0.0) {

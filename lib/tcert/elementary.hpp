@@ -32,10 +32,11 @@ struct SineCosine {
 [[nodiscard]] inline double cos(double angle_rad) noexcept { return sine_cosine(angle_rad).cosine; }
 [[nodiscard]] double tan(double angle_rad) noexcept;
 
-/// Angle of the point (x, y) from the x axis, in [-pi, pi]; 0 at the origin. \pre both are finite.
+/// Angle of the point (x, y) from the x axis, in [-pi, pi]; 0 at the origin, whatever the sign of
+/// its zeros; NaN of NaN. \pre neither is infinite.
 [[nodiscard]] double atan2(double y, double x) noexcept;
 
-/// \pre |x| <= 1.
+/// NaN unless |x| <= 1.
 [[nodiscard]] double asin(double x) noexcept;
 [[nodiscard]] double acos(double x) noexcept;
 

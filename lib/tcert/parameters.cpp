@@ -26,12 +26,35 @@ void require_ratio(
   }
 }
 
+/// Of two lengths of which the first has to fit into the second: what is never reached would
+/// switch a constraint off.
+void require_fits(const char* name, double length, const char* window_name, double window) {
+  if (!(length <= window)) {
+    throw std::invalid_argument(std::string(name) + " is " + to_text(length) +
+                                "; it must be at most " + window_name + ", which is " +
+                                to_text(window));
+  }
+}
+
 }  // namespace
 
 void validate(const CertificateParameters& p) {
   require_fields(p);
   if (p.contact_off_n > p.contact_on_n) {
     throw std::invalid_argument("contact_off_n must not be above contact_on_n");
+  }
+  if (p.curvature == CurvatureReading::path) {
+    require_fits("curvature_min_travel_m",
+                 p.curvature_min_travel_m,
+                 "curvature_window_m",
+                 p.curvature_window_m);
+  } else if (p.curvature == CurvatureReading::contact) {
+    require_fits("contact_spacing_m", p.contact_spacing_m, "contact_window_m", p.contact_window_m);
+  } else if (p.curvature == CurvatureReading::contact_literal) {
+    require_fits("contact_literal_spacing_m",
+                 p.contact_literal_spacing_m,
+                 "contact_window_m",
+                 p.contact_window_m);
   }
   const auto require_deadbands = [&](const char* name, double window_m) {
     require_ratio(name, window_m, "travel_deadband_m", p.travel_deadband_m, kMostDeadbands);

@@ -113,6 +113,18 @@ Group drawn(Draws& draws) {
   return group;
 }
 
+template <class Group>
+bool within_bounds(const Group& group) {
+  bool within = true;
+  visit_fields(group, [&](const auto& field, auto member) {
+    using Value = std::decay_t<decltype(group.*member)>;
+    if constexpr (!std::is_enum_v<Value>) {
+      within = within && field.bounds.contain(static_cast<double>(group.*member));
+    }
+  });
+  return within;
+}
+
 Robot drawn_robot(Draws& draws) {
   auto robot = drawn<Robot>(draws);
   const std::uint32_t rays = draws.below(5);
@@ -205,8 +217,12 @@ void drive(Draws& draws) {
   const Course course{drawn_region(draws, 0.0), drawn_region(draws, 2.0)};
   const auto parameters = drawn<CertificateParameters>(draws);
   const auto law = drawn<SpeedLaw>(draws);
+  const auto guard_parameters = drawn<GuardParameters>(draws);
   Certifier certifier(robot, course, parameters);
-  Guards guards(law, drawn<GuardParameters>(draws), TrackingErrorTable());
+  Guards guards(law, guard_parameters, TrackingErrorTable());
+  require(within_bounds(robot) && within_bounds(parameters) && within_bounds(law) &&
+              within_bounds(guard_parameters),
+          "what is out of bounds is refused");
   Wanderer wanderer(draws, robot.rays.size());
   CertifiedTick before;
   double best_m = -kInfinity;
@@ -227,9 +243,10 @@ void drive(Draws& draws) {
     best_m = std::max(best_m, now.certificate_m);
     require(guarded.speed_mps >= 0.0 && guarded.speed_mps <= law.max_speed_mps,
             "a speed of the law");
-    if (i > 0 && (now.flags & flag_bad_input) != 0 && before.nodes > 0) {
+    if (i > 0 && (now.flags & (flag_bad_input | flag_stale)) != 0 && before.nodes > 0) {
       require(now.certificate_m == before.certificate_m && now.nodes == before.nodes &&
-                  now.travel_m == before.travel_m,
+                  now.edges == before.edges && now.travel_m == before.travel_m &&
+                  now.corridor_value_m == before.corridor_value_m,
               "a refused tick changes nothing");
     }
     before = now;

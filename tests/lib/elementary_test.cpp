@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <tcert/elementary.hpp>
+#include <utility>
 #include <vector>
 
 namespace tcert {
@@ -110,6 +111,15 @@ TEST(Elementary, EndsOfTheRange) {
   EXPECT_EQ(elementary::atan2(0.0, -1.0), std::numbers::pi);
   EXPECT_EQ(elementary::atan2(-1.0, 0.0), -0.5 * std::numbers::pi);
   EXPECT_EQ(elementary::atan2(1.0, 1.0), 0.25 * std::numbers::pi);
+  for (const auto& [y, x] : {std::pair{1.6e308, 1.7e308},
+                             std::pair{1e308, 1.7e308},
+                             std::pair{1.5e308, 1e308},
+                             std::pair{5e-324, 1.5e-323},
+                             std::pair{1e-310, 1e-300}}) {
+    EXPECT_NEAR(elementary::atan2(y, x) / std::atan2(y, x), 1.0, 1e-15) << y << ' ' << x;
+  }
+  EXPECT_TRUE(std::isnan(elementary::atan2(std::nan(""), 1.0)));
+  EXPECT_TRUE(std::isnan(elementary::asin(1.1)));
   EXPECT_EQ(elementary::asin(1.0), 0.5 * std::numbers::pi);
   EXPECT_EQ(elementary::acos(-1.0), std::numbers::pi);
 }

@@ -175,6 +175,7 @@ std::optional<Region> to_region(const tcert_region& c, const std::string& name) 
 Course to_course(const tcert_course& given) {
   require_size(given, "course");
   const tcert_course c = completed(given);
+  require(c.reserved == 0, "course.reserved is not 0");
   return {to_region(c.start, "start"), to_region(c.goal, "goal")};
 }
 
@@ -253,7 +254,7 @@ const char* tcert_status_text(tcert_status status) noexcept {
     case TCERT_ERROR_ARGUMENT:
       return "a null pointer where there must be none";
     case TCERT_ERROR_VERSION:
-      return "a struct of another version: the header is newer than the library";
+      return "a struct_size that is not set, or of a header that is newer than the library";
     case TCERT_ERROR_PARAMETER:
       return "robot, course or parameters out of range";
     case TCERT_ERROR_MEMORY:
@@ -296,6 +297,8 @@ tcert_status tcert_create(const tcert_robot* robot,
   try {
     require_size(*parameters, "parameters");
     const tcert_parameters all = completed(*parameters, defaults());
+    require(all.reserved == 0 && all.reserved_1 == 0 && all.reserved_2 == 0,
+            "a reserved member of the parameters is not 0; tcert_parameters_init sets all of them");
     const Robot known = to_robot(*robot);
     *certifier = new tcert_certifier{
         Certifier(known, to_course(*course), known_from<CertificateParameters>(all)),

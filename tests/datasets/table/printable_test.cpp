@@ -24,6 +24,7 @@ TEST(Printable, LetsNothingSteerTheTerminal) {
   EXPECT_EQ(printable("\xC0\xAF\xED\xA0\x80"), "\\xc0\\xaf\\xed\\xa0\\x80")
       << "overlong, surrogate";
   EXPECT_EQ(printable("\xE2\x82"), "\\xe2\\x82") << "cut";
+  EXPECT_EQ(printable("\xE2\x80\x8F\xD8\x9C"), "\\xe2\\x80\\x8f\\xd8\\x9c") << "marks of direction";
 }
 
 TEST(Printable, KeepsLinesAndTabsOfAWholeText) {

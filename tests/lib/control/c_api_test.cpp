@@ -217,6 +217,12 @@ TEST(CApi, SaysWhatIsWrongWithWhatItIsMadeFrom) {
                  TCERT_ERROR_PARAMETER,
                  "tracking error: speed_mps must start at 0 and rise");
   expect_refused(
+      [](CSetup& c) { c.parameters.curvature_window_m = 0.05; },
+      TCERT_ERROR_PARAMETER,
+      "curvature_min_travel_m is 0.1; it must be at most curvature_window_m, which is 0.05");
+  expect_refused([](CSetup& c) { c.course.reserved = 1; }, TCERT_ERROR_PARAMETER, "reserved");
+  expect_refused([](CSetup& c) { c.parameters.reserved_1 = 9; }, TCERT_ERROR_PARAMETER, "reserved");
+  expect_refused(
       [](CSetup& c) { c.parameters.struct_size = 8; }, TCERT_ERROR_VERSION, "struct_size is 8");
   expect_refused([](CSetup& c) { c.course.struct_size = 0; }, TCERT_ERROR_VERSION, "course");
   tcert_certifier* certifier = nullptr;
