@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cli/errors.hpp"
 #include "cli/explore_flags.hpp"
@@ -43,6 +46,21 @@ constexpr std::string_view kSyntheticPrefix = "SYNTHETIC data, seed ";
   }
 }
 
+/// For the manifest; none if there will be no manifest. \throws NoInput.
+std::vector<ManifestFile> inputs_of(const ExploreOptions& options, const CommonOptions& common) {
+  std::vector<ManifestFile> inputs;
+  for (const std::string& path : {options.terrain, options.config, options.obstacles}) {
+    if (common.output.empty() || path.empty()) {
+      continue;
+    }
+    if (!std::filesystem::exists(path)) {
+      throw NoInput("cannot read '" + path + "': there is no such file");
+    }
+    inputs.push_back({name_of(path), digest_file(path)});
+  }
+  return inputs;
+}
+
 int run(Arguments arguments) {
   ExploreOptions options;
   CommonOptions common;
@@ -54,6 +72,8 @@ int run(Arguments arguments) {
   check(options, common);
   const TerrainFileOptions reading =
       terrain_file_options(options.header, options.format, options.nodata);
+  // Before they are read, not after hours of exploring, in which they may be edited.
+  std::vector<ManifestFile> inputs = inputs_of(options, common);
   TerrainGrid file = read_terrain_or_throw(options.terrain, reading);
   const std::optional<SyntheticLabel> label = label_of(file);
   const terrain::Grid grid{file.rows, file.columns};
@@ -104,12 +124,7 @@ int run(Arguments arguments) {
     record(common, manifest);
     manifest.seed = static_cast<std::uint64_t>(common.seed);
     manifest.synthetic = label;
-    manifest.inputs = {{name_of(options.terrain), digest_file(options.terrain)}};
-    for (const std::string& more : {options.config, options.obstacles}) {
-      if (!more.empty()) {
-        manifest.inputs.push_back({name_of(more), digest_file(more)});
-      }
-    }
+    manifest.inputs = std::move(inputs);
     folder->commit(std::move(manifest));
   }
   return exit_code_of(result.end);

@@ -106,6 +106,17 @@ void take_assignment(const std::string& text, Settings& into) {
   into.emplace_back(text.substr(0, equals), text.substr(equals + 1));
 }
 
+/// An empty name of a file, as an unset variable of a shell gives it, is not "no file".
+void require_names(const po::parsed_options& parsed, const po::options_description& all) {
+  for (const auto& option : parsed.options) {
+    const auto* const known = all.find_nothrow(option.string_key, false);
+    const bool names = known != nullptr && role_of(*known) != OptionRole::shapes;
+    if (names && option.value.size() == 1 && option.value.front().empty()) {
+      throw UsageError("--" + option.string_key + ": found '', expected a value");
+    }
+  }
+}
+
 void take_parameters(const po::parsed_options& parsed, Settings& into) {
   for (const auto& option : parsed.options) {
     if (option.string_key == kSet) {
@@ -334,6 +345,7 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
             .style(style)
             .run();
     take_parameters(parsed, common.flag_parameters);
+    require_names(parsed, all);
     po::store(parsed, values);
     // A command may have a --config of its own kind.
     if ((line.common & (uses_config | uses_parameters)) != 0 &&
