@@ -72,7 +72,8 @@ WorldsResult worlds_from_json(const table::Bytes& bytes, const std::string& file
     return worlds.take();
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && text[first] == '[' && table::json_shape_problem(text).empty()) {
+  if (first != std::string_view::npos && text[first] == '[' &&
+      table::json_shape_problem(text).empty()) {
     const auto array = nlohmann::ordered_json::parse(text, nullptr, false);
     if (!array.is_discarded()) {
       for (const auto& world : array) {

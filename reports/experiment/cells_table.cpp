@@ -19,7 +19,8 @@ TableCell estimate(const Score& score) {
 }
 
 /// The rival over which the certificate gains least; null without a rival that has a gain.
-const study::H1Row* strongest_rival(const study::H1Panel& panel, study::H1Score study::H1Row::*gain) {
+const study::H1Row* strongest_rival(const study::H1Panel& panel,
+                                    study::H1Score study::H1Row::*gain) {
   const study::H1Row* strongest = nullptr;
   for (const study::H1Row& row : panel.rows) {
     const bool counts = row.kind == study::H1RowKind::rival && (row.*gain).value;

@@ -4,9 +4,9 @@
 #include <limits>
 #include <terrain/explore.hpp>
 
+#include "analysis/study/terrain/scenarios.hpp"
 #include "datasets/terrain_file.hpp"
 #include "terrain/vectors.hpp"
-#include "analysis/study/terrain/scenarios.hpp"
 
 namespace tcert::terrain {
 namespace {

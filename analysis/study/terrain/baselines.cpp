@@ -1,7 +1,7 @@
+#include "analysis/study/terrain/baselines.hpp"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include "analysis/study/terrain/baselines.hpp"
 #include <terrain/routes.hpp>
 
 namespace tcert::terrain {
