@@ -66,7 +66,7 @@ struct ResampleOptions {
 
 /// See <tcert/parameter_fields.hpp>; the first argument only names the list.
 template <class Visit>
-void visit_fields(const ResampleOptions&, Visit&& visit) {
+void visit_fields(const ResampleOptions& /*list*/, Visit&& visit) {
   using Group = ResampleOptions;
 #define TCERT_NUMBER TCERT_VISIT_NUMBER
 #include "datasets/resample.def"

@@ -38,7 +38,7 @@ struct CertificateParameters {
 
 /// See parameter_fields.hpp; the first argument only names the list.
 template <class Visit>
-void visit_fields(const CertificateParameters&, Visit&& visit) {
+void visit_fields(const CertificateParameters& /*list*/, Visit&& visit) {
   using Group = CertificateParameters;
 #define TCERT_WORD TCERT_VISIT_WORD
 #define TCERT_NUMBER TCERT_VISIT_NUMBER

@@ -42,7 +42,7 @@ struct Robot {
 
 /// See parameter_fields.hpp; the first argument only names the list.
 template <class Visit>
-void visit_fields(const Robot&, Visit&& visit) {
+void visit_fields(const Robot& /*list*/, Visit&& visit) {
   using Group = Robot;
 #define TCERT_NUMBER TCERT_VISIT_NUMBER
 #include <tcert/parameters/robot.def>

@@ -14,7 +14,7 @@ struct ReplayOptions {
 
 /// See <tcert/parameter_fields.hpp>; the first argument only names the list.
 template <class Visit>
-void visit_fields(const ReplayOptions&, Visit&& visit) {
+void visit_fields(const ReplayOptions& /*list*/, Visit&& visit) {
   using Group = ReplayOptions;
 #define TCERT_NUMBER TCERT_VISIT_NUMBER
 #include "analysis/study/replay/replay.def"

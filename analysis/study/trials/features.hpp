@@ -28,7 +28,7 @@ struct EarlyWindowOptions {
 
 /// See <tcert/parameter_fields.hpp>; the first argument only names the list.
 template <class Visit>
-void visit_fields(const EarlyWindowOptions&, Visit&& visit) {
+void visit_fields(const EarlyWindowOptions& /*list*/, Visit&& visit) {
   using Group = EarlyWindowOptions;
 #define TCERT_WORD TCERT_VISIT_WORD
 #define TCERT_NUMBER TCERT_VISIT_NUMBER

@@ -28,7 +28,7 @@ struct GuardParameters {
 
 /// See parameter_fields.hpp; the first argument only names the list.
 template <class Visit>
-void visit_fields(const GuardParameters&, Visit&& visit) {
+void visit_fields(const GuardParameters& /*list*/, Visit&& visit) {
   using Group = GuardParameters;
 #define TCERT_WORD TCERT_VISIT_WORD
 #define TCERT_NUMBER TCERT_VISIT_NUMBER

@@ -21,7 +21,7 @@ struct RouteParameters {
 
 /// See parameter_fields.hpp; the first argument only names the list.
 template <class Visit>
-void visit_fields(const RouteParameters&, Visit&& visit) {
+void visit_fields(const RouteParameters& /*list*/, Visit&& visit) {
   using Group = RouteParameters;
 #define TCERT_NUMBER TCERT_VISIT_NUMBER
 #include <tcert/parameters/route.def>

@@ -21,7 +21,7 @@ struct SpeedLaw {
 
 /// See parameter_fields.hpp; the first argument only names the list.
 template <class Visit>
-void visit_fields(const SpeedLaw&, Visit&& visit) {
+void visit_fields(const SpeedLaw& /*list*/, Visit&& visit) {
   using Group = SpeedLaw;
 #define TCERT_WORD TCERT_VISIT_WORD
 #define TCERT_NUMBER TCERT_VISIT_NUMBER
