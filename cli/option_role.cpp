@@ -24,26 +24,26 @@ class ValueOfRole final : public po::typed_value<T>, public HasRole {
 };
 
 template <class T>
-po::typed_value<T>* of_role(T& value, OptionRole role, const char* placeholder) {
-  return (new ValueOfRole<T>(value, role))->value_name(placeholder);  // the description owns it
+po::typed_value<T>* of_role(T& value, OptionRole role, const char* shown) {
+  return (new ValueOfRole<T>(value, role))->value_name(shown);  // the description owns it
 }
 
 }  // namespace
 
-po::typed_value<std::string>* input(std::string& value, const char* placeholder) {
-  return of_role(value, OptionRole::input, placeholder);
+po::typed_value<std::string>* input(std::string& value, const char* shown) {
+  return of_role(value, OptionRole::input, shown);
 }
 
-po::typed_value<std::string>* output(std::string& value, const char* placeholder) {
-  return of_role(value, OptionRole::output, placeholder);
+po::typed_value<std::string>* output(std::string& value, const char* shown) {
+  return of_role(value, OptionRole::output, shown);
 }
 
-po::typed_value<std::int64_t>* process(std::int64_t& value, const char* placeholder) {
-  return of_role(value, OptionRole::process, placeholder);
+po::typed_value<std::int64_t>* process(std::int64_t& value, const char* shown) {
+  return of_role(value, OptionRole::process, shown);
 }
 
-po::typed_value<std::string>* process(std::string& value, const char* placeholder) {
-  return of_role(value, OptionRole::process, placeholder);
+po::typed_value<std::string>* process(std::string& value, const char* shown) {
+  return of_role(value, OptionRole::process, shown);
 }
 
 po::typed_value<bool>* process_switch(bool& value) {

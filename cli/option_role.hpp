@@ -16,15 +16,15 @@ enum class OptionRole : std::uint8_t {
   process,  ///< How the result is made, which does not change it: threads, progress, caches.
 };
 
-/// Values of the other roles; `placeholder` stands in the help: "FILE".
+/// Values of the other roles; the help shows them as `shown`: "FILE".
 [[nodiscard]] boost::program_options::typed_value<std::string>* input(std::string& value,
-                                                                      const char* placeholder);
+                                                                      const char* shown);
 [[nodiscard]] boost::program_options::typed_value<std::string>* output(std::string& value,
-                                                                       const char* placeholder);
+                                                                       const char* shown);
 [[nodiscard]] boost::program_options::typed_value<std::int64_t>* process(std::int64_t& value,
-                                                                         const char* placeholder);
+                                                                         const char* shown);
 [[nodiscard]] boost::program_options::typed_value<std::string>* process(std::string& value,
-                                                                        const char* placeholder);
+                                                                        const char* shown);
 [[nodiscard]] boost::program_options::typed_value<bool>* process_switch(bool& value);
 
 [[nodiscard]] OptionRole role_of(const boost::program_options::option_description& option);

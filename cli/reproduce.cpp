@@ -221,7 +221,8 @@ void remove_stale(const fs::path& output, const ReproduceOptions& options) {
   remove_own_file(output / "report.html");
 }
 
-/// \throws what opening the bundle does, or UsageError for parameters, before anything is removed.
+/// To be asked before anything is removed. \throws what opening the bundle does; UsageError for
+/// parameters, or if a part would replace the bundle.
 void require_readable(const ReproduceOptions& options, const CommonOptions& common) {
   if (options.bundle.empty()) {
     BundleInfo corpus;
@@ -230,6 +231,9 @@ void require_readable(const ReproduceOptions& options, const CommonOptions& comm
   } else {
     const OpenedBundle opened = open_for(options.bundle, common, SayDiagnostics::no);
     static_cast<void>(effective_robot(opened.bundle.info, opened.parameters));
+    for (const char* part : {"certificates", "replays", "ablation", "sensitivity"}) {
+      require_apart(options.bundle, fs::path(common.output) / part);
+    }
   }
 }
 
@@ -287,9 +291,6 @@ int run(Arguments arguments) {
   table::sweep_leftovers_in(output);
   const std::string bundle =
       own_corpus ? corpus_in(output / "corpus", false, options, common) : options.bundle;
-  for (const char* part : {"certificates", "replays", "ablation", "sensitivity"}) {
-    require_apart(bundle, output / part);
-  }
   const Words landmark = landmark_of(open_for(bundle, common, SayDiagnostics::no));
 
   Steps steps(common, output);

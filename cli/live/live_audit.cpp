@@ -90,7 +90,7 @@ void LiveAudit::add(const Tick& tick,
     return;
   }
   if (const int error = append(rows_); error != 0) {
-    if (lost_ == 0) {
+    if (!std::exchange(failed_, true)) {
       status.say("tcert live: cannot write the audit log '" + path_ + "': " + reason_of(error) +
                  "; the run goes on, rows that find no room are counted");
     }
@@ -100,7 +100,7 @@ void LiveAudit::add(const Tick& tick,
 }
 
 bool LiveAudit::close(StatusLines& status) {
-  if (size_ == 0 && was_empty_ && append(audit_header()) != 0) {
+  if (size_ == 0 && (was_empty_ || failed_) && append(audit_header()) != 0) {
     ++lost_;
   }
   const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;

@@ -41,6 +41,7 @@ class LiveAudit {
   int descriptor_ = -1;
   long long size_ = 0;  ///< Bytes of whole rows.
   bool was_empty_ = false;
+  bool failed_ = false;  ///< At some tick, which was said.
   std::size_t lost_ = 0;
   std::string rows_;
 };

@@ -295,5 +295,47 @@ TEST_F(Surroundings, ALogThatWouldBeTooManyTicksIsRejected) {
   EXPECT_NE(run.err.find("raise tick_s"), std::string::npos) << run.err;
 }
 
+TEST_F(Surroundings, AnAuditLogStaysUntilTheNextRunStands) {
+  ASSERT_EQ(shell->run("$T live --bundle corpus --audit kept.csv < ticks.csv > rows.csv").exit_code,
+            0);
+  const std::string log = shell->work().read("kept.csv");
+  ASSERT_FALSE(log.empty());
+  for (const char* const fails : {"--record corpus < ticks.csv",
+                                  "--listen unix:/nonexistent/socket < ticks.csv",
+                                  "< /dev/null"}) {
+    static_cast<void>(
+        shell->run(std::string("$T live --bundle corpus --audit kept.csv > rows2.csv ") + fails));
+    EXPECT_EQ(shell->work().read("kept.csv"), log) << fails;
+  }
+  const ProcessResult second = shell->run(
+      "mkfifo ticks.fifo; ($T live --bundle corpus --audit kept.csv < ticks.fifo > rows3.csv &) ; "
+      "exec 9> ticks.fifo; sleep 1; $T live --bundle corpus --audit kept.csv < ticks.csv; "
+      "code=$?; exec 9>&-; sleep 1; exit $code");
+  EXPECT_EQ(second.exit_code, 73) << to_string(second);
+  EXPECT_NE(second.err.find("another run writes it"), std::string::npos) << second.err;
+}
+
+TEST_F(Surroundings, ReproduceThatCannotRunRemovesNothing) {
+  ASSERT_EQ(shell
+                ->run("mkdir study && $T simulate --trials 3 --output study/corpus && "
+                      "$T simulate --micro-study --output study/gates")
+                .exit_code,
+            0);
+  const auto before = shell->contents("study");
+  EXPECT_EQ(shell->run("$T reproduce typo --output study").exit_code, 66);
+  EXPECT_EQ(shell->run("$T reproduce corpus --output study --set body_width_m=-1").exit_code, 2);
+  EXPECT_EQ(shell->contents("study"), before);
+  ASSERT_EQ(shell->run("echo mine > study/report.html").exit_code, 0);
+  EXPECT_EQ(shell->run("$T reproduce corpus --output study").exit_code, 73);
+  ASSERT_EQ(shell->run("rm study/report.html").exit_code, 0);
+  EXPECT_EQ(shell->contents("study"), before);
+}
+
+TEST_F(Surroundings, VerifyOnAMachineThatIsShortKnowsNothing) {
+  const ProcessResult run = shell->run("ulimit -f 40; $T verify made --inputs corpus");
+  EXPECT_NE(run.exit_code, 0) << to_string(run);
+  EXPECT_NE(run.exit_code, 1) << "no difference was seen: " << to_string(run);
+}
+
 }  // namespace
 }  // namespace tcert
