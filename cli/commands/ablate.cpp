@@ -1,6 +1,6 @@
-#include "analysis/study/experiment/paper_cells.hpp"
-#include "cli/errors.hpp"
-#include "cli/experiment/batch.hpp"
+#include "cli/runs/experiment/batch.hpp"
+
+#include "cli/commands/run_command.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -26,25 +26,7 @@ Cost: that of 'tcert certify' for each cell that changes the series, less what t
 about a second a cell.
 )";
 
-int run(Arguments arguments) {
-  BatchOptions options;
-  CommonOptions common;
-  CommandLine line{"ablate",
-                   kText,
-                   uses_parameters | uses_output | uses_format | uses_seed | uses_threads |
-                       uses_trials | uses_logs,
-                   po::options_description("Options"),
-                   {{"BUNDLE", &options.bundle, true, OptionRole::input}}};
-  add_batch_options(line.own, options);
-  if (!parse(line, common, arguments)) {
-    return exit_done;
-  }
-  return run_batch(
-      "ablate",
-      options,
-      common,
-      options.cells.empty() ? study::ablation_cells() : cells_of_file(options.cells, common));
-}
+int run(Arguments arguments) { return run_command(kText, arguments, ablate); }
 
 }  // namespace
 

@@ -1,76 +1,50 @@
-#include "cli/options.hpp"
+#include "cli/commands/command_line.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <table/atomic_file.hpp>
 #include <table/bytes.hpp>
-#include <table/csv_write.hpp>
 #include <table/nearest_name.hpp>
 
 #include "analysis/study/trials/parameters.hpp"
-#include "cli/errors.hpp"
-#include "cli/output.hpp"
-#include "cli/written_options.hpp"
+#include "cli/commands/option_description.hpp"
+#include "cli/commands/output.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kSet = "set";
-constexpr std::string_view kConfig = "config";
-constexpr std::string_view kPositional = "positional";
+namespace po = boost::program_options;
 
-po::options_description common_description(unsigned use, CommonOptions& o) {
-  po::options_description text("Common options");
-  auto add = text.add_options();
-  if ((use & uses_output) != 0) {
-    add("output", output(o.output, "PATH"), "where to write; appears only when it is whole");
-  }
-  if ((use & uses_format) != 0) {
-    add("format",
-        po::value(&o.format)->value_name("WORD")->default_value(o.format),
-        "of what is printed: text, md, csv, json, jsonl or tex");
-  }
-  if ((use & uses_seed) != 0) {
-    add("seed",
-        po::value(&o.seed)->value_name("N")->default_value(o.seed),
-        "of all random draws; another seed is another sample");
-  }
-  if ((use & uses_threads) != 0) {
-    add("threads",
-        process(o.threads, "N")->default_value(o.threads),
-        "0 takes all cores; the results are the same for any number");
-  }
-  if ((use & uses_trials) != 0) {
-    add("trials",
-        po::value(&o.trials)->value_name("IDS"),
-        "only these: trial ids or patterns with * and ?, comma between");
-  }
-  if ((use & uses_logs) != 0) {
-    add("strict", po::bool_switch(&o.strict), "stop at the first rejected trial");
-    add("repair",
-        po::bool_switch(&o.repair),
-        "drop or merge bad rows, counted, instead of rejecting their trial");
-  }
-  if ((use & (uses_logs | uses_decimal_comma)) != 0) {
-    add("decimal-comma",
-        po::bool_switch(&o.decimal_comma),
-        "numbers like 1,5 in files whose separator is the semicolon");
-  }
-  if ((use & (uses_config | uses_parameters)) != 0) {
-    add("config",
-        process(o.config, "FILE"),
+constexpr const char* kSet = "set";
+constexpr const char* kConfig = "config";
+constexpr const char* kPositional = "positional";
+
+/// What the parser reads by itself: nothing of it reaches the run.
+struct Told {
+  std::string config;
+  Manner& manner;
+};
+
+po::options_description common_description(const OptionTable& table, Told& told) {
+  po::options_description common =
+      description_of("Common options", table, table.own(), table.options().size());
+  auto add = common.add_options();
+  if (table.has_config_file()) {
+    add(kConfig,
+        po::value(&told.config)->value_name("FILE"),
         "INI file with the same names as the flags; flags go first");
   }
-  if ((use & uses_parameters) != 0) {
-    add("set",
+  if (table.parameters() != nullptr) {
+    add(kSet,
         po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
         "one parameter, repeatable; also --KEY VALUE and KEY=VALUE in the config file; 'tcert help "
         "parameters' lists them");
   }
-  add("quiet", process_switch(o.quiet), "no progress and no summary on stderr");
+  add("quiet", po::bool_switch(&told.manner.quiet), "no progress and no summary on stderr");
   add("help", "print this text");
-  return text;
+  return common;
 }
 
 /// Every key of the parameter table, taken as text: the table reads it.
@@ -83,9 +57,8 @@ po::options_description parameter_description() {
 }
 
 bool is_parameter(std::string_view name) {
-  const auto table = study::parameter_table();
-  return std::any_of(
-      table.begin(), table.end(), [&](const study::ParameterInfo& one) { return one.key == name; });
+  return std::ranges::any_of(study::parameter_table(),
+                             [&](const study::ParameterInfo& one) { return one.key == name; });
 }
 
 std::vector<std::string> names_of(const po::options_description& options) {
@@ -107,32 +80,39 @@ void take_assignment(const std::string& text, Settings& into) {
 }
 
 /// An empty name of a file, as an unset variable of a shell gives it, is not "no file".
-void require_names(const po::parsed_options& parsed, const po::options_description& all) {
+void require_names(const po::parsed_options& parsed, const OptionTable& table) {
   for (const auto& option : parsed.options) {
-    const auto* const known = all.find_nothrow(option.string_key, false);
-    const bool names = known != nullptr && role_of(*known) != OptionRole::shapes;
+    const Option* const known = table.find(option.string_key);
+    const bool names =
+        known != nullptr ? known->role != OptionRole::shapes : option.string_key == kConfig;
     if (names && option.value.size() == 1 && option.value.front().empty()) {
       throw UsageError("--" + option.string_key + ": found '', expected a value");
     }
   }
 }
 
-void take_parameters(const po::parsed_options& parsed, Settings& into) {
+void take_parameters(const po::parsed_options& parsed,
+                     const OptionTable& table,
+                     Settings ParameterChanges::*into) {
+  if (table.parameters() == nullptr) {
+    return;
+  }
+  Settings& settings = table.parameters()->*into;
   for (const auto& option : parsed.options) {
     if (option.string_key == kSet) {
       for (const std::string& text : option.value) {
-        take_assignment(text, into);
+        take_assignment(text, settings);
       }
     } else if (is_parameter(option.string_key) && !option.value.empty()) {
-      into.emplace_back(option.string_key, option.value.front());
+      settings.emplace_back(option.string_key, option.value.front());
     }
   }
 }
 
 void read_config(const std::string& path,
                  const po::options_description& all,
-                 po::variables_map& values,
-                 CommonOptions& common) {
+                 const OptionTable& table,
+                 po::variables_map& values) {
   const table::BytesResult bytes = table::read_raw_file(path);
   if (!bytes.bytes) {
     throw NoInput("cannot read the config file '" + path + "': " + bytes.problem);
@@ -146,37 +126,38 @@ void read_config(const std::string& path,
       throw UsageError(path + ": unknown key '" + key + "'" + did_you_mean(key, names_of(all)));
     }
   }
-  take_parameters(parsed, common.file_parameters);
+  take_parameters(parsed, table, &ParameterChanges::of_file);
   po::store(parsed, values);
 }
 
-void take_positional(const CommandLine& line, const po::variables_map& values) {
+void take_arguments(const OptionTable& table, const po::variables_map& values) {
   std::vector<std::string> given;
-  if (values.count(std::string(kPositional)) != 0) {
-    given = values[std::string(kPositional)].as<std::vector<std::string>>();
+  if (values.count(kPositional) != 0) {
+    given = values[kPositional].as<std::vector<std::string>>();
   }
-  if (given.size() > line.positional.size() && line.rest != nullptr) {
-    line.rest->assign(given.begin() + static_cast<std::ptrdiff_t>(line.positional.size()),
-                      given.end());
-  } else if (given.size() > line.positional.size()) {
-    throw UsageError("unexpected argument '" + given[line.positional.size()] + "'");
+  const std::vector<Argument>& arguments = table.arguments();
+  if (given.size() > arguments.size() && table.rest() != nullptr) {
+    table.rest()->assign(given.begin() + static_cast<std::ptrdiff_t>(arguments.size()),
+                         given.end());
+  } else if (given.size() > arguments.size()) {
+    throw UsageError("unexpected argument '" + given[arguments.size()] + "'");
   }
-  for (std::size_t i = 0; i < line.positional.size(); ++i) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (i < given.size()) {
-      *line.positional[i].value = given[i];
-    } else if (line.positional[i].required) {
-      throw UsageError("needs " + line.positional[i].name);
+      *arguments[i].value = given[i];
+    } else if (arguments[i].required) {
+      throw UsageError("needs " + arguments[i].name);
     }
   }
 }
 
-void check_common(const CommonOptions& common) {
-  require_range("seed", static_cast<double>(common.seed), 0, 9.3e18);
-  require_range("threads", static_cast<double>(common.threads), 0, 1024);
-  if (!table_format_from(common.format)) {
-    throw UsageError("--format: found '" + common.format +
-                     "', expected text, md, csv, json, jsonl or tex" +
-                     did_you_mean(common.format, {"text", "md", "csv", "json", "jsonl", "tex"}));
+void check_common(const OptionTable& table) {
+  require_ranges(table);
+  if (const Option* const format = table.find("format")) {
+    static_cast<void>(OutputOptions{"", text_of(format->value)}.table_format());
+  }
+  if (const Option* const output = table.find("output")) {
+    table::require_output_place(text_of(output->value));
   }
 }
 
@@ -206,32 +187,36 @@ std::string invalid_value(const po::invalid_option_value& error,
   return option + ": found '" + what.substr(begin + 2, end - begin - 2) + "', expected " + expected;
 }
 
+void print_help(std::string_view help,
+                const po::options_description& own,
+                const po::options_description& common) {
+  std::ostringstream text;
+  text << help;
+  if (!own.options().empty()) {
+    text << '\n' << own;
+  }
+  text << '\n' << common;
+  print(text.str());
+}
+
 }  // namespace
 
-TableFormat CommonOptions::table_format() const { return *table_format_from(format); }
-
-bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) {
-  po::options_description shown;
-  shown.add(line.own).add(common_description(line.common, common));
+bool parse(std::string_view help, const OptionTable& table, Manner& manner, Arguments arguments) {
+  Told told{"", manner};
+  const po::options_description own = description_of(table.heading(), table, 0, table.own());
+  const po::options_description common = common_description(table, told);
   if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end()) {
-    std::ostringstream text;
-    text << line.help;
-    if (!line.own.options().empty()) {
-      text << '\n' << line.own;
-    }
-    CommonOptions ignored;
-    text << '\n' << common_description(line.common, ignored);
-    print(text.str());
+    print_help(help, own, common);
     return false;
   }
   po::options_description all;
-  all.add(shown);
-  all.add_options()(std::string(kPositional).c_str(), po::value<std::vector<std::string>>());
-  if ((line.common & uses_parameters) != 0) {
+  all.add(own).add(common);
+  all.add_options()(kPositional, po::value<std::vector<std::string>>());
+  if (table.parameters() != nullptr) {
     all.add(parameter_description());
   }
   po::positional_options_description positional;
-  positional.add(std::string(kPositional).c_str(), -1);
+  positional.add(kPositional, -1);
   po::variables_map values;
   try {
     const auto style =
@@ -242,13 +227,12 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
             .positional(positional)
             .style(style)
             .run();
-    take_parameters(parsed, common.flag_parameters);
-    require_names(parsed, all);
+    take_parameters(parsed, table, &ParameterChanges::of_flags);
+    require_names(parsed, table);
     po::store(parsed, values);
     // A command may have a --config of its own kind.
-    if ((line.common & (uses_config | uses_parameters)) != 0 &&
-        values.count(std::string(kConfig)) != 0) {
-      read_config(values[std::string(kConfig)].as<std::string>(), all, values, common);
+    if (table.has_config_file() && values.count(kConfig) != 0) {
+      read_config(values[kConfig].as<std::string>(), all, table, values);
     }
     po::notify(values);
   } catch (const po::unknown_option& error) {
@@ -261,44 +245,14 @@ bool parse(const CommandLine& line, CommonOptions& common, Arguments arguments) 
   } catch (const po::error& error) {
     throw UsageError(error.what());
   }
-  take_positional(line, values);
-  check_common(common);
-  table::require_output_place(common.output);
-  common.effective = written_options(values, shown);
-  common.arguments = written_arguments(line, values, shown, common);
+  take_arguments(table, values);
   for (const auto& [name, value] : values) {
     if (!value.defaulted()) {
-      common.given.push_back(name);
+      table.given().push_back(name);
     }
   }
+  check_common(table);
   return true;
-}
-
-void record(const CommonOptions& common, Manifest& manifest) {
-  manifest.options = common.effective;
-  manifest.arguments = common.arguments;
-}
-
-void require_range(std::string_view option, double value, double low, double high) {
-  if (value >= low && value <= high) {
-    return;
-  }
-  std::string text = "--" + std::string(option) + ": found ";
-  if (std::isnan(value)) {
-    text += "nan";
-  } else {
-    table::append_number(text, value);
-  }
-  text += ", expected a value from ";
-  table::append_number(text, low);
-  text += " to ";
-  table::append_number(text, high);
-  throw UsageError(text);
-}
-
-std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
-  const auto nearest = table::nearest_name(name, known);
-  return nearest ? "; did you mean '" + *nearest + "'?" : "";
 }
 
 }  // namespace tcert::cli

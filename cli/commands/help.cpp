@@ -3,10 +3,11 @@
 #include <vector>
 
 #include "analysis/study/trials/parameters.hpp"
-#include "cli/command.hpp"
-#include "cli/errors.hpp"
-#include "cli/options.hpp"
-#include "cli/output.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/command_line.hpp"
+#include "cli/commands/output.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/shared_options.hpp"
 #include "reports/edges_table.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"
@@ -127,28 +128,39 @@ Table column_listing() {
   return table;
 }
 
-int run_help(Arguments arguments) {
-  CommonOptions common;
+struct HelpRequest {
   std::string topic;
   std::string kind;
-  CommandLine line{"help",
-                   kText,
-                   uses_format,
-                   po::options_description{},
-                   {{"COMMAND", &topic, false}, {"KIND", &kind, false}}};
-  if (!parse(line, common, arguments)) {
+  OutputOptions output;
+  std::vector<std::string> given;
+};
+
+OptionTable options_of(HelpRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"COMMAND", &request.topic, false});
+  table.argument({"KIND", &request.kind, false});
+  table.common();
+  add_format(table, request.output);
+  return table;
+}
+
+int run_help(Arguments arguments) {
+  HelpRequest request;
+  Manner manner;
+  if (!parse(kText, options_of(request), manner, arguments)) {
     return exit_done;
   }
+  const auto& [topic, kind, output, given] = request;
   if (topic.empty()) {
     print(overview());
     return exit_done;
   }
   if (topic == "parameters") {
-    print(render(parameter_listing(), common.table_format()));
+    print(render(parameter_listing(), output.table_format()));
     return exit_done;
   }
   if (topic == "columns") {
-    print(render(column_listing(), common.table_format()));
+    print(render(column_listing(), output.table_format()));
     return exit_done;
   }
   std::vector<std::string> known = {"parameters", "columns"};
@@ -167,8 +179,9 @@ int run_help(Arguments arguments) {
 }
 
 int run_version(Arguments arguments) {
-  CommonOptions common;
-  if (parse({"version", kVersionText, 0, po::options_description{}, {}}, common, arguments)) {
+  std::vector<std::string> given;
+  Manner manner;
+  if (parse(kVersionText, OptionTable(given).common(), manner, arguments)) {
     print("tcert " + std::string(tool_version()) + " (" + std::string(tool_commit()) + ")\n");
   }
   return exit_done;

@@ -1,10 +1,11 @@
-#include "cli/import.hpp"
+#include "cli/commands/import.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "cli/errors.hpp"
-#include "cli/options.hpp"
+#include "cli/commands/command_line.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -40,10 +41,11 @@ int run(Arguments arguments) {
     return import_barn_command(arguments);
   }
   std::string format;
-  CommonOptions common;
-  if (parse({"import", kText, 0, po::options_description("Options"), {{"FORMAT", &format}}},
-            common,
-            arguments)) {
+  std::vector<std::string> given;
+  OptionTable table(given);
+  table.argument({"FORMAT", &format});
+  Manner manner;
+  if (parse(kText, table, manner, arguments)) {
     throw UsageError("unknown format '" + format + "', expected barn or carmen" +
                      did_you_mean(format, {"barn", "carmen"}));
   }

@@ -2,7 +2,7 @@
 /// \file
 /// `tcert import`, one function per foreign format.
 
-#include "cli/command.hpp"
+#include "cli/commands/command.hpp"
 
 namespace tcert::cli {
 

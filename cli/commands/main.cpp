@@ -10,12 +10,12 @@
 #include <table/regular_file.hpp>
 #include <vector>
 
-#include "cli/command.hpp"
-#include "cli/errors.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/options.hpp"
-#include "cli/output.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/output.hpp"
+#include "cli/commands/standard_streams.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/interrupt.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/standard_streams.hpp"
+#include "cli/commands/standard_streams.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

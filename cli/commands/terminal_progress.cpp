@@ -1,10 +1,10 @@
-#include "cli/progress.hpp"
+#include "cli/commands/terminal_progress.hpp"
 
 #include <unistd.h>
 
 #include <cstdio>
-#include <utility>
 
+#include "cli/commands/output.hpp"
 #include "reports/table.hpp"
 
 namespace tcert::cli {
@@ -14,20 +14,31 @@ constexpr std::chrono::milliseconds kRedraw{100};
 
 }  // namespace
 
-Progress::Progress(std::string what, std::size_t total, bool quiet)
-    : what_(std::move(what)),
-      total_(total),
-      visible_(!quiet && total > 0 && ::isatty(STDERR_FILENO) == 1),
-      start_(Clock::now()),
-      last_(start_) {}
+void TerminalProgress::say(std::string_view lines) { tcert::cli::say(lines); }
 
-Progress::~Progress() {
-  if (visible_ && done_ > 0) {
-    std::fputs("\r\033[K", stderr);
+void TerminalProgress::sum_up(std::string_view lines) {
+  if (!quiet_) {
+    tcert::cli::say(lines);
   }
 }
 
-void Progress::reach(std::size_t done) {
+void TerminalProgress::begin(std::string_view what, std::size_t total) {
+  what_ = what;
+  total_ = total;
+  done_ = 0;
+  visible_ = !quiet_ && total > 0 && ::isatty(STDERR_FILENO) == 1;
+  start_ = Clock::now();
+  last_ = start_;
+}
+
+void TerminalProgress::end() {
+  if (visible_ && done_ > 0) {
+    std::fputs("\r\033[K", stderr);
+  }
+  visible_ = false;
+}
+
+void TerminalProgress::reach(std::size_t done) {
   done_ = done;
   const auto now = Clock::now();
   if (visible_ && (now - last_ >= kRedraw || done_ == total_)) {
@@ -36,7 +47,7 @@ void Progress::reach(std::size_t done) {
   }
 }
 
-void Progress::draw(Clock::time_point now) const {
+void TerminalProgress::draw(Clock::time_point now) const {
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   const double rate = static_cast<double>(done_) / elapsed_s;
   const double left_s = static_cast<double>(total_ - done_) / rate;

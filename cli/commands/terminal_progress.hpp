@@ -1,36 +1,39 @@
 #pragma once
 /// \file
-/// A line on stderr that says how far long work is; silent unless stderr is a terminal.
+/// How a run goes, on stderr: words, and on a terminal a line that says how far long work is.
 
 #include <chrono>
 #include <cstddef>
 #include <string>
 
+#include "cli/runs/progress.hpp"
+
 namespace tcert::cli {
 
-/// One thread at a time. The line is removed by the destructor.
-class Progress {
+class TerminalProgress : public Progress {
  public:
-  Progress(std::string what, std::size_t total, bool quiet);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  /// \param quiet only what has to be said.
+  explicit TerminalProgress(bool quiet) noexcept : quiet_(quiet) {}
 
-  /// One more is done; redraws at most ten times a second.
-  void advance() { reach(done_ + 1); }
-
-  /// So many are done.
-  void reach(std::size_t done);
+  using Progress::say;
+  void say(std::string_view lines) override;
+  void sum_up(std::string_view lines) override;
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void begin(std::string_view what, std::size_t total) override;
+  /// Draws at most ten times a second.
+  void reach(std::size_t done) override;
+  /// Removes the line.
+  void end() override;
   void draw(Clock::time_point now) const;
 
+  bool quiet_;
+  bool visible_ = false;
   std::string what_;
   std::size_t total_ = 0;
   std::size_t done_ = 0;
-  bool visible_ = false;
   Clock::time_point start_;
   Clock::time_point last_;
 };

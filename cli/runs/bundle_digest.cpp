@@ -1,4 +1,4 @@
-#include "cli/bundle_digest.hpp"
+#include "cli/runs/bundle_digest.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,14 +1,12 @@
-#include "cli/certify_run.hpp"
+#include "cli/runs/certify_trials.hpp"
 
 #include <functional>
 #include <memory>
 #include <utility>
 
 #include "analysis/study/trials/study.hpp"
-#include "cli/bundle_digest.hpp"
-#include "cli/errors.hpp"
-#include "cli/output.hpp"
-#include "cli/progress.hpp"
+#include "cli/runs/bundle_digest.hpp"
+#include "cli/runs/errors.hpp"
 #include "datasets/tick_table.hpp"
 #include "reports/diagnostics_table.hpp"
 #include "reports/edges_table.hpp"
@@ -109,7 +107,8 @@ void write_trial_files(const study::StudiedTrial& trial,
 }  // namespace
 
 CertifySummary certify_trials(const OpenedBundle& opened,
-                              const CommonOptions& common,
+                              std::int64_t threads,
+                              Progress& progress,
                               const ResultFolder* folder,
                               const CertifyFiles& files,
                               const TrialSink& sink,
@@ -125,9 +124,9 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     tables = std::make_unique<TrialTables>(bundle, folder->staging());
     tables->add_diagnostics("", opened.diagnostics);
   }
-  Progress progress("certifying", opened.trials.size(), common.quiet);
+  Stage stage(progress, "certifying", opened.trials.size());
   const study::StudyOptions study{
-      {common.repair}, static_cast<int>(common.threads), files.ray_margins && folder != nullptr};
+      {opened.logs.repair}, static_cast<int>(threads), files.ray_margins && folder != nullptr};
   const auto work = [&](study::StudiedTrial&& trial) -> std::function<bool()> {
     const FileDigest digest = folder != nullptr ? log_digest(bundle, *trial.row) : FileDigest{};
     if (folder != nullptr && !trial.rejected) {
@@ -142,16 +141,16 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     auto row = std::make_shared<study::TrialRecord>(study::summarise(std::move(trial)));
     return [&, row, digest, certificate, diagnostics, rejected, bytes, finish]() {
       const std::string& id = row->row.trial.trial_id;
-      progress.advance();
+      stage.advance();
       logs.add(id, digest);
       summary.log_bytes += bytes;
-      say(diagnostics);
+      progress.say(diagnostics);
       if (tables) {
         tables->add_diagnostics(id, diagnostics);
       }
       if (rejected) {
         summary.rejected.push_back(id);
-        return !common.strict;
+        return !opened.logs.strict;
       }
       ++summary.trials;
       if (tables) {
@@ -167,7 +166,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     };
   };
   study::study_trials(bundle, opened.trials, opened.parameters, study, work);
-  if (common.strict && !summary.rejected.empty()) {
+  if (opened.logs.strict && !summary.rejected.empty()) {
     throw BadData("trial '" + summary.rejected.front() +
                   "' is rejected, and --strict was asked for");
   }
@@ -178,7 +177,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
   return summary;
 }
 
-int report(const CertifySummary& summary, const OpenedBundle& opened, const CommonOptions& common) {
+ExitCode report(const CertifySummary& summary, const OpenedBundle& opened, Progress& progress) {
   std::string line =
       "Certified " + std::to_string(summary.trials) + (summary.trials == 1 ? " trial" : " trials");
   for (const std::string& id : summary.rejected) {
@@ -186,19 +185,21 @@ int report(const CertifySummary& summary, const OpenedBundle& opened, const Comm
   }
   const bool bad_rows = table::has_error(opened.diagnostics);
   line += bad_rows ? "; some rows of trials.csv are rejected, see above." : ".";
-  if (!common.quiet || !summary.rejected.empty() || bad_rows) {
-    say(line);
+  if (summary.rejected.empty() && !bad_rows) {
+    progress.sum_up(line);
+    return exit_done;
   }
-  return summary.rejected.empty() && !bad_rows ? exit_done : exit_rejected;
+  progress.say(line);
+  return exit_rejected;
 }
 
 Manifest manifest_of(std::string command,
                      const OpenedBundle& opened,
-                     const CommonOptions& common,
+                     WrittenOptions written,
                      const CertifySummary& summary) {
   Manifest manifest;
   manifest.command = std::move(command);
-  record(common, manifest);
+  record(std::move(written), manifest);
   manifest.parameters = as_settings(opened.parameters, opened.bundle.info.robot);
   manifest.synthetic = synthetic_label(opened.bundle.info);
   manifest.inputs = summary.inputs;

@@ -2,13 +2,17 @@
 /// \file
 /// Certifying the chosen trials of a bundle, with or without a folder of results.
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "analysis/study/trials/study_tables.hpp"
-#include "cli/inputs.hpp"
-#include "cli/options.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/runs/inputs.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/written_options.hpp"
 #include "reports/manifest.hpp"
 
 namespace tcert::cli {
@@ -38,21 +42,22 @@ using TrialExtra = std::function<std::function<void()>(const study::StudiedTrial
 /// if there is one. Under --strict it ends at the first rejected trial.
 /// \throws BadData under --strict; WriteError.
 [[nodiscard]] CertifySummary certify_trials(const OpenedBundle& opened,
-                                            const CommonOptions& common,
+                                            std::int64_t threads,
+                                            Progress& progress,
                                             const ResultFolder* folder,
                                             const CertifyFiles& files,
                                             const TrialSink& sink,
                                             const TrialExtra& extra = {});
 
-/// "Certified 658 trials; rejected: t3, t9." on stderr; the exit code that goes with it.
-[[nodiscard]] int report(const CertifySummary& summary,
-                         const OpenedBundle& opened,
-                         const CommonOptions& common);
+/// Says "Certified 658 trials; rejected: t3, t9."; the exit code that goes with it.
+[[nodiscard]] ExitCode report(const CertifySummary& summary,
+                              const OpenedBundle& opened,
+                              Progress& progress);
 
 /// The manifest of a command that certified a bundle.
 [[nodiscard]] Manifest manifest_of(std::string command,
                                    const OpenedBundle& opened,
-                                   const CommonOptions& common,
+                                   WrittenOptions written,
                                    const CertifySummary& summary);
 
 }  // namespace tcert::cli

@@ -1,4 +1,4 @@
-#include "cli/certify_truth.hpp"
+#include "cli/runs/certify_truth.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -11,9 +11,8 @@
 #include <table/csv_write.hpp>
 
 #include "analysis/study/truth/truth.hpp"
-#include "cli/data_file.hpp"
-#include "cli/output.hpp"
-#include "cli/progress.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/thread_limit.hpp"
 #include "datasets/bundle_files.hpp"
 #include "datasets/worlds/world_problems.hpp"
 
@@ -60,7 +59,7 @@ std::string world_of(const TrialRow& row, const std::vector<std::string>& extra_
 
 }  // namespace
 
-void add_truth(OpenedBundle& opened, const CommonOptions& common) {
+void add_truth(OpenedBundle& opened, std::int64_t threads, Progress& progress) {
   Bundle& bundle = opened.bundle;
   const BundleFiles files(bundle.path);
   std::vector<std::string> texts;               // distinct
@@ -88,22 +87,23 @@ void add_truth(OpenedBundle& opened, const CommonOptions& common) {
                            ? study::SlackConvention::radial
                            : study::SlackConvention::width;
   const Robot robot = effective_robot(bundle.info, opened.parameters);
-  const ThreadLimit threads(common.threads);
+  const ThreadLimit limit(threads);
   std::vector<Answer> answers(texts.size());
-  Progress progress("truth", texts.size(), common.quiet);
+  Stage stage(progress, "truth", texts.size());
   std::mutex counting;
   tbb::parallel_for(std::size_t{0}, texts.size(), [&](std::size_t i) {
     answers[i] = answer(texts[i], robot, options);
     const std::lock_guard lock(counting);
-    progress.advance();
+    stage.advance();
   });
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (!answers[i].problem.empty()) {
-      say(names[i] + ": " + answers[i].problem);
+      progress.say(names[i] + ": " + answers[i].problem);
     }
   }
   if (missing > 0) {
-    say(fmt::format("{} of {} trials have no world in worlds/", missing, opened.trials.size()));
+    progress.say(
+        fmt::format("{} of {} trials have no world in worlds/", missing, opened.trials.size()));
   }
   bundle.extra_columns.insert(bundle.extra_columns.end(), {"truth_lower_m", "truth_upper_m"});
   for (TrialRow& row : bundle.trials) {
@@ -114,7 +114,7 @@ void add_truth(OpenedBundle& opened, const CommonOptions& common) {
   }
 }
 
-void say_issued_failures(const std::vector<study::TrialRecord>& trials) {
+void say_issued_failures(const std::vector<study::TrialRecord>& trials, Progress& progress) {
   std::size_t failures = 0;
   std::size_t issued = 0;
   for (const study::TrialRecord& trial : trials) {
@@ -129,13 +129,13 @@ void say_issued_failures(const std::vector<study::TrialRecord>& trials) {
     ++issued;
     const auto shown = [](const std::string& cell) { return cell.empty() ? "unknown" : cell; };
     const std::size_t n = row.extra.size();
-    say(fmt::format("issued, but failed: {}, T_t {:.4f} m, truth from {} to {}",
-                    row.trial_id,
-                    trial.row.features.certificate_m.value_or(std::nan("")),
-                    shown(row.extra[n - 2]),
-                    shown(row.extra[n - 1])));
+    progress.say(fmt::format("issued, but failed: {}, T_t {:.4f} m, truth from {} to {}",
+                             row.trial_id,
+                             trial.row.features.certificate_m.value_or(std::nan("")),
+                             shown(row.extra[n - 2]),
+                             shown(row.extra[n - 1])));
   }
-  say(fmt::format("Certificates issued in failed trials: {} of {}.", issued, failures));
+  progress.say(fmt::format("Certificates issued in failed trials: {} of {}.", issued, failures));
 }
 
 }  // namespace tcert::cli

@@ -3,8 +3,7 @@
 /// The truth of a bundle's worlds beside its certificates.
 
 #include "analysis/study/trials/study_tables.hpp"
-#include "cli/inputs.hpp"
-#include "cli/options.hpp"
+#include "cli/runs/inputs.hpp"
 
 namespace tcert::cli {
 
@@ -12,9 +11,9 @@ namespace tcert::cli {
 /// they come out in the features: T of worlds/<world>.json, `world` being the trial's column of
 /// that name or else its id. Empty where there is no such file or no path; a world that cannot be
 /// used is said and leaves its trials without. The same text is computed once.
-void add_truth(OpenedBundle& opened, const CommonOptions& common);
+void add_truth(OpenedBundle& opened, std::int64_t threads, Progress& progress);
 
 /// Says each failed trial that was issued a certificate, with its T_t and its truth.
-void say_issued_failures(const std::vector<study::TrialRecord>& trials);
+void say_issued_failures(const std::vector<study::TrialRecord>& trials, Progress& progress);
 
 }  // namespace tcert::cli

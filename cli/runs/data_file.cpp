@@ -1,15 +1,12 @@
-#include "cli/data_file.hpp"
-
-#include <tbb/global_control.h>
+#include "cli/runs/data_file.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 
-#include "cli/errors.hpp"
-#include "cli/output.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/result_folder.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -29,7 +26,7 @@ bool has_decimal_comma(std::string_view cell) {
   return error == std::errc{} && stop == text.data() + text.size();
 }
 
-void suggest_decimal_comma(const table::DataTable& table) {
+void suggest_decimal_comma(const table::DataTable& table, Progress& progress) {
   for (const table::DataColumn& column : table.columns) {
     const auto& levels = column.text.levels;
     const auto found = std::find_if(levels.begin(), levels.end(), has_decimal_comma);
@@ -37,7 +34,7 @@ void suggest_decimal_comma(const table::DataTable& table) {
       std::string line = "note: " + table.file;
       line += ": column '" + column.name + "' holds texts like '" + *found;
       line += "'; --decimal-comma reads them as numbers";
-      say(line);
+      progress.say(line);
       return;
     }
   }
@@ -57,26 +54,24 @@ std::optional<SyntheticLabel> label_of(const table::DataTable& table) {
 
 DataFile read_data_file(const std::string& path,
                         std::vector<std::string> wanted,
-                        const CommonOptions& common) {
+                        bool decimal_comma,
+                        Progress& progress) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
     throw NoInput("no table at '" + path + "'");
-  }
-  if (!common.output.empty()) {
-    require_apart(path, common.output);
   }
   if (!wanted.empty()) {
     wanted.emplace_back(kSeedColumn);
   }
   table::CsvOptions csv;
-  csv.decimal_comma = common.decimal_comma;
+  csv.decimal_comma = decimal_comma;
   table::DataTableResult read = table::read_data_table(std::filesystem::path(path), wanted, csv);
-  say(read.diagnostics);
+  progress.say(read.diagnostics);
   if (!read.table) {
     throw BadData("'" + path + "' cannot be used as a table");
   }
-  if (!common.decimal_comma) {
-    suggest_decimal_comma(*read.table);
+  if (!decimal_comma) {
+    suggest_decimal_comma(*read.table, progress);
   }
   DataFile file;
   file.path = path;
@@ -85,20 +80,13 @@ DataFile read_data_file(const std::string& path,
   return file;
 }
 
-void write_or_print(std::string_view text,
-                    const std::string& command,
-                    const DataFile& file,
-                    const CommonOptions& common) {
-  if (common.output.empty()) {
-    print(text);
-    return;
-  }
+Manifest manifest_of(std::string command, const DataFile& file, WrittenOptions written) {
   Manifest manifest;
-  manifest.command = command;
-  record(common, manifest);
+  manifest.command = std::move(command);
+  record(std::move(written), manifest);
   manifest.synthetic = file.synthetic;
   manifest.inputs = {{name_of(file.path), digest_file(file.path)}};
-  write_with_manifest(common.output, text, std::move(manifest));
+  return manifest;
 }
 
 void require_table(const FitReport& report, const std::string& table) {
@@ -141,20 +129,5 @@ std::vector<double> numbers_of(const std::string& option, const std::string& lis
   }
   return numbers;
 }
-
-struct ThreadLimit::State {
-  explicit State(std::size_t threads)
-      : control(tbb::global_control::max_allowed_parallelism, threads) {}
-
-  tbb::global_control control;
-};
-
-ThreadLimit::ThreadLimit(std::int64_t threads) {
-  if (threads > 0) {
-    state_ = std::make_unique<State>(static_cast<std::size_t>(threads));
-  }
-}
-
-ThreadLimit::~ThreadLimit() = default;
 
 }  // namespace tcert::cli

@@ -2,14 +2,16 @@
 /// \file
 /// A table that a command is given: read, its problems said, its label and digest kept.
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <table/data_table.hpp>
 #include <vector>
 
-#include "cli/options.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/shared_options.hpp"
+#include "cli/runs/written_options.hpp"
 #include "reports/fit/fit_report.hpp"
 #include "reports/manifest.hpp"
 #include "reports/table.hpp"
@@ -26,17 +28,17 @@ struct DataFile {
 /// BadData if it is not a table.
 [[nodiscard]] DataFile read_data_file(const std::string& path,
                                       std::vector<std::string> wanted,
-                                      const CommonOptions& common);
+                                      bool decimal_comma,
+                                      Progress& progress);
 
 /// The label of a table that holds a column synthetic_seed, as every table made from synthetic data
 /// does.
 [[nodiscard]] std::optional<SyntheticLabel> label_of(const table::DataTable& table);
 
-/// To stdout, or to --output with a manifest beside it. \throws WriteError.
-void write_or_print(std::string_view text,
-                    const std::string& command,
-                    const DataFile& file,
-                    const CommonOptions& common);
+/// The manifest of a command that read one table.
+[[nodiscard]] Manifest manifest_of(std::string command,
+                                   const DataFile& file,
+                                   WrittenOptions written);
 
 /// \throws UsageError that lists the tables unless `table` is empty or one of them.
 void require_table(const FitReport& report, const std::string& table);
@@ -46,18 +48,5 @@ void require_table(const FitReport& report, const std::string& table);
 
 /// "a,b" as words; empty ones are left out.
 [[nodiscard]] std::vector<std::string> words_of(const std::string& list);
-
-/// Bounds the threads of all parallel work while it lives; 0 takes all cores.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(std::int64_t threads);
-  ~ThreadLimit();
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
 
 }  // namespace tcert::cli

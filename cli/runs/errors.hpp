@@ -29,6 +29,12 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What was asked for is not in the data: a column, a level, times.
+class UnfitData : public UsageError {
+ public:
+  using UsageError::UsageError;
+};
+
 class BadData : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

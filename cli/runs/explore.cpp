@@ -1,3 +1,5 @@
+#include "cli/runs/explore.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -6,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/errors.hpp"
-#include "cli/explore_flags.hpp"
-#include "cli/explore_setup.hpp"
-#include "cli/explore_summary.hpp"
-#include "cli/output.hpp"
-#include "cli/result_folder.hpp"
-#include "cli/terrain_input.hpp"
+#include "cli/runs/explore_config.hpp"
+#include "cli/runs/explore_flags.hpp"
+#include "cli/runs/explore_setup.hpp"
+#include "cli/runs/explore_summary.hpp"
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/terrain_input.hpp"
+#include "cli/runs/written_options.hpp"
 #include "reports/terrain/explore_table.hpp"
 #include "reports/terrain/picture.hpp"
 
@@ -38,7 +40,7 @@ constexpr std::string_view kSyntheticPrefix = "SYNTHETIC data, seed ";
                                      const ExploreSetup& setup,
                                      const terrain::Observer& keep) {
   try {
-    return explore(ground, setup, keep);
+    return terrain::explore(ground, setup, keep);
   } catch (const std::invalid_argument& error) {
     throw BadData(error.what());
   } catch (const std::domain_error& error) {
@@ -47,10 +49,10 @@ constexpr std::string_view kSyntheticPrefix = "SYNTHETIC data, seed ";
 }
 
 /// For the manifest; none if there will be no manifest. \throws NoInput.
-std::vector<ManifestFile> inputs_of(const ExploreOptions& options, const CommonOptions& common) {
+std::vector<ManifestFile> inputs_of(const ExploreRequest& options) {
   std::vector<ManifestFile> inputs;
   for (const std::string& path : {options.terrain, options.config, options.obstacles}) {
-    if (common.output.empty() || path.empty()) {
+    if (options.output.path.empty() || path.empty()) {
       continue;
     }
     if (!std::filesystem::exists(path)) {
@@ -61,31 +63,29 @@ std::vector<ManifestFile> inputs_of(const ExploreOptions& options, const CommonO
   return inputs;
 }
 
-int run(Arguments arguments) {
-  ExploreOptions options;
-  CommonOptions common;
-  if (!parse(explore_command_line(options), common, arguments)) {
-    return exit_done;
-  }
-  apply_config(options, common);
-  settle_beta(options, common);
-  check(options, common);
+}  // namespace
+
+RunResult explore(const ExploreRequest& request, Progress& progress) {
+  ExploreRequest options = request;
+  apply_config(options, progress);
+  settle_beta(options, progress);
+  check(options, progress);
   const TerrainFileOptions reading =
       terrain_file_options(options.header, options.format, options.nodata);
   // Before they are read, not after hours of exploring, in which they may be edited.
-  std::vector<ManifestFile> inputs = inputs_of(options, common);
-  TerrainGrid file = read_terrain_or_throw(options.terrain, reading);
+  std::vector<ManifestFile> inputs = inputs_of(options);
+  TerrainGrid file = read_terrain_or_throw(options.terrain, reading, progress);
   const std::optional<SyntheticLabel> label = label_of(file);
   const terrain::Grid grid{file.rows, file.columns};
   const Places places = places_of(options, grid);
-  terrain::CellSet blocked = blocked_cells(file, options.obstacles, reading);
+  terrain::CellSet blocked = blocked_cells(file, options.obstacles, reading, progress);
   require_free(grid, file, blocked, places.start, places.goal);
   const Terrain ground{grid, std::move(file.values)};
-  const ExploreSetup setup = explore_setup(options, common, ground, std::move(blocked));
+  const ExploreSetup setup = explore_setup(options, progress, ground, std::move(blocked));
   std::optional<ResultFolder> folder;
-  if (!common.output.empty()) {
-    require_apart(options.terrain, common.output);
-    folder.emplace(common.output, "explore");
+  if (!options.output.path.empty()) {
+    require_apart(options.terrain, options.output.path);
+    folder.emplace(options.output.path, "explore");
   }
   FrameKeeper frames;
   const auto keep = [&](const terrain::Planner& planner,
@@ -104,7 +104,6 @@ int run(Arguments arguments) {
   const ExploreResult result = explored(ground, setup, keep);
   std::string text = label ? to_string(*label) + "\n" : "";
   text += explore_summary(result, setup);
-  print(text);
   if (folder) {
     folder->write("series.csv", render(explore_table(result, label), TableFormat::csv));
     folder->write("path.csv", render(path_table(result, label), TableFormat::csv));
@@ -121,17 +120,13 @@ int run(Arguments arguments) {
     }
     Manifest manifest;
     manifest.command = "explore";
-    record(common, manifest);
-    manifest.seed = static_cast<std::uint64_t>(common.seed);
+    record(written(request), manifest);
+    manifest.seed = static_cast<std::uint64_t>(request.seed);
     manifest.synthetic = label;
     manifest.inputs = std::move(inputs);
     folder->commit(std::move(manifest));
   }
-  return exit_code_of(result.end);
+  return {exit_code_of(result.end), std::move(text)};
 }
-
-}  // namespace
-
-const Command kExplore = {"explore", "explore a terrain that is felt one cell at a time", run};
 
 }  // namespace tcert::cli

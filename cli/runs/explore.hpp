@@ -1,16 +1,14 @@
 #pragma once
 /// \file
-/// What `explore` is asked: flags and the config file.
+/// `explore`: a terrain that is felt one cell at a time.
 
-#include <cstdint>
-#include <string>
-
-#include "cli/options.hpp"
-#include "cli/terrain_config.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 
-struct ExploreOptions {
+struct ExploreRequest {
   std::string terrain;
   std::string config;
   std::string rules = "certified";
@@ -20,10 +18,9 @@ struct ExploreOptions {
   std::string header = "auto";
   std::string format = "auto";
   std::string nodata = "auto";
-  std::string motion = "route";
-  std::string lipschitz;
-  std::string obstacles;
   double threshold = 1000.0;
+  std::string lipschitz;
+  double confidence = 0.95;
   double beta = 3.0;
   std::int64_t expanders = 40;
   double kernel_variance = 2.0;
@@ -31,26 +28,26 @@ struct ExploreOptions {
   double kernel_mean = 0.0;
   double noise_variance = 1.0;
   double noise_bound = 0.0;
-  double confidence = 0.95;
+  std::int64_t start_radius = 2;
+  std::string motion = "route";
   double simplification = 4.0;
   double robot_radius = 2.0;
-  double travel_weight = 0.1;
-  std::int64_t start_radius = 2;
-  std::int64_t max_steps = 2000;
-  std::int64_t frames = 9;
   bool look_ahead = false;
+  double travel_weight = 0.1;
   bool adaptive = false;
   bool trust_model = false;
-  bool beta_is_told = false;  ///< By flag or file.
+  std::string obstacles;
+  std::int64_t max_steps = 2000;
+  std::int64_t frames = 9;
+  OutputOptions output;
+  std::int64_t seed = 1;
+  std::vector<std::string> given;  ///< Those go before the config file.
 };
 
-[[nodiscard]] CommandLine explore_command_line(ExploreOptions& options);
+[[nodiscard]] OptionTable options_of(ExploreRequest& request);
 
-/// Fills what the flags left open from the config file, and says what of it has no effect.
-/// \throws NoInput, UsageError.
-void apply_config(ExploreOptions& options, const CommonOptions& common);
-
-/// With --trust-model: the band that it needs unless one was told, and a warning if it is narrower.
-void settle_beta(ExploreOptions& options, const CommonOptions& common);
+/// The summary as text; with an output also the folder of results. The code says how it ended.
+/// \throws UsageError, NoInput, BadData, WriteError.
+[[nodiscard]] RunResult explore(const ExploreRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -1,4 +1,4 @@
-#include "cli/explore_flags.hpp"
+#include "cli/runs/explore_flags.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <charconv>
 #include <terrain/limits.hpp>
 
-#include "cli/errors.hpp"
-#include "cli/output.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/progress.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -39,12 +39,12 @@ constexpr std::array kUses{Use{"noise-bound", true, false, false},
   return names;
 }
 
-void check_uses(const ExploreOptions& o, const CommonOptions& common) {
+void check_uses(const ExploreRequest& o, Progress& progress) {
   for (const Use& use : kUses) {
     const bool acts = o.rules == "certified" ? use.certified
                       : o.rules == "thesis"  ? use.thesis
                                              : use.published;
-    if (!acts && is_given(common, use.option)) {
+    if (!acts && is_given(o.given, use.option)) {
       throw UsageError(
           fmt::format("--{0} has no effect under --rules {1}: leave it out, or take "
                       "--rules {2}",
@@ -53,30 +53,32 @@ void check_uses(const ExploreOptions& o, const CommonOptions& common) {
                       names_of(use)));
     }
   }
-  if (is_given(common, "travel-weight") && !o.look_ahead) {
+  if (is_given(o.given, "travel-weight") && !o.look_ahead) {
     throw UsageError("--travel-weight has no effect without --look-ahead");
   }
-  if (is_given(common, "simplification") && o.rules != "published" && o.motion != "reactive") {
+  if (is_given(o.given, "simplification") && o.rules != "published" && o.motion != "reactive") {
     throw UsageError(
         fmt::format("--simplification has no effect under --rules {} with --motion {}: "
                     "leave it out, or take --rules published or --motion reactive",
                     o.rules,
                     o.motion));
   }
-  if (is_given(common, "lipschitz") && o.rules == "published") {
-    say("note: under --rules published --lipschitz acts on the expanders alone: the safe set is "
+  if (is_given(o.given, "lipschitz") && o.rules == "published") {
+    progress.say(
+        "note: under --rules published --lipschitz acts on the expanders alone: the safe set is "
         "the "
         "model's.");
   }
-  if (is_given(common, "robot-radius") && o.motion != "reactive") {
-    say(fmt::format(
+  if (is_given(o.given, "robot-radius") && o.motion != "reactive") {
+    progress.say(fmt::format(
         "note: --robot-radius keeps the robot's body off the borders in the mapped plane "
         "of --motion reactive alone; under --motion {} it has no effect. Under either "
         "motion what is certified is cells, not the ground under a body.",
         o.motion));
   }
-  if (is_given(common, "seed") && o.rules != "published") {
-    say(fmt::format("note: --seed has no effect under --rules {}: nothing is drawn.", o.rules));
+  if (is_given(o.given, "seed") && o.rules != "published") {
+    progress.say(
+        fmt::format("note: --seed has no effect under --rules {}: nothing is drawn.", o.rules));
   }
 }
 
@@ -99,7 +101,7 @@ void require_limit(std::string_view option, double value) {
   require_range(option, value, limit.low, limit.high);
 }
 
-void check_limits(const ExploreOptions& o) {
+void check_limits(const ExploreRequest& o) {
   require_limit("threshold", o.threshold);
   require_limit("beta", o.beta);
   require_limit("expanders", static_cast<double>(o.expanders));
@@ -122,11 +124,7 @@ void check_limits(const ExploreOptions& o) {
 
 }  // namespace
 
-bool is_given(const CommonOptions& common, std::string_view option) {
-  return std::find(common.given.begin(), common.given.end(), option) != common.given.end();
-}
-
-double lipschitz_of(const ExploreOptions& o) {
+double lipschitz_of(const ExploreRequest& o) {
   const std::string& text = o.lipschitz;
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -145,7 +143,7 @@ double lipschitz_of(const ExploreOptions& o) {
   return value;
 }
 
-void check(const ExploreOptions& o, const CommonOptions& common) {
+void check(const ExploreRequest& o, Progress& progress) {
   if (o.terrain.empty()) {
     throw UsageError("needs TERRAIN, or a config file with environment.FILENAME");
   }
@@ -160,10 +158,10 @@ void check(const ExploreOptions& o, const CommonOptions& common) {
   if (o.mode == "navigate" && o.goal.empty()) {
     throw UsageError("navigating needs --goal X,Y; --mode explore does without");
   }
-  if (o.mode == "explore" && is_given(common, "goal")) {
+  if (o.mode == "explore" && is_given(o.given, "goal")) {
     throw UsageError("--goal has no effect under --mode explore: leave out one of them");
   }
-  check_uses(o, common);
+  check_uses(o, progress);
   if (o.lipschitz == "auto" && o.rules != "certified") {
     (void)lipschitz_of(o);
   }

@@ -2,17 +2,15 @@
 /// \file
 /// Which flags of `explore` act under which rules, and within which bounds.
 
-#include "cli/explore_options.hpp"
+#include "cli/runs/explore.hpp"
 
 namespace tcert::cli {
 
 /// \throws UsageError for words, cells and values that cannot be, and for flags that the rule set
 /// or the motion would not look at: naming both. Says on stderr which flags change nothing here.
-void check(const ExploreOptions& options, const CommonOptions& common);
+void check(const ExploreRequest& options, Progress& progress);
 
 /// The largest slope. \throws UsageError for what is no number within its limit.
-[[nodiscard]] double lipschitz_of(const ExploreOptions& options);
-
-[[nodiscard]] bool is_given(const CommonOptions& common, std::string_view option);
+[[nodiscard]] double lipschitz_of(const ExploreRequest& options);
 
 }  // namespace tcert::cli

@@ -1,4 +1,4 @@
-#include "cli/explore_setup.hpp"
+#include "cli/runs/explore_setup.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <terrain/limits.hpp>
 #include <terrain/lipschitz.hpp>
 
-#include "cli/errors.hpp"
-#include "cli/explore_flags.hpp"
-#include "cli/output.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/explore_flags.hpp"
+#include "cli/runs/progress.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -97,8 +97,8 @@ using terrain::Terrain;
 
 /// Lipschitz constant and prior of the certified rules, from what was measured round the start.
 void set_certified(terrain::ExploreSetup& setup,
-                   const ExploreOptions& o,
-                   const CommonOptions& common,
+                   const ExploreRequest& o,
+                   Progress& progress,
                    const Terrain& terrain) {
   std::vector<Cell> around = setup.first_cells;
   around.push_back(setup.start);
@@ -122,7 +122,7 @@ void set_certified(terrain::ExploreSetup& setup,
     setup.rules.lipschitz = lipschitz_of(o);
     if (steepest > setup.rules.lipschitz * (1.0 + 1e-9)) {
       estimated = true;
-      say(fmt::format(
+      progress.say(fmt::format(
           "warning: the Lipschitz constant {} is contradicted by the first measurements "
           "({:.3g} per cell); it is estimated instead. Give the terrain's own with "
           "--lipschitz.",
@@ -152,7 +152,7 @@ void set_certified(terrain::ExploreSetup& setup,
     }
     setup.rules.lipschitz = estimate.constant;
     setup.lipschitz_confidence = o.confidence;
-    say(
+    progress.say(
         fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} "
                     "measurements; raised where later ones ask for it.",
                     estimate.constant,
@@ -160,23 +160,23 @@ void set_certified(terrain::ExploreSetup& setup,
                     first.size()));
   }
   // The prior's scale is that of the data: a field whose steepest gradient is the constant.
-  if (!is_given(common, "kernel-variance")) {
+  if (!is_given(o.given, "kernel-variance")) {
     const double factor = terrain::steepest_factor(terrain.grid, o.kernel_length_scale, 0.5);
     const double sd = setup.rules.lipschitz * o.kernel_length_scale / factor;
     setup.prior.variance = sd * sd;
   }
-  if (!is_given(common, "kernel-mean")) {
+  if (!is_given(o.given, "kernel-mean")) {
     setup.prior.mean = terrain.at(setup.start);
   }
 }
 
 /// S_0 is what was measured round the start and found safe.
-void set_thesis(terrain::ExploreSetup& setup, const Terrain& terrain) {
+void set_thesis(terrain::ExploreSetup& setup, const Terrain& terrain, Progress& progress) {
   std::vector<Cell> around = setup.first_cells;
   around.push_back(setup.start);
   const double steepest = terrain::steepest_measured(measured(terrain, around), 0.0);
   if (steepest > setup.rules.lipschitz) {
-    say(fmt::format(
+    progress.say(fmt::format(
         "warning: the Lipschitz constant {:g} is contradicted by the first measurements ({:.3g} "
         "per "
         "cell); Algorithm 1 as printed uses it all the same and may hold any ground safe. Give the "
@@ -193,7 +193,7 @@ void set_thesis(terrain::ExploreSetup& setup, const Terrain& terrain) {
 
 }  // namespace
 
-Places places_of(const ExploreOptions& o, const terrain::Grid& grid) {
+Places places_of(const ExploreRequest& o, const terrain::Grid& grid) {
   Places places;
   places.start = cell_of("start", o.start);
   if (!o.goal.empty() && o.mode != "explore") {
@@ -213,8 +213,8 @@ Places places_of(const ExploreOptions& o, const terrain::Grid& grid) {
   return places;
 }
 
-terrain::ExploreSetup explore_setup(const ExploreOptions& o,
-                                    const CommonOptions& common,
+terrain::ExploreSetup explore_setup(const ExploreRequest& o,
+                                    Progress& progress,
                                     const Terrain& terrain,
                                     terrain::CellSet blocked) {
   const Places places = places_of(o, terrain.grid);
@@ -238,20 +238,20 @@ terrain::ExploreSetup explore_setup(const ExploreOptions& o,
   setup.adaptive.on = o.adaptive;
   setup.first_cells =
       setup.rules.kind == RuleSet::published
-          ? published_batch(terrain, setup.blocked, setup.start, o.threshold, common.seed)
+          ? published_batch(terrain, setup.blocked, setup.start, o.threshold, o.seed)
           : cells_round(terrain, setup.blocked, setup.start, static_cast<int>(o.start_radius));
   if (setup.rules.kind == RuleSet::certified) {
-    set_certified(setup, o, common, terrain);
+    set_certified(setup, o, progress, terrain);
     return setup;
   }
   if (!o.lipschitz.empty()) {
     setup.rules.lipschitz = lipschitz_of(o);
   }
   if (setup.rules.kind == RuleSet::thesis) {
-    set_thesis(setup, terrain);
+    set_thesis(setup, terrain, progress);
   }
   if (terrain.at(setup.start) < o.threshold) {
-    say(fmt::format(
+    progress.say(fmt::format(
         "warning: the start ({}, {}) stands on unsafe ground: {} is below the threshold "
         "{}.",
         setup.start.x,

@@ -4,7 +4,7 @@
 
 #include <terrain/explore.hpp>
 
-#include "cli/explore_options.hpp"
+#include "cli/runs/explore.hpp"
 
 namespace tcert::cli {
 
@@ -13,13 +13,13 @@ struct Places {
   terrain::Cell start;
   std::optional<terrain::Cell> goal;
 };
-[[nodiscard]] Places places_of(const ExploreOptions& options, const terrain::Grid& grid);
+[[nodiscard]] Places places_of(const ExploreRequest& options, const terrain::Grid& grid);
 
 /// The setup for a terrain; says on stderr what of the options could not be used, and why.
 /// `blocked` cells are not measured. \throws UsageError; BadData if the start is not on safe
 /// ground.
-[[nodiscard]] terrain::ExploreSetup explore_setup(const ExploreOptions& options,
-                                                  const CommonOptions& common,
+[[nodiscard]] terrain::ExploreSetup explore_setup(const ExploreRequest& options,
+                                                  Progress& progress,
                                                   const terrain::Terrain& terrain,
                                                   terrain::CellSet blocked);
 

@@ -1,4 +1,4 @@
-#include "cli/explore_summary.hpp"
+#include "cli/runs/explore_summary.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <terrain/explore.hpp>
 
-#include "cli/errors.hpp"
+#include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/feature_data.hpp"
+#include "cli/runs/feature_data.hpp"
 
 #include <stdexcept>
 #include <table/bytes.hpp>

@@ -1,4 +1,4 @@
-#include "cli/folder_state.hpp"
+#include "cli/runs/folder_state.hpp"
 
 #include <sys/stat.h>
 

@@ -1,13 +1,13 @@
-#include "cli/h1_options.hpp"
+#include "cli/runs/h1_options.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "cli/data_file.hpp"
-#include "cli/errors.hpp"
-#include "cli/inputs.hpp"
-#include "cli/outcome_column.hpp"
-#include "cli/time_rounding_option.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/inputs.hpp"
+#include "cli/runs/outcome_column.hpp"
+#include "cli/runs/time_rounding_option.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -34,14 +34,14 @@ study::H1Predictor predictor_of(const std::string& option, const std::string& wo
   return predictor;
 }
 
-std::vector<study::H1Predictor> predictors_of(const HypothesesOptions& options) {
-  if (options.predictor.empty() && options.baselines.empty()) {
+std::vector<study::H1Predictor> predictors_of(const HypothesesRequest& request) {
+  if (request.predictor.empty() && request.baselines.empty()) {
     return study::paper_predictors();
   }
   std::vector<study::H1Predictor> predictors;
-  predictors.push_back(options.predictor.empty() ? study::paper_predictors().front()
-                                                 : predictor_of("predictor", options.predictor));
-  for (const std::string& word : words_of(options.baselines)) {
+  predictors.push_back(request.predictor.empty() ? study::paper_predictors().front()
+                                                 : predictor_of("predictor", request.predictor));
+  for (const std::string& word : words_of(request.baselines)) {
     predictors.push_back(predictor_of("baselines", word));
   }
   return predictors;
@@ -57,68 +57,6 @@ double number_of(const std::string& option, const std::string& text) {
 
 }  // namespace
 
-void add_h1_options(po::options_description& own, HypothesesOptions& o) {
-  const auto text = [](std::string& value, const char* name) {
-    return po::value(&value)->value_name(name);
-  };
-  auto add = own.add_options();
-  add("features", input(o.features, "FILE"), "a table of trials instead of a bundle");
-  add("predictor",
-      text(o.predictor, "COLUMN"),
-      "the predictor under test; tc_early unless given; ':smaller' turns its direction");
-  add("baselines",
-      text(o.baselines, "COLUMNS"),
-      "its rivals, comma between; those of the paper unless predictors are given");
-  add("success",
-      text(o.success, "COLUMN[=WORDS]")->default_value(o.success),
-      "outcome: 0 or 1, true or false, success or failure, ok or fail; status=goal,done names the "
-      "words that count as success, and all others are failures");
-  add("time",
-      text(o.time, "COLUMN")->default_value(o.time),
-      "time to egress, or to the end of a failed trial; without it there is no C");
-  add("cluster",
-      text(o.cluster, "COLUMN")->default_value(o.cluster),
-      "trials that share a value are not independent; '' for none");
-  add("strata",
-      text(o.strata, "COLUMN")->default_value(o.strata),
-      "of the stratified hazard ratio; '' for none");
-  add("within",
-      text(o.within, "COLUMNS"),
-      "AUC and C of pairs of trials that agree in these, comma between; --strata and lighting "
-      "unless "
-      "given, where the table has them; '' for none");
-  add("landmark",
-      text(o.landmark, "S"),
-      "start of the landmark panel; the time window of the features unless given");
-  add("limit",
-      text(o.limit, "S"),
-      "trial limit: failures stay at risk to it, longer trials are censored there; the longest "
-      "time unless given");
-  add_time_rounding_option(own, o.no_time_rounding);
-  add("replicates",
-      po::value(&o.replicates)->value_name("R")->default_value(o.replicates),
-      "of the bootstrap; more for stable third digits");
-  add("folds",
-      po::value(&o.folds)->value_name("K")->default_value(o.folds),
-      "of the cross-validation, of whole clusters");
-  add("interval",
-      text(o.interval, "METHOD")->default_value(o.interval),
-      "of the bootstrap: expanded (percentiles that make up for few clusters), percentile or bca; "
-      "the "
-      "files hold all three");
-  add("level",
-      po::value(&o.level)->value_name("P")->default_value(o.level, "0.95"),
-      "of the intervals");
-  add("group", text(o.group, "COLUMN")->default_value(o.group), "h2: the groups that are compared");
-  add("margin",
-      po::value(&o.margin)->value_name("M")->default_value(o.margin, "0.05"),
-      "h2: differences of AUC or C below it do not matter; state it before looking");
-  add("permutations",
-      po::value(&o.permutations)->value_name("R")->default_value(o.permutations),
-      "h2: of the groups' names, for the expected max - min");
-  add("table", text(o.table, "NAME"), "print only this table; a wrong name lists them");
-}
-
 statistics::BootstrapMethod interval_method(const std::string& name) {
   if (name == "expanded") {
     return statistics::BootstrapMethod::expanded;
@@ -132,19 +70,17 @@ statistics::BootstrapMethod interval_method(const std::string& name) {
   throw UsageError("--interval: found '" + name + "', expected expanded, percentile or bca");
 }
 
-study::H1Options h1_options(const HypothesesOptions& options, const CommonOptions& common) {
-  require_range("replicates", static_cast<double>(options.replicates), 1, 1e6);
-  require_range("folds", static_cast<double>(options.folds), 2, 1000);
-  if (!(options.level > 0.0 && options.level < 1.0)) {
+study::H1Options h1_options(const HypothesesRequest& request) {
+  if (!(request.level > 0.0 && request.level < 1.0)) {
     throw UsageError("--level: expected a value between 0 and 1");
   }
   study::H1Options h1;
-  h1.predictors = predictors_of(options);
-  h1.success = outcome_column(options.success).column;
-  h1.time = options.time;
-  h1.cluster = options.cluster;
-  h1.strata = options.strata;
-  h1.interval = interval_method(options.interval);
+  h1.predictors = predictors_of(request);
+  h1.success = outcome_column(request.success).column;
+  h1.time = request.time;
+  h1.cluster = request.cluster;
+  h1.strata = request.strata;
+  h1.interval = interval_method(request.interval);
   // A default may be absent; what was asked for may not.
   const study::H1Options defaults;
   for (const auto& [name, usual] : {std::pair(h1.time, defaults.time),
@@ -154,49 +90,47 @@ study::H1Options h1_options(const HypothesesOptions& options, const CommonOption
       h1.required.push_back(name);
     }
   }
-  const bool asked =
-      std::find(common.given.begin(), common.given.end(), "within") != common.given.end();
-  h1.within = asked ? words_of(options.within) : std::vector<std::string>{options.strata};
-  if (!asked && options.strata != "lighting") {
+  const bool asked = request.within.has_value();
+  h1.within = asked ? words_of(*request.within) : std::vector<std::string>{request.strata};
+  if (!asked && request.strata != "lighting") {
     h1.within.emplace_back("lighting");
   }
   std::erase(h1.within, "");
   if (asked) {
     h1.required.insert(h1.required.end(), h1.within.begin(), h1.within.end());
   }
-  h1.landmark_s = effective_parameters({}, common).early_window.time_s;
-  if (!options.landmark.empty()) {
-    h1.landmark_s = number_of("landmark", options.landmark);
+  h1.landmark_s = effective_parameters({}, request.logs.parameters).early_window.time_s;
+  if (!request.landmark.empty()) {
+    h1.landmark_s = number_of("landmark", request.landmark);
     h1.always_landmark = true;
   }
-  if (!options.limit.empty()) {
-    h1.limit_s = number_of("limit", options.limit);
+  if (!request.limit.empty()) {
+    h1.limit_s = number_of("limit", request.limit);
   }
-  h1.round_times = !options.no_time_rounding;
-  h1.level = options.level;
-  h1.replicates = static_cast<std::size_t>(options.replicates);
-  h1.folds = static_cast<std::size_t>(options.folds);
-  h1.seed = static_cast<std::uint64_t>(common.seed);
+  h1.round_times = !request.no_time_rounding;
+  h1.level = request.level;
+  h1.replicates = static_cast<std::size_t>(request.replicates);
+  h1.folds = static_cast<std::size_t>(request.folds);
+  h1.seed = static_cast<std::uint64_t>(request.seed);
   return h1;
 }
 
-study::H2Options h2_options(const HypothesesOptions& options, const CommonOptions& common) {
-  require_range("permutations", static_cast<double>(options.permutations), 1, 1e6);
-  if (!options.baselines.empty()) {
+study::H2Options h2_options(const HypothesesRequest& request) {
+  if (!request.baselines.empty()) {
     throw UsageError("--baselines: h2 has none; name one --predictor");
   }
-  if (options.group.empty()) {
+  if (request.group.empty()) {
     throw UsageError("--group: h2 needs a column of groups");
   }
-  if (!(options.margin > 0.0 && options.margin < 1.0)) {
+  if (!(request.margin > 0.0 && request.margin < 1.0)) {
     throw UsageError("--margin: expected a value between 0 and 1");
   }
   study::H2Options h2;
-  h2.trials = h1_options(options, common);
+  h2.trials = h1_options(request);
   h2.trials.predictors.resize(1);
-  h2.trials.group = options.group;
-  h2.margin = options.margin;
-  h2.permutations = static_cast<std::size_t>(options.permutations);
+  h2.trials.group = request.group;
+  h2.margin = request.margin;
+  h2.permutations = static_cast<std::size_t>(request.permutations);
   return h2;
 }
 

@@ -1,16 +1,16 @@
-#include "cli/h3.hpp"
+#include "cli/runs/h3.hpp"
 
 #include <memory>
 #include <stdexcept>
 #include <table/bytes.hpp>
 
 #include "analysis/study/h3/hypothesis_h3.hpp"
-#include "cli/certify_run.hpp"
-#include "cli/data_file.hpp"
-#include "cli/errors.hpp"
-#include "cli/guard_options.hpp"
-#include "cli/h1_options.hpp"
-#include "cli/report_output.hpp"
+#include "cli/runs/certify_trials.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/guard_options.hpp"
+#include "cli/runs/h1_options.hpp"
+#include "cli/runs/report_output.hpp"
+#include "cli/runs/thread_limit.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h3_table.hpp"
 #include "reports/replay_table.hpp"
@@ -22,20 +22,18 @@ struct Study {
   table::DataTable table;
   std::optional<SyntheticLabel> synthetic;
   Manifest manifest;
-  int exit_code = exit_done;
+  ExitCode code = exit_done;
 };
 
-Study study_of_table(const H3CommandOptions& options,
+Study study_of_table(const HypothesesRequest& request,
                      const study::H3Options& h3,
-                     const CommonOptions& common) {
+                     Progress& progress) {
   Study study;
-  DataFile file = read_data_file(options.replays, study::columns_of(h3), common);
+  DataFile file =
+      read_data_file(request.replays, study::columns_of(h3), request.logs.decimal_comma, progress);
+  study.manifest = manifest_of("hypotheses", file, written(request));
   study.table = std::move(file.table);
   study.synthetic = file.synthetic;
-  study.manifest.command = "hypotheses";
-  record(common, study.manifest);
-  study.manifest.synthetic = study.synthetic;
-  study.manifest.inputs = {{name_of(options.replays), digest_file(options.replays)}};
   return study;
 }
 
@@ -52,11 +50,10 @@ table::DataTable read_back(const Table& replays) {
   return std::move(*read.table);
 }
 
-Study study_of_bundle(const H3CommandOptions& options,
-                      const std::string& bundle,
-                      const CommonOptions& common) {
-  const OpenedBundle opened = open_for(bundle, common);
-  const study::ReplaySetup setup = replay_setup(options.laws, opened.parameters, common);
+Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
+  const OpenedBundle opened = open_for(request.bundle, request.logs, progress);
+  const study::ReplaySetup setup =
+      replay_setup(request.laws, opened.parameters, request.logs.decimal_comma, progress);
   Table replays = replay_table();
   const auto extra = [&](const study::StudiedTrial& trial) -> std::function<void()> {
     auto rows = std::make_shared<std::vector<std::vector<TableCell>>>();
@@ -71,66 +68,48 @@ Study study_of_bundle(const H3CommandOptions& options,
     };
   };
   Study study;
-  const CertifySummary summary = certify_trials(opened, common, nullptr, {}, {}, extra);
+  const CertifySummary summary =
+      certify_trials(opened, request.threads, progress, nullptr, {}, {}, extra);
   study.table = read_back(replays);
   study.synthetic = synthetic_label(opened.bundle.info);
-  study.manifest = manifest_of("hypotheses", opened, common, summary);
-  if (const auto input = tracking_error_input(options.laws.tracking_error)) {
+  study.manifest = manifest_of("hypotheses", opened, written(request), summary);
+  if (const auto input = tracking_error_input(request.laws.tracking_error)) {
     study.manifest.inputs.push_back(*input);
   }
-  study.exit_code = report(summary, opened, common);
+  study.code = report(summary, opened, progress);
   return study;
 }
 
 }  // namespace
 
-void add_h3_options(po::options_description& own, H3CommandOptions& options) {
-  own.add_options()("replays",
-                    input(options.replays, "FILE"),
-                    "h3: replay.csv of 'tcert replay' instead of a bundle")(
-      "gated",
-      po::value(&options.gated)->value_name("NAME")->default_value(options.gated),
-      "h3: the algorithm that is gated")(
-      "lead",
-      po::value(&options.baseline)->value_name("NAME")->default_value(options.baseline),
-      "h3: the algorithm whose lead is to be recovered")(
-      "loss-margin",
-      po::value(&options.loss_margin)->value_name("P")->default_value(options.loss_margin, "0.05"),
-      "h3: share of trials that may be lost");
-  add_replay_law_options(own, options.laws);
-}
-
-int run_h3(const H3CommandOptions& options, const H3Shared& shared, const CommonOptions& common) {
-  if (shared.bundle.empty() == options.replays.empty()) {
+RunResult hypothesis_3(const HypothesesRequest& request, Progress& progress) {
+  if (request.bundle.empty() == request.replays.empty()) {
     throw UsageError("h3 needs either BUNDLE or --replays FILE");
   }
-  require_range("replicates", static_cast<double>(shared.replicates), 1, 1e6);
-  require_range("loss-margin", options.loss_margin, 1e-9, 1.0 - 1e-9);
-  require_range("level", shared.level, 1e-9, 1.0 - 1e-9);
+  require_range("level", request.level, 1e-9, 1.0 - 1e-9);
   study::H3Options h3;
-  h3.gated = options.gated;
-  h3.baseline = options.baseline;
-  h3.cluster = shared.cluster;
-  h3.level = shared.level;
-  h3.interval = interval_method(shared.interval);
-  h3.loss_margin = options.loss_margin;
-  h3.replicates = static_cast<std::size_t>(shared.replicates);
-  h3.seed = static_cast<std::uint64_t>(common.seed);
-  const ThreadLimit threads(common.threads);
-  ReportOutput output(common, "hypotheses");
-  Study study = options.replays.empty() ? study_of_bundle(options, shared.bundle, common)
-                                        : study_of_table(options, h3, common);
-  FitReport result;
+  h3.gated = request.gated;
+  h3.baseline = request.lead;
+  h3.cluster = request.cluster;
+  h3.level = request.level;
+  h3.interval = interval_method(request.interval);
+  h3.loss_margin = request.loss_margin;
+  h3.replicates = static_cast<std::size_t>(request.replicates);
+  h3.seed = static_cast<std::uint64_t>(request.seed);
+  const ThreadLimit limit(request.threads);
+  ReportOutput output(request.output, "hypotheses");
+  Study study = request.replays.empty() ? study_of_bundle(request, progress)
+                                        : study_of_table(request, h3, progress);
+  FitReport report;
   try {
-    result = h3_report(study::hypothesis_h3(study.table, h3));
+    report = h3_report(study::hypothesis_h3(study.table, h3));
   } catch (const std::invalid_argument& error) {
     throw BadData(error.what());
   }
-  result.synthetic = study.synthetic;
+  report.synthetic = study.synthetic;
   study.manifest.seed = h3.seed;
-  const bool failed = statistics::has_error(result.conditions);
-  output.deliver(std::move(result), shared.table, std::move(study.manifest));
-  return failed ? exit_bad_data : study.exit_code;
+  const ExitCode code = statistics::has_error(report.conditions) ? exit_bad_data : study.code;
+  return {code, output.deliver(std::move(report), request.table, std::move(study.manifest))};
 }
 
 }  // namespace tcert::cli

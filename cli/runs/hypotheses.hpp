@@ -1,18 +1,16 @@
 #pragma once
 /// \file
-/// The options of `tcert hypotheses`.
+/// `hypotheses`: H1, H2 or H3 on a bundle or on a table of trials.
 
-#include <cstdint>
-#include <string>
-
-#include "analysis/study/h1/hypothesis_h1.hpp"
-#include "analysis/study/h2/hypothesis_h2.hpp"
-#include "cli/options.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/replay_options.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 
-struct HypothesesOptions {
-  std::string hypothesis;
+struct HypothesesRequest {
+  std::string hypothesis;  ///< "h1", "h2", "h3".
   std::string bundle;
   std::string features;
   std::string predictor;
@@ -21,33 +19,36 @@ struct HypothesesOptions {
   std::string time = "time_s";
   std::string cluster = "day";
   std::string strata = "algorithm";
-  std::string within;
-  std::string interval = "expanded";
-  std::string table;
+  std::optional<std::string> within;
   std::string landmark;
   std::string limit;
   bool no_time_rounding = false;
-  double level = 0.95;
   std::int64_t replicates = 2000;
   std::int64_t folds = 5;
+  std::string interval = "expanded";
+  double level = 0.95;
   // h2
   std::string group = "lighting";
   double margin = 0.05;
   std::int64_t permutations = 2000;
+  std::string table;
+  // h3
+  std::string replays;
+  std::string gated = "M3";
+  std::string lead = "CB-V";
+  double loss_margin = 0.05;
+  ReplayLawOptions laws;
+
+  OutputOptions output;
+  std::int64_t seed = 1;
+  std::int64_t threads = 0;
+  LogOptions logs;
+  std::vector<std::string> given;
 };
 
-void add_h1_options(po::options_description& own, HypothesesOptions& o);
+[[nodiscard]] OptionTable options_of(HypothesesRequest& request);
 
-/// \throws UsageError unless it is expanded, percentile or bca.
-[[nodiscard]] statistics::BootstrapMethod interval_method(const std::string& name);
-
-/// \throws UsageError for a value out of range.
-[[nodiscard]] study::H1Options h1_options(const HypothesesOptions& options,
-                                          const CommonOptions& common);
-
-/// The same trials and the first predictor, by groups. \throws UsageError likewise, or if baselines
-/// are given.
-[[nodiscard]] study::H2Options h2_options(const HypothesesOptions& options,
-                                          const CommonOptions& common);
+/// \throws UsageError, NoInput, BadData, WriteError.
+[[nodiscard]] RunResult hypotheses(const HypothesesRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -1,65 +1,19 @@
-#include "datasets/import_barn.hpp"
+#include "cli/runs/import_barn.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/errors.hpp"
-#include "cli/import.hpp"
-#include "cli/options.hpp"
-#include "cli/output.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/written_options.hpp"
+#include "datasets/import_barn.hpp"
 #include "reports/sha256.hpp"
 
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
-    R"(Make a feature table from public outcomes of the BARN challenge.
-
-One row a trial: planner (or the date of the first commit that holds it), world, success, collided,
-timeout, time_s, and the difficulty metrics of the world: m1 distance to the closest obstacle, m2
-average visibility, m3 dispersion, m4 characteristic dimension, m5 tortuosity, as published and, where
-the file has them, normalised. Worlds from 300 on have moving obstacles and are left out, as are worlds
-without metrics; all that is left out is counted. A failure is censored at its time_s. The planners
-ros2_maity and mppi_ros2 ran on another port with other limits; --same-port leaves them out.
-
-Usage: tcert import barn --trials FILE --metrics FILE --output FILE [options]
-
-Example:
-  tcert import barn --trials trials.csv --metrics difficulty_metrics.csv --output barn.csv
-  tcert import barn --trials trials.csv --metrics difficulty_metrics.csv --planners dwa,lics_ki \
-      --output two.csv
-
-Cost: one pass over the files.
-)";
-
-struct ImportOptions {
-  std::string format;
-  std::string trials;
-  std::string metrics;
-  std::string planners;
-  bool same_port = false;
-};
-
-CommandLine command_line(ImportOptions& o) {
-  CommandLine line{"import barn",
-                   kText,
-                   uses_output | uses_config,
-                   po::options_description("Options"),
-                   {{"FORMAT", &o.format}}};
-  line.own.add_options()(
-      "trials", input(o.trials, "FILE"), "outcomes: trials.csv or mlda_dated.csv")(
-      "metrics", input(o.metrics, "FILE"), "difficulty_metrics.csv")(
-      "planners",
-      po::value(&o.planners)->value_name("NAMES"),
-      "keep these, comma between; all if it is not given")(
-      "same-port", po::bool_switch(&o.same_port), "leave out ros2_maity and mppi_ros2");
-  return line;
-}
-
-table::TextTable table_of(const std::string& option, const std::string& file) {
+table::TextTable table_of(const std::string& option, const std::string& file, Progress& progress) {
   if (file.empty()) {
     throw UsageError("needs --" + option + " FILE");
   }
@@ -72,7 +26,7 @@ table::TextTable table_of(const std::string& option, const std::string& file) {
     const auto advice = diagnostic.expectation.find("; rename");
     diagnostic.expectation.resize(std::min(advice, diagnostic.expectation.size()));
   }
-  say(result.diagnostics);
+  progress.say(result.diagnostics);
   if (!result.table) {
     throw BadData("'" + file + "' cannot be read");
   }
@@ -101,20 +55,20 @@ void require_known(const std::vector<std::string>& wanted, const std::vector<std
   }
 }
 
-void report(const BarnSummary& s) {
+void report(const BarnSummary& s, Progress& progress) {
   std::string groups;
   for (const auto& [name, rows] : s.groups) {
     groups += fmt::format("{}{} {}", groups.empty() ? "" : ", ", name, rows);
   }
-  say(fmt::format("{} of {} trials written: {} successes, {} worlds, {} {}s ({})",
-                  s.written,
-                  s.read,
-                  s.successes,
-                  s.worlds,
-                  s.groups.size(),
-                  s.group,
-                  groups));
-  say(fmt::format(
+  progress.sum_up(fmt::format("{} of {} trials written: {} successes, {} worlds, {} {}s ({})",
+                              s.written,
+                              s.read,
+                              s.successes,
+                              s.worlds,
+                              s.groups.size(),
+                              s.group,
+                              groups));
+  progress.sum_up(fmt::format(
       "left out: {} with errors, {} of planners not asked for, {} of another port, {} in "
       "worlds with moving obstacles, {} in worlds without metrics",
       s.bad,
@@ -126,49 +80,52 @@ void report(const BarnSummary& s) {
 
 }  // namespace
 
-int import_barn_command(Arguments arguments) {
-  ImportOptions options;
-  CommonOptions common;
-  if (!parse(command_line(options), common, arguments)) {
-    return exit_done;
-  }
-  if (common.output.empty()) {
+OptionTable options_of(ImportBarnRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"FORMAT", &request.format, true, OptionRole::shapes, {"barn"}});
+  table.add_input("trials", request.trials, "FILE", "outcomes: trials.csv or mlda_dated.csv");
+  table.add_input("metrics", request.metrics, "FILE", "difficulty_metrics.csv");
+  table.add(
+      "planners", request.planners, "NAMES", "keep these, comma between; all if it is not given");
+  table.add("same-port", request.same_port, "leave out ros2_maity and mppi_ros2");
+  table.common();
+  add_output_path(table, request.output);
+  table.config_file();
+  return table;
+}
+
+RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
+  const std::string& output = request.output.path;
+  if (output.empty()) {
     throw UsageError("needs --output FILE");
   }
-  require_own_file(common.output);
-  const table::TextTable trials = table_of("trials", options.trials);
-  const table::TextTable metrics = table_of("metrics", options.metrics);
+  require_own_file(output);
+  const table::TextTable trials = table_of("trials", request.trials, progress);
+  const table::TextTable metrics = table_of("metrics", request.metrics, progress);
   BarnImportOptions barn;
-  barn.planners = split(options.planners);
-  barn.other_ports = !options.same_port;
+  barn.planners = split(request.planners);
+  barn.other_ports = !request.same_port;
   require_known(barn.planners, planners_of(trials));
-  if (options.same_port && planners_of(trials).empty()) {
+  if (request.same_port && planners_of(trials).empty()) {
     throw UsageError("--same-port: the trials have no column planner");
   }
   const BarnImportResult result =
-      import_barn(trials, options.trials, metrics, options.metrics, barn);
-  say(result.diagnostics);
-  if (!common.quiet) {
-    report(result.summary);
-  }
+      tcert::import_barn(trials, request.trials, metrics, request.metrics, barn);
+  progress.say(result.diagnostics);
+  report(result.summary, progress);
   if (!result.csv) {
     const bool measured = result.summary.unmeasured == 0;
-    throw BadData(measured ? "'" + options.trials + "' holds no trial that can be used"
-                           : "'" + options.metrics + "' has no metrics for the worlds of '" +
-                                 options.trials + "'");
+    throw BadData(measured ? "'" + request.trials + "' holds no trial that can be used"
+                           : "'" + request.metrics + "' has no metrics for the worlds of '" +
+                                 request.trials + "'");
   }
   Manifest manifest;
   manifest.command = "import barn";
-  record(common, manifest);
-  for (auto& [name, value] : manifest.options) {
-    if (name == "trials" || name == "metrics") {
-      value = name_of(value);  // without the machine's part of the path
-    }
-  }
-  manifest.inputs = {{name_of(options.trials), digest_file(options.trials)},
-                     {name_of(options.metrics), digest_file(options.metrics)}};
-  write_with_manifest(common.output, *result.csv, std::move(manifest));
-  return table::has_error(result.diagnostics) ? exit_rejected : exit_done;
+  record(written(request), manifest);
+  manifest.inputs = {{name_of(request.trials), digest_file(request.trials)},
+                     {name_of(request.metrics), digest_file(request.metrics)}};
+  write_with_manifest(output, *result.csv, std::move(manifest));
+  return {table::has_error(result.diagnostics) ? exit_rejected : exit_done, ""};
 }
 
 }  // namespace tcert::cli

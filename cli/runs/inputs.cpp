@@ -1,11 +1,10 @@
-#include "cli/inputs.hpp"
+#include "cli/runs/inputs.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string_view>
 
-#include "cli/errors.hpp"
-#include "cli/output.hpp"
+#include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -65,37 +64,39 @@ void apply(const Settings& settings, study::ParameterSet& parameters, const std:
 }  // namespace
 
 OpenedBundle open_for(const std::string& path,
-                      const CommonOptions& common,
+                      const LogOptions& logs,
+                      Progress& progress,
                       SayDiagnostics say_diagnostics) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
     throw NoInput("no bundle at '" + path + "'");
   }
-  BundleResult result = open_bundle(path, {common.decimal_comma});
+  BundleResult result = open_bundle(path, {logs.decimal_comma});
   if (say_diagnostics == SayDiagnostics::yes || !result.bundle) {
-    say(result.diagnostics);
+    progress.say(result.diagnostics);
   }
   if (!result.bundle) {
     throw BadData("'" + path + "' is not a bundle that can be used");
   }
-  if (common.strict && table::has_error(result.diagnostics)) {
+  if (logs.strict && table::has_error(result.diagnostics)) {
     throw BadData("'" + path + "' has trials that are rejected, and --strict was asked for");
   }
   OpenedBundle opened;
   opened.bundle = std::move(*result.bundle);
   opened.diagnostics = std::move(result.diagnostics);
-  opened.parameters = effective_parameters(opened.bundle.info.parameters, common);
+  opened.parameters = effective_parameters(opened.bundle.info.parameters, logs.parameters);
   (void)effective_robot(opened.bundle.info, opened.parameters);
-  opened.trials = choose(opened.bundle, common.trials);
+  opened.trials = choose(opened.bundle, logs.trials);
+  opened.logs = logs;
   return opened;
 }
 
 study::ParameterSet effective_parameters(const std::map<std::string, std::string>& of_bundle,
-                                         const CommonOptions& common) {
+                                         const ParameterChanges& changes) {
   study::ParameterSet parameters;
   apply<BadData>(Settings(of_bundle.begin(), of_bundle.end()), parameters, "bundle.json: ");
-  apply<UsageError>(common.file_parameters, parameters, "");
-  apply<UsageError>(common.flag_parameters, parameters, "");
+  apply<UsageError>(changes.of_file, parameters, "");
+  apply<UsageError>(changes.of_flags, parameters, "");
   try {
     study::validate(parameters);
   } catch (const std::invalid_argument& error) {

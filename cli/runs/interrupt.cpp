@@ -1,4 +1,4 @@
-#include "cli/interrupt.hpp"
+#include "cli/runs/interrupt.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

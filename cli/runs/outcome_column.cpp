@@ -1,13 +1,13 @@
-#include "cli/outcome_column.hpp"
+#include "cli/runs/outcome_column.hpp"
 
 #include <algorithm>
 #include <statistics/model/expression.hpp>
 #include <statistics/model/outcome_coding.hpp>
 #include <statistics/model/stray_text.hpp>
 
-#include "cli/data_file.hpp"
-#include "cli/errors.hpp"
-#include "cli/output.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/progress.hpp"
 
 namespace tcert::cli {
 
@@ -43,7 +43,7 @@ OutcomeTexts code_outcome_column(const OutcomeColumn& outcome, table::DataTable&
   return {outcome.column, std::move(coding.success), std::move(coding.failure)};
 }
 
-void name_outcome_texts(const OutcomeTexts& texts, FitReport& report) {
+void name_outcome_texts(const OutcomeTexts& texts, FitReport& report, Progress& progress) {
   if (texts.success.empty() && texts.failure.empty()) {
     return;
   }
@@ -51,7 +51,7 @@ void name_outcome_texts(const OutcomeTexts& texts, FitReport& report) {
     return words.empty() ? std::string("nothing") : "'" + words + "'";
   };
   std::string detail = quoted(texts.success) + " counts as 1, " + quoted(texts.failure) + " as 0";
-  say("tcert hypotheses: note: column '" + texts.column + "': " + detail);
+  progress.say("tcert hypotheses: note: column '" + texts.column + "': " + detail);
   report.settings.emplace_back("event_level", texts.success);
   report.settings.emplace_back("reference_level", texts.failure);
   report.conditions.push_back({statistics::ConditionKind::text_outcome,

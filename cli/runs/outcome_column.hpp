@@ -7,6 +7,7 @@
 #include <table/data_table.hpp>
 #include <vector>
 
+#include "cli/runs/progress.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert::cli {
@@ -30,9 +31,9 @@ struct OutcomeTexts {
 [[nodiscard]] OutcomeTexts code_outcome_column(const OutcomeColumn& outcome,
                                                table::DataTable& table);
 
-/// Says which texts count as what: on stderr, and in the report as a note and the settings
+/// Says which texts count as what, also in the report as a note and the settings
 /// event_level and reference_level, as `fit` has them. Nothing of an outcome of 0 and 1.
-void name_outcome_texts(const OutcomeTexts& texts, FitReport& report);
+void name_outcome_texts(const OutcomeTexts& texts, FitReport& report, Progress& progress);
 
 /// \throws FormulaError if one of these columns holds numbers or truth values and words for missing
 /// cells (N/A, null): each would be a group or a cluster of its own.

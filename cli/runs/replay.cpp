@@ -1,15 +1,14 @@
+#include "cli/runs/replay.hpp"
+
 #include <memory>
 #include <optional>
 #include <table/csv_write.hpp>
 
-#include "cli/certify_run.hpp"
-#include "cli/errors.hpp"
-#include "cli/guard_options.hpp"
-#include "cli/inputs.hpp"
-#include "cli/options.hpp"
-#include "cli/output.hpp"
-#include "cli/replay_options.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/runs/certify_trials.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/guard_options.hpp"
+#include "cli/runs/inputs.hpp"
+#include "cli/runs/result_folder.hpp"
 #include "reports/audit.hpp"
 #include "reports/features_table.hpp"
 #include "reports/replay_table.hpp"
@@ -17,51 +16,6 @@
 
 namespace tcert::cli {
 namespace {
-
-constexpr std::string_view kText =
-    R"(Drive the logged trials again at gated speed: same path, every interval re-timed by the margin.
-
-Each trial is replayed at every law of --laws and beta of --betas, guards G1-G3 on. Where the law or
-a guard halts over 5 cm of path or more the run stalls, and its success is lost; shorter stretches
-are crept through.
-
-With --output DIR: DIR/replay.csv (one row a trial, law and beta; 'hypotheses h3 --replays' reads
-it), DIR/audit.csv (every guard that began or ceased to trip, with its cause), DIR/replay_totals.csv,
-with --series DIR/series/<law>_<beta>/<trial_id>.csv (margins and speeds, tick by tick), what
-'certify --no-series' writes, and DIR/manifest.json. Without it: the totals on stdout.
-
-Usage: tcert replay BUNDLE [options]
-
-Example:
-  tcert replay corpus --output replays
-  tcert replay corpus --trials 't00000*' --laws clip --betas 10 --replan --set guard_mode=watch
-
-Cost: that of 'tcert certify', and about as much again with --replan.
-)";
-
-struct ReplayCommandOptions {
-  std::string bundle;
-  ReplayLawOptions laws;
-  bool replan = false;
-  bool series = false;
-};
-
-CommandLine command_line(ReplayCommandOptions& o) {
-  CommandLine line{
-      "replay",
-      kText,
-      uses_parameters | uses_output | uses_format | uses_threads | uses_trials | uses_logs,
-      po::options_description("Options"),
-      {{"BUNDLE", &o.bundle, true, OptionRole::input}}};
-  add_replay_law_options(line.own, o.laws);
-  line.own.add_options()(
-      "replan",
-      po::bool_switch(&o.replan),
-      "ask for a new route by D* Lite whenever a guard begins to trip; counts replans, route "
-      "changes and expansions, and those of a search from scratch")(
-      "series", po::bool_switch(&o.series), "also write margins and speeds, tick by tick");
-  return line;
-}
 
 std::string name_of(const SpeedLaw& law) {
   std::string name(study::to_string(law.kind));
@@ -167,27 +121,46 @@ class ReplayFiles {
   ResultFile audit_;
 };
 
-int run(Arguments arguments) {
-  ReplayCommandOptions options;
-  CommonOptions common;
-  if (!parse(command_line(options), common, arguments)) {
-    return exit_done;
-  }
-  if (common.output.empty() && options.series) {
+}  // namespace
+
+OptionTable options_of(ReplayRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"BUNDLE", &request.bundle, true, OptionRole::input});
+  add_replay_law_options(table, request.laws);
+  table.add("replan",
+            request.replan,
+            "ask for a new route by D* Lite whenever a guard begins to trip; counts replans, route "
+            "changes and expansions, and those of a search from scratch");
+  table.add("series", request.series, "also write margins and speeds, tick by tick");
+  table.common();
+  add_output_path(table, request.output);
+  add_format(table, request.output);
+  add_threads(table, request.threads);
+  add_logs(table, request.logs);
+  return table;
+}
+
+RunResult replay(const ReplayRequest& request, Progress& progress) {
+  const std::string& output = request.output.path;
+  if (output.empty() && request.series) {
     throw UsageError("--series needs --output");
   }
-  const OpenedBundle opened = open_for(options.bundle, common);
-  study::ReplaySetup setup = replay_setup(options.laws, opened.parameters, common);
-  setup.replan = options.replan;
+  const OpenedBundle opened = open_for(request.bundle, request.logs, progress);
+  study::ReplaySetup setup =
+      replay_setup(request.laws, opened.parameters, request.logs.decimal_comma, progress);
+  setup.replan = request.replan;
   if (setup.replan && !opened.bundle.info.course.goal) {
     throw UsageError("--replan needs a bundle with a goal");
   }
   std::optional<ResultFolder> folder;
   std::optional<ReplayFiles> files;
-  if (!common.output.empty()) {
-    require_apart(options.bundle, common.output);
-    folder.emplace(common.output, "replay");
-    files.emplace(*folder, opened, options.series);
+  if (!output.empty()) {
+    require_apart(request.bundle, output);
+    if (!request.laws.tracking_error.empty()) {
+      require_apart(request.laws.tracking_error, output);
+    }
+    folder.emplace(output, "replay");
+    files.emplace(*folder, opened, request.series);
   }
   ReplayTotals totals;
   const auto extra = [&](const study::StudiedTrial& trial) -> std::function<void()> {
@@ -206,27 +179,22 @@ int run(Arguments arguments) {
       }
     };
   };
-  const CertifySummary summary =
-      certify_trials(opened, common, folder ? &*folder : nullptr, {false}, {}, extra);
+  const CertifySummary summary = certify_trials(
+      opened, request.threads, progress, folder ? &*folder : nullptr, {false}, {}, extra);
   Table table = totals.table();
   table.synthetic = synthetic_label(opened.bundle.info);
   table.n = static_cast<std::int64_t>(summary.trials);
   if (!folder) {
-    print(render(table, common.table_format()));
-    return report(summary, opened, common);
+    return {report(summary, opened, progress), render(table, request.output.table_format())};
   }
   files->close();
   folder->write("replay_totals.csv", render(table, TableFormat::csv));
-  Manifest manifest = manifest_of("replay", opened, common, summary);
-  if (const auto input = tracking_error_input(options.laws.tracking_error)) {
+  Manifest manifest = manifest_of("replay", opened, written(request), summary);
+  if (const auto input = tracking_error_input(request.laws.tracking_error)) {
     manifest.inputs.push_back(*input);
   }
   folder->commit(std::move(manifest));
-  return report(summary, opened, common);
+  return {report(summary, opened, progress), ""};
 }
-
-}  // namespace
-
-const Command kReplay = {"replay", "drive logged trials again at gated speed", run};
 
 }  // namespace tcert::cli

@@ -1,8 +1,8 @@
-#include "cli/replay_options.hpp"
+#include "cli/runs/replay_options.hpp"
 
-#include "cli/data_file.hpp"
-#include "cli/errors.hpp"
-#include "cli/guard_options.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/guard_options.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -20,19 +20,16 @@ std::vector<SpeedLawKind> kinds_of(const std::string& list) {
 
 }  // namespace
 
-void add_replay_law_options(po::options_description& own, ReplayLawOptions& options) {
-  own.add_options()("laws",
-                    po::value(&options.laws)->value_name("LIST")->default_value(options.laws),
-                    "speed laws to replay at: squash (3.5), clip (4.4, G1)")(
-      "betas",
-      po::value(&options.betas)->value_name("LIST")->default_value(options.betas),
-      "their sensitivities in 1/m");
-  add_tracking_error_option(own, options.tracking_error);
+void add_replay_law_options(OptionTable& table, ReplayLawOptions& options) {
+  table.add("laws", options.laws, "LIST", "speed laws to replay at: squash (3.5), clip (4.4, G1)");
+  table.add("betas", options.betas, "LIST", "their sensitivities in 1/m");
+  add_tracking_error_option(table, options.tracking_error);
 }
 
 study::ReplaySetup replay_setup(const ReplayLawOptions& options,
                                 const study::ParameterSet& parameters,
-                                const CommonOptions& common) {
+                                bool decimal_comma,
+                                Progress& progress) {
   const std::vector<double> betas = numbers_of("betas", options.betas);
   for (const double beta : betas) {
     require_range("betas", beta, 1e-6, 1e6);
@@ -42,7 +39,7 @@ study::ReplaySetup replay_setup(const ReplayLawOptions& options,
   if (setup.laws.empty()) {
     throw UsageError("--laws and --betas: nothing to replay at");
   }
-  setup.tracking_error = tracking_error_table(options.tracking_error, common);
+  setup.tracking_error = tracking_error_table(options.tracking_error, decimal_comma, progress);
   return setup;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "analysis/study/replay/replay_trial.hpp"
-#include "cli/inputs.hpp"
-#include "cli/options.hpp"
+#include "cli/runs/inputs.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 
@@ -16,12 +16,13 @@ struct ReplayLawOptions {
   std::string tracking_error;
 };
 
-void add_replay_law_options(po::options_description& own, ReplayLawOptions& options);
+void add_replay_law_options(OptionTable& table, ReplayLawOptions& options);
 
 /// \throws UsageError for an unknown law or a beta that is not above 0; NoInput, BadData of the
 /// tracking-error table.
 [[nodiscard]] study::ReplaySetup replay_setup(const ReplayLawOptions& options,
                                               const study::ParameterSet& parameters,
-                                              const CommonOptions& common);
+                                              bool decimal_comma,
+                                              Progress& progress);
 
 }  // namespace tcert::cli

@@ -1,11 +1,11 @@
-#include "cli/report_output.hpp"
+#include "cli/runs/report_output.hpp"
 
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
-#include "cli/data_file.hpp"
-#include "cli/output.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/progress.hpp"
 
 namespace tcert::cli {
 
@@ -22,25 +22,24 @@ void write_table(const Table& table, const ResultFolder& folder) {
   folder.write(table.name + ".json", render(table, TableFormat::json));
 }
 
-ReportOutput::ReportOutput(const CommonOptions& common, const std::string& command)
-    : common_(common) {
-  if (names_folder(common.output)) {
-    folder_.emplace((std::filesystem::path(common.output) / "").parent_path(), command);
+ReportOutput::ReportOutput(const OutputOptions& output, const std::string& command)
+    : output_(output) {
+  if (names_folder(output.path)) {
+    folder_.emplace((std::filesystem::path(output.path) / "").parent_path(), command);
   } else {
-    require_own_file(common.output);
+    require_own_file(output.path);
   }
 }
 
-void ReportOutput::deliver(FitReport report, const std::string& table, Manifest manifest) {
+std::string ReportOutput::deliver(FitReport report, const std::string& table, Manifest manifest) {
   require_table(report, table);
   if (!folder_) {
-    const std::string text = render(report, common_.table_format(), table);
-    if (common_.output.empty()) {
-      print(text);
-    } else {
-      write_with_manifest(common_.output, text, std::move(manifest));
+    std::string text = render(report, output_.table_format(), table);
+    if (!output_.path.empty()) {
+      write_with_manifest(output_.path, text, std::move(manifest));
+      text.clear();
     }
-    return;
+    return text;
   }
   folder_->write("report.json", render(report, TableFormat::json));
   const auto labelled = [&](Table& one) -> const Table& {
@@ -56,6 +55,7 @@ void ReportOutput::deliver(FitReport report, const std::string& table, Manifest 
     folder_->write(one.name + ".json", render(one, TableFormat::json));
   }
   folder_->commit(std::move(manifest));
+  return "";
 }
 
 }  // namespace tcert::cli

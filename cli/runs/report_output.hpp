@@ -1,13 +1,13 @@
 #pragma once
 /// \file
-/// Where a report goes: to stdout, into one file, or into a folder with every table in every
+/// Where a report goes: back as text, into one file, or into a folder with every table in every
 /// format.
 
 #include <optional>
 #include <string>
 
-#include "cli/options.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/shared_options.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert::cli {
@@ -21,15 +21,15 @@ void write_table(const Table& table, const ResultFolder& folder);
 class ReportOutput {
  public:
   /// \throws WriteError if a folder is asked for and may not be replaced.
-  ReportOutput(const CommonOptions& common, const std::string& command);
+  ReportOutput(const OutputOptions& output, const std::string& command);
 
-  /// The report in --format, or only its table `table`, on stdout or with a manifest beside the
-  /// file; or the folder: every table in every format, details as CSV and JSON, the whole in
-  /// report.json. \throws UsageError if there is no such table; WriteError.
-  void deliver(FitReport report, const std::string& table, Manifest manifest);
+  /// The report in the format, or only its table `table`: returned to be printed, or with a
+  /// manifest beside the file; or the folder: every table in every format, details as CSV and JSON,
+  /// the whole in report.json. \throws UsageError if there is no such table; WriteError.
+  [[nodiscard]] std::string deliver(FitReport report, const std::string& table, Manifest manifest);
 
  private:
-  const CommonOptions& common_;
+  const OutputOptions& output_;
   std::optional<ResultFolder> folder_;
 };
 

@@ -1,4 +1,4 @@
-#include "cli/result_folder.hpp"
+#include "cli/runs/result_folder.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include <table/temporary_name.hpp>
 #include <utility>
 
-#include "cli/output.hpp"
+#include "cli/runs/errors.hpp"
 #include "reports/manifest_checks.hpp"
 #include "reports/manifest_read.hpp"
 
@@ -276,6 +276,17 @@ void write_with_manifest(const fs::path& path, std::string_view text, Manifest m
   beside.keep_when_interrupted();
   file.commit();
   beside.commit();
+}
+
+void require_apart(const std::filesystem::path& input, const std::filesystem::path& output) {
+  table::require_output_place(output);
+  const auto from = std::filesystem::weakly_canonical(input);
+  const auto to = std::filesystem::weakly_canonical(output);
+  const auto [end, _] = std::mismatch(to.begin(), to.end(), from.begin(), from.end());
+  if (end == to.end()) {
+    throw UsageError("the output " + output.string() + " would replace the input " +
+                     input.string() + "; name another folder");
+  }
 }
 
 }  // namespace tcert::cli

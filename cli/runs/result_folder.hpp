@@ -9,7 +9,7 @@
 #include <string_view>
 #include <table/atomic_file.hpp>
 
-#include "cli/folder_state.hpp"
+#include "cli/runs/folder_state.hpp"
 #include "reports/manifest.hpp"
 
 namespace tcert::cli {
@@ -78,5 +78,8 @@ void remove_own_file(const std::filesystem::path& path);
 void write_with_manifest(const std::filesystem::path& path,
                          std::string_view text,
                          Manifest manifest);
+
+/// \throws UsageError if `output` is or holds `input`; WriteError, see require_output_place().
+void require_apart(const std::filesystem::path& input, const std::filesystem::path& output);
 
 }  // namespace tcert::cli

@@ -1,4 +1,4 @@
-#include "cli/scratch_folder.hpp"
+#include "cli/runs/scratch_folder.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

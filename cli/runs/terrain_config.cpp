@@ -1,18 +1,18 @@
-#include "cli/terrain_config.hpp"
+#include "cli/runs/terrain_config.hpp"
 
 #include <fmt/format.h>
 
-#include <boost/program_options.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <set>
-#include <sstream>
 #include <table/bytes.hpp>
 #include <terrain/limits.hpp>
 #include <vector>
 
-#include "cli/errors.hpp"
-#include "cli/options.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -111,6 +111,38 @@ void take(TerrainConfig& config,
   throw UsageError(path + ": unknown key '" + key + "'" + did_you_mean(key, known));
 }
 
+[[nodiscard]] std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+  return text.substr(0, text.find_last_not_of(kBlank) + 1);
+}
+
+/// Every KEY = value of the text, in its order, the key after its section and a dot.
+void read_lines(const std::string& path,
+                std::string_view text,
+                const std::function<void(const std::string& key, const std::string& value)>& take) {
+  std::string section;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view whole = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view line = trimmed(whole.substr(0, whole.find('#')));
+    const std::size_t equals = line.find('=');
+    if (line.empty()) {
+      continue;
+    }
+    if (line.front() == '[' && line.back() == ']') {
+      section = std::string(line.substr(1, line.size() - 2)) + '.';
+    } else if (equals != std::string_view::npos) {
+      take(section + std::string(trimmed(line.substr(0, equals))),
+           std::string(trimmed(line.substr(equals + 1))));
+    } else {
+      throw UsageError(path + ": found '" + std::string(line) +
+                       "', expected [section] or KEY = value");
+    }
+  }
+}
+
 /// "X,Y" of two keys that come together.
 [[nodiscard]] std::optional<std::string> cell_of(const std::string& path,
                                                  const std::string& names,
@@ -129,21 +161,14 @@ TerrainConfig read_terrain_config(const std::string& path) {
   if (!bytes.bytes) {
     throw NoInput("cannot read the config file '" + path + "': " + bytes.problem);
   }
-  std::istringstream file{std::string(bytes.bytes->view())};
   TerrainConfig config;
   std::set<std::string> seen;
-  try {
-    const po::options_description none;
-    for (const auto& option : po::parse_config_file(file, none, true).options) {
-      const std::string text = option.value.empty() ? "" : without_quotes(option.value.front());
-      if (!seen.insert(option.string_key).second) {
-        throw UsageError(path + ": key '" + option.string_key + "' is given twice");
-      }
-      take(config, path, option.string_key, text);
+  read_lines(path, bytes.bytes->view(), [&](const std::string& key, const std::string& value) {
+    if (!seen.insert(key).second) {
+      throw UsageError(path + ": key '" + key + "' is given twice");
     }
-  } catch (const po::error& error) {
-    throw UsageError(path + ": " + error.what());
-  }
+    take(config, path, key, without_quotes(value));
+  });
   config.start =
       cell_of(path, "robot.STARTING_X and robot.STARTING_Y", config.start_x, config.start_y);
   config.goal = cell_of(path, "robot.GOAL_X and robot.GOAL_Y", config.goal_x, config.goal_y);

@@ -1,4 +1,4 @@
-#include "cli/terrain_input.hpp"
+#include "cli/runs/terrain_input.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <terrain/components.hpp>
 #include <terrain/limits.hpp>
 
-#include "cli/errors.hpp"
-#include "cli/options.hpp"
-#include "cli/output.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -74,25 +74,28 @@ TerrainFileOptions terrain_file_options(const std::string& header,
   return options;
 }
 
-TerrainGrid read_terrain_or_throw(const std::string& path, const TerrainFileOptions& options) {
+TerrainGrid read_terrain_or_throw(const std::string& path,
+                                  const TerrainFileOptions& options,
+                                  Progress& progress) {
   std::error_code missing;
   if (!std::filesystem::exists(path, missing)) {
     throw NoInput("cannot read the terrain '" + path + "': there is no such file");
   }
   TerrainFileResult file = read_terrain(path, options);
-  say(file.diagnostics);
+  progress.say(file.diagnostics);
   if (!file.terrain) {
     throw BadData("'" + path + "' is no terrain");
   }
   for (const std::string& note : file.notes) {
-    say(path + ": " + note + ".");
+    progress.say(path + ": " + note + ".");
   }
   return std::move(*file.terrain);
 }
 
 terrain::CellSet blocked_cells(const TerrainGrid& terrain,
                                const std::string& obstacles,
-                               const TerrainFileOptions& options) {
+                               const TerrainFileOptions& options,
+                               Progress& progress) {
   terrain::CellSet blocked(terrain.values.size());
   std::transform(terrain.values.begin(), terrain.values.end(), blocked.begin(), [](double v) {
     return std::isnan(v) ? std::uint8_t{1} : std::uint8_t{0};
@@ -103,7 +106,7 @@ terrain::CellSet blocked_cells(const TerrainGrid& terrain,
     layer_options.format = TerrainFormat::detect;
     // A value that means a gap of the terrain may be a free cell's here.
     layer_options.nodata.declared.reset();
-    const TerrainGrid layer = read_terrain_or_throw(obstacles, layer_options);
+    const TerrainGrid layer = read_terrain_or_throw(obstacles, layer_options, progress);
     if (layer.rows != terrain.rows || layer.columns != terrain.columns) {
       throw BadData(fmt::format("'{}': found {} x {} cells, expected the terrain's {} x {}",
                                 obstacles,

@@ -5,6 +5,7 @@
 #include <string>
 #include <terrain/explore.hpp>
 
+#include "cli/runs/progress.hpp"
 #include "datasets/terrain_file.hpp"
 
 namespace tcert::cli {
@@ -15,17 +16,19 @@ namespace tcert::cli {
                                                       const std::string& format,
                                                       const std::string& nodata);
 
-/// Reads a terrain, or a layer of one, and says on stderr how it was understood.
+/// Reads a terrain, or a layer of one, and says how it was understood.
 /// \throws NoInput, BadData.
 [[nodiscard]] TerrainGrid read_terrain_or_throw(const std::string& path,
-                                                const TerrainFileOptions& options);
+                                                const TerrainFileOptions& options,
+                                                Progress& progress);
 
 /// Cells that are not to be measured or entered: gaps of the terrain and, of the file `obstacles`
 /// if it is not empty, a layer of the same size, all that are not 0. Empty if there are none.
 /// \throws NoInput, BadData.
 [[nodiscard]] terrain::CellSet blocked_cells(const TerrainGrid& terrain,
                                              const std::string& obstacles,
-                                             const TerrainFileOptions& options);
+                                             const TerrainFileOptions& options,
+                                             Progress& progress);
 
 /// \throws BadData if start or goal are blocked, or apart for what is blocked, whatever the ground.
 void require_free(const terrain::Grid& grid,

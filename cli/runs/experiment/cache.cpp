@@ -1,30 +1,31 @@
-#include "cli/experiment/cache.hpp"
+#include "cli/runs/experiment/cache.hpp"
 
 #include <cstdlib>
 #include <table/atomic_file.hpp>
 
-#include "cli/output.hpp"
+#include "cli/runs/progress.hpp"
 
 namespace tcert::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-void say_without(const std::string& reason) {
-  say("warning: nothing is kept for the next run: " + reason + "; the results are the same");
+void say_without(const std::string& reason, Progress& progress) {
+  progress.say("warning: nothing is kept for the next run: " + reason +
+               "; the results are the same");
 }
 
 }  // namespace
 
-Cache::Cache(const fs::path& folder) {
+Cache::Cache(const fs::path& folder, Progress& progress) : progress_(progress) {
   try {
     store_.emplace(folder);
   } catch (const table::WriteError& error) {
-    say_without(error.what());
+    say_without(error.what(), progress_);
   }
 }
 
-std::optional<fs::path> Cache::folder_of_user() {
+std::optional<fs::path> Cache::folder_of_user(Progress& progress) {
   const auto variable = [](const char* name) -> fs::path {
     const char* const value = std::getenv(name);
     return value != nullptr ? value : "";
@@ -35,7 +36,7 @@ std::optional<fs::path> Cache::folder_of_user() {
   if (const auto home = variable("HOME"); home.is_absolute()) {
     return home / ".cache" / "tcert";
   }
-  say_without("neither XDG_CACHE_HOME nor HOME names a folder, nor does --cache");
+  say_without("neither XDG_CACHE_HOME nor HOME names a folder, nor does --cache", progress);
   return std::nullopt;
 }
 
@@ -52,7 +53,7 @@ void Cache::put(std::string_view key, std::string_view bytes) {
     store_->put(key, bytes);
   } catch (const table::WriteError& error) {
     may_write_ = false;
-    say_without(error.what());
+    say_without(error.what(), progress_);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/runs/progress.hpp"
 #include "reports/result_store.hpp"
 
 namespace tcert::cli {
@@ -16,19 +17,17 @@ namespace tcert::cli {
 /// kept. Thread-safe.
 class Cache {
  public:
-  /// Keeps nothing.
-  Cache() = default;
-
   /// Says why if the folder cannot be made or written.
-  explicit Cache(const std::filesystem::path& folder);
+  Cache(const std::filesystem::path& folder, Progress& progress);
 
   /// $XDG_CACHE_HOME/tcert, or ~/.cache/tcert; says so if there is neither.
-  [[nodiscard]] static std::optional<std::filesystem::path> folder_of_user();
+  [[nodiscard]] static std::optional<std::filesystem::path> folder_of_user(Progress& progress);
 
   [[nodiscard]] std::optional<std::string> get(std::string_view key) const;
   void put(std::string_view key, std::string_view bytes);
 
  private:
+  Progress& progress_;
   std::optional<ResultStore> store_;
   std::mutex mutex_;
   bool may_write_ = true;

@@ -1,4 +1,4 @@
-#include "cli/experiment/cell_files.hpp"
+#include "cli/runs/experiment/cell_files.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -7,10 +7,9 @@
 #include "analysis/study/experiment/fingerprint.hpp"
 #include "analysis/study/replay/replay_trial.hpp"
 #include "analysis/study/trials/study_tables.hpp"
-#include "cli/bundle_digest.hpp"
-#include "cli/errors.hpp"
-#include "cli/output.hpp"
-#include "cli/progress.hpp"
+#include "cli/runs/bundle_digest.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/progress.hpp"
 #include "reports/features_table.hpp"
 #include "reports/replay_table.hpp"
 #include "reports/sha256.hpp"
@@ -74,13 +73,13 @@ Jobs jobs_of(std::span<const study::PlannedCell> cells) {
 }
 
 /// What the entries of all chunks depend on besides their logs and the job.
-std::string common_key(const Bundle& bundle, const CommonOptions& common) {
+std::string common_key(const Bundle& bundle, const LogOptions& logs) {
   std::string text = "rows of a chunk\nprogram " + program_digest() + '\n';
   for (const ManifestFile& file : bundle_inputs(bundle, {})) {
     text += file.digest.sha256 + "  " + file.path + '\n';
   }
-  text += common.repair ? "repair\n" : "";
-  text += common.decimal_comma ? "decimal-comma\n" : "";
+  text += logs.repair ? "repair\n" : "";
+  text += logs.decimal_comma ? "decimal-comma\n" : "";
   return text;
 }
 
@@ -138,19 +137,21 @@ std::string replay_text(const study::StudiedTrial& trial,
 class Maker {
  public:
   Maker(const OpenedBundle& opened,
-        const CommonOptions& common,
+        std::int64_t threads,
+        Progress& progress,
         const std::vector<Job>& jobs,
         Cache* store,
         CellFiles& files)
       : opened_(opened),
-        common_(common),
+        threads_(threads),
+        progress_(progress),
         jobs_(jobs),
         store_(store),
         files_(files),
         features_(features_table(opened.bundle)),
         replays_(replay_table()),
-        key_(common_key(opened.bundle, common)),
-        progress_("trials", opened.trials.size(), common.quiet) {
+        key_(common_key(opened.bundle, opened.logs)),
+        stage_(progress, "trials", opened.trials.size()) {
     replays_.synthetic = features_.synthetic;
     for (const Job& job : jobs) {
       std::string header;
@@ -188,7 +189,7 @@ class Maker {
       files_.rejected.insert(files_.rejected.end(), rejected.begin(), rejected.end());
     }
     done_ += trials.size();
-    progress_.reach(done_);
+    stage_.reach(done_);
   }
 
   /// After the last chunk: the tables, one per job.
@@ -231,7 +232,7 @@ class Maker {
       sets.push_back(*jobs_[j].set);
       entries[j].emplace();
     }
-    const study::StudyOptions options{{common_.repair}, static_cast<int>(common_.threads)};
+    const study::StudyOptions options{{opened_.logs.repair}, static_cast<int>(threads_)};
     const study::CellReuse reuse = study::study_cells(
         opened_.bundle,
         trials,
@@ -241,7 +242,7 @@ class Maker {
           return text_of(trial, jobs_[wanted[set]]);
         },
         [&](study::CellTrial&& trial) {
-          say(trial.diagnostics);
+          progress_.say(trial.diagnostics);
           for (std::size_t w = 0; w < wanted.size(); ++w) {
             if (trial.rejected) {
               entries[wanted[w]]->rejected.push_back(trial.row->trial_id);
@@ -260,7 +261,8 @@ class Maker {
   }
 
   const OpenedBundle& opened_;
-  const CommonOptions& common_;
+  std::int64_t threads_;
+  Progress& progress_;
   const std::vector<Job>& jobs_;
   Cache* store_;
   CellFiles& files_;
@@ -269,23 +271,24 @@ class Maker {
   std::vector<std::string> tables_;
   std::string key_;
   ListDigest logs_;
-  Progress progress_;
+  Stage stage_;
   std::size_t done_ = 0;
 };
 
 }  // namespace
 
 CellFiles files_of_cells(const OpenedBundle& opened,
-                         const CommonOptions& common,
+                         std::int64_t threads,
+                         Progress& progress,
                          std::span<const study::PlannedCell> cells,
                          Cache* store) {
   const Jobs jobs = jobs_of(cells);
   CellFiles files;
-  Maker maker(opened, common, jobs.jobs, store, files);
+  Maker maker(opened, threads, progress, jobs.jobs, store, files);
   const std::span<const std::size_t> trials(opened.trials);
   for (std::size_t first = 0; first < trials.size(); first += kChunk) {
     maker.add_chunk(trials.subspan(first, std::min(kChunk, trials.size() - first)));
-    if (common.strict && !files.rejected.empty()) {
+    if (opened.logs.strict && !files.rejected.empty()) {
       throw BadData("trial '" + files.rejected.front() +
                     "' is rejected, and --strict was asked for");
     }

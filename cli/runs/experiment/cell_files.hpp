@@ -9,9 +9,9 @@
 
 #include "analysis/study/experiment/cell.hpp"
 #include "analysis/study/experiment/study_cells.hpp"
-#include "cli/experiment/cache.hpp"
-#include "cli/inputs.hpp"
-#include "cli/options.hpp"
+#include "cli/runs/experiment/cache.hpp"
+#include "cli/runs/inputs.hpp"
+#include "cli/runs/progress.hpp"
 #include "reports/manifest.hpp"
 
 namespace tcert::cli {
@@ -35,7 +35,8 @@ struct CellFiles {
 /// Trials are taken in chunks, and a chunk's results are stored when it is done, so that a batch
 /// that was stopped goes on where it was. `store` may be null. \throws BadData under --strict.
 [[nodiscard]] CellFiles files_of_cells(const OpenedBundle& opened,
-                                       const CommonOptions& common,
+                                       std::int64_t threads,
+                                       Progress& progress,
                                        std::span<const study::PlannedCell> cells,
                                        Cache* store);
 

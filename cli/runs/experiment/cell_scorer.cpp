@@ -1,4 +1,4 @@
-#include "cli/experiment/cell_scorer.hpp"
+#include "cli/runs/experiment/cell_scorer.hpp"
 
 #include <stdexcept>
 #include <table/bytes.hpp>

@@ -11,8 +11,8 @@
 
 #include "analysis/study/h1/hypothesis_h1.hpp"
 #include "analysis/study/h3/hypothesis_h3.hpp"
-#include "cli/experiment/cache.hpp"
-#include "cli/experiment/cell_files.hpp"
+#include "cli/runs/experiment/cache.hpp"
+#include "cli/runs/experiment/cell_files.hpp"
 #include "reports/experiment/cells_text.hpp"
 
 namespace tcert::cli {

@@ -1,66 +1,42 @@
+#include "cli/runs/figures/figures.hpp"
+
 #include <utility>
 
-#include "cli/data_file.hpp"
-#include "cli/errors.hpp"
-#include "cli/figures/write_figures.hpp"
-#include "cli/options.hpp"
-#include "cli/output.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/figures/write_figures.hpp"
+#include "cli/runs/written_options.hpp"
 
 namespace tcert::cli {
-namespace {
+OptionTable options_of(FiguresRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"RESULTS", &request.results, true, OptionRole::input});
+  table.add("trials",
+            request.trials,
+            "IDS",
+            "trials whose series and map are drawn, comma between; unless given a middling one, "
+            "the tightest and the first failure");
+  table.common();
+  add_output_path(table, request.output);
+  return table;
+}
 
-constexpr std::string_view kText =
-    R"(Draw the figures of results for a paper.
-
-RESULTS is a folder as 'tcert reproduce' makes it, or any folder of folders that the commands wrote.
-Every figure that they allow goes to DIR as Vega-Lite (NAME.vl.json), its data (NAME.csv), a gnuplot
-script (NAME.gp) and, where gnuplot is installed, SVG and PDF; what is missing is said. The scripts
-read the CSV beside them: 'gnuplot -c roc.gp pdf'.
-
-Usage: tcert figures RESULTS --output DIR [options]
-
-Example:
-  tcert figures results --output figures
-  tcert figures results --output figures --trials t0000007,t0000012
-
-Cost: a few seconds.
-)";
-
-struct FiguresOptions {
-  std::string results;
-  std::string trials;
-};
-
-int run(Arguments arguments) {
-  FiguresOptions options;
-  CommonOptions common;
-  CommandLine line{"figures",
-                   kText,
-                   uses_output,
-                   po::options_description("Options"),
-                   {{"RESULTS", &options.results, true, OptionRole::input}}};
-  line.own.add_options()("trials",
-                         po::value(&options.trials)->value_name("IDS"),
-                         "trials whose series and map are drawn, comma between; unless given a "
-                         "middling one, the tightest and the first failure");
-  if (!parse(line, common, arguments)) {
-    return exit_done;
-  }
-  if (common.output.empty()) {
+RunResult figures(const FiguresRequest& request, Progress& progress) {
+  const std::string& output = request.output.path;
+  if (output.empty()) {
     throw UsageError("needs --output DIR");
   }
-  require_apart(options.results, common.output);
+  require_apart(request.results, output);
   FigureFiles files;
   try {
-    const Results results = read_results(options.results);
+    const Results results = read_results(request.results);
     require_same_inputs(results);
-    ResultFolder folder(common.output, "figures");
+    ResultFolder folder(output, "figures");
     const std::vector<std::string> trials =
-        options.trials.empty() ? typical_trials(results) : words_of(options.trials);
+        request.trials.empty() ? typical_trials(results) : words_of(request.trials);
     files = write_figures(results, trials, folder);
     Manifest manifest;
     manifest.command = "figures";
-    record(common, manifest);
+    record(written(request), manifest);
     manifest.synthetic = results.synthetic;
     for (const Result& result : results.all) {
       if (result.kind == ResultKind::other) {
@@ -76,19 +52,13 @@ int run(Arguments arguments) {
     throw BadData(error.what());
   }
   for (const MissingFigure& missing : files.missing) {
-    say(missing.name + " is left out: " + missing.reason);
+    progress.say(missing.name + " is left out: " + missing.reason);
   }
   if (!files.drawn) {
-    say("No SVG and PDF: gnuplot is not installed (Debian's package is gnuplot-nox).");
+    progress.say("No SVG and PDF: gnuplot is not installed (Debian's package is gnuplot-nox).");
   }
-  if (!common.quiet) {
-    say(std::to_string(files.figures) + " figures in " + common.output);
-  }
-  return exit_done;
+  progress.sum_up(std::to_string(files.figures) + " figures in " + output);
+  return {};
 }
-
-}  // namespace
-
-const Command kFigures = {"figures", "draw the figures of results for a paper", run};
 
 }  // namespace tcert::cli

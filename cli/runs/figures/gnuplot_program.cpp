@@ -1,4 +1,4 @@
-#include "cli/figures/gnuplot_program.hpp"
+#include "cli/runs/figures/gnuplot_program.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "cli/figures/write_figures.hpp"
+#include "cli/runs/figures/write_figures.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -7,7 +7,7 @@
 #include <table/diagnostic.hpp>
 #include <table/path_name.hpp>
 
-#include "cli/figures/gnuplot_program.hpp"
+#include "cli/runs/figures/gnuplot_program.hpp"
 #include "reports/figure/gnuplot.hpp"
 #include "reports/figure/vega_lite.hpp"
 #include "reports/table_json.hpp"

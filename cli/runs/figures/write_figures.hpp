@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/result_folder.hpp"
+#include "cli/runs/result_folder.hpp"
 #include "reports/figure/figure.hpp"
 #include "reports/figure/figures_of.hpp"
 

@@ -1,8 +1,8 @@
-#include "cli/fit/bootstrap_of_rows.hpp"
+#include "cli/runs/fit/bootstrap_of_rows.hpp"
 
 #include <statistics/resampling/bootstrap_difference.hpp>
 
-#include "cli/errors.hpp"
+#include "cli/runs/errors.hpp"
 #include "reports/fit/bootstrap_table.hpp"
 
 namespace tcert::cli {
@@ -23,25 +23,25 @@ FrameColumns predictor_columns(const statistics::ModelFrame& frame) {
   return columns;
 }
 
-void require_plain_bootstrap(const FitRequest& request, bool plain) {
-  if (request.frame.weights || !plain) {
+void require_plain_bootstrap(const FitInput& from, bool plain) {
+  if (from.frame.weights || !plain) {
     throw UsageError("--bootstrap draws rows: leave out --weights and --pair-weight");
   }
 }
 
-void add_bootstrap(const FitRequest& request,
+void add_bootstrap(const FitInput& from,
                    const std::vector<std::string>& names,
                    const statistics::Statistic& statistic,
                    FitReport& report) {
-  const auto& cluster = request.frame.cluster;
+  const auto& cluster = from.frame.cluster;
   const statistics::ResamplingPlan plan =
       cluster ? statistics::ResamplingPlan::of_clusters(cluster->codes)
-              : statistics::ResamplingPlan::of_rows(request.frame.size());
+              : statistics::ResamplingPlan::of_rows(from.frame.size());
   statistics::BootstrapOptions options;
-  options.replicates = static_cast<std::size_t>(request.options.replicates);
-  options.seed = request.options.seed;
+  options.replicates = static_cast<std::size_t>(from.request.replicates);
+  options.seed = static_cast<std::uint64_t>(from.request.seed);
   const statistics::BootstrapResult result = statistics::bootstrap(statistic, plan, options);
-  BootstrapTable table(request.options.level);
+  BootstrapTable table(from.request.level);
   for (std::size_t k = 0; k < names.size(); ++k) {
     table.add(names[k], result, k);
   }

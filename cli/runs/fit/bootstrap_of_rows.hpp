@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/fit/fit.hpp"
+#include "cli/runs/fit/fit_input.hpp"
 
 namespace tcert::cli {
 
@@ -21,11 +21,11 @@ struct FrameColumns {
 
 /// \throws UsageError if the rows have case weights, or `plain` is false: a resample is one of
 /// rows.
-void require_plain_bootstrap(const FitRequest& request, bool plain);
+void require_plain_bootstrap(const FitInput& from, bool plain);
 
 /// Adds a table `bootstrap`: per predictor, then per pair of them, the value, its bias, standard
 /// error and BCa, percentile and basic intervals. Whole clusters are drawn where there are any.
-void add_bootstrap(const FitRequest& request,
+void add_bootstrap(const FitInput& from,
                    const std::vector<std::string>& names,
                    const statistics::Statistic& statistic,
                    FitReport& report);

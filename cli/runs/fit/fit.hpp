@@ -1,20 +1,14 @@
 #pragma once
 /// \file
-/// `tcert fit`: its options and, for each kind of model, from a table to a report.
+/// `fit`: a model on any table.
 
-#include <cstdint>
-#include <map>
-#include <statistics/model/formula.hpp>
-#include <statistics/model/model_frame.hpp>
-#include <string>
-#include <vector>
-
-#include "cli/options.hpp"
-#include "reports/fit/fit_report.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
 
-struct FitOptions {
+struct FitRequest {
   std::string kind;
   std::string data;
   std::string formula;
@@ -22,11 +16,9 @@ struct FitOptions {
   std::string strata;
   std::string weights;
   std::vector<std::string> references;  ///< COLUMN=LEVEL.
-  std::string table;
   double level = 0.95;
-
+  std::string table;
   bool no_time_rounding = false;
-
   // cox
   std::string ties = "efron";
   bool robust = false;
@@ -40,12 +32,12 @@ struct FitOptions {
   std::int64_t folds = 5;
   std::string predicted;
   // glmm
-  int quadrature = 0;  ///< 0: the model's own.
+  std::optional<std::int64_t> quadrature;  ///< None: the model's own.
   bool profile = false;
   bool drop1 = false;
   // km
   std::string interval = "log";
-  std::vector<double> times;
+  std::string times;
   double rho = 0.0;
   std::string cause;
   // concordance
@@ -53,31 +45,19 @@ struct FitOptions {
   bool reverse = false;
   // roc
   std::string partial;
-  // bootstrap of roc and concordance
+  // roc and concordance
   std::int64_t replicates = 0;
-  std::uint64_t seed = 1;
-  bool quiet = false;
+
+  OutputOptions output;
+  std::int64_t seed = 1;
+  std::int64_t threads = 0;
+  bool decimal_comma = false;
+  std::vector<std::string> given;
 };
 
-/// A fit's inputs: the frame is without an error.
-struct FitRequest {
-  const FitOptions& options;
-  const statistics::Formula& formula;
-  const table::DataTable& table;
-  statistics::ModelFrame& frame;
-};
+[[nodiscard]] OptionTable options_of(FitRequest& request);
 
-[[nodiscard]] FitReport fit_glm(const FitRequest& request);
-[[nodiscard]] FitReport fit_calibration(const FitRequest& request);
-[[nodiscard]] FitReport fit_mixed_model(const FitRequest& request);
-[[nodiscard]] FitReport fit_cox_model(const FitRequest& request);
-[[nodiscard]] FitReport fit_km(const FitRequest& request);
-[[nodiscard]] FitReport fit_roc(const FitRequest& request);
-[[nodiscard]] FitReport fit_concordance(const FitRequest& request);
-
-/// The word of an option among those allowed. \throws UsageError that names them.
-[[nodiscard]] std::size_t choice(const std::string& option,
-                                 const std::string& word,
-                                 const std::vector<std::string>& words);
+/// \throws UsageError, NoInput, BadData, WriteError.
+[[nodiscard]] RunResult fit(const FitRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -4,8 +4,8 @@
 #include <statistics/calibration/out_of_fold.hpp>
 #include <statistics/model/frame_checks.hpp>
 
-#include "cli/errors.hpp"
-#include "cli/fit/fit.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/calibration_report.hpp"
 
 namespace tcert::cli {
@@ -16,29 +16,29 @@ std::vector<double> as_vector(const Eigen::VectorXd& values) {
 }
 
 /// The given probabilities: the formula's only predictor.
-std::vector<double> given(const FitRequest& request) {
-  const statistics::ModelFrame& frame = request.frame;
+std::vector<double> given(const FitInput& from) {
+  const statistics::ModelFrame& frame = from.frame;
   std::vector<double> values;
   std::size_t others = 0;
   for (std::size_t k = 0; k < frame.columns.size(); ++k) {
     if (frame.term_of[k] == 0) {
       continue;
     }
-    if (frame.columns[k] == request.options.predicted) {
+    if (frame.columns[k] == from.request.predicted) {
       values = as_vector(frame.design.col(static_cast<Eigen::Index>(k)));
     } else {
       ++others;
     }
   }
   if (others > 0 || values.empty()) {
-    throw UsageError("--predicted " + request.options.predicted + ": the formula is to be '" +
-                     frame.response + " ~ " + request.options.predicted + "'");
+    throw UsageError("--predicted " + from.request.predicted + ": the formula is to be '" +
+                     frame.response + " ~ " + from.request.predicted + "'");
   }
   return values;
 }
 
 /// Folds of whole clusters; rows are their own without one.
-statistics::Folds folds_of(const statistics::LogisticInput& input, const FitOptions& options) {
+statistics::Folds folds_of(const statistics::LogisticInput& input, const FitRequest& request) {
   const auto rows = static_cast<std::size_t>(input.design.rows());
   std::vector<std::uint8_t> success(rows);
   for (std::size_t i = 0; i < rows; ++i) {
@@ -47,8 +47,8 @@ statistics::Folds folds_of(const statistics::LogisticInput& input, const FitOpti
   std::vector<std::uint32_t> cluster(rows);
   std::iota(cluster.begin(), cluster.end(), 0U);
   statistics::FoldOptions fold_options;
-  fold_options.folds = static_cast<std::size_t>(options.folds);
-  fold_options.seed = options.seed;
+  fold_options.folds = static_cast<std::size_t>(request.folds);
+  fold_options.seed = static_cast<std::uint64_t>(request.seed);
   return statistics::assign_folds(
       success, input.cluster ? input.cluster->codes : cluster, fold_options);
 }
@@ -58,10 +58,10 @@ void add(const statistics::Conditions& more, statistics::Conditions& conditions)
 }
 
 void predict(const statistics::LogisticInput& input,
-             const FitOptions& options,
+             const FitRequest& request,
              CalibrationSource& source,
              statistics::Conditions& conditions) {
-  const statistics::Folds folds = folds_of(input, options);
+  const statistics::Folds folds = folds_of(input, request);
   add(folds.conditions, conditions);
   source.folds = folds.count;
   source.probability.assign(source.rows.size(), std::numeric_limits<double>::quiet_NaN());
@@ -78,34 +78,34 @@ void predict(const statistics::LogisticInput& input,
 
 }  // namespace
 
-FitReport fit_calibration(const FitRequest& request) {
-  const statistics::LogisticInput input = statistics::logistic_input(request.frame);
+FitReport fit_calibration(const FitInput& from) {
+  const statistics::LogisticInput input = statistics::logistic_input(from.frame);
   if (input.trials.size() > 0 || input.weights.size() > 0) {
     throw UsageError("calibration takes one trial a row: no cbind() and no --weights");
   }
   CalibrationSource source;
-  source.rows = request.frame.rows;
-  source.predicted = request.options.predicted;
+  source.rows = from.frame.rows;
+  source.predicted = from.request.predicted;
   statistics::Conditions conditions = input.conditions;
   statistics::ModelCalibration result;
   if (!statistics::has_error(conditions)) {
     source.outcome = as_vector(input.successes);
     if (source.predicted.empty()) {
-      predict(input, request.options, source, conditions);
+      predict(input, from.request, source, conditions);
     } else {
-      source.probability = given(request);
+      source.probability = given(from);
     }
     statistics::CalibrationOptions options;
-    options.level = request.options.level;
+    options.level = from.request.level;
     options.column = source.predicted;
-    options.place = [&](std::size_t row) { return statistics::place_of(request.frame, row); };
+    options.place = [&](std::size_t row) { return statistics::place_of(from.frame, row); };
     result = statistics::calibration(
         source.outcome, source.probability, input.cluster ? &*input.cluster : nullptr, options);
   } else {
     source.rows.clear();
   }
   result.conditions.insert(result.conditions.begin(), conditions.begin(), conditions.end());
-  return calibration_report(result, source, request.options.level);
+  return calibration_report(result, source, from.request.level);
 }
 
 }  // namespace tcert::cli

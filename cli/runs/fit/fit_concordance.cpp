@@ -4,9 +4,9 @@
 #include <statistics/concordance/concordance_statistic.hpp>
 #include <statistics/survival/time_conditions.hpp>
 
-#include "cli/errors.hpp"
-#include "cli/fit/bootstrap_of_rows.hpp"
-#include "cli/fit/fit.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/fit/bootstrap_of_rows.hpp"
+#include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/concordance_report.hpp"
 
 namespace tcert::cli {
@@ -31,10 +31,10 @@ statistics::SurvivalOutcome outcome_of(statistics::ModelFrame& frame, bool round
 
 }  // namespace
 
-FitReport fit_concordance(const FitRequest& request) {
-  statistics::ModelFrame& frame = request.frame;
+FitReport fit_concordance(const FitInput& from) {
+  statistics::ModelFrame& frame = from.frame;
   const FrameColumns columns = predictor_columns(frame);
-  const statistics::LargerMeans larger = request.options.reverse
+  const statistics::LargerMeans larger = from.request.reverse
                                              ? statistics::LargerMeans::shorter_time
                                              : statistics::LargerMeans::longer_time;
   std::vector<statistics::Predictor> predictors;
@@ -47,15 +47,15 @@ FitReport fit_concordance(const FitRequest& request) {
                                     statistics::PairWeight::inverse_censoring_squared,
                                     statistics::PairWeight::inverse_at_risk};
   statistics::ConcordanceOptions options;
-  options.level = request.options.level;
-  options.pair_weight = kPairWeights[choice(
-      "pair-weight", request.options.pair_weight, {"n", "S", "S/G", "n/G2", "I"})];
+  options.level = from.request.level;
+  options.pair_weight =
+      kPairWeights[choice("pair-weight", from.request.pair_weight, {"n", "S", "S/G", "n/G2", "I"})];
   options.strata = frame.strata ? &*frame.strata : nullptr;
   options.cluster = frame.cluster ? &*frame.cluster : nullptr;
   if (frame.weights) {
     options.weights = {frame.weights->data(), static_cast<std::size_t>(frame.weights->size())};
   }
-  const statistics::SurvivalOutcome outcome = outcome_of(frame, !request.options.no_time_rounding);
+  const statistics::SurvivalOutcome outcome = outcome_of(frame, !from.request.no_time_rounding);
   if (outcome.left_truncated() &&
       (options.pair_weight == statistics::PairWeight::survival_by_censoring ||
        options.pair_weight == statistics::PairWeight::inverse_censoring_squared)) {
@@ -65,9 +65,9 @@ FitReport fit_concordance(const FitRequest& request) {
   }
   FitReport report =
       concordance_report(statistics::concordance(outcome, predictors, options), options.level);
-  if (request.options.replicates > 0 && !statistics::has_error(report.conditions)) {
-    require_plain_bootstrap(request, options.pair_weight == statistics::PairWeight::equal);
-    add_bootstrap(request,
+  if (from.request.replicates > 0 && !statistics::has_error(report.conditions)) {
+    require_plain_bootstrap(from, options.pair_weight == statistics::PairWeight::equal);
+    add_bootstrap(from,
                   columns.names,
                   statistics::concordance_statistic(outcome, predictors, {}, options.strata),
                   report);

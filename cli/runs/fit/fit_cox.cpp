@@ -8,9 +8,9 @@
 #include <statistics/cox/cox_terms.hpp>
 #include <statistics/cox/cox_zph.hpp>
 
-#include "cli/data_file.hpp"
-#include "cli/errors.hpp"
-#include "cli/fit/fit.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/cox_report.hpp"
 
 namespace tcert::cli {
@@ -43,13 +43,13 @@ std::optional<statistics::ConcordanceResult> concordance_of(const statistics::Co
   return statistics::concordance(data.outcome, {&predictor, 1}, options);
 }
 
-void add_residuals(const FitRequest& request,
+void add_residuals(const FitInput& from,
                    const statistics::CoxData& data,
                    const statistics::CoxFit& fit,
                    FitReport& report) {
   const std::vector<std::string> known{
       "martingale", "deviance", "score", "dfbeta", "dfbetas", "schoenfeld", "scaledsch"};
-  const std::vector<std::string> words = words_of(request.options.residuals);
+  const std::vector<std::string> words = words_of(from.request.residuals);
   for (const std::string& word : words) {
     static_cast<void>(choice("residuals", word, known));
     if (fit.ties == statistics::Ties::exact && word != "martingale" && word != "deviance") {
@@ -61,15 +61,15 @@ void add_residuals(const FitRequest& request,
   }
   const statistics::CoxResiduals residuals = statistics::cox_residuals(data, fit);
   for (const std::string& word : words) {
-    report.details.push_back(residual_table(residuals, word, data.columns, request.frame.rows));
+    report.details.push_back(residual_table(residuals, word, data.columns, from.frame.rows));
   }
 }
 
 /// Rows of the table, counted from 1, as rows of the frame. \throws UsageError for one that is not.
-std::vector<std::size_t> frame_rows(const FitRequest& request) {
+std::vector<std::size_t> frame_rows(const FitInput& from) {
   std::vector<std::size_t> rows;
-  for (const double number : numbers_of("curves", request.options.curves)) {
-    const auto& known = request.frame.rows;
+  for (const double number : numbers_of("curves", from.request.curves)) {
+    const auto& known = from.frame.rows;
     const auto found = std::find_if(known.begin(), known.end(), [&](std::size_t row) {
       return static_cast<double>(row + 1) == number;
     });
@@ -81,11 +81,11 @@ std::vector<std::size_t> frame_rows(const FitRequest& request) {
   return rows;
 }
 
-void add_curves(const FitRequest& request,
+void add_curves(const FitInput& from,
                 const statistics::CoxData& data,
                 const statistics::CoxFit& fit,
                 FitReport& report) {
-  const std::vector<std::size_t> rows = frame_rows(request);
+  const std::vector<std::size_t> rows = frame_rows(from);
   if (rows.empty()) {
     return;
   }
@@ -102,7 +102,7 @@ void add_curves(const FitRequest& request,
     if (data.offset) {
       offset[at] = (*data.offset)[row];
     }
-    names.push_back(request.frame.rows[rows[i]] + 1);
+    names.push_back(from.frame.rows[rows[i]] + 1);
   }
   report.details.push_back(curve_table(statistics::cox_curves(data, fit, design, offset), names));
 }
@@ -127,23 +127,23 @@ void add_infinite_hazards(const std::vector<statistics::BaselineHazard>& baselin
 
 }  // namespace
 
-FitReport fit_cox_model(const FitRequest& request) {
-  if (!std::holds_alternative<statistics::SurvivalOutcome>(request.frame.outcome)) {
-    throw statistics::FormulaError("'" + request.frame.response +
+FitReport fit_cox_model(const FitInput& from) {
+  if (!std::holds_alternative<statistics::SurvivalOutcome>(from.frame.outcome)) {
+    throw statistics::FormulaError("'" + from.frame.response +
                                    "': a Cox model needs Surv(time, event)");
   }
-  statistics::CoxData data = statistics::cox_data(request.frame);
+  statistics::CoxData data = statistics::cox_data(from.frame);
   statistics::CoxOptions options;
-  options.level = request.options.level;
-  options.ties = kTies[choice("ties", request.options.ties, {"efron", "breslow", "exact"})];
-  if (request.options.robust) {
+  options.level = from.request.level;
+  options.ties = kTies[choice("ties", from.request.ties, {"efron", "breslow", "exact"})];
+  if (from.request.robust) {
     options.robust = true;
   }
   if (options.ties == statistics::Ties::exact && (options.robust || data.cluster || data.weights)) {
     throw UsageError("--ties exact goes without --robust, --cluster, cluster() and --weights");
   }
-  const statistics::TimeTransform transform = kTransforms[choice(
-      "transform", request.options.transform, {"km", "rank", "identity", "log"})];
+  const statistics::TimeTransform transform =
+      kTransforms[choice("transform", from.request.transform, {"km", "rank", "identity", "log"})];
   const statistics::CoxFit fit = statistics::fit_cox(data, options);
   FitReport report = cox_report(fit, concordance_of(data, fit));
   if (statistics::has_error(fit.conditions)) {
@@ -170,8 +170,8 @@ FitReport fit_cox_model(const FitRequest& request) {
   const std::vector<statistics::BaselineHazard> baseline = statistics::cox_baseline(data, fit);
   add_infinite_hazards(baseline, report);
   report.details.push_back(baseline_table(baseline));
-  add_residuals(request, data, fit, report);
-  add_curves(request, data, fit, report);
+  add_residuals(from, data, fit, report);
+  add_curves(from, data, fit, report);
   return report;
 }
 

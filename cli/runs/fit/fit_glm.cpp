@@ -5,10 +5,7 @@
 #include <statistics/logistic/logistic_drop.hpp>
 #include <statistics/logistic/logistic_profile.hpp>
 
-#include "cli/errors.hpp"
-#include "cli/fit/fit.hpp"
-#include "cli/output.hpp"
-#include "cli/progress.hpp"
+#include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/firth_report.hpp"
 #include "reports/fit/logistic_report.hpp"
 
@@ -23,14 +20,14 @@ constexpr double kFirthFactor = 100.0;
 constexpr double kTestShare = 1.0 / 12.0;
 
 /// Whether profiles are wanted and, unless asked for, cheap; if they are not, that is said.
-bool takes_profiles(const FitOptions& options,
+bool takes_profiles(const FitRequest& request,
                     const statistics::LogisticInput& input,
                     double work,
                     statistics::Conditions& conditions) {
-  if (options.no_profile) {
+  if (request.no_profile) {
     return false;
   }
-  if (options.profile || work <= statistics::kMostProfileWork) {
+  if (request.profile || work <= statistics::kMostProfileWork) {
     return true;
   }
   conditions.push_back({statistics::ConditionKind::no_profile,
@@ -42,21 +39,21 @@ bool takes_profiles(const FitOptions& options,
   return false;
 }
 
-FitReport fit_penalised(const FitRequest& request) {
-  const statistics::LogisticInput input = statistics::logistic_input(request.frame);
-  if (input.cluster || request.options.robust) {
+FitReport fit_penalised(const FitInput& from) {
+  const statistics::LogisticInput input = statistics::logistic_input(from.frame);
+  if (input.cluster || from.request.robust) {
     throw UsageError("--firth goes without --cluster and --robust: its tests are of likelihoods");
   }
   const double work = kFirthFactor * statistics::profile_work(input);
   statistics::Conditions conditions;
-  Progress progress(kProgress, input.columns.size(), request.options.quiet);
+  Stage stage(from.progress, kProgress, input.columns.size());
   statistics::FirthOptions options;
-  options.level = request.options.level;
-  options.profiles = takes_profiles(request.options, input, work, conditions);
-  options.advance = [&] { progress.advance(); };
-  if ((options.profiles ? work : kTestShare * work) > statistics::kMostProfileWork &&
-      !request.options.quiet) {
-    say(fmt::format("tcert fit: the penalised tests{} of {} coefficients on {} rows take long",
+  options.level = from.request.level;
+  options.profiles = takes_profiles(from.request, input, work, conditions);
+  options.advance = [&] { stage.advance(); };
+  if ((options.profiles ? work : kTestShare * work) > statistics::kMostProfileWork) {
+    from.progress.sum_up(
+        fmt::format("tcert fit: the penalised tests{} of {} coefficients on {} rows take long",
                     options.profiles ? " and profiles" : "",
                     input.columns.size(),
                     input.design.rows()));
@@ -88,24 +85,24 @@ void point_to_firth(const statistics::LogisticInput& input,
 
 }  // namespace
 
-FitReport fit_glm(const FitRequest& request) {
-  if (std::holds_alternative<statistics::SurvivalOutcome>(request.frame.outcome)) {
-    throw UsageError("'" + request.frame.response +
+FitReport fit_glm(const FitInput& from) {
+  if (std::holds_alternative<statistics::SurvivalOutcome>(from.frame.outcome)) {
+    throw UsageError("'" + from.frame.response +
                      "': a logistic model needs a 0/1 outcome; use tcert fit cox");
   }
-  if (request.options.profile && request.options.no_profile) {
+  if (from.request.profile && from.request.no_profile) {
     throw UsageError("--profile and --no-profile: take one of them");
   }
-  if (request.options.firth) {
-    return fit_penalised(request);
+  if (from.request.firth) {
+    return fit_penalised(from);
   }
-  statistics::LogisticInput input = statistics::logistic_input(request.frame);
+  statistics::LogisticInput input = statistics::logistic_input(from.frame);
   statistics::LogisticOptions options;
-  options.level = request.options.level;
-  const bool robust = input.cluster || request.options.robust;
+  options.level = from.request.level;
+  const bool robust = input.cluster || from.request.robust;
   if (robust) {
     options.variance = statistics::CoefficientVariance::robust;
-    if (request.options.profile) {
+    if (from.request.profile) {
       throw UsageError(
           "--profile goes without --cluster and --robust: profiles take the rows to be "
           "independent");
@@ -115,9 +112,9 @@ FitReport fit_glm(const FitRequest& request) {
   point_to_firth(input, robust, fit.conditions);
   std::vector<statistics::ProfileLimits> profiles;
   if (!robust && fit.log_likelihood &&
-      takes_profiles(request.options, input, statistics::profile_work(input), fit.conditions)) {
-    Progress progress(kProgress, input.columns.size(), request.options.quiet);
-    profiles = statistics::profile_limits(input, options, [&] { progress.advance(); });
+      takes_profiles(from.request, input, statistics::profile_work(input), fit.conditions)) {
+    Stage stage(from.progress, kProgress, input.columns.size());
+    profiles = statistics::profile_limits(input, options, [&] { stage.advance(); });
   }
   return logistic_report(fit, profiles, statistics::drop_terms(input));
 }

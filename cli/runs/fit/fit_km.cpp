@@ -6,8 +6,9 @@
 #include <statistics/survival/log_rank.hpp>
 #include <statistics/survival/survival_curve.hpp>
 
-#include "cli/errors.hpp"
-#include "cli/fit/fit.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/survival_report.hpp"
 
 namespace tcert::cli {
@@ -55,13 +56,13 @@ void keep(const std::vector<std::size_t>& rows, statistics::ModelFrame& frame) {
 
 /// The cause of each row, 0 if it is censored. Events without a cause are no censored rows: they
 /// leave the frame, counted.
-statistics::CompetingOutcome competing_outcome(const FitRequest& request,
+statistics::CompetingOutcome competing_outcome(const FitInput& from,
                                                statistics::Conditions& conditions) {
-  const std::string& column = request.options.cause;
-  statistics::refuse_missing_words(request.table, request.table.find(column));
+  const std::string& column = from.request.cause;
+  statistics::refuse_missing_words(from.table, from.table.find(column));
   const table::Factor all = statistics::evaluate_factor(
-      {statistics::Expression::Kind::column, 0.0, column, {}}, request.table);
-  statistics::ModelFrame& frame = request.frame;
+      {statistics::Expression::Kind::column, 0.0, column, {}}, from.table);
+  statistics::ModelFrame& frame = from.frame;
   auto& survival = std::get<statistics::SurvivalOutcome>(frame.outcome);
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < frame.size(); ++row) {
@@ -114,18 +115,18 @@ statistics::CompetingOutcome competing_outcome(const FitRequest& request,
 
 }  // namespace
 
-FitReport fit_km(const FitRequest& request) {
-  const auto* const survival = std::get_if<statistics::SurvivalOutcome>(&request.frame.outcome);
+FitReport fit_km(const FitInput& from) {
+  const auto* const survival = std::get_if<statistics::SurvivalOutcome>(&from.frame.outcome);
   if (survival == nullptr) {
-    throw statistics::FormulaError("'" + request.frame.response +
+    throw statistics::FormulaError("'" + from.frame.response +
                                    "': a survival curve needs Surv(time, event)");
   }
   statistics::Conditions conditions;
   std::optional<statistics::CompetingOutcome> competing;
-  if (!request.options.cause.empty()) {
-    competing = competing_outcome(request, conditions);
+  if (!from.request.cause.empty()) {
+    competing = competing_outcome(from, conditions);
   }
-  const statistics::ModelFrame& frame = request.frame;
+  const statistics::ModelFrame& frame = from.frame;
   const bool by_strata = frame.terms.empty() && frame.strata;
   const table::Factor* const groups = by_strata ? &*frame.strata : &*frame.groups;
   const table::Factor* const cluster = frame.cluster ? &*frame.cluster : nullptr;
@@ -135,9 +136,9 @@ FitReport fit_km(const FitRequest& request) {
   }
   SurvivalReportOptions shown;
   shown.scale = kScales[choice(
-      "interval", request.options.interval, {"log", "log-log", "plain", "logit", "arcsin"})];
-  shown.level = request.options.level;
-  shown.times = request.options.times;
+      "interval", from.request.interval, {"log", "log-log", "plain", "logit", "arcsin"})];
+  shown.level = from.request.level;
+  shown.times = numbers_of("times", from.request.times);
 
   statistics::CurveOptions curve_options;
   curve_options.weights = weights;
@@ -149,7 +150,7 @@ FitReport fit_km(const FitRequest& request) {
         {statistics::ConditionKind::no_weighted_test, statistics::ConditionSeverity::note, "", ""});
   } else if (!frame.terms.empty()) {
     test = statistics::log_rank_test(
-        *survival, *groups, frame.strata ? &*frame.strata : nullptr, request.options.rho);
+        *survival, *groups, frame.strata ? &*frame.strata : nullptr, from.request.rho);
   }
   FitReport report =
       survival_report(statistics::survival_curves(*survival, curve_options), test, shown);

@@ -2,10 +2,10 @@
 #include <statistics/roc/roc.hpp>
 #include <statistics/roc/roc_curve.hpp>
 
-#include "cli/data_file.hpp"
-#include "cli/errors.hpp"
-#include "cli/fit/bootstrap_of_rows.hpp"
-#include "cli/fit/fit.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/fit/bootstrap_of_rows.hpp"
+#include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/roc_report.hpp"
 
 namespace tcert::cli {
@@ -34,8 +34,8 @@ PartialRange partial_range(const std::string& text) {
 
 }  // namespace
 
-FitReport fit_roc(const FitRequest& request) {
-  statistics::ModelFrame frame = request.frame;
+FitReport fit_roc(const FitInput& from) {
+  statistics::ModelFrame frame = from.frame;
   statistics::require_binary(frame);
   if (statistics::has_error(frame.conditions)) {
     FitReport report;
@@ -52,7 +52,7 @@ FitReport fit_roc(const FitRequest& request) {
     scores.push_back({values, statistics::HigherMeans::success});
   }
   statistics::AucOptions options;
-  options.level = request.options.level;
+  options.level = from.request.level;
   if (frame.cluster) {
     options.cluster = frame.cluster->codes;
   }
@@ -62,15 +62,15 @@ FitReport fit_roc(const FitRequest& request) {
     curves.push_back(statistics::roc_curve(score.values, success, score.higher));
   }
   std::optional<PartialRange> partial;
-  if (!request.options.partial.empty()) {
-    partial = partial_range(request.options.partial);
+  if (!from.request.partial.empty()) {
+    partial = partial_range(from.request.partial);
   }
   FitReport report =
       roc_report(columns.names, statistics::joint_auc(scores, success, options), curves, partial);
-  if (request.options.replicates > 0 && !statistics::has_error(report.conditions)) {
-    require_plain_bootstrap(request, true);
+  if (from.request.replicates > 0 && !statistics::has_error(report.conditions)) {
+    require_plain_bootstrap(from, true);
     const std::vector<std::uint8_t> outcome(success.begin(), success.end());
-    add_bootstrap(request, columns.names, statistics::auc_statistic(scores, outcome), report);
+    add_bootstrap(from, columns.names, statistics::auc_statistic(scores, outcome), report);
   }
   return report;
 }

@@ -1,10 +1,10 @@
-#include "cli/fit/kind_options.hpp"
+#include "cli/runs/fit/kind_options.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "cli/data_file.hpp"
-#include "cli/errors.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -145,14 +145,12 @@ std::string tables_in_words(std::string_view kind) {
   return text;
 }
 
-po::options_description options_of(std::string_view kind, const po::options_description& all) {
-  po::options_description own("Options of '" + std::string(kind) + "'");
-  for (const auto& option : all.options()) {
-    if (takes_option(kind, option->long_name())) {
-      own.add(option);
-    }
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const KindTakes& one : kTakes) {
+    names.emplace_back(one.kind);
   }
-  return own;
+  return names;
 }
 
 }  // namespace tcert::cli

@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/options.hpp"
-
 namespace tcert::cli {
 
 /// True unless the option is another kind's. Options that no kind claims are for all.
@@ -22,8 +20,6 @@ void require_taken(const std::string& kind,
 /// The names that --table takes, a line for one kind, a line each if `kind` is empty.
 [[nodiscard]] std::string tables_in_words(std::string_view kind);
 
-/// Those of the options that `kind` takes.
-[[nodiscard]] po::options_description options_of(std::string_view kind,
-                                                 const po::options_description& all);
+[[nodiscard]] std::vector<std::string> kind_names();
 
 }  // namespace tcert::cli

@@ -1,4 +1,4 @@
-#include "cli/fit/outcome_words.hpp"
+#include "cli/runs/fit/outcome_words.hpp"
 
 namespace tcert::cli {
 namespace {

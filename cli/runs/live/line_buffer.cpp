@@ -1,4 +1,4 @@
-#include "cli/live/line_buffer.hpp"
+#include "cli/runs/live/line_buffer.hpp"
 
 #include <algorithm>
 

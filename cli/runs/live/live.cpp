@@ -1,3 +1,5 @@
+#include "cli/runs/live/live.hpp"
+
 #include <poll.h>
 #include <unistd.h>
 
@@ -14,19 +16,17 @@
 #include <tcert/guards.hpp>
 #include <utility>
 
-#include "cli/errors.hpp"
-#include "cli/guard_options.hpp"
-#include "cli/inputs.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/live/line_buffer.hpp"
-#include "cli/live/live_audit.hpp"
-#include "cli/live/live_record.hpp"
-#include "cli/live/patient_output.hpp"
-#include "cli/live/producer.hpp"
-#include "cli/live/stall_watch.hpp"
-#include "cli/live/tick_source.hpp"
-#include "cli/options.hpp"
-#include "cli/output.hpp"
+#include "cli/runs/guard_options.hpp"
+#include "cli/runs/inputs.hpp"
+#include "cli/runs/interrupt.hpp"
+#include "cli/runs/live/line_buffer.hpp"
+#include "cli/runs/live/live_audit.hpp"
+#include "cli/runs/live/live_record.hpp"
+#include "cli/runs/live/patient_output.hpp"
+#include "cli/runs/live/producer.hpp"
+#include "cli/runs/live/stall_watch.hpp"
+#include "cli/runs/live/tick_source.hpp"
+#include "cli/runs/result_folder.hpp"
 #include "datasets/bundle_files.hpp"
 #include "datasets/bundle_json.hpp"
 #include "datasets/tick_line.hpp"
@@ -36,87 +36,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
-    R"(Certify ticks as they arrive: reads ticks, writes one row of the series per tick, at once.
-
-The rows are those that 'certify' writes for the same ticks, byte for byte; with --guards those that
-'replay --series' writes, with the speed v_t and the guards G1-G3 at the end. A line that is not a
-tick is reported on stderr and skipped; the exit code is then 3.
-
-Ticks come from stdin, or with --listen from one producer after the other on a Unix socket, or as
-datagrams of whole lines on UDP, which only this machine can send. A producer that comes back
-begins with a header again (or with JSON); its first tick is a break of the path. Its times go on: a
-tick that is not after the last one, as of a clock that begins at 0 again, is skipped as a bad line.
-
---record DIR writes the ticks as a bundle with one trial, which 'certify' reads back to the same
-series. It appears when the run ends, by the end of the input, SIGINT or SIGTERM; until then, and
-if the process is killed, it is the hidden folder .DIR.*.tmp beside it, which can be read as well.
-
---audit FILE writes one row for every guard that began or ceased to trip, with its cause, at once.
-FILE must not be there, or be an audit log of an earlier run. When a disk is full, that of the audit,
-of the record or of the rows, the run goes on: that is said once, what is lost is counted, and the
-exit code is 73.
-
-Usage: tcert live --bundle BUNDLE [options] < ticks
-
-Example:
-  robot_driver | tcert live --bundle results/corpus/bundle.json
-  tcert live --bundle corpus --input-format jsonl --set beta_per_m=20 < ticks.jsonl
-  robot_driver | tcert live --bundle corpus --guards --audit audit.csv --set speed_law=clip
-  tcert live --bundle corpus --listen unix:/run/ticks --record run17
-  tcert live --bundle corpus --listen udp:5005 --stale-after 0.5 > series.csv
-
-Cost: about a microsecond of certifying per tick; memory does not grow with the run.
-)";
-
-struct LiveOptions {
-  std::string bundle;
-  std::string input_format = "auto";
-  bool ray_margins = false;
-  bool guards = false;
-  std::string audit;
-  std::string tracking_error;
-  std::string listen;
-  std::string record;
-  std::string slow_consumer = "auto";
-  double stale_after_s = 1.0;
-};
-
-CommandLine command_line(LiveOptions& o) {
-  CommandLine line{
-      "live", kText, uses_parameters | uses_decimal_comma, po::options_description("Options"), {}};
-  line.own.add_options()("bundle",
-                         po::value(&o.bundle)->value_name("PATH"),
-                         "the bundle, or its bundle.json, that describes robot and course")(
-      "input-format",
-      po::value(&o.input_format)->value_name("WORD")->default_value(o.input_format),
-      "of the ticks: csv (a header, then rows as in ticks.csv), jsonl, or auto to see")(
-      "ray-margins", po::bool_switch(&o.ray_margins), "one more column a ray: its own margin")(
-      "guards",
-      po::bool_switch(&o.guards),
-      "more columns: gated speed, robust margin, force limit, which guards trip")(
-      "audit",
-      output(o.audit, "FILE"),
-      "log of the guards: when each began and ceased to trip, and why")(
-      "listen",
-      po::value(&o.listen)->value_name("WHERE"),
-      "take ticks from unix:PATH or udp:PORT (port 0: any that is free) in place of stdin")(
-      "record",
-      po::value(&o.record)->value_name("DIR"),
-      "write the ticks as a bundle; DIR must not be there, or be empty")(
-      "stale-after",
-      po::value(&o.stale_after_s)->value_name("S")->default_value(o.stale_after_s, "1"),
-      "say on stderr when no tick has come for so long; 0: never")(
-      "slow-consumer",
-      po::value(&o.slow_consumer)->value_name("WORD")->default_value(o.slow_consumer),
-      "when rows are not read: wait, so that who writes ticks waits too; drop rows, never ticks; "
-      "or "
-      "auto: wait for stdin, drop with --listen");
-  add_tracking_error_option(line.own, o.tracking_error);
-  return line;
-}
-
-void require_known(const LiveOptions& o) {
+void require_known(const LiveRequest& o) {
   if (o.input_format != "auto" && o.input_format != "csv" && o.input_format != "jsonl") {
     throw UsageError("--input-format: found '" + o.input_format + "', expected auto, csv or jsonl");
   }
@@ -124,10 +44,9 @@ void require_known(const LiveOptions& o) {
     throw UsageError("--slow-consumer: found '" + o.slow_consumer +
                      "', expected auto, wait or drop");
   }
-  require_range("stale-after", o.stale_after_s, 0.0, 1e6);
 }
 
-BundleInfo describe(const std::string& path) {
+BundleInfo describe(const std::string& path, Progress& progress) {
   if (path.empty()) {
     throw UsageError("needs --bundle");
   }
@@ -146,7 +65,7 @@ BundleInfo describe(const std::string& path) {
   }
   table::DiagnosticGroups problems;
   auto info = parse_bundle_json(bytes.bytes->view(), problems);
-  say(problems.take());
+  progress.say(problems.take());
   if (!info) {
     throw BadData("'" + path + "' is not a bundle.json that can be used");
   }
@@ -234,20 +153,62 @@ void report(const TickSource& source,
   }
 }
 
-int run(Arguments arguments) {
-  LiveOptions options;
-  CommonOptions common;
-  if (!parse(command_line(options), common, arguments)) {
-    return exit_done;
-  }
+}  // namespace
+
+OptionTable options_of(LiveRequest& request) {
+  OptionTable table(request.given);
+  table.add("bundle",
+            request.bundle,
+            "PATH",
+            "the bundle, or its bundle.json, that describes robot and course");
+  table.add("input-format",
+            request.input_format,
+            "WORD",
+            "of the ticks: csv (a header, then rows as in ticks.csv), jsonl, or auto to see");
+  table.add("ray-margins", request.ray_margins, "one more column a ray: its own margin");
+  table.add("guards",
+            request.guards,
+            "more columns: gated speed, robust margin, force limit, which guards trip");
+  table.add_output("audit",
+                   request.audit,
+                   "FILE",
+                   "log of the guards: when each began and ceased to trip, and why");
+  table.add("listen",
+            request.listen,
+            "WHERE",
+            "take ticks from unix:PATH or udp:PORT (port 0: any that is free) in place of stdin");
+  table.add("record",
+            request.record,
+            "DIR",
+            "write the ticks as a bundle; DIR must not be there, or be empty");
+  table
+      .add("stale-after",
+           request.stale_after_s,
+           "S",
+           "say on stderr when no tick has come for so long; 0: never")
+      .within(0.0, 1e6);
+  table.add("slow-consumer",
+            request.slow_consumer,
+            "WORD",
+            "when rows are not read: wait, so that the writer of the ticks waits too; drop rows, "
+            "never ticks; or auto: wait for stdin, drop with --listen");
+  add_tracking_error_option(table, request.tracking_error);
+  table.common();
+  add_decimal_comma(table, request.logs.decimal_comma);
+  table.parameters(request.logs.parameters);
+  return table;
+}
+
+RunResult live(const LiveRequest& options, Progress& progress) {
   require_known(options);
-  const BundleInfo info = describe(options.bundle);
-  const study::ParameterSet parameters = effective_parameters(info.parameters, common);
+  const BundleInfo info = describe(options.bundle, progress);
+  const study::ParameterSet parameters =
+      effective_parameters(info.parameters, options.logs.parameters);
   const Robot robot = effective_robot(info, parameters);
   Certifier certifier(robot, info.course, parameters.certificate);
   Guards guards(parameters.speed_law,
                 parameters.guards,
-                tracking_error_table(options.tracking_error, common));
+                tracking_error_table(options.tracking_error, options.logs.decimal_comma, progress));
   const SeriesFormat format{
       parameters.speed_law, options.ray_margins, synthetic_label(info), options.guards};
   std::optional<LiveAudit> audit;
@@ -271,7 +232,7 @@ int run(Arguments arguments) {
   RowSink rows(drops ? RowSink::WhenSlow::drop : RowSink::WhenSlow::wait, interrupt);
   TickSource source(robot,
                     info,
-                    {producer->name(), options.input_format, common.decimal_comma, !listens},
+                    {producer->name(), options.input_format, options.logs.decimal_comma, !listens},
                     status);
   StallWatch stall(options.stale_after_s, status);
   std::string row;
@@ -315,13 +276,9 @@ int run(Arguments arguments) {
   report(source, *producer, rows, status, has_reader);
   const bool written = rows.disk_error() == 0 || rows.dropped() == 0;
   if (!recorded || !audited || !written) {
-    return exit_cannot_write;
+    return {exit_cannot_write, ""};
   }
-  return source.bad_lines() > 0 ? exit_rejected : exit_done;
+  return {source.bad_lines() > 0 ? exit_rejected : exit_done, ""};
 }
-
-}  // namespace
-
-const Command kLive = {"live", "certify ticks as they arrive", run};
 
 }  // namespace tcert::cli

@@ -1,4 +1,4 @@
-#include "cli/live/live_audit.hpp"
+#include "cli/runs/live/live_audit.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

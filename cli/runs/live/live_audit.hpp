@@ -8,7 +8,7 @@
 #include <tcert/guards.hpp>
 #include <tcert/tick.hpp>
 
-#include "cli/live/patient_output.hpp"
+#include "cli/runs/live/patient_output.hpp"
 
 namespace tcert::cli {
 

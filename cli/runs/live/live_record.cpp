@@ -1,4 +1,4 @@
-#include "cli/live/live_record.hpp"
+#include "cli/runs/live/live_record.hpp"
 
 #include <utility>
 

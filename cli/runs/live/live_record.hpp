@@ -9,7 +9,7 @@
 #include <tcert/robot.hpp>
 
 #include "analysis/study/trials/parameters.hpp"
-#include "cli/live/patient_output.hpp"
+#include "cli/runs/live/patient_output.hpp"
 #include "datasets/bundle_recorder.hpp"
 #include "datasets/tick_line.hpp"
 

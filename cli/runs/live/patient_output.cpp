@@ -1,4 +1,4 @@
-#include "cli/live/patient_output.hpp"
+#include "cli/runs/live/patient_output.hpp"
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -14,7 +14,7 @@
 #include <table/atomic_file.hpp>
 #include <table/printable.hpp>
 
-#include "cli/errors.hpp"
+#include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
 namespace {

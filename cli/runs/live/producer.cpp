@@ -1,4 +1,4 @@
-#include "cli/live/producer.hpp"
+#include "cli/runs/live/producer.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/errors.hpp"
+#include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
 namespace {

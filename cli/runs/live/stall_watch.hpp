@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "cli/live/patient_output.hpp"
+#include "cli/runs/live/patient_output.hpp"
 
 namespace tcert::cli {
 

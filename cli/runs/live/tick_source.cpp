@@ -1,8 +1,8 @@
-#include "cli/live/tick_source.hpp"
+#include "cli/runs/live/tick_source.hpp"
 
 #include <utility>
 
-#include "cli/errors.hpp"
+#include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
 namespace {

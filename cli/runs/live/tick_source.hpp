@@ -9,7 +9,7 @@
 #include <tcert/robot.hpp>
 #include <vector>
 
-#include "cli/live/patient_output.hpp"
+#include "cli/runs/live/patient_output.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/tick_line.hpp"
 

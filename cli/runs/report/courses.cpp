@@ -1,4 +1,4 @@
-#include "cli/report/courses.hpp"
+#include "cli/runs/report/courses.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <table/path_name.hpp>
 #include <utility>
 
-#include "cli/errors.hpp"
+#include "cli/runs/errors.hpp"
 #include "datasets/bundle_files.hpp"
 #include "datasets/world.hpp"
 #include "reports/html/trial_block.hpp"

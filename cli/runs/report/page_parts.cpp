@@ -1,4 +1,4 @@
-#include "cli/report/page_parts.hpp"
+#include "cli/runs/report/page_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <table/bytes.hpp>
 #include <table/json_shape.hpp>
 
-#include "cli/errors.hpp"
+#include "cli/runs/errors.hpp"
 #include "reports/html/packed.hpp"
 
 namespace tcert::cli {

@@ -1,4 +1,4 @@
-#include "cli/report/page_trials.hpp"
+#include "cli/runs/report/page_trials.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "analysis/study/trials/study.hpp"
-#include "cli/errors.hpp"
-#include "cli/progress.hpp"
-#include "cli/report/courses.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/report/courses.hpp"
 #include "reports/html/trial_block.hpp"
 #include "reports/html/trial_list.hpp"
 
@@ -132,6 +132,7 @@ std::size_t ticks_shown(std::size_t trials) noexcept {
 
 std::size_t add_trials(const Results& results,
                        const TrialPageOptions& options,
+                       Progress& progress,
                        PageData& page,
                        std::vector<std::string>& left_out) {
   const Result* result = certified(results);
@@ -159,7 +160,7 @@ std::size_t add_trials(const Results& results,
   const std::size_t limit = options.ticks > 0 ? options.ticks : ticks_shown(trials.size());
   std::vector<Sparkline> sparks(trials.size());
   WorldBlocks worlds(page.worlds);
-  Progress progress("packing trials", trials.size(), options.quiet);
+  Stage stage(progress, "packing trials", trials.size());
   study::in_order(trials.size(), options.threads, [&](std::size_t i) -> std::function<bool()> {
     if (!table::is_file_name(trials.id(i))) {
       throw BadData("'" + result->name + "': the trial_id '" + table::shortened(trials.id(i)) +
@@ -178,7 +179,7 @@ std::size_t add_trials(const Results& results,
     sparks[i] = sparkline(series);
     std::string block = trial_block(series, map, trials.facts(i), limit);
     return [&, block = std::move(block), world = std::move(world)]() mutable {
-      progress.advance();
+      stage.advance();
       const std::string number = world ? std::to_string(worlds.number_of(std::move(*world))) : "";
       page.series.push_back(number + ' ' + block);
       return true;

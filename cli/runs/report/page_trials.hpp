@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/runs/progress.hpp"
 #include "reports/html/page.hpp"
 #include "reports/results/results.hpp"
 
@@ -16,7 +17,6 @@ struct TrialPageOptions {
   std::string bundle;     ///< Where courses are; empty: the corpus of the tree, if it has one.
   std::size_t ticks = 0;  ///< Most a trial; 0: by the number of trials.
   int threads = 0;        ///< 0: all cores.
-  bool quiet = false;
 };
 
 /// Most ticks of a trial on the page: few enough that the page of a study of 660 trials stays below
@@ -29,6 +29,7 @@ struct TrialPageOptions {
 /// used, or the bundle is not the one that was certified; NoInput.
 std::size_t add_trials(const Results& results,
                        const TrialPageOptions& options,
+                       Progress& progress,
                        PageData& page,
                        std::vector<std::string>& left_out);
 

@@ -1,3 +1,5 @@
+#include "cli/runs/report/report.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -5,12 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/errors.hpp"
-#include "cli/options.hpp"
-#include "cli/output.hpp"
-#include "cli/report/page_parts.hpp"
-#include "cli/report/page_trials.hpp"
-#include "cli/result_folder.hpp"
+#include "cli/runs/figures/figures.hpp"
+#include "cli/runs/report/page_parts.hpp"
+#include "cli/runs/report/page_trials.hpp"
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/written_options.hpp"
 #include "reports/figure/figures_of.hpp"
 #include "reports/html/page.hpp"
 #include "reports/html/report_json.hpp"
@@ -19,58 +20,8 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
-    R"(One page of a tree of results, to look at and to send: report.html, which needs no network.
-
-Tables, figures with the numbers behind them, every trial (sorted, filtered, opened tick by tick
-beside its map), every parameter that took effect, and the digests of all that was read and written.
-
-RESULTS is a folder that a command wrote, or one that holds such folders. Results of different inputs
-are refused. Trials need 'certify' (their courses: 'simulate' in the tree, or --bundle).
-
-Usage: tcert report RESULTS [options]
-
-Example:
-  tcert report out/reproduce --output report.html
-  tcert report out/results --bundle out/corpus --output report.html
-  tcert report out/reproduce --output report.html --figures figures
-
-Cost: two seconds and 6 MB of page for 660 trials.
-)";
-
 /// Every column keeps its peaks: fewer ticks than this would not be fewer.
 constexpr double kFewestTicks = 60;
-
-struct ReportOptions {
-  std::string results;
-  std::string bundle;
-  std::string figures;
-  std::string title = "Traversability certificates";
-  std::int64_t ticks = 0;
-};
-
-CommandLine command_line(ReportOptions& o) {
-  CommandLine line{"report",
-                   kText,
-                   uses_config | uses_output | uses_threads,
-                   po::options_description("Options"),
-                   {{"RESULTS", &o.results, true, OptionRole::input}}};
-  line.own.add_options()("bundle",
-                         input(o.bundle, "FOLDER"),
-                         "the logs that the results were made from, for the courses on the maps; "
-                         "needed if RESULTS does "
-                         "not hold them")(
-      "title",
-      po::value(&o.title)->value_name("TEXT")->default_value(o.title),
-      "the page's heading; change it to tell pages apart")(
-      "ticks",
-      po::value(&o.ticks)->value_name("N")->default_value(o.ticks),
-      "most ticks of a trial on the page; 60 or more; more make it larger, 0 goes by the number of "
-      "trials")("figures",
-                output(o.figures, "DIR"),
-                "also write the figures there for a paper, as 'tcert figures' does");
-  return line;
-}
 
 /// share/tcert/page beside the program's own folder: in an installation and in a build alike.
 std::filesystem::path page_folder() {
@@ -127,10 +78,10 @@ Results checked_results(const std::string& folder) {
   }
 }
 
-Manifest manifest_of(const Results& results, const CommonOptions& common) {
+Manifest manifest_of(const Results& results, const ReportRequest& request) {
   Manifest manifest;
   manifest.command = "report";
-  record(common, manifest);
+  record(written(request), manifest);
   manifest.synthetic = results.synthetic;
   for (const Result& result : results.all) {
     const std::string name = result.name == "." ? "" : result.name + "/";
@@ -148,56 +99,71 @@ void add_figures(const Results& results, PageContents& contents) {
   }
 }
 
-int run(Arguments arguments) {
-  ReportOptions options;
-  CommonOptions common;
-  if (!parse(command_line(options), common, arguments)) {
-    return exit_done;
+}  // namespace
+
+OptionTable options_of(ReportRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"RESULTS", &request.results, true, OptionRole::input});
+  table.add_input(
+      "bundle",
+      request.bundle,
+      "FOLDER",
+      "the logs that the results were made from, for the courses on the maps; needed if "
+      "RESULTS does not hold them");
+  table.add("title", request.title, "TEXT", "the page's heading; change it to tell pages apart");
+  table.add("ticks",
+            request.ticks,
+            "N",
+            "most ticks of a trial on the page; 60 or more; more make it larger, 0 goes by the "
+            "number of trials");
+  table.add_output("figures",
+                   request.figures,
+                   "DIR",
+                   "also write the figures there for a paper, as 'tcert figures' does");
+  table.common();
+  add_output_path(table, request.output);
+  add_threads(table, request.threads);
+  table.config_file();
+  return table;
+}
+
+RunResult report(const ReportRequest& request, Progress& progress) {
+  if (request.ticks != 0) {
+    require_range("ticks", static_cast<double>(request.ticks), kFewestTicks, 1e6);
   }
-  if (options.ticks != 0) {
-    require_range("ticks", static_cast<double>(options.ticks), kFewestTicks, 1e6);
-  }
-  const std::string output = common.output.empty() ? "report.html" : common.output;
+  const std::string output = request.output.path.empty() ? "report.html" : request.output.path;
   require_own_file(output);
-  table::require_output_place(options.figures);
+  table::require_output_place(request.figures);
   const PageAssets assets = page_assets();
-  const Results results = checked_results(options.results);
+  const Results results = checked_results(request.results);
 
   PageData page;
   PageContents contents;
-  contents.title = options.title;
+  contents.title = request.title;
   contents.synthetic = results.synthetic;
   contents.results = results.all;
   contents.packages = assets.packages;
   contents.tables = page_tables(results, contents.left_out);
   contents.frames = page_frames(results, page);
   add_figures(results, contents);
-  const std::size_t trials = add_trials(results,
-                                        {options.bundle,
-                                         static_cast<std::size_t>(options.ticks),
-                                         static_cast<int>(common.threads),
-                                         common.quiet},
-                                        page,
-                                        contents.left_out);
+  const std::size_t trials = add_trials(
+      results,
+      {request.bundle, static_cast<std::size_t>(request.ticks), static_cast<int>(request.threads)},
+      progress,
+      page,
+      contents.left_out);
   contents.lead = lead_of(results, trials, contents);
-  page.title = (contents.synthetic ? "SYNTHETIC: " : "") + options.title;
+  page.title = (contents.synthetic ? "SYNTHETIC: " : "") + request.title;
   page.report = report_json(contents);
-  write_with_manifest(output, tcert::page(assets, page), manifest_of(results, common));
-  if (!common.quiet) {
-    say("Report: " + output);
+  write_with_manifest(output, tcert::page(assets, page), manifest_of(results, request));
+  progress.sum_up("Report: " + output);
+  if (request.figures.empty()) {
+    return {};
   }
-  if (!options.figures.empty()) {
-    std::vector<std::string> words = {options.results, "--output", options.figures};
-    if (common.quiet) {
-      words.emplace_back("--quiet");
-    }
-    return kFigures.run(words);
-  }
-  return exit_done;
+  FiguresRequest drawn;
+  drawn.results = request.results;
+  drawn.output.path = request.figures;
+  return figures(drawn, progress);
 }
-
-}  // namespace
-
-const Command kReport = {"report", "one page of a tree of results, to look at and to send", run};
 
 }  // namespace tcert::cli

@@ -1,4 +1,4 @@
-#include "cli/verify/compare.hpp"
+#include "cli/runs/verify/compare.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "cli/verify/find_input.hpp"
+#include "cli/runs/verify/find_input.hpp"
 
 #include <algorithm>
 #include <system_error>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/verify/targets.hpp"
+#include "cli/runs/verify/targets.hpp"
 
 namespace tcert::cli {
 

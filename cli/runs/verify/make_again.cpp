@@ -1,4 +1,4 @@
-#include "cli/verify/make_again.hpp"
+#include "cli/runs/verify/make_again.hpp"
 
 #include <algorithm>
 #include <new>
@@ -9,13 +9,11 @@
 #include <table/regular_file.hpp>
 #include <utility>
 
-#include "cli/command.hpp"
-#include "cli/errors.hpp"
-#include "cli/output.hpp"
-#include "cli/scratch_folder.hpp"
-#include "cli/verify/command_words.hpp"
-#include "cli/verify/compare.hpp"
-#include "cli/verify/find_input.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/scratch_folder.hpp"
+#include "cli/runs/verify/compare.hpp"
+#include "cli/runs/verify/find_input.hpp"
+#include "cli/runs/verify/rerun.hpp"
 #include "reports/manifest_checks.hpp"
 
 namespace tcert::cli {
@@ -37,12 +35,11 @@ bool is_drawn_of(const VerifyTarget& target, const fs::path& results) {
              });
 }
 
-/// The command line that makes the result again; names what cannot be found. \throws
-/// NotReproducible.
-CommandWords words_of(const VerifyTarget& target,
-                      const fs::path& results,
-                      const std::vector<std::string>& inputs,
-                      Finding& finding) {
+/// The run that makes the result again; names what cannot be found. \throws NotReproducible.
+Rerun found_rerun(const VerifyTarget& target,
+                  const fs::path& results,
+                  const std::vector<std::string>& inputs,
+                  Finding& finding) {
   const auto find = [&](const std::string& name, bool first) -> std::optional<std::string> {
     if (first && is_drawn_of(target, results)) {
       return results.string();
@@ -55,20 +52,14 @@ CommandWords words_of(const VerifyTarget& target,
     }
     return path->string();
   };
-  CommandWords words = command_words(target.result.manifest, find);
-  words.words.emplace_back("--quiet");
-  if (words.command == &kAblate || words.command == &kSweep) {
-    words.words.emplace_back("--no-cache");
-  }
-  return words;
+  return rerun_of(target.result.manifest, find);
 }
 
 /// Runs it; false, with the reason in the finding, if nothing came of it.
-bool run_into(CommandWords words, const fs::path& output, Finding& finding) {
-  words.words.insert(words.words.end(), {"--output", output.string()});
-  const SilentPrint silent;
+bool run_into(const Rerun& rerun, const fs::path& output, Progress& progress, Finding& finding) {
+  OnlyWords words(progress);
   try {
-    words.command->run(words.words);
+    rerun(output.string(), words);
     return true;
   } catch (const NoInput& error) {
     finding.obstacles.push_back(std::string("it cannot be made again here: ") + error.what());
@@ -99,6 +90,7 @@ void compare_file(const VerifyTarget& target, const fs::path& again, Finding& fi
 void make_and_compare(const VerifyTarget& target,
                       const fs::path& results,
                       const std::vector<std::string>& inputs,
+                      Progress& progress,
                       Finding& finding) {
   const WrittenResult& manifest = target.result.manifest;
   if (!manifest.arguments) {
@@ -106,9 +98,9 @@ void make_and_compare(const VerifyTarget& target,
                                   ") and cannot be made again");
     return;
   }
-  CommandWords words;
+  Rerun rerun;
   try {
-    words = words_of(target, results, inputs, finding);
+    rerun = found_rerun(target, results, inputs, finding);
   } catch (const NotReproducible& error) {
     finding.differences.emplace_back(error.what());
     return;
@@ -122,7 +114,7 @@ void make_and_compare(const VerifyTarget& target,
   if (is_file) {
     fs::create_directory(again);
   }
-  if (!run_into(std::move(words), again / target.file, finding)) {
+  if (!run_into(rerun, again / target.file, progress, finding)) {
     return;
   }
   const auto now = read_manifest(is_file ? (again / target.file).string() + ".manifest.json"
@@ -151,9 +143,10 @@ void make_and_compare(const VerifyTarget& target,
 
 Finding made_again(const VerifyTarget& target,
                    const fs::path& results,
-                   const std::vector<std::string>& inputs) {
+                   const std::vector<std::string>& inputs,
+                   Progress& progress) {
   Finding finding;
-  make_and_compare(target, results, inputs, finding);
+  make_and_compare(target, results, inputs, progress, finding);
   if (!finding.made_again) {
     for (std::string& difference : file_differences(target)) {
       finding.differences.push_back(std::move(difference));

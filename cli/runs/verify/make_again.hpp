@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/verify/targets.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/verify/targets.hpp"
 
 namespace tcert::cli {
 
@@ -17,12 +18,13 @@ struct Finding {
   bool made_again = false;
 };
 
-/// Runs the target's command with the arguments of its manifest, the inputs found by find_input(),
-/// into a scratch folder, and compares. Where it cannot be run, or its arguments are none that this
-/// tool writes (command_words()), the files are compared with the manifest. \throws
+/// Runs what the target's manifest names with the arguments of its manifest, the inputs found by
+/// find_input(), into a scratch folder, and compares. Where it cannot be run, or its arguments are
+/// none that this tool writes (rerun_of()), the files are compared with the manifest. \throws
 /// std::system_error if a file cannot be read.
 [[nodiscard]] Finding made_again(const VerifyTarget& target,
                                  const std::filesystem::path& results,
-                                 const std::vector<std::string>& inputs);
+                                 const std::vector<std::string>& inputs,
+                                 Progress& progress);
 
 }  // namespace tcert::cli

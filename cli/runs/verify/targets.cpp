@@ -1,4 +1,4 @@
-#include "cli/verify/targets.hpp"
+#include "cli/runs/verify/targets.hpp"
 
 #include <algorithm>
 #include <string_view>
