@@ -29,6 +29,7 @@ extern const Command kSweep;
 extern const Command kReplay;
 extern const Command kExplore;
 extern const Command kGate;
+extern const Command kStudy;
 extern const Command kReport;
 extern const Command kReproduce;
 extern const Command kFigures;

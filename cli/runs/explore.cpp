@@ -25,16 +25,6 @@ using terrain::ExploreResult;
 using terrain::ExploreSetup;
 using terrain::Terrain;
 
-constexpr std::string_view kSyntheticPrefix = "SYNTHETIC data, seed ";
-
-/// The label that `simulate terrain` writes as the first line.
-[[nodiscard]] std::optional<SyntheticLabel> label_of(const TerrainGrid& grid) {
-  if (grid.header.rfind(kSyntheticPrefix, 0) != 0) {
-    return std::nullopt;
-  }
-  return SyntheticLabel{std::strtoull(grid.header.c_str() + kSyntheticPrefix.size(), nullptr, 10)};
-}
-
 /// \throws BadData for a setup that the exploration refuses.
 [[nodiscard]] ExploreResult explored(const Terrain& ground,
                                      const ExploreSetup& setup,

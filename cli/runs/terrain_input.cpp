@@ -54,6 +54,8 @@ template <class Word>
   return rule;
 }
 
+constexpr std::string_view kSyntheticPrefix = "SYNTHETIC data, seed ";
+
 }  // namespace
 
 TerrainFileOptions terrain_file_options(const std::string& header,
@@ -90,6 +92,13 @@ TerrainGrid read_terrain_or_throw(const std::string& path,
     progress.say(path + ": " + note + ".");
   }
   return std::move(*file.terrain);
+}
+
+std::optional<SyntheticLabel> label_of(const TerrainGrid& grid) {
+  if (grid.header.rfind(kSyntheticPrefix, 0) != 0) {
+    return std::nullopt;
+  }
+  return SyntheticLabel{std::strtoull(grid.header.c_str() + kSyntheticPrefix.size(), nullptr, 10)};
 }
 
 terrain::CellSet blocked_cells(const TerrainGrid& terrain,

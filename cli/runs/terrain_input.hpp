@@ -7,6 +7,7 @@
 
 #include "cli/runs/progress.hpp"
 #include "datasets/terrain_file.hpp"
+#include "reports/table.hpp"
 
 namespace tcert::cli {
 
@@ -21,6 +22,9 @@ namespace tcert::cli {
 [[nodiscard]] TerrainGrid read_terrain_or_throw(const std::string& path,
                                                 const TerrainFileOptions& options,
                                                 Progress& progress);
+
+/// The label that `simulate terrain` writes as the first line.
+[[nodiscard]] std::optional<SyntheticLabel> label_of(const TerrainGrid& grid);
 
 /// Cells that are not to be measured or entered: gaps of the terrain and, of the file `obstacles`
 /// if it is not empty, a layer of the same size, all that are not 0. Empty if there are none.

@@ -20,6 +20,7 @@
 #include "cli/runs/report/report.hpp"
 #include "cli/runs/simulate.hpp"
 #include "cli/runs/simulate_terrain.hpp"
+#include "cli/runs/study/study.hpp"
 #include "cli/runs/world.hpp"
 
 namespace tcert::cli {
@@ -200,6 +201,7 @@ constexpr std::array kEntries{
     Entry{"ablate", "", again<AblateRequest, ablate>},
     Entry{"sweep", "", again<SweepRequest, sweep>},
     Entry{"gate", "", again<GateRequest, gate>},
+    Entry{"study", "", again<StudyRequest, study>},
     Entry{"hypotheses", "", again<HypothesesRequest, hypotheses>},
     Entry{"fit", "", again<FitRequest, fit>},
     Entry{"world", "", again<WorldRequest, world>},
