@@ -1,4 +1,4 @@
-#include "reports/fit/cells.hpp"
+#include "reports/fit/matrix_table.hpp"
 
 #include <gtest/gtest.h>
 
