@@ -2,45 +2,65 @@
 
 #include <fmt/format.h>
 
+#include "reports/columns_of.hpp"
+
 namespace tcert {
 namespace {
 
-TableCell count(std::size_t value) { return static_cast<std::int64_t>(value); }
-
-TableCell number_or_missing(const std::optional<double>& value) {
-  return value ? TableCell{Number{*value}} : TableCell{};
+ColumnsOf<StreamCheck> rate_columns(const std::string& name) {
+  return ColumnsOf<StreamCheck>().add(
+      fixed_column(name + "_rate_hz", name, "Hz", 1), [](auto& stream) {
+        return stream.median_rate_hz ? TableCell{Number{*stream.median_rate_hz, 1}} : TableCell{};
+      });
 }
 
-TableCell yes_or_no(const std::optional<bool>& value) {
-  return value ? TableCell{std::string(*value ? "yes" : "no")} : TableCell{};
+/// What a trial that is not rejected has; of a merged log the rows of single streams are unknown.
+ColumnsOf<TrialCheck> accepted_columns() {
+  return ColumnsOf<TrialCheck>()
+      .integer("pose_rows", "pose rows", [](auto& r) { return r.pose.rows; })
+      .part(rate_columns("pose"), [](auto& r) { return &r.pose; })
+      .integer("tactile_rows",
+               "tactile rows",
+               [](auto& r) { return r.merged ? std::nullopt : std::optional(r.tactile.rows); })
+      .part(rate_columns("tactile"), [](auto& r) { return &r.tactile; })
+      .integer("control_rows",
+               "control rows",
+               [](auto& r) { return r.merged ? std::nullopt : std::optional(r.control.rows); })
+      .part(rate_columns("control"), [](auto& r) { return &r.control; })
+      .integer("ticks", "ticks", &TrialCheck::ticks)
+      .integer("stale_ticks", "stale", &TrialCheck::stale_ticks)
+      .integer("breaks", "breaks", &TrialCheck::breaks)
+      .fixed("duration_s", "duration", "s", 1, &TrialCheck::duration_s)
+      .fixed("distance_m", "distance", "m", 2, &TrialCheck::distance_m)
+      .yes_or_no("starts_in_start", "starts in S", &TrialCheck::starts_in_start)
+      .yes_or_no("ends_in_goal", "ends in G", &TrialCheck::ends_in_goal);
 }
 
-TableCell rate(const StreamCheck& stream) {
-  return stream.median_rate_hz ? TableCell{Number{*stream.median_rate_hz, 1}} : TableCell{};
+struct NamedCheck {
+  const std::string& trial_id;
+  const TrialCheck& check;
+};
+
+ColumnsOf<NamedCheck> check_columns() {
+  return ColumnsOf<NamedCheck>()
+      .text("trial_id", "trial", [](auto& r) { return r.trial_id; })
+      .yes_or_no("rejected", "rejected", [](auto& r) { return r.check.rejected; })
+      .part(accepted_columns(), [](auto& r) { return r.check.rejected ? nullptr : &r.check; });
 }
 
 }  // namespace
 
 Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
-  Table table;
-  table.name = "columns";
-  table.title = "Columns of " + file;
-  table.columns = {{"column", "column", "", ColumnKind::text},
-                   {"numbers", "numbers", "", ColumnKind::integer},
-                   {"truths", "truth values", "", ColumnKind::integer},
-                   {"missing", "missing", "", ColumnKind::integer},
-                   {"texts", "texts", "", ColumnKind::integer},
-                   {"least", "least", "", ColumnKind::number, 6},
-                   {"largest", "largest", "", ColumnKind::number, 6}};
-  for (const table::ColumnCheck& column : check.columns) {
-    table.add_row({column.name,
-                   count(column.numbers),
-                   count(column.truths),
-                   count(column.missing),
-                   count(column.texts),
-                   number_or_missing(column.least),
-                   number_or_missing(column.largest)});
-  }
+  using Found = table::ColumnCheck;
+  const auto columns = ColumnsOf<Found>()
+                           .text("column", "column", &Found::name)
+                           .integer("numbers", "numbers", &Found::numbers)
+                           .integer("truths", "truth values", &Found::truths)
+                           .integer("missing", "missing", &Found::missing)
+                           .integer("texts", "texts", &Found::texts)
+                           .fixed("least", "least", "", 6, &Found::least)
+                           .fixed("largest", "largest", "", 6, &Found::largest);
+  Table table = columns.table("columns", "Columns of " + file, check.columns);
   table.footnotes.push_back(fmt::format(
       "{} rows, separator {}, {}, {} lines before it.",
       check.rows,
@@ -63,53 +83,14 @@ Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
 }
 
 Table trial_check_table(const std::optional<SyntheticLabel>& synthetic) {
-  Table table;
-  table.name = "trials";
-  table.title = "Logs by trial";
+  Table table = check_columns().table("trials", "Logs by trial");
   table.synthetic = synthetic;
-  table.columns = {{"trial_id", "trial", "", ColumnKind::text},
-                   {"rejected", "rejected", "", ColumnKind::text},
-                   {"pose_rows", "pose rows", "", ColumnKind::integer},
-                   {"pose_rate_hz", "pose", "Hz", ColumnKind::number, 1},
-                   {"tactile_rows", "tactile rows", "", ColumnKind::integer},
-                   {"tactile_rate_hz", "tactile", "Hz", ColumnKind::number, 1},
-                   {"control_rows", "control rows", "", ColumnKind::integer},
-                   {"control_rate_hz", "control", "Hz", ColumnKind::number, 1},
-                   {"ticks", "ticks", "", ColumnKind::integer},
-                   {"stale_ticks", "stale", "", ColumnKind::integer},
-                   {"breaks", "breaks", "", ColumnKind::integer},
-                   {"duration_s", "duration", "s", ColumnKind::number, 1},
-                   {"distance_m", "distance", "m", ColumnKind::number, 2},
-                   {"starts_in_start", "starts in S", "", ColumnKind::text},
-                   {"ends_in_goal", "ends in G", "", ColumnKind::text}};
   return table;
 }
 
 std::vector<TableCell> trial_check_row(const std::string& trial_id, const TrialCheck& check) {
-  if (check.rejected) {
-    std::vector<TableCell> row(15);
-    row[0] = trial_id;
-    row[1] = std::string("yes");
-    return row;
-  }
-  const auto rows = [&check](const StreamCheck& stream) {
-    return check.merged ? TableCell{} : count(stream.rows);
-  };
-  return {trial_id,
-          std::string("no"),
-          count(check.pose.rows),
-          rate(check.pose),
-          rows(check.tactile),
-          rate(check.tactile),
-          rows(check.control),
-          rate(check.control),
-          count(check.ticks),
-          count(check.stale_ticks),
-          count(check.breaks),
-          number_or_missing(check.duration_s),
-          number_or_missing(check.distance_m),
-          yes_or_no(check.starts_in_start),
-          yes_or_no(check.ends_in_goal)};
+  static const ColumnsOf<NamedCheck> columns = check_columns();
+  return columns.row({trial_id, check});
 }
 
 }  // namespace tcert

@@ -12,4 +12,9 @@ struct ColumnDoc {
   std::string doc;   ///< One line, no full stop.
 };
 
+/// Of the last column of every synthetic table.
+[[nodiscard]] inline ColumnDoc synthetic_seed_doc() {
+  return {"synthetic_seed", "", "seed of synthetic data; not in real data"};
+}
+
 }  // namespace tcert

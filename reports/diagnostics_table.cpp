@@ -1,46 +1,48 @@
 #include "reports/diagnostics_table.hpp"
 
 #include <array>
-#include <string_view>
+
+#include "reports/columns_of.hpp"
 
 namespace tcert {
 namespace {
 
-constexpr std::array<std::string_view, 3> kSeverities = {"note", "warning", "error"};
+using table::Diagnostic;
 
-TableCell text_or_missing(const std::string& text) {
-  return text.empty() ? TableCell{} : TableCell{text};
+constexpr std::array kSeverities = {"note", "warning", "error"};
+
+struct Problem {
+  const std::string& trial_id;
+  const Diagnostic& of;
+};
+
+ColumnsOf<Problem> problem_columns() {
+  return ColumnsOf<Problem>()
+      .text("trial_id", "trial", [](auto& r) { return not_empty(r.trial_id); })
+      .text("severity",
+            "severity",
+            [](auto& r) { return kSeverities[static_cast<std::size_t>(r.of.severity)]; })
+      .text("file", "file", [](auto& r) { return not_empty(r.of.file); })
+      .integer("line",
+               "line",
+               [](auto& r) { return r.of.line == 0 ? std::nullopt : std::optional(r.of.line); })
+      .text("column", "column", [](auto& r) { return not_empty(r.of.column); })
+      .text("value", "found", [](auto& r) { return not_empty(r.of.value); })
+      .text("expectation", "expected", [](auto& r) { return not_empty(r.of.expectation); })
+      .integer("count", "count", [](auto& r) { return r.of.count; });
 }
 
 }  // namespace
 
 Table diagnostics_table(const std::optional<SyntheticLabel>& synthetic) {
-  Table table;
-  table.name = "diagnostics";
-  table.title = "Problems of the inputs";
+  Table table = problem_columns().table("diagnostics", "Problems of the inputs");
   table.synthetic = synthetic;
-  table.columns = {{"trial_id", "trial", "", ColumnKind::text},
-                   {"severity", "severity", "", ColumnKind::text},
-                   {"file", "file", "", ColumnKind::text},
-                   {"line", "line", "", ColumnKind::integer},
-                   {"column", "column", "", ColumnKind::text},
-                   {"value", "found", "", ColumnKind::text},
-                   {"expectation", "expected", "", ColumnKind::text},
-                   {"count", "count", "", ColumnKind::integer}};
   return table;
 }
 
-std::vector<TableCell> diagnostics_row(const std::string& trial_id,
-                                       const table::Diagnostic& diagnostic) {
-  return {
-      text_or_missing(trial_id),
-      std::string(kSeverities[static_cast<std::size_t>(diagnostic.severity)]),
-      text_or_missing(diagnostic.file),
-      diagnostic.line == 0 ? TableCell{} : TableCell{static_cast<std::int64_t>(diagnostic.line)},
-      text_or_missing(diagnostic.column),
-      text_or_missing(diagnostic.value),
-      text_or_missing(diagnostic.expectation),
-      static_cast<std::int64_t>(diagnostic.count)};
+std::vector<TableCell> diagnostics_row(const std::string& trial_id, const Diagnostic& diagnostic) {
+  static const ColumnsOf<Problem> columns = problem_columns();
+  return columns.row({trial_id, diagnostic});
 }
 
 }  // namespace tcert

@@ -1,98 +1,141 @@
 #include "reports/features_table.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <set>
 #include <string>
-#include <string_view>
 #include <table/nearest_name.hpp>
 
 #include "datasets/trial_table.hpp"
+#include "reports/columns_of.hpp"
 #include "reports/series.hpp"
 
 namespace tcert {
 namespace {
 
-TableCell cell_of(const std::optional<double>& value) {
+using study::TrialRecord;
+
+/// A whole number has no decimals in print.
+TableCell short_cell(const std::optional<double>& value) {
   return value ? TableCell{Number{*value, std::trunc(*value) == *value ? 0 : kColumnDecimals}}
                : TableCell{};
 }
-TableCell cell_of(const std::optional<bool>& value) {
-  return value ? TableCell{std::int64_t{*value ? 1 : 0}} : TableCell{};
+
+ColumnsOf<TrialRow> name_columns() {
+  return ColumnsOf<TrialRow>()
+      .text("trial_id", "trial", [](auto& r) { return not_empty(r.trial_id); })
+      .doc("name of the trial, as in trials.csv");
 }
 
-TableCell text_or_missing(std::string_view text) {
-  return text.empty() ? TableCell{} : TableCell{std::string(text)};
-}
-
-struct Described {
-  Column column;
-  std::string_view doc;
-};
-
-Column text_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::text};
-}
-
-Column integer_column(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "", ColumnKind::integer};
-}
-
-Column number_column(std::string name, std::string heading, std::string unit, int decimals) {
-  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
+ColumnsOf<TrialRow> success_columns() {
+  return ColumnsOf<TrialRow>()
+      .integer("success", "success", &TrialRow::success)
+      .doc("1 if the trial succeeded, 0 if it failed");
 }
 
 /// Of the trial's row in trials.csv.
-std::vector<Described> trial_columns() {
-  return {{text_column("trial_id", "trial"), "name of the trial, as in trials.csv"},
-          {text_column("algorithm", "algorithm"), "what controlled the robot"},
-          {text_column("lighting", "lighting"), "as in trials.csv"},
-          {text_column("day", "day"), "trials of one day share a cluster"},
-          {text_column("batch", "batch"), "as in trials.csv"},
-          {integer_column("success", "success"), "1 if the trial succeeded, 0 if it failed"},
-          {number_column("time_s", "time", "s", 1), "to egress, or to the end of a failed trial"},
-          {number_column("distance_m", "distance", "m", 2), "driven, as in trials.csv"},
-          {text_column("end_reason", "end"), "how the trial ended"}};
+ColumnsOf<TrialRow> trial_columns() {
+  const auto whole = [](const TrialRow& r) -> const TrialRow* { return &r; };
+  return name_columns()
+      .text("algorithm", "algorithm", [](auto& r) { return not_empty(r.algorithm); })
+      .doc("what controlled the robot")
+      .text("lighting", "lighting", [](auto& r) { return not_empty(r.lighting); })
+      .doc("as in trials.csv")
+      .text("day", "day", [](auto& r) { return not_empty(r.day); })
+      .doc("trials of one day share a cluster")
+      .text("batch", "batch", [](auto& r) { return not_empty(r.batch); })
+      .doc("as in trials.csv")
+      .part(success_columns(), whole)
+      .add(fixed_column("time_s", "time", "s", 1), [](auto& r) { return short_cell(r.time_s); })
+      .doc("to egress, or to the end of a failed trial")
+      .add(fixed_column("distance_m", "distance", "m", 2),
+           [](auto& r) { return short_cell(r.distance_m); })
+      .doc("driven, as in trials.csv")
+      .text("end_reason",
+            "end",
+            [](auto& r) { return not_empty(std::string(to_string(r.end_reason))); })
+      .doc("how the trial ended");
 }
 
-/// Of its control samples.
-std::vector<Described> control_columns() {
-  return {{number_column("median_speed_cmd_mps", "commanded speed", "m/s", 3),
-           "median of the speed commands"},
-          {number_column("median_loop_latency_ms", "latency", "ms", 3),
-           "median of the control loop's latency"}};
-}
-
-std::vector<Described> certificate_columns() {
-  return {{text_column("trial_id", "trial"), "name of the trial, as in trials.csv"},
-          {integer_column("success", "success"), "1 if the trial succeeded, 0 if it failed"},
-          {integer_column("issued", "issued"), "1 if a certificate was issued, else 0"},
-          {number_column("issued_s", "issued at", "s", 1),
-           "when it was issued, seconds since the first tick"},
-          {number_column("certificate_m", "T_t", "m", 3),
-           "bottleneck margin of the widest path from S to G at the last tick"},
-          {number_column("corridor_value_m", "V_t", "m", 3),
-           "bottleneck margin of the widest path from S to the last node"},
-          {integer_column("bottleneck_edge", "bottleneck edge"),
-           "number of the edge that decides the certificate"},
-          {number_column("bottleneck_x_m", "x", "m", 2), "pose of the bottleneck"},
-          {number_column("bottleneck_y_m", "y", "m", 2), "the same"},
-          {number_column("bottleneck_yaw_rad", "yaw", "rad", 2), "the same"},
-          {number_column("bottleneck_margin_m", "margin", "m", 3), "margin there"},
-          {number_column("bottleneck_width_m", "width", "m", 3), "width there"},
-          {number_column("bottleneck_turn_radius_m", "turn radius", "m", 2), "turn radius there"},
-          {integer_column("ticks", "ticks"), "of the log"},
-          {integer_column("nodes", "nodes"), "of the graph at the end"},
-          {integer_column("edges", "edges"), "of the graph at the end"},
-          {text_column("flags", "flags"), "every flag that any tick had, + between"},
-          {text_column("log_sha256", "SHA-256 of the log"), "digest of the log's files"}};
-}
-
-void append_docs(const std::vector<Described>& columns, std::vector<ColumnDoc>& docs) {
-  for (const Described& one : columns) {
-    docs.push_back({one.column.name, one.column.unit, std::string(one.doc)});
+/// But for those of trials.csv that are the bundle's own.
+ColumnsOf<TrialRecord> feature_columns() {
+  ColumnsOf<TrialRecord> columns;
+  columns.part(trial_columns(), [](auto& r) { return &r.row.trial; });
+  for (const study::FeatureColumn& feature : study::feature_columns()) {
+    const std::string name(feature.name);
+    columns
+        .add(fixed_column(name, name, std::string(feature.unit)),
+             [get = feature.get](auto& r) { return short_cell(get(r.row.features)); })
+        .doc(std::string(feature.meaning));
   }
+  columns
+      .add(fixed_column("median_speed_cmd_mps", "commanded speed", "m/s"),
+           [](auto& r) { return short_cell(r.median_speed_cmd_mps); })
+      .doc("median of the speed commands")
+      .add(fixed_column("median_loop_latency_ms", "latency", "ms"),
+           [](auto& r) { return short_cell(r.median_loop_latency_ms); })
+      .doc("median of the control loop's latency");
+  return columns;
+}
+
+struct CertifiedTrial {
+  const study::StudiedTrial& trial;
+  const std::string& log_sha256;
+
+  [[nodiscard]] CertifiedTick last() const {
+    return trial.series.ticks.empty() ? CertifiedTick{} : trial.series.ticks.back();
+  }
+  [[nodiscard]] std::uint32_t flags() const {
+    std::uint32_t flags = 0;
+    for (const CertifiedTick& tick : trial.series.ticks) {
+      flags |= tick.flags;
+    }
+    return flags;
+  }
+};
+
+ColumnsOf<Bottleneck> bottleneck_columns() {
+  return ColumnsOf<Bottleneck>()
+      .integer("bottleneck_edge", "bottleneck edge", &Bottleneck::edge)
+      .doc("number of the edge that decides the certificate")
+      .fixed("bottleneck_x_m", "x", "m", 2, [](auto& b) { return b.pose.position.x_m; })
+      .doc("pose of the bottleneck")
+      .fixed("bottleneck_y_m", "y", "m", 2, [](auto& b) { return b.pose.position.y_m; })
+      .doc("the same")
+      .fixed("bottleneck_yaw_rad", "yaw", "rad", 2, [](auto& b) { return b.pose.yaw_rad; })
+      .doc("the same")
+      .fixed("bottleneck_margin_m", "margin", "m", 3, &Bottleneck::margin_m)
+      .doc("margin there")
+      .fixed("bottleneck_width_m", "width", "m", 3, &Bottleneck::width_m)
+      .doc("width there")
+      .fixed("bottleneck_turn_radius_m", "turn radius", "m", 2, &Bottleneck::turn_radius_m)
+      .doc("turn radius there");
+}
+
+ColumnsOf<CertifiedTrial> certificate_columns() {
+  return ColumnsOf<CertifiedTrial>()
+      .part(name_columns(), [](auto& r) { return r.trial.row; })
+      .part(success_columns(), [](auto& r) { return r.trial.row; })
+      .integer("issued", "issued", [](auto& r) { return r.last().issued; })
+      .doc("1 if a certificate was issued, else 0")
+      .add(fixed_column("issued_s", "issued at", "s", 1),
+           [](auto& r) { return short_cell(r.trial.features.issued_s); })
+      .doc("when it was issued, seconds since the first tick")
+      .add(fixed_column("certificate_m", "T_t", "m"),
+           [](auto& r) { return short_cell(r.trial.features.certificate_m); })
+      .doc("bottleneck margin of the widest path from S to G at the last tick")
+      .fixed("corridor_value_m", "V_t", "m", 3, [](auto& r) { return r.last().corridor_value_m; })
+      .doc("bottleneck margin of the widest path from S to the last node")
+      .part(bottleneck_columns(), [](auto& r) { return r.trial.series.bottleneck; })
+      .integer("ticks", "ticks", [](auto& r) { return r.trial.series.ticks.size(); })
+      .doc("of the log")
+      .integer("nodes", "nodes", [](auto& r) { return r.last().nodes; })
+      .doc("of the graph at the end")
+      .integer("edges", "edges", [](auto& r) { return r.last().edges; })
+      .doc("of the graph at the end")
+      .text("flags", "flags", [](auto& r) { return not_empty(flag_words(r.flags())); })
+      .doc("every flag that any tick had, + between")
+      .text("log_sha256", "SHA-256 of the log", [](auto& r) { return not_empty(r.log_sha256); })
+      .doc("digest of the log's files");
 }
 
 }  // namespace
@@ -102,20 +145,8 @@ std::optional<SyntheticLabel> synthetic_label(const BundleInfo& info) {
 }
 
 Table features_table(const Bundle& bundle) {
-  Table table;
-  table.name = "features";
-  table.title = "Features of each trial";
+  Table table = feature_columns().table("features", "Features of each trial");
   table.synthetic = synthetic_label(bundle.info);
-  for (const Described& one : trial_columns()) {
-    table.columns.push_back(one.column);
-  }
-  for (const study::FeatureColumn& column : study::feature_columns()) {
-    const std::string name(column.name);
-    table.columns.push_back({name, name, std::string(column.unit), ColumnKind::number});
-  }
-  for (const Described& one : control_columns()) {
-    table.columns.push_back(one.column);
-  }
   std::set<std::string> taken;
   for (const Column& column : table.columns) {
     taken.insert(table::case_folded(column.name));
@@ -129,92 +160,38 @@ Table features_table(const Bundle& bundle) {
   return table;
 }
 
-std::vector<TableCell> features_row(const study::TrialRecord& trial) {
-  const TrialRow& row = trial.row.trial;
-  std::vector<TableCell> cells = {text_or_missing(row.trial_id),
-                                  text_or_missing(row.algorithm),
-                                  text_or_missing(row.lighting),
-                                  text_or_missing(row.day),
-                                  text_or_missing(row.batch),
-                                  cell_of(row.success),
-                                  cell_of(row.time_s),
-                                  cell_of(row.distance_m),
-                                  text_or_missing(to_string(row.end_reason))};
-  for (const study::FeatureColumn& column : study::feature_columns()) {
-    cells.push_back(cell_of(column.get(trial.row.features)));
-  }
-  cells.push_back(cell_of(trial.median_speed_cmd_mps));
-  cells.push_back(cell_of(trial.median_loop_latency_ms));
-  for (const std::string& extra : row.extra) {
-    cells.push_back(text_or_missing(extra));
+std::vector<TableCell> features_row(const TrialRecord& trial) {
+  static const ColumnsOf<TrialRecord> columns = feature_columns();
+  std::vector<TableCell> cells = columns.row(trial);
+  for (const std::string& extra : trial.row.trial.extra) {
+    cells.push_back(text_cell(not_empty(extra)));
   }
   return cells;
 }
 
 Table certificates_table(const Bundle& bundle) {
-  Table table;
-  table.name = "certificates";
-  table.title = "Certificate of each trial";
+  Table table = certificate_columns().table("certificates", "Certificate of each trial");
   table.synthetic = synthetic_label(bundle.info);
-  for (const Described& one : certificate_columns()) {
-    table.columns.push_back(one.column);
-  }
   return table;
 }
 
 std::vector<ColumnDoc> feature_column_docs() {
-  std::vector<ColumnDoc> docs;
-  append_docs(trial_columns(), docs);
-  for (const study::FeatureColumn& column : study::feature_columns()) {
-    docs.push_back(
-        {std::string(column.name), std::string(column.unit), std::string(column.meaning)});
-  }
-  append_docs(control_columns(), docs);
+  std::vector<ColumnDoc> docs = feature_columns().docs();
   docs.push_back({"...", "", "further columns of trials.csv, as they are"});
-  docs.push_back({"synthetic_seed", "", "seed of synthetic data; not in real data"});
+  docs.push_back(synthetic_seed_doc());
   return docs;
 }
 
 std::vector<ColumnDoc> certificate_column_docs() {
-  std::vector<ColumnDoc> docs;
-  append_docs(certificate_columns(), docs);
-  docs.push_back({"synthetic_seed", "", "seed of synthetic data; not in real data"});
+  std::vector<ColumnDoc> docs = certificate_columns().docs();
+  docs.push_back(synthetic_seed_doc());
   return docs;
 }
 
 std::vector<TableCell> certificates_row(const study::StudiedTrial& trial,
                                         const std::string& log_sha256) {
-  const auto& ticks = trial.series.ticks;
-  const CertifiedTick last = ticks.empty() ? CertifiedTick{} : ticks.back();
-  std::uint32_t flags = 0;
-  for (const CertifiedTick& tick : ticks) {
-    flags |= tick.flags;
-  }
-  std::vector<TableCell> cells = {text_or_missing(trial.row->trial_id),
-                                  cell_of(trial.row->success),
-                                  std::int64_t{last.issued ? 1 : 0},
-                                  cell_of(trial.features.issued_s),
-                                  cell_of(trial.features.certificate_m),
-                                  Number{last.corridor_value_m}};
-  if (const auto& b = trial.series.bottleneck) {
-    cells.insert(cells.end(),
-                 {std::int64_t{b->edge},
-                  Number{b->pose.position.x_m},
-                  Number{b->pose.position.y_m},
-                  Number{b->pose.yaw_rad},
-                  Number{b->margin_m},
-                  Number{b->width_m},
-                  Number{b->turn_radius_m}});
-  } else {
-    cells.insert(cells.end(), 7, TableCell{});
-  }
-  cells.insert(cells.end(),
-               {static_cast<std::int64_t>(ticks.size()),
-                std::int64_t{last.nodes},
-                std::int64_t{last.edges},
-                text_or_missing(flag_words(flags)),
-                text_or_missing(log_sha256)});
-  return cells;
+  static const ColumnsOf<CertifiedTrial> columns = certificate_columns();
+  return columns.row({trial, log_sha256});
 }
 
 }  // namespace tcert

@@ -3,16 +3,15 @@
 #include <limits>
 #include <string>
 
-#include "reports/fit/cells.hpp"
+#include "reports/columns_of.hpp"
 
 namespace tcert {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Of metres.
+constexpr int kDecimals = 4;
 
-Column metres(std::string name, std::string heading) {
-  return {std::move(name), std::move(heading), "m", ColumnKind::number, 4};
-}
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string words_of(study::ConfidenceSetKind kind) {
   switch (kind) {
@@ -28,39 +27,57 @@ std::string words_of(study::ConfidenceSetKind kind) {
   return "none";
 }
 
+struct Method {
+  std::string name;
+  const study::EvenChance& even;
+  const study::ConfidenceSet& set;
+};
+
+/// The ends of what is not the whole line or nothing.
+struct Ends {
+  double low;
+  double high;
+  std::optional<double> width;  ///< Of a bounded set.
+};
+
+std::optional<Ends> ends_of(const Method& method) {
+  const study::ConfidenceSet& set = method.set;
+  switch (set.kind) {
+    case study::ConfidenceSetKind::bounded:
+      return Ends{set.low, set.high, set.high - set.low};
+    case study::ConfidenceSetKind::two_rays:
+      return Ends{set.low, set.high, {}};
+    case study::ConfidenceSetKind::whole_line:
+    case study::ConfidenceSetKind::unknown:
+      break;
+  }
+  return std::nullopt;
+}
+
 Table point_table(const study::GateStudy& study) {
   const study::EvenChance& even = study.even;
-  Table table;
-  table.name = "gate";
-  table.title = "Margin of an even chance to pass: -alpha / beta";
-  table.n = static_cast<std::int64_t>(even.rows);
-  table.columns = {text_column("method", "method"),
-                   metres("point_m", "50 % point"),
-                   text_column("set", "set"),
-                   metres("low_m", "low"),
-                   metres("high_m", "high"),
-                   metres("width_m", "width"),
-                   text_column("covers_zero", "covers 0")};
-  const auto add = [&](const char* method, const study::ConfidenceSet& set) {
-    const bool has_ends = set.kind == study::ConfidenceSetKind::bounded ||
-                          set.kind == study::ConfidenceSetKind::two_rays;
-    const bool bounded = set.kind == study::ConfidenceSetKind::bounded;
-    table.add_row({std::string(method),
-                   number_cell(even.point),
-                   words_of(set.kind),
-                   has_ends ? TableCell{Number{set.low}} : TableCell{},
-                   has_ends ? TableCell{Number{set.high}} : TableCell{},
-                   bounded ? TableCell{Number{set.high - set.low}} : TableCell{},
-                   set.kind == study::ConfidenceSetKind::unknown
-                       ? TableCell{}
-                       : TableCell{std::string(set.covers(0.0) ? "yes" : "no")}});
-  };
-  add("Fieller", even.fieller);
-  add("profile", even.profile);
+  const auto ends = ColumnsOf<Ends>()
+                        .fixed("low_m", "low", "m", kDecimals, &Ends::low)
+                        .fixed("high_m", "high", "m", kDecimals, &Ends::high)
+                        .fixed("width_m", "width", "m", kDecimals, &Ends::width);
+  const auto columns =
+      ColumnsOf<Method>()
+          .text("method", "method", &Method::name)
+          .fixed("point_m", "50 % point", "m", kDecimals, [](auto& r) { return r.even.point; })
+          .text("set", "set", [](auto& r) { return words_of(r.set.kind); })
+          .part(ends, ends_of)
+          .yes_or_no("covers_zero", "covers 0", [](auto& r) {
+            return r.set.kind == study::ConfidenceSetKind::unknown
+                       ? std::nullopt
+                       : std::optional(r.set.covers(0.0));
+          });
+  std::vector<Method> methods{{"Fieller", even, even.fieller}, {"profile", even, even.profile}};
   if (study.options.replicates > 0) {
-    add("bootstrap percentile", even.percentile);
-    add("bootstrap BCa", even.bca);
+    methods.push_back({"bootstrap percentile", even, even.percentile});
+    methods.push_back({"bootstrap BCa", even, even.bca});
   }
+  Table table = columns.table("gate", "Margin of an even chance to pass: -alpha / beta", methods);
+  table.n = static_cast<std::int64_t>(even.rows);
   table.footnotes = {
       "The margin is the smallest tick margin of the pass. Its distance from 0 is the "
       "bias of the certificate's threshold, sensor noise included.",
@@ -78,76 +95,61 @@ Table point_table(const study::GateStudy& study) {
 }
 
 Table slope_table(const study::EvenChance& even) {
-  Table table;
-  table.name = "gate_slope";
-  table.title = "logit Pr(success) = alpha + beta margin";
-  table.columns = {text_column("term", "term"),
-                   number_column("estimate", "estimate"),
-                   number_column("std.error", "SE"),
-                   p_column(),
-                   number_column("wald_low", "Wald low"),
-                   number_column("wald_high", "high"),
-                   number_column("profile_low", "profile low"),
-                   number_column("profile_high", "high")};
-  table.add_row({std::string("alpha"),
-                 number_cell(even.intercept),
-                 number_cell(even.intercept_std_error),
-                 {},
-                 {},
-                 {},
-                 {},
-                 {}});
-  table.add_row({std::string("beta"),
-                 number_cell(even.slope),
-                 number_cell(even.slope_std_error),
-                 p_cell(even.slope_p),
-                 low_cell(even.slope_wald),
-                 high_cell(even.slope_wald),
-                 low_cell(even.slope_profile),
-                 high_cell(even.slope_profile)});
+  struct Coefficient {
+    std::string name;
+    std::optional<double> estimate;
+    std::optional<double> std_error;
+    std::optional<double> p_value;
+    std::optional<statistics::Interval> wald;
+    std::optional<statistics::Interval> profile;
+  };
+  const auto columns =
+      ColumnsOf<Coefficient>()
+          .text("term", "term", &Coefficient::name)
+          .number("estimate", "estimate", &Coefficient::estimate)
+          .number("std.error", "SE", &Coefficient::std_error)
+          .p("p.value", "p", &Coefficient::p_value)
+          .ends({"wald_low", "Wald low"}, {"wald_high", "high"}, &Coefficient::wald)
+          .ends({"profile_low", "profile low"}, {"profile_high", "high"}, &Coefficient::profile);
+  Table table = columns.table("gate_slope", "logit Pr(success) = alpha + beta margin");
+  table.add_row(columns.row({"alpha", even.intercept, even.intercept_std_error, {}, {}, {}}));
+  table.add_row(columns.row({"beta",
+                             even.slope,
+                             even.slope_std_error,
+                             even.slope_p,
+                             even.slope_wald,
+                             even.slope_profile}));
   table.footnotes = {"beta is per metre of margin."};
   return table;
 }
 
 Table calibration_table(const study::GateStudy& study) {
-  Table table;
-  table.name = "gate_calibration";
-  table.title = "Calibration: passes of like margin";
-  table.columns = {integer_column("passes", "passes"),
-                   metres("mean_margin_m", "mean margin"),
-                   integer_column("successes", "successes"),
-                   {"observed", "observed", "", ColumnKind::estimate, 3},
-                   {"predicted", "predicted", "", ColumnKind::number, 3}};
-  for (const study::GateCalibration& group : study.calibration) {
-    table.add_row(
-        {integer_cell(group.passes),
-         Number{group.mean_margin_m},
-         integer_cell(group.successes),
-         Estimate{group.observed, group.observed_interval.low, group.observed_interval.high},
-         Number{group.predicted}});
-  }
+  using Group = study::GateCalibration;
+  Table table =
+      ColumnsOf<Group>()
+          .integer("passes", "passes", &Group::passes)
+          .fixed("mean_margin_m", "mean margin", "m", kDecimals, &Group::mean_margin_m)
+          .integer("successes", "successes", &Group::successes)
+          .estimate("observed",
+                    "observed",
+                    [](auto& group) { return Estimated(group.observed, group.observed_interval); })
+          .fixed("predicted", "predicted", &Group::predicted)
+          .table("gate_calibration", "Calibration: passes of like margin", study.calibration);
   table.footnotes = {"observed: Wilson's interval. predicted: of the model fitted to all passes."};
   return table;
 }
 
 Table model_table(const statistics::LogisticFit& fit) {
-  Table table;
-  table.name = "gate_model";
-  table.title = "With the least certificate before the gate as second predictor";
-  table.columns = {text_column("term", "term"),
-                   number_column("estimate", "estimate"),
-                   number_column("std.error", "SE"),
-                   p_column(),
-                   number_column("conf.low", "low"),
-                   number_column("conf.high", "high")};
-  for (const statistics::LogisticCoefficient& one : fit.coefficients) {
-    table.add_row({one.column,
-                   number_cell(one.estimate),
-                   number_cell(one.standard_error),
-                   p_cell(one.p_value),
-                   low_cell(one.interval),
-                   high_cell(one.interval)});
-  }
+  using Coefficient = statistics::LogisticCoefficient;
+  Table table = ColumnsOf<Coefficient>()
+                    .text("term", "term", &Coefficient::column)
+                    .number("estimate", "estimate", &Coefficient::estimate)
+                    .number("std.error", "SE", &Coefficient::standard_error)
+                    .p("p.value", "p", &Coefficient::p_value)
+                    .ends({"conf.low", "low"}, {"conf.high", "high"}, &Coefficient::interval)
+                    .table("gate_model",
+                           "With the least certificate before the gate as second predictor",
+                           fit.coefficients);
   table.footnotes = {std::to_string(fit.rows) + " passes; Wald intervals; per metre."};
   for (const statistics::Condition& condition : fit.conditions) {
     table.footnotes.push_back(statistics::to_string(condition) + ".");
@@ -156,33 +158,34 @@ Table model_table(const statistics::LogisticFit& fit) {
 }
 
 Table pass_table(const study::GateStudy& study) {
-  Table table;
-  table.name = "gate_passes";
-  table.title = "The passes";
-  table.columns = {text_column("trial_id", "pass"),
-                   integer_column("success", "success"),
-                   metres("bottleneck_m", "bottleneck margin"),
-                   metres("before_m", "certificate before")};
-  for (const study::GateRow& row : study.rows) {
-    table.add_row({row.trial_id,
-                   row.success ? integer_cell(*row.success ? 1 : 0) : TableCell{},
-                   number_cell(row.pass.bottleneck_m),
-                   row.pass.before_m && *row.pass.before_m > -kInfinity
-                       ? number_cell(row.pass.before_m)
-                       : TableCell{}});
-  }
-  return table;
+  using Row = study::GateRow;
+  return ColumnsOf<Row>()
+      .text("trial_id", "pass", &Row::trial_id)
+      .integer("success", "success", &Row::success)
+      .fixed("bottleneck_m",
+             "bottleneck margin",
+             "m",
+             kDecimals,
+             [](auto& row) { return row.pass.bottleneck_m; })
+      .fixed("before_m",
+             "certificate before",
+             "m",
+             kDecimals,
+             [](auto& row) {
+               const std::optional<double>& before = row.pass.before_m;
+               return before && *before > -kInfinity ? before : std::nullopt;
+             })
+      .table("gate_passes", "The passes", study.rows);
 }
 
 Table curve_table(const study::GateStudy& study) {
-  Table table;
-  table.name = "gate_curve";
-  table.title = "Fitted chance to pass";
-  table.columns = {metres("margin_m", "margin"), {"chance", "chance", "", ColumnKind::estimate, 3}};
-  for (const study::GateChance& one : study.curve) {
-    table.add_row(
-        {Number{one.margin_m}, Estimate{one.chance, one.interval.low, one.interval.high}});
-  }
+  using Chance = study::GateChance;
+  Table table =
+      ColumnsOf<Chance>()
+          .fixed("margin_m", "margin", "m", kDecimals, &Chance::margin_m)
+          .estimate(
+              "chance", "chance", [](auto& one) { return Estimated(one.chance, one.interval); })
+          .table("gate_curve", "Fitted chance to pass", study.curve);
   table.footnotes = {"Pointwise Wald intervals on the logit scale."};
   return table;
 }

@@ -1,35 +1,43 @@
 #include <string>
 
-#include "reports/fit/cells.hpp"
 #include "reports/h1_table.hpp"
+#include "reports/panel_rows.hpp"
 
 namespace tcert {
 namespace {
 
-TableCell coefficient(const statistics::CalibrationCoefficient& one) {
-  return estimate_cell(one.estimate, one.interval);
+using statistics::ModelCalibration;
+
+/// A part of a curve of a panel.
+template <class Part>
+struct Named {
+  std::string panel;
+  std::string curve;
+  const Part& part;
+  std::size_t number = 0;  ///< Within its curve, from 1.
+
+  const Part& operator*() const noexcept { return part; }
+};
+
+template <class Part>
+ColumnsOf<Named<Part>> named_columns(const char* curve) {
+  return ColumnsOf<Named<Part>>()
+      .text("panel", "panel", &Named<Part>::panel)
+      .text(curve, curve, &Named<Part>::curve);
 }
 
 }  // namespace
 
 Table h1_roc_table(const study::H1Table& h1) {
-  Table table;
-  table.name = "h1_roc";
-  table.title = "ROC curves";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("predictor", "predictor"),
-                   number_column("threshold", "threshold"),
-                   fixed_column("sensitivity", "sensitivity"),
-                   fixed_column("specificity", "specificity")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1Roc& roc : panel.roc) {
-      for (const statistics::RocPoint& point : roc.curve.points) {
-        table.add_row({panel_name(h1, panel),
-                       roc.name,
-                       Number{point.threshold},
-                       Number{point.sensitivity},
-                       Number{point.specificity}});
-      }
+  using Point = statistics::RocPoint;
+  const auto columns = named_columns<Point>("predictor")
+                           .number("threshold", "threshold", &Point::threshold)
+                           .fixed("sensitivity", "sensitivity", &Point::sensitivity)
+                           .fixed("specificity", "specificity", &Point::specificity);
+  Table table = columns.table("h1_roc", "ROC curves");
+  for (const auto& roc : rows_of(h1, &study::H1Panel::roc)) {
+    for (const Point& point : roc->curve.points) {
+      table.add_row(columns.row({roc.name, roc->name, point}));
     }
   }
   table.footnotes = {
@@ -39,30 +47,22 @@ Table h1_roc_table(const study::H1Table& h1) {
 }
 
 Table h1_calibration_table(const study::H1Table& h1) {
-  Table table;
-  table.name = "h1_calibration";
-  table.title = "Out-of-fold calibration: trials of like predicted probability";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("model", "model"),
-                   integer_column("bin", "bin"),
-                   integer_column("n", "n"),
-                   integer_column("events", "successes"),
-                   integer_column("clusters", "clusters"),
-                   fixed_column("predicted", "predicted"),
-                   estimate_column("observed", "observed")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1Calibration& one : panel.calibration) {
-      std::size_t number = 0;
-      for (const statistics::CalibrationBin& bin : one.calibration.bins) {
-        table.add_row({panel_name(h1, panel),
-                       one.name,
-                       integer_cell(++number),
-                       integer_cell(bin.trials),
-                       integer_cell(bin.events),
-                       integer_cell(bin.clusters),
-                       Number{bin.predicted},
-                       estimate_cell(bin.observed, bin.wilson)});
-      }
+  using Bin = statistics::CalibrationBin;
+  const auto columns = named_columns<Bin>("model")
+                           .integer("bin", "bin", &Named<Bin>::number)
+                           .integer("n", "n", &Bin::trials)
+                           .integer("events", "successes", &Bin::events)
+                           .integer("clusters", "clusters", &Bin::clusters)
+                           .fixed("predicted", "predicted", &Bin::predicted)
+                           .estimate("observed", "observed", [](auto& row) {
+                             return Estimated(row.part.observed, row.part.wilson);
+                           });
+  Table table = columns.table("h1_calibration",
+                              "Out-of-fold calibration: trials of like predicted probability");
+  for (const auto& one : rows_of(h1, &study::H1Panel::calibration)) {
+    std::size_t number = 0;
+    for (const Bin& bin : one->calibration.bins) {
+      table.add_row(columns.row({one.name, one->name, bin, ++number}));
     }
   }
   table.footnotes = {
@@ -72,32 +72,22 @@ Table h1_calibration_table(const study::H1Table& h1) {
 }
 
 Table h1_recalibration_table(const study::H1Table& h1) {
-  Table table;
-  table.name = "h1_recalibration";
-  table.title = "Out-of-fold calibration of success";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("model", "model"),
-                   integer_column("n", "n"),
-                   integer_column("events", "successes"),
-                   integer_column("clusters", "clusters"),
-                   estimate_column("slope", "slope"),
-                   estimate_column("intercept", "intercept"),
-                   estimate_column("in_the_large", "in the large"),
-                   fixed_column("brier", "Brier")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1Calibration& one : panel.calibration) {
-      const statistics::ModelCalibration& c = one.calibration;
-      table.add_row({panel_name(h1, panel),
-                     one.name,
-                     integer_cell(c.rows),
-                     integer_cell(c.events),
-                     integer_cell(c.clusters),
-                     coefficient(c.slope),
-                     coefficient(c.intercept),
-                     coefficient(c.in_the_large),
-                     c.brier ? TableCell{Number{c.brier->score}} : TableCell{}});
-    }
-  }
+  using Brier = statistics::BrierParts;
+  const auto model = ColumnsOf<ModelCalibration>()
+                         .integer("n", "n", &ModelCalibration::rows)
+                         .integer("events", "successes", &ModelCalibration::events)
+                         .integer("clusters", "clusters", &ModelCalibration::clusters)
+                         .estimate("slope", "slope", &ModelCalibration::slope)
+                         .estimate("intercept", "intercept", &ModelCalibration::intercept)
+                         .estimate("in_the_large", "in the large", &ModelCalibration::in_the_large)
+                         .part(ColumnsOf<Brier>().fixed("brier", "Brier", &Brier::score),
+                               &ModelCalibration::brier);
+  Table table = panel_columns<study::H1Calibration>()
+                    .text("model", "model", &study::H1Calibration::name)
+                    .part(model, [](auto& row) { return &row->calibration; })
+                    .table("h1_recalibration",
+                           "Out-of-fold calibration of success",
+                           rows_of(h1, &study::H1Panel::calibration));
   table.footnotes = {
       "logit Pr(success) = intercept + slope logit p, p predicted by a fit to the other folds, of "
       "whole clusters. Ideal: slope 1, intercept 0; in the large: the intercept where the slope is "

@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "reports/fit/cells.hpp"
-#include "reports/h1_table.hpp"
+#include "reports/panel_rows.hpp"
 
 namespace tcert {
 
@@ -30,23 +29,13 @@ std::string interval_words(statistics::BootstrapMethod method) {
   return std::string(statistics::to_string(method));
 }
 
-std::vector<Column> interval_columns() {
-  return {number_column("expanded_low", "expanded low"),
-          number_column("expanded_high", "high"),
-          number_column("percentile_low", "percentile low"),
-          number_column("percentile_high", "high"),
-          number_column("bca_low", "BCa low"),
-          number_column("bca_high", "high")};
-}
-
-void append_intervals(const statistics::BootstrapIntervals& intervals,
-                      std::vector<TableCell>& cells) {
-  for (const statistics::BootstrapMethod method : {statistics::BootstrapMethod::expanded,
-                                                   statistics::BootstrapMethod::percentile,
-                                                   statistics::BootstrapMethod::bca}) {
-    cells.push_back(low_cell(intervals.of(method)));
-    cells.push_back(high_cell(intervals.of(method)));
-  }
+ColumnsOf<statistics::BootstrapIntervals> bootstrap_columns() {
+  using Intervals = statistics::BootstrapIntervals;
+  return ColumnsOf<Intervals>()
+      .ends({"expanded_low", "expanded low"}, {"expanded_high", "high"}, &Intervals::expanded)
+      .ends(
+          {"percentile_low", "percentile low"}, {"percentile_high", "high"}, &Intervals::percentile)
+      .ends({"bca_low", "BCa low"}, {"bca_high", "high"}, &Intervals::bca);
 }
 
 void add_no_bca(const std::string& of,
@@ -58,53 +47,44 @@ void add_no_bca(const std::string& of,
   }
 }
 
-Table h1_interval_columns(std::string name, std::string row_name, std::string row_heading) {
-  Table table;
-  table.name = std::move(name);
-  table.title = "Bootstrap intervals of the same resamples by three methods";
-  table.columns = {text_column("panel", "panel"),
-                   text_column(std::move(row_name), std::move(row_heading)),
-                   text_column("quantity", "of"),
-                   number_column("estimate", "estimate")};
-  const std::vector<Column> ends = interval_columns();
-  table.columns.insert(table.columns.end(), ends.begin(), ends.end());
-  return table;
-}
-
-void add_intervals(const std::string& panel,
-                   const std::string& row,
-                   const std::string& quantity,
-                   const study::H1Score& score,
-                   Table& table) {
-  if (!score.value) {
-    return;
-  }
-  std::vector<TableCell> cells{panel, row, quantity, number_cell(score.value)};
-  append_intervals(score.intervals, cells);
-  table.add_row(std::move(cells));
-  std::string of = panel;
-  of.append(", ").append(row).append(", ").append(quantity);
-  add_no_bca(of, score.intervals, table);
-}
-
-Table h1_interval_table(const study::H1Table& h1) {
-  Table table = h1_interval_columns("h1_intervals", "predictor", "predictor");
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1Row& row : panel.rows) {
-      const auto add = [&](const char* quantity, const study::H1Score& score) {
-        add_intervals(panel_name(h1, panel), row.name, quantity, score, table);
-      };
-      add("AUC", row.auc);
-      add("gain of AUC", row.auc_gain);
-      add("C", row.c);
-      add("gain of C", row.c_gain);
-      add("AUC within strata", row.within.auc);
-      add("gain of AUC within strata", row.within.auc_gain);
-      add("C within strata", row.within.c);
-      add("gain of C within strata", row.within.c_gain);
+Table score_interval_table(std::string name,
+                           std::string row_name,
+                           std::string row_heading,
+                           const std::vector<NamedScore>& scores) {
+  const auto columns =
+      ColumnsOf<NamedScore>()
+          .text("panel", "panel", &NamedScore::panel)
+          .text(std::move(row_name), std::move(row_heading), &NamedScore::row)
+          .text("quantity", "of", &NamedScore::quantity)
+          .number("estimate", "estimate", &study::H1Score::value)
+          .part(bootstrap_columns(), [](auto& one) { return &one.score->intervals; });
+  Table table =
+      columns.table(std::move(name), "Bootstrap intervals of the same resamples by three methods");
+  for (const NamedScore& one : scores) {
+    if (one.score->value) {
+      table.add_row(columns.row(one));
+      add_no_bca(one.panel + ", " + one.row + ", " + one.quantity, one.score->intervals, table);
     }
   }
   return table;
+}
+
+Table h1_interval_table(const study::H1Table& h1) {
+  std::vector<NamedScore> scores;
+  for (const auto& row : rows_of(h1, &study::H1Panel::rows)) {
+    const auto add = [&](const char* quantity, const study::H1Score& score) {
+      scores.push_back({row.name, row->name, quantity, &score});
+    };
+    add("AUC", row->auc);
+    add("gain of AUC", row->auc_gain);
+    add("C", row->c);
+    add("gain of C", row->c_gain);
+    add("AUC within strata", row->within.auc);
+    add("gain of AUC within strata", row->within.auc_gain);
+    add("C within strata", row->within.c);
+    add("gain of C within strata", row->within.c_gain);
+  }
+  return score_interval_table("h1_intervals", "predictor", "predictor", scores);
 }
 
 }  // namespace tcert

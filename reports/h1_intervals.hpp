@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/study/h1/hypothesis_h1.hpp"
-#include "reports/table.hpp"
+#include "reports/columns_of.hpp"
 
 namespace tcert {
 
@@ -17,16 +17,8 @@ namespace tcert {
 /// "expanded percentiles (Hesterberg 2015)", "percentiles", "BCa": what stands in a note.
 [[nodiscard]] std::string interval_words(statistics::BootstrapMethod method);
 
-/// A table without rows of values with their expanded, percentile and BCa intervals; a row of it
-/// belongs to a panel and to a `row_name`.
-[[nodiscard]] Table h1_interval_columns(std::string name,
-                                        std::string row_name,
-                                        std::string row_heading);
-
-/// Both ends of the three intervals, as columns and as cells.
-[[nodiscard]] std::vector<Column> interval_columns();
-void append_intervals(const statistics::BootstrapIntervals& intervals,
-                      std::vector<TableCell>& cells);
+/// Both ends of all three.
+[[nodiscard]] ColumnsOf<statistics::BootstrapIntervals> bootstrap_columns();
 
 /// A footnote that says why BCa alone has no interval, if it has none; `of` names the row: "paper,
 /// tc_early, AUC".
@@ -34,12 +26,21 @@ void add_no_bca(const std::string& of,
                 const statistics::BootstrapIntervals& intervals,
                 Table& table);
 
-/// A row with its footnote, if the score has a value.
-void add_intervals(const std::string& panel,
-                   const std::string& row,
-                   const std::string& quantity,
-                   const study::H1Score& score,
-                   Table& table);
+struct NamedScore {
+  std::string panel;
+  std::string row;  ///< Of the panel's table.
+  std::string quantity;
+  const study::H1Score* score;
+
+  const study::H1Score& operator*() const noexcept { return *score; }
+};
+
+/// The scores that have a value, with their intervals by three methods; why BCa has none is a
+/// footnote.
+[[nodiscard]] Table score_interval_table(std::string name,
+                                         std::string row_name,
+                                         std::string row_heading,
+                                         const std::vector<NamedScore>& scores);
 
 /// Of every row and quantity of H1.
 [[nodiscard]] Table h1_interval_table(const study::H1Table& h1);

@@ -1,46 +1,30 @@
 #include "reports/fit/cells.hpp"
 #include "reports/h1_notes.hpp"
 #include "reports/h1_table.hpp"
+#include "reports/panel_rows.hpp"
 
 namespace tcert {
-namespace {
-
-TableCell ratio(const study::H1OddsRatio& one) { return estimate_cell(one.ratio, one.interval); }
-
-}  // namespace
 
 Table h1_mixed_table(const study::H1Table& h1) {
+  using Model = study::H1MixedModel;
   const std::string level = significant(100.0 * h1.options.level, kShownDigits) + " %";
-  Table table;
-  table.name = "h1_mixed";
-  table.title = "H1, success by a logistic mixed model: " + h1_subject(h1);
+  const auto model = ColumnsOf<Model>()
+                         .estimate("or_per_sd", "OR per SD [" + level + "]", &Model::per_sd)
+                         .estimate("or_per_cm", "OR per cm [" + level + "]", &Model::per_cm)
+                         .p("p", "p", &Model::p_value)
+                         .p("lr_p", "p of adding", &Model::lr_p_value)
+                         .fixed("sd_cluster", "SD of clusters", &Model::sd_cluster)
+                         .fixed("icc", "ICC", &Model::icc)
+                         .fixed("r2_marginal", "R2 marginal", &Model::r2_marginal)
+                         .fixed("r2_conditional", "R2 conditional", &Model::r2_conditional)
+                         .fixed("loglik", "log-likelihood", &Model::log_likelihood);
+  Table table = panel_columns<study::H1Row>()
+                    .text("predictor", "predictor", &study::H1Row::name)
+                    .part(model, [](auto& row) { return &row->mixed; })
+                    .table("h1_mixed",
+                           "H1, success by a logistic mixed model: " + h1_subject(h1),
+                           rows_of(h1, &study::H1Panel::rows));
   table.n = static_cast<std::int64_t>(h1.trials);
-  table.columns = {text_column("panel", "panel"),
-                   text_column("predictor", "predictor"),
-                   estimate_column("or_per_sd", "OR per SD [" + level + "]"),
-                   estimate_column("or_per_cm", "OR per cm [" + level + "]"),
-                   p_column("p", "p"),
-                   p_column("lr_p", "p of adding"),
-                   fixed_column("sd_cluster", "SD of clusters"),
-                   fixed_column("icc", "ICC"),
-                   fixed_column("r2_marginal", "R2 marginal"),
-                   fixed_column("r2_conditional", "R2 conditional"),
-                   fixed_column("loglik", "log-likelihood")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1Row& row : panel.rows) {
-      table.add_row({panel_name(h1, panel),
-                     row.name,
-                     ratio(row.mixed.per_sd),
-                     ratio(row.mixed.per_cm),
-                     p_cell(row.mixed.p_value),
-                     p_cell(row.mixed.lr_p_value),
-                     number_cell(row.mixed.sd_cluster),
-                     number_cell(row.mixed.icc),
-                     number_cell(row.mixed.r2_marginal),
-                     number_cell(row.mixed.r2_conditional),
-                     number_cell(row.mixed.log_likelihood)});
-    }
-  }
   table.footnotes = {
       "Random intercept by '" + h1.options.cluster +
           "', adaptive quadrature; Wald intervals and tests. Odds ratios are within a cluster, per "

@@ -10,6 +10,7 @@
 
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_table.hpp"
+#include "reports/panel_rows.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {

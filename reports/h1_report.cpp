@@ -1,47 +1,28 @@
 #include <algorithm>
 #include <string>
 
-#include "reports/fit/cells.hpp"
 #include "reports/fit/survival_report.hpp"
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/h1_within_table.hpp"
+#include "reports/panel_rows.hpp"
 
 namespace tcert {
 namespace {
 
 Table case_level_table(const study::H1Table& h1) {
-  Table table;
-  table.name = "h1_case_level";
-  table.title = "Sensitivity: the same as if trials were independent";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("predictor", "predictor"),
-                   number_column("auc", "AUC"),
-                   number_column("auc_std_error", "SE"),
-                   number_column("auc_low", "low"),
-                   number_column("auc_high", "high"),
-                   p_column("auc_gain_p", "p of gain"),
-                   number_column("c", "C"),
-                   number_column("c_std_error", "SE"),
-                   number_column("c_low", "low"),
-                   number_column("c_high", "high"),
-                   p_column("c_gain_p", "p of gain")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1CaseRow& row : panel.case_level) {
-      table.add_row({panel_name(h1, panel),
-                     row.name,
-                     number_cell(row.auc.value),
-                     number_cell(row.auc.std_error),
-                     low_cell(row.auc.closed_form),
-                     high_cell(row.auc.closed_form),
-                     p_cell(row.auc_gain_p),
-                     number_cell(row.c.value),
-                     number_cell(row.c.std_error),
-                     low_cell(row.c.closed_form),
-                     high_cell(row.c.closed_form),
-                     p_cell(row.c_gain_p)});
-    }
-  }
+  using Row = study::H1CaseRow;
+  auto columns = panel_columns<Row>();
+  columns.text("predictor", "predictor", &Row::name)
+      .number("auc", "AUC", [](auto& r) { return r->auc.value; })
+      .part(closed_form_columns("auc", "SE"), [](auto& r) { return &r->auc; })
+      .p("auc_gain_p", "p of gain", &Row::auc_gain_p)
+      .number("c", "C", [](auto& r) { return r->c.value; })
+      .part(closed_form_columns("c", "SE"), [](auto& r) { return &r->c; })
+      .p("c_gain_p", "p of gain", &Row::c_gain_p);
+  Table table = columns.table("h1_case_level",
+                              "Sensitivity: the same as if trials were independent",
+                              rows_of(h1, &study::H1Panel::case_level));
   table.footnotes = {
       "Plain DeLong and plain jackknife: too sure of themselves where trials share a cluster. Not "
       "the result."};
@@ -50,59 +31,27 @@ Table case_level_table(const study::H1Table& h1) {
 
 /// Closed forms by cluster: what another program can check to the last digit.
 Table closed_form_table(const study::H1Table& h1) {
-  Table table;
-  table.name = "h1_closed_form";
-  table.title = "Closed forms by cluster";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("predictor", "predictor"),
-                   number_column("auc_std_error", "SE of AUC"),
-                   number_column("auc_low", "low"),
-                   number_column("auc_high", "high"),
-                   number_column("auc_gain_std_error", "SE of its gain"),
-                   number_column("c_std_error", "SE of C"),
-                   number_column("c_low", "low"),
-                   number_column("c_high", "high"),
-                   number_column("c_gain_std_error", "SE of its gain"),
-                   p_column("hr_censored_p", "p of HR, censored"),
-                   p_column("hr_at_limit_p", "p of HR, at limit"),
-                   p_column("hr_stratified_p", "p of HR, stratified"),
-                   p_column("auc_lr_p", "likelihood ratio of adding, trials independent: success"),
-                   p_column("c_lr_p", "time")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1Row& row : panel.rows) {
-      table.add_row({panel_name(h1, panel),
-                     row.name,
-                     number_cell(row.auc.std_error),
-                     low_cell(row.auc.closed_form),
-                     high_cell(row.auc.closed_form),
-                     number_cell(row.auc_gain.std_error),
-                     number_cell(row.c.std_error),
-                     low_cell(row.c.closed_form),
-                     high_cell(row.c.closed_form),
-                     number_cell(row.c_gain.std_error),
-                     p_cell(row.censored.p_value),
-                     p_cell(row.at_limit.p_value),
-                     p_cell(row.stratified.p_value),
-                     p_cell(row.auc_lr_p),
-                     p_cell(row.c_lr_p)});
-    }
-  }
-  return table;
+  auto columns = predictor_columns();
+  columns.part(closed_form_columns("auc", "SE of AUC"), [](auto& r) { return &r->auc; })
+      .number("auc_gain_std_error", "SE of its gain", [](auto& r) { return r->auc_gain.std_error; })
+      .part(closed_form_columns("c", "SE of C"), [](auto& r) { return &r->c; })
+      .number("c_gain_std_error", "SE of its gain", [](auto& r) { return r->c_gain.std_error; })
+      .p("hr_censored_p", "p of HR, censored", [](auto& r) { return r->censored.p_value; })
+      .p("hr_at_limit_p", "p of HR, at limit", [](auto& r) { return r->at_limit.p_value; })
+      .p("hr_stratified_p", "p of HR, stratified", [](auto& r) { return r->stratified.p_value; })
+      .p("auc_lr_p",
+         "likelihood ratio of adding, trials independent: success",
+         &study::H1Row::auc_lr_p)
+      .p("c_lr_p", "time", &study::H1Row::c_lr_p);
+  return columns.table(
+      "h1_closed_form", "Closed forms by cluster", rows_of(h1, &study::H1Panel::rows));
 }
 
 Table fold_table(const study::H1Table& h1) {
-  Table table;
-  table.name = "h1_folds";
-  table.title = "Folds of clusters";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("cluster", "cluster"),
-                   integer_column("fold", "fold")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const auto& [cluster, fold] : panel.folds) {
-      table.add_row({panel_name(h1, panel), cluster, integer_cell(fold)});
-    }
-  }
-  return table;
+  using Fold = std::pair<std::string, std::size_t>;
+  auto columns = panel_columns<Fold>();
+  columns.text("cluster", "cluster", &Fold::first).integer("fold", "fold", &Fold::second);
+  return columns.table("h1_folds", "Folds of clusters", rows_of(h1, &study::H1Panel::folds));
 }
 
 /// Incidence of both panels in one table: a column `panel` before the others.
@@ -195,11 +144,9 @@ FitReport h1_report(const study::H1Table& h1) {
   }
   report.details.push_back(fold_table(h1));
   for (const study::H1Panel& panel : h1.panels) {
-    report.conditions.insert(
-        report.conditions.end(), panel.conditions.begin(), panel.conditions.end());
+    report.add(panel.conditions);
     for (const study::H1Row& row : panel.rows) {
-      report.conditions.insert(
-          report.conditions.end(), row.conditions.begin(), row.conditions.end());
+      report.add(row.conditions);
     }
   }
   return report;

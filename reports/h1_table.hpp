@@ -14,10 +14,6 @@ namespace tcert {
 /// Time: C likewise, and hazard ratios of egress.
 [[nodiscard]] Table h1_time_table(const study::H1Table& h1);
 
-/// "paper" or "landmark"; "table" if there is one panel only, for which the features are as they
-/// are.
-[[nodiscard]] std::string panel_name(const study::H1Table& h1, const study::H1Panel& panel);
-
 /// "early certificate margin against contact heuristics"; other predictors by their columns.
 [[nodiscard]] std::string h1_subject(const study::H1Table& h1);
 

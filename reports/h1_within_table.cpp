@@ -1,63 +1,37 @@
 #include "reports/h1_within_table.hpp"
 
-#include "reports/fit/cells.hpp"
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_table.hpp"
+#include "reports/panel_rows.hpp"
 
 namespace tcert {
 namespace {
 
-TableCell estimate(const study::H1Score& score) {
-  return estimate_cell(score.value, score.interval);
-}
+using study::H1Row;
 
-std::string share(std::size_t part, std::size_t whole) {
+std::string percent(std::size_t part, std::size_t whole) {
   return whole == 0
              ? "NA"
              : fixed(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1) + " %";
 }
 
-/// Pooled and within strata, of one outcome.
-struct Pair {
-  const study::H1Score& pooled;
-  const study::H1Score& pooled_gain;
-  const study::H1Score& within;
-  const study::H1Score& within_gain;
-};
+/// Rows of models have nothing within strata.
+std::vector<InPanel<H1Row>> predictors_of(const study::H1Table& h1) {
+  std::vector<InPanel<H1Row>> rows = rows_of(h1, &study::H1Panel::rows);
+  std::erase_if(rows, [](const auto& row) { return !row->is_single(); });
+  return rows;
+}
 
-template <class PairOf>
+/// Pooled and within strata, of one outcome.
 Table within_table(const study::H1Table& h1,
                    const std::string& name,
                    const std::string& outcome,
-                   const std::string& column,
-                   const std::string& symbol,
-                   const PairOf& pair_of) {
-  const std::string level = h1_interval_text(h1.options);
-  Table table;
-  table.name = name;
-  table.title = "H1, " + outcome + ", " + "within " + h1_within_columns(h1) + ": " + h1_subject(h1);
+                   const ColumnsOf<InPanel<H1Row>>& columns) {
+  Table table = columns.table(
+      name,
+      "H1, " + outcome + ", " + "within " + h1_within_columns(h1) + ": " + h1_subject(h1),
+      predictors_of(h1));
   table.n = static_cast<std::int64_t>(h1.trials);
-  table.columns = {
-      text_column("panel", "panel"),
-      text_column("predictor", "predictor"),
-      fixed_column(column, symbol),
-      estimate_column(column + "_within", symbol + " within [" + level + "]"),
-      fixed_column(column + "_gain", "gain of " + symbol),
-      estimate_column(column + "_gain_within", "gain of " + symbol + " within [" + level + "]")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1Row& row : panel.rows) {
-      if (!row.is_single()) {
-        continue;
-      }
-      const Pair pair = pair_of(row);
-      table.add_row({panel_name(h1, panel),
-                     row.name,
-                     number_cell(pair.pooled.value),
-                     estimate(pair.within),
-                     number_cell(pair.pooled_gain.value),
-                     estimate(pair.within_gain)});
-    }
-  }
   return table;
 }
 
@@ -84,10 +58,10 @@ std::string h1_within_note(const study::H1Panel& panel, const std::string& name)
   const study::H1Strata& within = panel.within;
   std::string note = "Within, " + name + ": pairs of trials of the same " +
                      h1_within_columns(panel) + " alone, " + std::to_string(within.levels) +
-                     " strata with " + share(within.auc_pairs, within.all_auc_pairs) +
+                     " strata with " + percent(within.auc_pairs, within.all_auc_pairs) +
                      " of the pairs that the AUC compares";
   if (within.all_c_pairs > 0) {
-    note += " and " + share(within.c_pairs, within.all_c_pairs) + " of those of C";
+    note += " and " + percent(within.c_pairs, within.all_c_pairs) + " of those of C";
   }
   if (within.missing > 0) {
     note += "; " + std::to_string(within.missing) + " trials of an unknown stratum are in no pair";
@@ -96,9 +70,14 @@ std::string h1_within_note(const study::H1Panel& panel, const std::string& name)
 }
 
 Table h1_within_table(const study::H1Table& h1) {
-  Table table = within_table(h1, "h1_within", "success", "auc", "AUC", [](const study::H1Row& row) {
-    return Pair{row.auc, row.auc_gain, row.within.auc, row.within.auc_gain};
-  });
+  const std::string level = " within [" + h1_interval_text(h1.options) + "]";
+  auto columns = predictor_columns();
+  columns.fixed("auc", "AUC", [](auto& r) { return r->auc.value; })
+      .estimate("auc_within", "AUC" + level, [](auto& r) { return r->within.auc; })
+      .fixed("auc_gain", "gain of AUC", [](auto& r) { return r->auc_gain.value; })
+      .estimate(
+          "auc_gain_within", "gain of AUC" + level, [](auto& r) { return r->within.auc_gain; });
+  Table table = within_table(h1, "h1_within", "success", columns);
   table.footnotes.emplace_back(
       "Pooled numbers compare every pair of trials, also of groups that differ in speed or in "
       "light before a trial begins; a gain that vanishes within strata is one between groups.");
@@ -114,56 +93,32 @@ Table h1_within_table(const study::H1Table& h1) {
 }
 
 Table h1_time_within_table(const study::H1Table& h1) {
-  Table table =
-      within_table(h1, "h1_time_within", "time to egress", "c", "C", [](const study::H1Row& row) {
-        return Pair{row.c, row.c_gain, row.within.c, row.within.c_gain};
-      });
+  const std::string level = " within [" + h1_interval_text(h1.options) + "]";
+  auto columns = predictor_columns();
+  columns.fixed("c", "C", [](auto& r) { return r->c.value; })
+      .estimate("c_within", "C" + level, [](auto& r) { return r->within.c; })
+      .fixed("c_gain", "gain of C", [](auto& r) { return r->c_gain.value; })
+      .estimate("c_gain_within", "gain of C" + level, [](auto& r) { return r->within.c_gain; });
+  Table table = within_table(h1, "h1_time_within", "time to egress", columns);
   table.footnotes.emplace_back("Strata and pairs: see the table of success.");
   return table;
 }
 
 Table h1_within_closed_form_table(const study::H1Table& h1) {
-  Table table;
-  table.name = "h1_within_closed_form";
-  table.title = "Closed forms by cluster, within strata";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("predictor", "predictor"),
-                   integer_column("strata", "strata"),
-                   integer_column("auc_pairs", "pairs of AUC"),
-                   number_column("auc_std_error", "SE of AUC"),
-                   number_column("auc_low", "low"),
-                   number_column("auc_high", "high"),
-                   number_column("auc_gain_std_error", "SE of its gain"),
-                   p_column("auc_gain_p", "p of gain"),
-                   integer_column("c_pairs", "pairs of C"),
-                   number_column("c_std_error", "SE of C"),
-                   number_column("c_low", "low"),
-                   number_column("c_high", "high"),
-                   number_column("c_gain_std_error", "SE of its gain"),
-                   p_column("c_gain_p", "p of gain")};
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const study::H1Row& row : panel.rows) {
-      if (!row.is_single()) {
-        continue;
-      }
-      const study::H1WithinScores& within = row.within;
-      table.add_row({panel_name(h1, panel),
-                     row.name,
-                     integer_cell(panel.within.levels),
-                     integer_cell(panel.within.auc_pairs),
-                     number_cell(within.auc.std_error),
-                     low_cell(within.auc.closed_form),
-                     high_cell(within.auc.closed_form),
-                     number_cell(within.auc_gain.std_error),
-                     p_cell(within.auc_gain_p),
-                     integer_cell(panel.within.c_pairs),
-                     number_cell(within.c.std_error),
-                     low_cell(within.c.closed_form),
-                     high_cell(within.c.closed_form),
-                     number_cell(within.c_gain.std_error),
-                     p_cell(within.c_gain_p)});
-    }
-  }
+  const char* const gain = "SE of its gain";
+  Table table =
+      predictor_columns()
+          .integer("strata", "strata", [](auto& r) { return r.panel->within.levels; })
+          .integer("auc_pairs", "pairs of AUC", [](auto& r) { return r.panel->within.auc_pairs; })
+          .part(closed_form_columns("auc", "SE of AUC"), [](auto& r) { return &r->within.auc; })
+          .number("auc_gain_std_error", gain, [](auto& r) { return r->within.auc_gain.std_error; })
+          .p("auc_gain_p", "p of gain", [](auto& r) { return r->within.auc_gain_p; })
+          .integer("c_pairs", "pairs of C", [](auto& r) { return r.panel->within.c_pairs; })
+          .part(closed_form_columns("c", "SE of C"), [](auto& r) { return &r->within.c; })
+          .number("c_gain_std_error", gain, [](auto& r) { return r->within.c_gain.std_error; })
+          .p("c_gain_p", "p of gain", [](auto& r) { return r->within.c_gain_p; })
+          .table(
+              "h1_within_closed_form", "Closed forms by cluster, within strata", predictors_of(h1));
   table.footnotes = {"Clustered jackknife of both, as survival's concordance with strata."};
   return table;
 }

@@ -7,6 +7,7 @@
 #include "reports/fit/cells.hpp"
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_notes.hpp"
+#include "reports/panel_rows.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -55,7 +56,7 @@ std::string factor_of(const study::H2Table& h2,
 
 void add_conditions(const study::H2Table& h2, std::vector<std::string>& notes) {
   for (const study::H2Panel& panel : h2.panels) {
-    const std::string name = h2_panel_name(h2, panel);
+    const std::string name = panel_name(h2, panel);
     const auto add = [&](const statistics::Conditions& conditions, const std::string& where) {
       for (const statistics::Condition& condition : conditions) {
         notes.push_back(name + " panel" + where + ": " + statistics::to_string(condition) + ".");
@@ -81,11 +82,6 @@ void add_conditions(const study::H2Table& h2, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::string h2_panel_name(const study::H2Table& h2, const study::H2Panel& panel) {
-  const bool alone = h2.panels.size() == 1 && panel.trials.kind == study::H1PanelKind::paper;
-  return alone ? "table" : std::string(study::to_string(panel.trials.kind));
-}
-
 std::vector<std::string> h2_level_notes(const study::H2Table& h2) {
   const study::H1Options& options = h2.options.trials;
   std::vector<std::string> notes;
@@ -95,13 +91,13 @@ std::vector<std::string> h2_level_notes(const study::H2Table& h2) {
     notes.push_back(h1_panel_note(options, panel.trials, h2.panels.size() == 1));
     if (panel.missing > 0) {
       notes.push_back(panel.predictor + " is missing in " + std::to_string(panel.missing) +
-                      " trials of the " + h2_panel_name(h2, panel) + " panel.");
+                      " trials of the " + panel_name(h2, panel) + " panel.");
     }
     limits += (limits.empty() ? "" : ", ") + significant(panel.trials.limit_s, 6) + " s (" +
-              h2_panel_name(h2, panel) + ")";
+              panel_name(h2, panel) + ")";
     if (panel.sd) {
       sds += (sds.empty() ? "" : ", ") + significant(*panel.sd, kShownDigits) + " (" +
-             h2_panel_name(h2, panel) + ")";
+             panel_name(h2, panel) + ")";
     }
   }
   notes.push_back(cluster_note(options));

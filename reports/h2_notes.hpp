@@ -9,9 +9,6 @@
 
 namespace tcert {
 
-/// "paper", "landmark"; "table" where there is no other panel.
-[[nodiscard]] std::string h2_panel_name(const study::H2Table& h2, const study::H2Panel& panel);
-
 [[nodiscard]] std::vector<std::string> h2_level_notes(const study::H2Table& h2);
 [[nodiscard]] std::vector<std::string> h2_equality_notes(const study::H2Table& h2);
 

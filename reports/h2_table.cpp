@@ -3,117 +3,116 @@
 #include <string>
 #include <utility>
 
-#include "reports/fit/cells.hpp"
+#include "reports/fit/interval_columns.hpp"
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_within_table.hpp"
 #include "reports/h2_notes.hpp"
+#include "reports/panel_rows.hpp"
 
 namespace tcert {
 namespace {
 
-TableCell estimate(const study::H1Score& score) {
-  return estimate_cell(score.value, score.interval);
-}
-TableCell ratio(const study::H1HazardRatio& one) { return estimate_cell(one.ratio, one.interval); }
+using study::H2Level;
+using study::H2Panel;
 
 std::string level_text(const study::H2Table& h2) { return h1_interval_text(h2.options.trials); }
 
-std::optional<double> statistic(const std::optional<statistics::ChiSquareTest>& test) {
-  return test ? std::optional(test->statistic) : std::nullopt;
-}
-std::optional<double> p_value(const std::optional<statistics::ChiSquareTest>& test) {
-  return test ? std::optional(test->p_value) : std::nullopt;
-}
-TableCell df(const std::optional<statistics::ChiSquareTest>& test) {
-  return test ? integer_cell(test->df) : TableCell{};
-}
+/// AUC or C of a panel.
+struct Quantity {
+  std::string panel_name;
+  std::string name;
+  const H2Panel& panel;
+  const study::H2Equality& equality;
+};
 
-/// AUC and C of a panel, those that there are.
-std::vector<std::pair<std::string, const study::H2Equality*>> equalities(
-    const study::H2Panel& panel) {
-  std::vector<std::pair<std::string, const study::H2Equality*>> all;
-  if (panel.auc) {
-    all.emplace_back("AUC", &*panel.auc);
-  }
-  if (panel.c) {
-    all.emplace_back("C", &*panel.c);
+std::vector<Quantity> quantities_of(const study::H2Table& h2) {
+  std::vector<Quantity> all;
+  for (const H2Panel& panel : h2.panels) {
+    if (panel.auc) {
+      all.push_back({panel_name(h2, panel), "AUC", panel, *panel.auc});
+    }
+    if (panel.c) {
+      all.push_back({panel_name(h2, panel), "C", panel, *panel.c});
+    }
   }
   return all;
 }
 
-bool is_withheld(const study::H2Panel& panel, std::size_t level) {
-  return !panel.levels[level].withheld.empty();
+template <class Row>
+ColumnsOf<Row> quantity_columns() {
+  return ColumnsOf<Row>()
+      .text("panel", "panel", [](const Quantity& r) { return r.panel_name; })
+      .text("quantity", "of", [](const Quantity& r) { return r.name; });
+}
+
+/// Two groups of a quantity.
+struct Groups : Quantity {
+  std::size_t first;
+  std::size_t second;
+
+  [[nodiscard]] bool is_withheld() const {
+    return !panel.levels[first].withheld.empty() || !panel.levels[second].withheld.empty();
+  }
+};
+
+ColumnsOf<Groups> group_columns() {
+  return quantity_columns<Groups>()
+      .text("first", "first", [](auto& r) { return r.equality.groups.names[r.first]; })
+      .text("second", "second", [](auto& r) { return r.equality.groups.names[r.second]; });
 }
 
 Table pair_table(const study::H2Table& h2) {
-  Table table;
-  table.name = "h2_pairs";
-  table.title = "H2: differences of all pairs, with 90 % intervals";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("quantity", "of"),
-                   text_column("first", "first"),
-                   text_column("second", "second"),
-                   estimate_column("difference", "difference [90 %]"),
-                   fixed_column("std_error", "SE"),
-                   p_column("p_tost", "p of equivalence"),
-                   text_column("equivalent", "equivalent"),
-                   fixed_column("smallest_margin", "smallest margin")};
-  for (const study::H2Panel& panel : h2.panels) {
-    for (const auto& [quantity, equality] : equalities(panel)) {
-      for (const statistics::EquivalencePair& pair : equality->tests.pairs) {
-        if (is_withheld(panel, pair.first) || is_withheld(panel, pair.second)) {
-          table.add_row({h2_panel_name(h2, panel),
-                         quantity,
-                         equality->groups.names[pair.first],
-                         equality->groups.names[pair.second],
-                         estimate_cell(pair.difference, std::nullopt),
-                         TableCell{},
-                         TableCell{},
-                         TableCell{},
-                         TableCell{}});
-          continue;
-        }
-        table.add_row({h2_panel_name(h2, panel),
-                       quantity,
-                       equality->groups.names[pair.first],
-                       equality->groups.names[pair.second],
-                       estimate_cell(pair.difference, pair.interval),
-                       number_cell(pair.standard_error),
-                       p_cell(pair.p_value),
-                       yes_or_no_cell(pair.equivalent),
-                       number_cell(pair.smallest_margin)});
-      }
+  using Pair = statistics::EquivalencePair;
+  struct Row : Groups {
+    const Pair& pair;
+  };
+  const auto tests = ColumnsOf<Pair>()
+                         .fixed("std_error", "SE", &Pair::standard_error)
+                         .p("p_tost", "p of equivalence", &Pair::p_value)
+                         .yes_or_no("equivalent", "equivalent", &Pair::equivalent)
+                         .fixed("smallest_margin", "smallest margin", &Pair::smallest_margin);
+  const auto columns =
+      ColumnsOf<Row>()
+          .part(group_columns(), [](auto& r) { return static_cast<const Groups*>(&r); })
+          .estimate("difference",
+                    "difference [90 %]",
+                    [](auto& r) {
+                      return Estimated(
+                          r.pair.difference,
+                          r.is_withheld() ? std::nullopt : std::optional(r.pair.interval));
+                    })
+          .part(tests, [](auto& r) { return r.is_withheld() ? nullptr : &r.pair; });
+  Table table = columns.table("h2_pairs", "H2: differences of all pairs, with 90 % intervals");
+  for (const Quantity& of : quantities_of(h2)) {
+    for (const Pair& pair : of.equality.tests.pairs) {
+      table.add_row(columns.row({{of, pair.first, pair.second}, pair}));
     }
   }
   return table;
 }
 
 Table interaction_table(const study::H2Table& h2) {
-  Table table;
-  table.name = "h2_interaction";
-  table.title = "H2: does the effect of the predictor differ between groups?";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("model", "model"),
-                   text_column("test", "test"),
-                   number_column("statistic", "chi-squared"),
-                   integer_column("df", "df"),
-                   p_column("p", "p")};
-  for (const study::H2Panel& panel : h2.panels) {
-    const auto add = [&](const std::string& model,
-                         const char* test,
-                         const std::optional<statistics::ChiSquareTest>& one) {
-      table.add_row({h2_panel_name(h2, panel),
-                     model,
-                     std::string(test),
-                     number_cell(statistic(one)),
-                     df(one),
-                     p_cell(p_value(one))});
-    };
-    for (const study::H2Interaction& one : panel.interactions) {
-      add(one.model, "cluster-robust Wald", one.test);
+  using study::H2Interaction;
+  struct Row {
+    std::string panel;
+    std::string test;
+    const H2Interaction& one;
+
+    const H2Interaction& operator*() const noexcept { return one; }
+  };
+  const auto columns = ColumnsOf<Row>()
+                           .text("panel", "panel", &Row::panel)
+                           .text("model", "model", &H2Interaction::model)
+                           .text("test", "test", &Row::test)
+                           .part(chi_square_columns("p"), &H2Interaction::test);
+  Table table = columns.table("h2_interaction",
+                              "H2: does the effect of the predictor differ between groups?");
+  for (const H2Panel& panel : h2.panels) {
+    for (const H2Interaction& one : panel.interactions) {
+      table.add_row(columns.row({panel_name(h2, panel), "cluster-robust Wald", one}));
     }
-    if (panel.mixed_interaction) {
-      add(panel.mixed_interaction->model, "likelihood ratio", panel.mixed_interaction->test);
+    if (const auto& one = panel.mixed_interaction) {
+      table.add_row(columns.row({panel_name(h2, panel), "likelihood ratio", *one}));
     }
   }
   table.footnotes = {
@@ -124,7 +123,7 @@ Table interaction_table(const study::H2Table& h2) {
 
 /// Those of the first panel that has strata: one that cannot be scored has none.
 std::string within_columns(const study::H2Table& h2) {
-  for (const study::H2Panel& panel : h2.panels) {
+  for (const H2Panel& panel : h2.panels) {
     if (!panel.trials.within.columns.empty()) {
       return h1_within_columns(panel.trials);
     }
@@ -132,123 +131,69 @@ std::string within_columns(const study::H2Table& h2) {
   return "";
 }
 
+ColumnsOf<InPanel<H2Level, H2Panel>> level_columns(const std::string& heading) {
+  return panel_columns<H2Level, H2Panel>().text("group", heading, &H2Level::name);
+}
+
 /// Beside the whole group, pairs of trials of one stratum.
 Table within_table(const study::H2Table& h2) {
-  Table table;
-  table.name = "h2_within";
-  table.title = "H2, within " + within_columns(h2) + ": " +
-                h2.options.trials.predictors.front().column + " by " + h2.options.trials.group;
-  table.columns = {text_column("panel", "panel"),
-                   text_column("group", h2.options.trials.group),
-                   fixed_column("auc", "AUC"),
-                   estimate_column("auc_within", "AUC within [" + level_text(h2) + "]"),
-                   fixed_column("c", "C"),
-                   estimate_column("c_within", "C within [" + level_text(h2) + "]")};
-  for (const study::H2Panel& panel : h2.panels) {
-    for (const study::H2Level& level : panel.levels) {
-      table.add_row({h2_panel_name(h2, panel),
-                     level.name,
-                     number_cell(level.auc.value),
-                     estimate(level.auc_within),
-                     number_cell(level.c.value),
-                     estimate(level.c_within)});
-    }
-  }
-  for (const study::H2Panel& panel : h2.panels) {
+  const std::string level = " within [" + level_text(h2) + "]";
+  const auto columns = level_columns(h2.options.trials.group)
+                           .fixed("auc", "AUC", [](auto& r) { return r->auc.value; })
+                           .estimate("auc_within", "AUC" + level, &H2Level::auc_within)
+                           .fixed("c", "C", [](auto& r) { return r->c.value; })
+                           .estimate("c_within", "C" + level, &H2Level::c_within);
+  Table table = columns.table("h2_within",
+                              "H2, within " + within_columns(h2) + ": " +
+                                  h2.options.trials.predictors.front().column + " by " +
+                                  h2.options.trials.group,
+                              rows_of(h2, &H2Panel::levels));
+  for (const H2Panel& panel : h2.panels) {
     if (!panel.trials.within.columns.empty()) {
-      table.footnotes.push_back(h1_within_note(panel.trials, h2_panel_name(h2, panel)));
+      table.footnotes.push_back(h1_within_note(panel.trials, panel_name(h2, panel)));
     }
   }
   return table;
 }
 
 Table interval_table(const study::H2Table& h2) {
-  Table table = h1_interval_columns("h2_intervals", "group", h2.options.trials.group);
-  for (const study::H2Panel& panel : h2.panels) {
-    for (const study::H2Level& level : panel.levels) {
-      const auto add = [&](const char* quantity, const study::H1Score& score) {
-        add_intervals(h2_panel_name(h2, panel), level.name, quantity, score, table);
-      };
-      add("AUC", level.auc);
-      add("C", level.c);
-      add("AUC within strata", level.auc_within);
-      add("C within strata", level.c_within);
-    }
+  std::vector<NamedScore> scores;
+  for (const auto& row : rows_of(h2, &H2Panel::levels)) {
+    scores.push_back({row.name, row->name, "AUC", &row->auc});
+    scores.push_back({row.name, row->name, "C", &row->c});
+    scores.push_back({row.name, row->name, "AUC within strata", &row->auc_within});
+    scores.push_back({row.name, row->name, "C within strata", &row->c_within});
   }
-  return table;
+  return score_interval_table("h2_intervals", "group", h2.options.trials.group, scores);
 }
 
 Table closed_form_table(const study::H2Table& h2) {
-  Table table;
-  table.name = "h2_closed_form";
-  table.title = "Closed forms by cluster";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("group", "group"),
-                   number_column("auc_std_error", "SE of AUC"),
-                   number_column("auc_low", "low"),
-                   number_column("auc_high", "high"),
-                   number_column("c_std_error", "SE of C"),
-                   number_column("c_low", "low"),
-                   number_column("c_high", "high"),
-                   p_column("or_p", "p of OR"),
-                   p_column("hr_censored_p", "p of HR, censored"),
-                   p_column("hr_at_limit_p", "p of HR, at limit"),
-                   p_column("hr_stratified_p", "p of HR, stratified"),
-                   number_column("auc_within_std_error", "SE of AUC within"),
-                   number_column("auc_within_low", "low"),
-                   number_column("auc_within_high", "high"),
-                   number_column("c_within_std_error", "SE of C within"),
-                   number_column("c_within_low", "low"),
-                   number_column("c_within_high", "high")};
-  for (const study::H2Panel& panel : h2.panels) {
-    for (const study::H2Level& level : panel.levels) {
-      table.add_row({h2_panel_name(h2, panel),
-                     level.name,
-                     number_cell(level.auc.std_error),
-                     low_cell(level.auc.closed_form),
-                     high_cell(level.auc.closed_form),
-                     number_cell(level.c.std_error),
-                     low_cell(level.c.closed_form),
-                     high_cell(level.c.closed_form),
-                     p_cell(level.odds.p_value),
-                     p_cell(level.censored.p_value),
-                     p_cell(level.at_limit.p_value),
-                     p_cell(level.stratified.p_value),
-                     number_cell(level.auc_within.std_error),
-                     low_cell(level.auc_within.closed_form),
-                     high_cell(level.auc_within.closed_form),
-                     number_cell(level.c_within.std_error),
-                     low_cell(level.c_within.closed_form),
-                     high_cell(level.c_within.closed_form)});
-    }
-  }
-  return table;
+  return level_columns("group")
+      .part(closed_form_columns("auc", "SE of AUC"), [](auto& r) { return &r->auc; })
+      .part(closed_form_columns("c", "SE of C"), [](auto& r) { return &r->c; })
+      .p("or_p", "p of OR", [](auto& r) { return r->odds.p_value; })
+      .p("hr_censored_p", "p of HR, censored", [](auto& r) { return r->censored.p_value; })
+      .p("hr_at_limit_p", "p of HR, at limit", [](auto& r) { return r->at_limit.p_value; })
+      .p("hr_stratified_p", "p of HR, stratified", [](auto& r) { return r->stratified.p_value; })
+      .part(closed_form_columns("auc_within", "SE of AUC within"),
+            [](auto& r) { return &r->auc_within; })
+      .part(closed_form_columns("c_within", "SE of C within"), [](auto& r) { return &r->c_within; })
+      .table("h2_closed_form", "Closed forms by cluster", rows_of(h2, &H2Panel::levels));
 }
 
 /// Every entry of the joint covariances, one a row.
 Table covariance_table(const study::H2Table& h2) {
-  Table table;
-  table.name = "h2_covariance";
-  table.title = "Covariance of the groups' AUCs and Cs";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("quantity", "of"),
-                   text_column("first", "first"),
-                   text_column("second", "second"),
-                   number_column("covariance", "covariance")};
-  for (const study::H2Panel& panel : h2.panels) {
-    for (const auto& [quantity, equality] : equalities(panel)) {
-      const statistics::GroupEstimates& groups = equality->groups;
-      for (std::size_t i = 0; i < groups.names.size(); ++i) {
-        for (std::size_t j = i; j < groups.names.size(); ++j) {
-          table.add_row({h2_panel_name(h2, panel),
-                         quantity,
-                         groups.names[i],
-                         groups.names[j],
-                         is_withheld(panel, i) || is_withheld(panel, j)
-                             ? TableCell{}
-                             : number_cell(groups.covariance(static_cast<Eigen::Index>(i),
-                                                             static_cast<Eigen::Index>(j)))});
-        }
+  const auto columns = group_columns().number("covariance", "covariance", [](auto& r) {
+    return r.is_withheld()
+               ? std::nullopt
+               : std::optional(r.equality.groups.covariance(static_cast<Eigen::Index>(r.first),
+                                                            static_cast<Eigen::Index>(r.second)));
+  });
+  Table table = columns.table("h2_covariance", "Covariance of the groups' AUCs and Cs");
+  for (const Quantity& of : quantities_of(h2)) {
+    for (std::size_t i = 0; i < of.equality.groups.names.size(); ++i) {
+      for (std::size_t j = i; j < of.equality.groups.names.size(); ++j) {
+        table.add_row(columns.row({of, i, j}));
       }
     }
   }
@@ -256,13 +201,10 @@ Table covariance_table(const study::H2Table& h2) {
 }
 
 void add_conditions(const study::H2Table& h2, FitReport& report) {
-  const auto add = [&](const statistics::Conditions& conditions) {
-    report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
-  };
-  for (const study::H2Panel& panel : h2.panels) {
-    add(panel.trials.conditions);
-    add(panel.conditions);
-    for (const study::H2Level& level : panel.levels) {
+  for (const H2Panel& panel : h2.panels) {
+    report.add(panel.trials.conditions);
+    report.add(panel.conditions);
+    for (const H2Level& level : panel.levels) {
       for (statistics::Condition condition : level.conditions) {
         // One group without an estimate leaves those of the others.
         if (condition.severity == statistics::ConditionSeverity::error) {
@@ -275,84 +217,52 @@ void add_conditions(const study::H2Table& h2, FitReport& report) {
   }
 }
 
-}  // namespace
-
-Table h2_level_table(const study::H2Table& h2) {
-  Table table;
-  table.name = "h2";
-  table.title =
-      "H2: " + h2.options.trials.predictors.front().column + " by " + h2.options.trials.group;
+/// AUC, C, odds and hazard ratios of each group.
+Table level_table(const study::H2Table& h2) {
+  Table table = level_columns(h2.options.trials.group)
+                    .integer("n", "n", &H2Level::trials)
+                    .integer("events", "successes", &H2Level::successes)
+                    .integer("clusters", "clusters", &H2Level::clusters)
+                    .estimate("auc", "AUC [" + level_text(h2) + "]", &H2Level::auc)
+                    .estimate("c", "C [" + level_text(h2) + "]", &H2Level::c)
+                    .estimate("or", "OR per SD", &H2Level::odds)
+                    .estimate("hr_censored", "HR per SD, failures censored", &H2Level::censored)
+                    .estimate("hr_at_limit", "HR, failures at limit", &H2Level::at_limit)
+                    .estimate("hr_stratified", "HR, stratified", &H2Level::stratified)
+                    .table("h2",
+                           "H2: " + h2.options.trials.predictors.front().column + " by " +
+                               h2.options.trials.group,
+                           rows_of(h2, &H2Panel::levels));
   table.n = static_cast<std::int64_t>(h2.trials);
-  table.columns = {text_column("panel", "panel"),
-                   text_column("group", h2.options.trials.group),
-                   integer_column("n", "n"),
-                   integer_column("events", "successes"),
-                   integer_column("clusters", "clusters"),
-                   estimate_column("auc", "AUC [" + level_text(h2) + "]"),
-                   estimate_column("c", "C [" + level_text(h2) + "]"),
-                   estimate_column("or", "OR per SD"),
-                   estimate_column("hr_censored", "HR per SD, failures censored"),
-                   estimate_column("hr_at_limit", "HR, failures at limit"),
-                   estimate_column("hr_stratified", "HR, stratified")};
-  for (const study::H2Panel& panel : h2.panels) {
-    for (const study::H2Level& level : panel.levels) {
-      table.add_row({h2_panel_name(h2, panel),
-                     level.name,
-                     integer_cell(level.trials),
-                     integer_cell(level.successes),
-                     integer_cell(level.clusters),
-                     estimate(level.auc),
-                     estimate(level.c),
-                     ratio(level.odds),
-                     ratio(level.censored),
-                     ratio(level.at_limit),
-                     ratio(level.stratified)});
-    }
-  }
   table.footnotes = h2_level_notes(h2);
   return table;
 }
 
-Table h2_equality_table(const study::H2Table& h2) {
-  Table table;
-  table.name = "h2_equality";
-  table.title = "H2: equality of the groups";
-  table.columns = {text_column("panel", "panel"),
-                   text_column("quantity", "of"),
-                   fixed_column("margin", "margin"),
-                   text_column("equivalent", "equivalent"),
-                   p_column("p_tost", "p of equivalence"),
-                   fixed_column("smallest_margin", "smallest margin"),
-                   fixed_column("margin_80", "margin with 80 % power"),
-                   number_column("statistic", "chi-squared"),
-                   integer_column("df", "df"),
-                   p_column("p", "p of a difference"),
-                   fixed_column("range", "max - min"),
-                   fixed_column("range_expected", "expected if equal"),
-                   fixed_column("range_95", "95 % below"),
-                   p_column("range_p", "p by permutation")};
-  for (const study::H2Panel& panel : h2.panels) {
-    for (const auto& [quantity, equality] : equalities(panel)) {
-      const statistics::Equivalence& tests = equality->tests;
-      table.add_row({h2_panel_name(h2, panel),
-                     quantity,
-                     number_cell(tests.options.margin),
-                     yes_or_no_cell(tests.equivalent),
-                     p_cell(tests.p_value),
-                     number_cell(tests.smallest_margin),
-                     number_cell(tests.margin_with_power),
-                     number_cell(statistic(tests.heterogeneity)),
-                     df(tests.heterogeneity),
-                     p_cell(p_value(tests.heterogeneity)),
-                     number_cell(tests.range),
-                     number_cell(equality->range.expected),
-                     number_cell(equality->range.upper),
-                     p_cell(equality->range.p_value)});
-    }
-  }
+/// Are the groups equivalent, are they different: one row for AUC and one for C.
+Table equality_table(const study::H2Table& h2) {
+  using Tests = statistics::Equivalence;
+  using Range = statistics::RangeUnderEquality;
+  const auto tests = ColumnsOf<Tests>()
+                         .fixed("margin", "margin", [](auto& one) { return one.options.margin; })
+                         .yes_or_no("equivalent", "equivalent", &Tests::equivalent)
+                         .p("p_tost", "p of equivalence", &Tests::p_value)
+                         .fixed("smallest_margin", "smallest margin", &Tests::smallest_margin)
+                         .fixed("margin_80", "margin with 80 % power", &Tests::margin_with_power)
+                         .part(chi_square_columns("p", "p of a difference"), &Tests::heterogeneity)
+                         .fixed("range", "max - min", &Tests::range);
+  const auto range = ColumnsOf<Range>()
+                         .fixed("range_expected", "expected if equal", &Range::expected)
+                         .fixed("range_95", "95 % below", &Range::upper)
+                         .p("range_p", "p by permutation", &Range::p_value);
+  Table table = quantity_columns<Quantity>()
+                    .part(tests, [](auto& r) { return &r.equality.tests; })
+                    .part(range, [](auto& r) { return &r.equality.range; })
+                    .table("h2_equality", "H2: equality of the groups", quantities_of(h2));
   table.footnotes = h2_equality_notes(h2);
   return table;
 }
+
+}  // namespace
 
 FitReport h2_report(const study::H2Table& h2) {
   const study::H1Options& options = h2.options.trials;
@@ -376,12 +286,12 @@ FitReport h2_report(const study::H2Table& h2) {
       .integer("permutations", "permutations", h2.options.permutations)
       .integer("seed", "seed", options.seed);
   report.summary = std::move(summary).table();
-  report.tables = {h2_level_table(h2)};
+  report.tables = {level_table(h2)};
   if (!within_columns(h2).empty()) {
     report.tables.push_back(within_table(h2));
   }
   report.tables.insert(report.tables.end(),
-                       {h2_equality_table(h2), pair_table(h2), interaction_table(h2)});
+                       {equality_table(h2), pair_table(h2), interaction_table(h2)});
   report.details = {interval_table(h2), closed_form_table(h2), covariance_table(h2)};
   add_conditions(h2, report);
   return report;

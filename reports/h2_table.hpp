@@ -8,14 +8,8 @@
 
 namespace tcert {
 
-/// AUC, C, odds and hazard ratios of each group.
-[[nodiscard]] Table h2_level_table(const study::H2Table& h2);
-
-/// Are the groups equivalent, are they different: one row for AUC and one for C.
-[[nodiscard]] Table h2_equality_table(const study::H2Table& h2);
-
-/// All of H2 as a document: the two tables above, all pairs, interactions, closed forms and
-/// covariances.
+/// All of H2 as a document: AUC, C, odds and hazard ratios of each group; whether the groups are
+/// equivalent or different, all pairs and interactions; closed forms and covariances.
 [[nodiscard]] FitReport h2_report(const study::H2Table& h2);
 
 }  // namespace tcert

@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "reports/fit/cells.hpp"
 #include "reports/h1_intervals.hpp"
 
 namespace tcert {
 namespace {
 
-TableCell estimate(const study::H3Estimate& one) { return estimate_cell(one.value, one.interval); }
+using study::H3Case;
+using study::H3Group;
 
 std::string percent(double fraction) { return significant(100.0 * fraction, kShownDigits) + " %"; }
 
@@ -44,7 +44,7 @@ std::vector<std::string> notes(const study::H3Table& h3) {
   if (h3.unknown > 0) {
     notes.push_back(std::to_string(h3.unknown) + " trials without an outcome are left out.");
   }
-  for (const study::H3Group& group : h3.groups) {
+  for (const H3Group& group : h3.groups) {
     if (group.baseline.value && group.ungated.value && !group.gap.value) {
       notes.push_back(group.lighting + ": no gap, for '" + o.baseline +
                       "' has no success under a lighting in which '" + o.gated + "' has one.");
@@ -56,50 +56,40 @@ std::vector<std::string> notes(const study::H3Table& h3) {
   return notes;
 }
 
-}  // namespace
+struct LightingCase {
+  const H3Group& group;
+  const H3Case& one;
 
-Table h3_table(const study::H3Table& h3) {
-  Table table;
-  table.name = "h3";
-  table.title = "H3: speed gated by the margin, against '" + h3.options.baseline + "'";
-  table.columns = {text_column("lighting", "lighting"),
-                   text_column("speed_law", "law"),
-                   fixed_column("beta_per_m", "beta", "1/m", 0),
-                   estimate_column("gated_m_per_min", "gated", "m/min", 2),
-                   estimate_column("gain_m_per_min", "gain", "m/min", 2),
-                   estimate_column("gain_share",
-                                   "relative gain [" +
-                                       interval_text(h3.options.interval, h3.options.level) + "]",
-                                   "",
-                                   3),
-                   estimate_column("gap_recovered", "share of gap", "", 2),
-                   fixed_column("gated_speed_cmd_mps", "commanded", "m/s", 3),
-                   integer_column("lost", "lost"),
-                   fixed_column("lost_share", "share lost", "", 3),
-                   fixed_column("lost_upper", "bound", "", 3),
-                   text_column("non_inferior", "non-inferior"),
-                   estimate_column("retained", "retained", "", 3),
-                   integer_column("stalls", "stalls"),
-                   integer_column("stalled_trials", "trials with stalls"),
-                   text_column("on_front", "front")};
-  for (const study::H3Group& group : h3.groups) {
-    for (const study::H3Case& one : group.cases) {
-      table.add_row({group.lighting,
-                     one.law,
-                     Number{one.beta_per_m},
-                     estimate(one.gated),
-                     estimate(one.gain),
-                     estimate(one.gain_share),
-                     estimate(one.recovered),
-                     number_cell(one.speed_cmd_mps),
-                     integer_cell(one.lost),
-                     number_cell(one.lost_share),
-                     number_cell(one.lost_upper),
-                     yes_or_no_cell(one.non_inferior),
-                     estimate_cell(one.retained, one.retained_interval),
-                     integer_cell(one.stalls),
-                     integer_cell(one.stalled_trials),
-                     yes_or_no_cell(one.on_front)});
+  const H3Case& operator*() const noexcept { return one; }
+};
+
+Table case_table(const study::H3Table& h3) {
+  const std::string level = interval_text(h3.options.interval, h3.options.level);
+  const auto columns =
+      ColumnsOf<LightingCase>()
+          .text("lighting", "lighting", [](auto& r) { return r.group.lighting; })
+          .text("speed_law", "law", &H3Case::law)
+          .fixed("beta_per_m", "beta", "1/m", 0, &H3Case::beta_per_m)
+          .estimate("gated_m_per_min", "gated", "m/min", 2, &H3Case::gated)
+          .estimate("gain_m_per_min", "gain", "m/min", 2, &H3Case::gain)
+          .estimate("gain_share", "relative gain [" + level + "]", &H3Case::gain_share)
+          .estimate("gap_recovered", "share of gap", "", 2, &H3Case::recovered)
+          .fixed("gated_speed_cmd_mps", "commanded", "m/s", 3, &H3Case::speed_cmd_mps)
+          .integer("lost", "lost", &H3Case::lost)
+          .fixed("lost_share", "share lost", &H3Case::lost_share)
+          .fixed("lost_upper", "bound", &H3Case::lost_upper)
+          .yes_or_no("non_inferior", "non-inferior", &H3Case::non_inferior)
+          .estimate("retained",
+                    "retained",
+                    [](auto& r) { return Estimated(r.one.retained, r.one.retained_interval); })
+          .integer("stalls", "stalls", &H3Case::stalls)
+          .integer("stalled_trials", "trials with stalls", &H3Case::stalled_trials)
+          .yes_or_no("on_front", "front", &H3Case::on_front);
+  Table table =
+      columns.table("h3", "H3: speed gated by the margin, against '" + h3.options.baseline + "'");
+  for (const H3Group& group : h3.groups) {
+    for (const H3Case& one : group.cases) {
+      table.add_row(columns.row({group, one}));
     }
   }
   table.n =
@@ -110,88 +100,80 @@ Table h3_table(const study::H3Table& h3) {
   return table;
 }
 
-Table h3_baseline_table(const study::H3Table& h3) {
-  Table table;
-  table.name = "h3_baseline";
-  table.title = "Ungated rates of advance";
-  table.columns = {
-      text_column("lighting", "lighting"),
-      integer_column("trials", h3.options.gated + " trials"),
-      integer_column("successes", "successes"),
-      integer_column("baseline_trials", h3.options.baseline + " trials"),
-      integer_column("baseline_successes", "successes"),
-      integer_column("clusters", "clusters"),
-      estimate_column("ungated_m_per_min", h3.options.gated, "m/min", 2),
-      estimate_column("baseline_m_per_min", h3.options.baseline, "m/min", 2),
-      estimate_column("baseline_standardised_m_per_min",
-                      h3.options.baseline + " at the lightings of " + h3.options.gated,
-                      "m/min",
-                      2),
-      estimate_column("gap_m_per_min", "gap", "m/min", 2),
-      fixed_column("speed_cmd_mps", h3.options.gated + " commanded", "m/s", 3),
-      fixed_column("baseline_speed_cmd_mps", h3.options.baseline + " commanded", "m/s", 3),
-      fixed_column("loop_latency_ms", "latency p50", "ms", 2)};
-  for (const study::H3Group& group : h3.groups) {
-    table.add_row({group.lighting,
-                   integer_cell(group.trials),
-                   integer_cell(group.successes),
-                   integer_cell(group.baseline_trials),
-                   integer_cell(group.baseline_successes),
-                   integer_cell(group.clusters),
-                   estimate(group.ungated),
-                   estimate(group.baseline),
-                   estimate(group.baseline_standardised),
-                   estimate(group.gap),
-                   number_cell(group.speed_cmd_mps),
-                   number_cell(group.baseline_speed_cmd_mps),
-                   number_cell(group.latency_ms)});
-  }
+Table baseline_table(const study::H3Table& h3) {
+  const std::string& gated = h3.options.gated;
+  const std::string& baseline = h3.options.baseline;
+  const std::string standardised = baseline + " at the lightings of " + gated;
+  Table table = ColumnsOf<H3Group>()
+                    .text("lighting", "lighting", &H3Group::lighting)
+                    .integer("trials", gated + " trials", &H3Group::trials)
+                    .integer("successes", "successes", &H3Group::successes)
+                    .integer("baseline_trials", baseline + " trials", &H3Group::baseline_trials)
+                    .integer("baseline_successes", "successes", &H3Group::baseline_successes)
+                    .integer("clusters", "clusters", &H3Group::clusters)
+                    .estimate("ungated_m_per_min", gated, "m/min", 2, &H3Group::ungated)
+                    .estimate("baseline_m_per_min", baseline, "m/min", 2, &H3Group::baseline)
+                    .estimate("baseline_standardised_m_per_min",
+                              standardised,
+                              "m/min",
+                              2,
+                              &H3Group::baseline_standardised)
+                    .estimate("gap_m_per_min", "gap", "m/min", 2, &H3Group::gap)
+                    .fixed("speed_cmd_mps", gated + " commanded", "m/s", 3, &H3Group::speed_cmd_mps)
+                    .fixed("baseline_speed_cmd_mps",
+                           baseline + " commanded",
+                           "m/s",
+                           3,
+                           &H3Group::baseline_speed_cmd_mps)
+                    .fixed("loop_latency_ms", "latency p50", "ms", 2, &H3Group::latency_ms)
+                    .table("h3_baseline", "Ungated rates of advance", h3.groups);
   table.footnotes = {
       "Latency: median of the trials' medians of the policy loop, as logged; a replay does not "
       "change it."};
   return table;
 }
 
-namespace {
-
 /// Every interval, and the gap as it ran.
 Table interval_table(const study::H3Table& h3) {
-  Table table;
-  table.name = "h3_intervals";
-  table.title = "Bootstrap intervals of the same resamples by three methods";
-  table.columns = {text_column("lighting", "lighting"),
-                   text_column("speed_law", "law"),
-                   fixed_column("beta_per_m", "beta", "1/m", 0),
-                   text_column("quantity", "of"),
-                   number_column("estimate", "estimate")};
-  const std::vector<Column> ends = interval_columns();
-  table.columns.insert(table.columns.end(), ends.begin(), ends.end());
-  for (const study::H3Group& group : h3.groups) {
-    const auto add =
-        [&](const study::H3Case* one, const char* quantity, const study::H3Estimate& found) {
-          if (!found.value) {
-            return;
-          }
-          std::vector<TableCell> cells{
-              group.lighting,
-              one != nullptr ? TableCell{one->law} : TableCell{},
-              one != nullptr ? TableCell{Number{one->beta_per_m}} : TableCell{},
-              std::string(quantity),
-              number_cell(found.value)};
-          append_intervals(found.intervals, cells);
-          table.add_row(std::move(cells));
-          std::string of = group.lighting;
-          if (one != nullptr) {
-            of += ", " + one->law + ", beta " + significant(one->beta_per_m, kShownDigits);
-          }
-          add_no_bca(of.append(", ").append(quantity), found.intervals, table);
-        };
+  struct Row {
+    const H3Group& group;
+    const H3Case* one;  ///< Null of what is the group's.
+    std::string quantity;
+    const study::H3Estimate& found;
+
+    [[nodiscard]] std::string name() const {
+      return group.lighting + ", " +
+             (one == nullptr
+                  ? ""
+                  : one->law + ", beta " + significant(one->beta_per_m, kShownDigits) + ", ") +
+             quantity;
+    }
+  };
+  const auto law = ColumnsOf<H3Case>()
+                       .text("speed_law", "law", &H3Case::law)
+                       .fixed("beta_per_m", "beta", "1/m", 0, &H3Case::beta_per_m);
+  const auto columns = ColumnsOf<Row>()
+                           .text("lighting", "lighting", [](auto& r) { return r.group.lighting; })
+                           .part(law, &Row::one)
+                           .text("quantity", "of", &Row::quantity)
+                           .number("estimate", "estimate", [](auto& r) { return r.found.value; })
+                           .part(bootstrap_columns(), [](auto& r) { return &r.found.intervals; });
+  Table table =
+      columns.table("h3_intervals", "Bootstrap intervals of the same resamples by three methods");
+  for (const H3Group& group : h3.groups) {
+    const auto add = [&](const H3Case* one, const char* quantity, const study::H3Estimate& found) {
+      if (found.value) {
+        const Row row{group, one, quantity, found};
+        table.add_row(columns.row(row));
+        add_no_bca(row.name(), found.intervals, table);
+      }
+    };
     add(nullptr, "ungated", group.ungated);
     add(nullptr, "baseline", group.baseline);
     add(nullptr, "baseline standardised", group.baseline_standardised);
     add(nullptr, "gap", group.gap);
     add(nullptr, "gap as run", group.gap_as_run);
-    for (const study::H3Case& one : group.cases) {
+    for (const H3Case& one : group.cases) {
       add(&one, "gated", one.gated);
       add(&one, "gain", one.gain);
       add(&one, "relative gain", one.gain_share);
@@ -217,12 +199,11 @@ FitReport h3_report(const study::H3Table& h3) {
       .integer("seed", "seed", h3.options.seed)
       .integer("outcome_missing", "without outcome", h3.unknown);
   report.summary = std::move(summary).table();
-  report.tables = {h3_table(h3), h3_baseline_table(h3)};
+  report.tables = {case_table(h3), baseline_table(h3)};
   report.details = {interval_table(h3)};
   report.conditions = h3.conditions;
-  for (const study::H3Group& group : h3.groups) {
-    report.conditions.insert(
-        report.conditions.end(), group.conditions.begin(), group.conditions.end());
+  for (const H3Group& group : h3.groups) {
+    report.add(group.conditions);
   }
   return report;
 }

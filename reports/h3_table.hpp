@@ -8,14 +8,9 @@
 
 namespace tcert {
 
-/// One row a lighting, law and beta: rates of advance, gain, share of the gap, successes lost and
-/// retained, stalls, the Pareto front.
-[[nodiscard]] Table h3_table(const study::H3Table& h3);
-
-/// One row a lighting: the two algorithms ungated, the gap between them, latency.
-[[nodiscard]] Table h3_baseline_table(const study::H3Table& h3);
-
-/// Both tables and the options, as a document.
+/// As a document: one row a lighting, law and beta (rates of advance, gain, share of the gap,
+/// successes lost and retained, stalls, the Pareto front); one row a lighting (the two algorithms
+/// ungated, the gap between them, latency); all intervals and the options.
 [[nodiscard]] FitReport h3_report(const study::H3Table& h3);
 
 }  // namespace tcert

@@ -2,94 +2,94 @@
 
 #include <algorithm>
 
-#include "reports/fit/cells.hpp"
+#include "reports/columns_of.hpp"
 
 namespace tcert {
 namespace {
 
-Column number(std::string name, std::string unit, int decimals) {
-  std::string heading = name;
-  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
+using study::Replay;
+
+ColumnsOf<SpeedLaw> law_columns() {
+  return ColumnsOf<SpeedLaw>()
+      .text("speed_law", "law", [](auto& law) { return std::string(study::to_string(law.kind)); })
+      .fixed("beta_per_m", "beta_per_m", "1/m", 1, &SpeedLaw::beta_per_m);
 }
 
-Column text(std::string name) { return text_column(name, name); }
-Column integer(std::string name) { return integer_column(name, name); }
+ColumnsOf<Replay> rate_columns(const char* unit) {
+  return ColumnsOf<Replay>()
+      .fixed("rate_m_per_min",
+             "m/min",
+             unit,
+             2,
+             [](auto& r) { return study::rate_of_advance(r.length_m, r.time_s); })
+      .fixed("gated_rate_m_per_min", "m/min gated", unit, 2, [](auto& r) {
+        return study::rate_of_advance(r.length_m, r.gated_time_s);
+      });
+}
 
-TableCell truth(bool value) { return integer_cell(value ? 1 : 0); }
+ColumnsOf<Replay> trip_columns() {
+  return ColumnsOf<Replay>()
+      .integer("margin_trips", "margin", &Replay::margin_trips)
+      .integer("force_trips", "G2", &Replay::force_trips)
+      .integer("replan_trips", "G3", &Replay::replan_trips);
+}
+
+ColumnsOf<study::ReplanSummary> replan_columns() {
+  using Replans = study::ReplanSummary;
+  return ColumnsOf<Replans>()
+      .integer("replans", "replans", &Replans::replans)
+      .integer("replans_without_route", "without route", &Replans::without_route)
+      .integer("route_changes", "route changes", &Replans::route_changes)
+      .integer("expansions", "expansions", &Replans::expansions)
+      .integer("scratch_expansions", "from scratch", &Replans::scratch_expansions);
+}
+
+ColumnsOf<TrialRow> trial_columns() {
+  return ColumnsOf<TrialRow>()
+      .text("trial_id", "trial", &TrialRow::trial_id)
+      .text("algorithm", "algorithm", &TrialRow::algorithm)
+      .text("lighting", "lighting", &TrialRow::lighting)
+      .text("day", "day", &TrialRow::day)
+      .integer("success", "success", &TrialRow::success);
+}
+
+ColumnsOf<study::ReplayRecord> replay_columns() {
+  using Record = study::ReplayRecord;
+  const auto times =
+      ColumnsOf<Replay>()
+          .fixed("length_m", "length", "m", 2, &Replay::length_m)
+          .fixed("logged_time_s", "logged time", "s", 1, &Replay::time_s)
+          .fixed("gated_time_s", "gated time", "s", 1, &Replay::gated_time_s)
+          .fixed("slow_s", "slow", "s", 1, &Replay::slow_s)
+          .part(rate_columns("m/min"), [](auto& r) { return &r; })
+          .fixed("speed_cmd_mps", "commanded", "m/s", 3, &Replay::speed_cmd_mps)
+          .fixed("gated_speed_cmd_mps", "commanded gated", "m/s", 3, &Replay::gated_speed_cmd_mps);
+  const auto stalls = ColumnsOf<Replay>()
+                          .integer("stalls", "stalls", &Replay::stalls)
+                          .fixed("stall_m", "in stalls", "m", 2, &Replay::stall_m)
+                          .fixed("creep_m", "creeping", "m", 2, &Replay::creep_m)
+                          .part(trip_columns(), [](auto& r) { return &r; });
+  return ColumnsOf<Record>()
+      .part(trial_columns(), [](auto& r) { return &r.trial; })
+      .part(law_columns(), [](auto& r) { return &r.law; })
+      .part(times, [](auto& r) { return &r.replay; })
+      .fixed("loop_latency_ms", "latency", "ms", 2, &Record::loop_latency_ms)
+      .part(stalls, [](auto& r) { return &r.replay; })
+      .integer("kept",
+               "kept",
+               [](auto& r) { return r.trial.success ? std::optional(r.kept) : std::nullopt; })
+      .part(replan_columns(), &Record::replans);
+}
 
 }  // namespace
 
 Table replay_table() {
-  Table table;
-  table.name = "replay";
-  table.title = "Replays at gated speed, path unchanged";
-  table.columns = {text("trial_id"),
-                   text("algorithm"),
-                   text("lighting"),
-                   text("day"),
-                   integer("success"),
-                   text("speed_law"),
-                   number("beta_per_m", "1/m", 1),
-                   number("length_m", "m", 2),
-                   number("logged_time_s", "s", 1),
-                   number("gated_time_s", "s", 1),
-                   number("slow_s", "s", 1),
-                   number("rate_m_per_min", "m/min", 2),
-                   number("gated_rate_m_per_min", "m/min", 2),
-                   number("speed_cmd_mps", "m/s", 3),
-                   number("gated_speed_cmd_mps", "m/s", 3),
-                   number("loop_latency_ms", "ms", 2),
-                   integer("stalls"),
-                   number("stall_m", "m", 2),
-                   number("creep_m", "m", 2),
-                   integer("margin_trips"),
-                   integer("force_trips"),
-                   integer("replan_trips"),
-                   integer("kept"),
-                   integer("replans"),
-                   integer("replans_without_route"),
-                   integer("route_changes"),
-                   integer("expansions"),
-                   integer("scratch_expansions")};
-  return table;
+  return replay_columns().table("replay", "Replays at gated speed, path unchanged");
 }
 
 std::vector<TableCell> replay_row(const study::ReplayRecord& record) {
-  const study::Replay& r = record.replay;
-  std::vector<TableCell> cells = {record.trial.trial_id,
-                                  record.trial.algorithm,
-                                  record.trial.lighting,
-                                  record.trial.day,
-                                  record.trial.success ? truth(*record.trial.success) : TableCell{},
-                                  std::string(study::to_string(record.law.kind)),
-                                  Number{record.law.beta_per_m},
-                                  Number{r.length_m},
-                                  Number{r.time_s},
-                                  Number{r.gated_time_s},
-                                  Number{r.slow_s},
-                                  number_cell(study::rate_of_advance(r.length_m, r.time_s)),
-                                  number_cell(study::rate_of_advance(r.length_m, r.gated_time_s)),
-                                  number_cell(r.speed_cmd_mps),
-                                  number_cell(r.gated_speed_cmd_mps),
-                                  number_cell(record.loop_latency_ms),
-                                  integer_cell(r.stalls),
-                                  Number{r.stall_m},
-                                  Number{r.creep_m},
-                                  integer_cell(r.margin_trips),
-                                  integer_cell(r.force_trips),
-                                  integer_cell(r.replan_trips),
-                                  record.trial.success ? truth(record.kept) : TableCell{}};
-  if (const auto& replans = record.replans) {
-    cells.insert(cells.end(),
-                 {integer_cell(replans->replans),
-                  integer_cell(replans->without_route),
-                  integer_cell(replans->route_changes),
-                  integer_cell(replans->expansions),
-                  integer_cell(replans->scratch_expansions)});
-  } else {
-    cells.resize(cells.size() + 5);
-  }
-  return cells;
+  static const ColumnsOf<study::ReplayRecord> columns = replay_columns();
+  return columns.row(record);
 }
 
 void ReplayTotals::add(const study::ReplayRecord& record) {
@@ -106,13 +106,13 @@ void ReplayTotals::add(const study::ReplayRecord& record) {
   ++total.trials;
   total.successes += record.trial.success.value_or(false) ? 1 : 0;
   total.kept += record.kept ? 1 : 0;
-  total.length_m += record.replay.length_m;
-  total.time_s += record.replay.time_s;
-  total.gated_time_s += record.replay.gated_time_s;
-  total.stalls += record.replay.stalls;
-  total.margin_trips += record.replay.margin_trips;
-  total.force_trips += record.replay.force_trips;
-  total.replan_trips += record.replay.replan_trips;
+  total.sum.length_m += record.replay.length_m;
+  total.sum.time_s += record.replay.time_s;
+  total.sum.gated_time_s += record.replay.gated_time_s;
+  total.sum.stalls += record.replay.stalls;
+  total.sum.margin_trips += record.replay.margin_trips;
+  total.sum.force_trips += record.replay.force_trips;
+  total.sum.replan_trips += record.replay.replan_trips;
   if (record.replans) {
     total.replanned = true;
     total.replans.replans += record.replans->replans;
@@ -124,48 +124,19 @@ void ReplayTotals::add(const study::ReplayRecord& record) {
 }
 
 Table ReplayTotals::table() const {
-  Table table;
-  table.name = "replay_totals";
-  table.title = "Replays at gated speed, path unchanged: all trials together";
-  table.columns = {text_column("speed_law", "law"),
-                   number("beta_per_m", "1/m", 1),
-                   integer_column("trials", "trials"),
-                   integer_column("successes", "successes"),
-                   integer_column("kept", "kept"),
-                   number("rate_m_per_min", "", 2),
-                   number("gated_rate_m_per_min", "", 2),
-                   integer_column("stalls", "stalls"),
-                   integer_column("margin_trips", "margin"),
-                   integer_column("force_trips", "G2"),
-                   integer_column("replan_trips", "G3"),
-                   integer_column("replans", "replans"),
-                   integer_column("replans_without_route", "without route"),
-                   integer_column("route_changes", "route changes"),
-                   integer_column("expansions", "expansions"),
-                   integer_column("scratch_expansions", "from scratch")};
-  table.columns[5].heading = "m/min";
-  table.columns[6].heading = "m/min gated";
-  for (const Total& total : totals_) {
-    const auto counted = [&](std::uint64_t count) {
-      return total.replanned ? integer_cell(count) : TableCell{};
-    };
-    table.add_row({std::string(study::to_string(total.law.kind)),
-                   Number{total.law.beta_per_m},
-                   integer_cell(total.trials),
-                   integer_cell(total.successes),
-                   integer_cell(total.kept),
-                   number_cell(study::rate_of_advance(total.length_m, total.time_s)),
-                   number_cell(study::rate_of_advance(total.length_m, total.gated_time_s)),
-                   integer_cell(total.stalls),
-                   integer_cell(total.margin_trips),
-                   integer_cell(total.force_trips),
-                   integer_cell(total.replan_trips),
-                   counted(total.replans.replans),
-                   counted(total.replans.without_route),
-                   counted(total.replans.route_changes),
-                   counted(total.replans.expansions),
-                   counted(total.replans.scratch_expansions)});
-  }
+  Table table =
+      ColumnsOf<Total>()
+          .part(law_columns(), [](auto& r) { return &r.law; })
+          .integer("trials", "trials", &Total::trials)
+          .integer("successes", "successes", &Total::successes)
+          .integer("kept", "kept", &Total::kept)
+          .part(rate_columns(""), [](auto& r) { return &r.sum; })
+          .integer("stalls", "stalls", [](auto& r) { return r.sum.stalls; })
+          .part(trip_columns(), [](auto& r) { return &r.sum; })
+          .part(replan_columns(), [](auto& r) { return r.replanned ? &r.replans : nullptr; })
+          .table("replay_totals",
+                 "Replays at gated speed, path unchanged: all trials together",
+                 totals_);
   table.footnotes = {
       "kept: successes without a stall and within the trial limit. A replay can only lose "
       "successes; it cannot see failures that speed would cause.",

@@ -26,13 +26,7 @@ class ReplayTotals {
     std::size_t trials = 0;
     std::size_t successes = 0;
     std::size_t kept = 0;
-    double length_m = 0.0;
-    double time_s = 0.0;
-    double gated_time_s = 0.0;
-    std::size_t stalls = 0;
-    std::size_t margin_trips = 0;
-    std::size_t force_trips = 0;
-    std::size_t replan_trips = 0;
+    study::Replay sum;  ///< Lengths, times, stalls and trips.
     study::ReplanSummary replans;
     bool replanned = false;
   };

@@ -5,61 +5,45 @@
 #include <cmath>
 #include <table/csv_write.hpp>
 #include <tcert/flag_word.hpp>
+#include <utility>
+#include <variant>
 
 #include "reports/audit.hpp"
 
 namespace tcert {
 namespace {
 
+/// What a row is written from.
+struct SeriesRow {
+  const Tick& tick;
+  const CertifiedTick& certified;
+  const SpeedLaw& speed_law;
+  const GuardedTick& guarded;
+  double yaw_rate_cmd_rps;
+};
+
+using Number = double (*)(const SeriesRow&);
+using Words = void (*)(std::string& out, const SeriesRow&);
+using Certified = CertifiedTick;
+
 struct SeriesColumn {
   std::string_view name;
   std::string_view unit;
   std::string_view doc;
+  std::
+      variant<double Certified::*, std::uint32_t Certified::*, double GuardedTick::*, Number, Words>
+          value;
 };
 
-constexpr auto kColumns = std::to_array<SeriesColumn>({
-    {"time_s", "s", "of the tick, as the log counts it"},
-    {"x_m", "m", "pose, in the frame of the log"},
-    {"y_m", "m", "the same"},
-    {"yaw_rad", "rad", "the same"},
-    {"travel_m", "m", "signed way along the body axis, standing noise left out"},
-    {"left_m", "m", "free distance that the rays prove on the left of the path"},
-    {"right_m", "m", "the same on the right"},
-    {"width_m", "m", "w_t: left and right together"},
-    {"turn_radius_m", "m", "rho_t: radius of the path's curvature"},
-    {"margin_m", "m", "m_t: the tick's margin, by width and turn radius"},
-    {"edge_margin_m", "m", "least margin of the graph's edge that is being driven"},
-    {"memory", "", "contact memory, 0 to 1"},
-    {"corridor_value_m", "m", "V_t: bottleneck of the widest path from S to the present node"},
-    {"certificate_m", "m", "T_t: bottleneck of the widest path from S to G; empty without one"},
-    {"series_m", "m", "T_t where it is issued, before that V_t"},
-    {"speed_law_mps", "m/s", "speed that the law allows at the margin"},
-    {"contacts", "", "rays in contact at the tick"},
-    {"new_contacts", "", "of them those that were free at the tick before"},
-    {"nodes", "", "of the graph so far"},
-    {"edges", "", "of the graph so far"},
-    {"flags",
-     "",
-     "words with + between: stale, bad_input, missing_ray, break, capacity_exceeded, "
-     "start_outside, goal_reached, memory_evicted"},
-    {"issued", "", "1 once a certificate is issued, else 0"},
-});
-
-constexpr std::string_view kGuardColumns =
-    ",gated_speed_mps,yaw_rate_cmd_rps,tracking_error_m,robust_margin_m,force_n,force_limit_n,"
-    "triggers";
-
-void append_cell(std::string& out, double value) {
-  out += ',';
+void append_number(std::string& out, double value) {
   if (std::isfinite(value)) {
     table::append_number(out, value);
   }
 }
 
-void append_cell(std::string& out, std::uint32_t value) {
+void append_count(std::string& out, std::uint32_t value) {
   std::array<char, 10> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  out += ',';
   out.append(digits.data(), end);
 }
 
@@ -79,6 +63,104 @@ bool is_evidence(std::uint32_t flags) { return (flags & (flag_stale | flag_bad_i
 /// No margin, no statement about speed: NA, which is not the same as "stop".
 double gated(const SpeedLaw& law, double margin_m) {
   return std::isnan(margin_m) ? kMissing : gated_speed(law, margin_m);
+}
+
+struct CellWriter {
+  std::string& out;
+  const SeriesRow& row;
+
+  void operator()(double Certified::*value) const { append_number(out, row.certified.*value); }
+  void operator()(std::uint32_t Certified::*value) const {
+    append_count(out, row.certified.*value);
+  }
+  void operator()(double GuardedTick::*value) const { append_number(out, row.guarded.*value); }
+  void operator()(Number value) const { append_number(out, value(row)); }
+  void operator()(Words value) const { value(out, row); }
+};
+
+using R = const SeriesRow&;
+
+constexpr auto kColumns = std::to_array<SeriesColumn>({
+    {"time_s",
+     "s",
+     "of the tick, as the log counts it",
+     [](std::string& out, R r) { table::append_seconds(out, r.tick.time_ns); }},
+    {"x_m", "m", "pose, in the frame of the log", [](R r) { return r.tick.pose.position.x_m; }},
+    {"y_m", "m", "the same", [](R r) { return r.tick.pose.position.y_m; }},
+    {"yaw_rad", "rad", "the same", [](R r) { return r.tick.pose.yaw_rad; }},
+    {"travel_m",
+     "m",
+     "signed way along the body axis, standing noise left out",
+     &Certified::travel_m},
+    {"left_m",
+     "m",
+     "free distance that the rays prove on the left of the path",
+     &Certified::left_m},
+    {"right_m", "m", "the same on the right", &Certified::right_m},
+    {"width_m", "m", "w_t: left and right together", &Certified::width_m},
+    {"turn_radius_m", "m", "rho_t: radius of the path's curvature", &Certified::turn_radius_m},
+    {"margin_m", "m", "m_t: the tick's margin, by width and turn radius", &Certified::margin_m},
+    {"edge_margin_m",
+     "m",
+     "least margin of the graph's edge that is being driven",
+     &Certified::edge_margin_m},
+    {"memory", "", "contact memory, 0 to 1", &Certified::memory},
+    {"corridor_value_m",
+     "m",
+     "V_t: bottleneck of the widest path from S to the present node",
+     &Certified::corridor_value_m},
+    {"certificate_m",
+     "m",
+     "T_t: bottleneck of the widest path from S to G; empty without one",
+     &Certified::certificate_m},
+    {"series_m",
+     "m",
+     "T_t where it is issued, before that V_t",
+     [](R r) { return series_value(r.certified); }},
+    {"speed_law_mps",
+     "m/s",
+     "speed that the law allows at the margin",
+     [](R r) { return gated(r.speed_law, r.certified.margin_m); }},
+    {"contacts", "", "rays in contact at the tick", &Certified::contacts},
+    {"new_contacts",
+     "",
+     "of them those that were free at the tick before",
+     &Certified::new_contacts},
+    {"nodes", "", "of the graph so far", &Certified::nodes},
+    {"edges", "", "of the graph so far", &Certified::edges},
+    {"flags",
+     "",
+     "words with + between: stale, bad_input, missing_ray, break, capacity_exceeded, "
+     "start_outside, goal_reached, memory_evicted",
+     [](std::string& out, R r) { append_flags(out, r.certified.flags); }},
+    {"issued",
+     "",
+     "1 once a certificate is issued, else 0",
+     [](std::string& out, R r) { out += r.certified.issued ? '1' : '0'; }},
+});
+
+/// Those of `SeriesFormat::guards`.
+constexpr auto kGuardColumns = std::to_array<SeriesColumn>({
+    {"gated_speed_mps", "m/s", "", &GuardedTick::speed_mps},
+    {"yaw_rate_cmd_rps", "rad/s", "", [](R r) { return r.yaw_rate_cmd_rps; }},
+    {"tracking_error_m", "m", "", &GuardedTick::tracking_error_m},
+    {"robust_margin_m", "m", "", &GuardedTick::robust_margin_m},
+    {"force_n", "N", "", &GuardedTick::force_n},
+    {"force_limit_n", "N", "", &GuardedTick::force_limit_n},
+    {"triggers", "", "", [](std::string& out, R r) { out += trigger_words(r.guarded.triggers); }},
+});
+
+/// With commas between; what a column holds is known when this is compiled.
+template <const auto& columns, std::size_t... I>
+void append_cells(const CellWriter& cell, std::index_sequence<I...> /*all*/) {
+  ((I == 0 ? void() : cell.out.push_back(','),
+    cell(std::get<columns[I].value.index()>(columns[I].value))),
+   ...);
+}
+
+template <const auto& columns>
+void append_cells(std::string& out, const SeriesRow& row) {
+  append_cells<columns>(CellWriter{out, row}, std::make_index_sequence<columns.size()>());
 }
 
 }  // namespace
@@ -106,7 +188,9 @@ std::string series_header(const SeriesFormat& format, const Robot& robot) {
     }
   }
   if (format.guards) {
-    header += kGuardColumns;
+    for (const SeriesColumn& column : kGuardColumns) {
+      (header += ',') += column.name;
+    }
   }
   header += format.synthetic ? ",synthetic_seed\n" : "\n";
   return header;
@@ -119,46 +203,17 @@ void append_series_row(std::string& out,
                        const SeriesFormat& format,
                        const GuardedTick& guarded,
                        double yaw_rate_cmd_rps) {
-  table::append_seconds(out, tick.time_ns);
-  for (const double value : {tick.pose.position.x_m,
-                             tick.pose.position.y_m,
-                             tick.pose.yaw_rad,
-                             certified.travel_m,
-                             certified.left_m,
-                             certified.right_m,
-                             certified.width_m,
-                             certified.turn_radius_m,
-                             certified.margin_m,
-                             certified.edge_margin_m,
-                             certified.memory,
-                             certified.corridor_value_m,
-                             certified.certificate_m,
-                             series_value(certified),
-                             gated(format.speed_law, certified.margin_m)}) {
-    append_cell(out, value);
-  }
-  for (const std::uint32_t count :
-       {certified.contacts, certified.new_contacts, certified.nodes, certified.edges}) {
-    append_cell(out, count);
-  }
-  out += ',';
-  append_flags(out, certified.flags);
-  out += certified.issued ? ",1" : ",0";
+  const SeriesRow row{tick, certified, format.speed_law, guarded, yaw_rate_cmd_rps};
+  append_cells<kColumns>(out, row);
   if (format.ray_margins) {
     for (const double margin : ray_margins) {
-      append_cell(out, is_evidence(certified.flags) ? margin : kMissing);
+      out += ',';
+      append_number(out, is_evidence(certified.flags) ? margin : kMissing);
     }
   }
   if (format.guards) {
-    for (const double value : {guarded.speed_mps,
-                               yaw_rate_cmd_rps,
-                               guarded.tracking_error_m,
-                               guarded.robust_margin_m,
-                               guarded.force_n,
-                               guarded.force_limit_n}) {
-      append_cell(out, value);
-    }
-    out += ',' + trigger_words(guarded.triggers);
+    out += ',';
+    append_cells<kGuardColumns>(out, row);
   }
   if (format.synthetic) {
     out += ',';

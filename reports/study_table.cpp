@@ -1,91 +1,84 @@
 #include "reports/study_table.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
+
+#include "reports/columns_of.hpp"
 
 namespace tcert {
 namespace {
 
-TableCell number_or_missing(const std::optional<double>& value) {
-  return value ? TableCell{Number{*value}} : TableCell{};
-}
-
-TableCell integer(std::size_t value) { return static_cast<std::int64_t>(value); }
+using study::StudyGroup;
 
 std::string named(const std::string& name) { return name.empty() ? "(none)" : name; }
 
-TableCell share(std::size_t part, std::size_t whole) {
-  return whole == 0 ? TableCell{} : Number{static_cast<double>(part) / static_cast<double>(whole)};
-}
-
-std::int64_t sum_of_trials(std::span<const study::StudyGroup> groups) {
+std::int64_t sum_of_trials(std::span<const StudyGroup> groups) {
   std::int64_t sum = 0;
-  for (const study::StudyGroup& group : groups) {
+  for (const StudyGroup& group : groups) {
     sum += static_cast<std::int64_t>(group.trials);
   }
   return sum;
 }
 
-void add_group(Table& table,
-               const char* kind,
-               const std::string& name,
-               const study::StudyGroup& group) {
-  table.add_row({std::string(kind),
-                 named(name),
-                 integer(group.trials),
-                 number_or_missing(group.speed_cmd_mps.median()),
-                 number_or_missing(study::published_speed_mps(name)),
-                 number_or_missing(group.loop_latency_ms.median())});
+ColumnsOf<StudyGroup> cell_columns() {
+  return ColumnsOf<StudyGroup>()
+      .text("algorithm", "algorithm", [](auto& cell) { return named(cell.algorithm); })
+      .text("lighting", "lighting", [](auto& cell) { return named(cell.lighting); });
+}
+
+ColumnsOf<StudyGroup> latency_columns() {
+  return ColumnsOf<StudyGroup>().fixed(
+      "latency_ms", "latency", "ms", 2, [](auto& r) { return r.loop_latency_ms.median(); });
 }
 
 }  // namespace
 
-Table success_table(std::span<const study::StudyGroup> cells) {
-  Table table;
-  table.name = "table1";
-  table.title = "Successes by algorithm and lighting";
-  table.columns = {{"algorithm", "algorithm", "", ColumnKind::text},
-                   {"lighting", "lighting", "", ColumnKind::text},
-                   {"successes", "successes", "", ColumnKind::integer},
-                   {"trials", "trials", "", ColumnKind::integer},
-                   {"share", "share", "", ColumnKind::number, 3}};
-  std::size_t trials = 0;
-  std::size_t successes = 0;
-  for (const study::StudyGroup& cell : cells) {
-    trials += cell.known;
-    successes += cell.successes;
-    table.add_row({named(cell.algorithm),
-                   named(cell.lighting),
-                   integer(cell.successes),
-                   integer(cell.known),
-                   share(cell.successes, cell.known)});
+Table success_table(std::span<const StudyGroup> cells) {
+  const auto columns =
+      cell_columns()
+          .integer("successes", "successes", &StudyGroup::successes)
+          .integer("trials", "trials", &StudyGroup::known)
+          .fixed("share", "share", [](auto& cell) { return share(cell.successes, cell.known); });
+  Table table = columns.table("table1", "Successes by algorithm and lighting", cells);
+  StudyGroup all;
+  all.algorithm = all.lighting = "all";
+  for (const StudyGroup& cell : cells) {
+    all.known += cell.known;
+    all.successes += cell.successes;
   }
-  table.add_row({std::string("all"),
-                 std::string("all"),
-                 integer(successes),
-                 integer(trials),
-                 share(successes, trials)});
-  table.n = static_cast<std::int64_t>(trials);
+  table.add_row(columns.row(all));
+  table.n = static_cast<std::int64_t>(all.known);
   return table;
 }
 
-Table speed_table(std::span<const study::StudyGroup> algorithms,
-                  std::span<const study::StudyGroup> lightings) {
-  Table table;
-  table.name = "speed";
-  table.title = "Median commanded speed and policy-loop latency";
-  table.columns = {{"grouped_by", "grouped by", "", ColumnKind::text},
-                   {"group", "group", "", ColumnKind::text},
-                   {"trials", "trials", "", ColumnKind::integer},
-                   {"speed_mps", "speed", "m/s", ColumnKind::number, 3},
-                   {"published_speed_mps", "published", "m/s", ColumnKind::number, 3},
-                   {"latency_ms", "latency", "ms", ColumnKind::number, 2}};
-  for (const study::StudyGroup& group : algorithms) {
-    add_group(table, "algorithm", group.algorithm, group);
+Table speed_table(std::span<const StudyGroup> algorithms, std::span<const StudyGroup> lightings) {
+  struct Row {
+    std::string grouped_by;
+    const std::string& name;
+    const StudyGroup& group;
+
+    const StudyGroup& operator*() const noexcept { return group; }
+  };
+  const auto columns = ColumnsOf<Row>()
+                           .text("grouped_by", "grouped by", &Row::grouped_by)
+                           .text("group", "group", [](auto& r) { return named(r.name); })
+                           .integer("trials", "trials", &StudyGroup::trials)
+                           .fixed("speed_mps",
+                                  "speed",
+                                  "m/s",
+                                  3,
+                                  [](auto& r) { return r.group.speed_cmd_mps.median(); })
+                           .fixed("published_speed_mps",
+                                  "published",
+                                  "m/s",
+                                  3,
+                                  [](auto& r) { return study::published_speed_mps(r.name); })
+                           .part(latency_columns(), [](auto& r) { return &r.group; });
+  Table table = columns.table("speed", "Median commanded speed and policy-loop latency");
+  for (const StudyGroup& group : algorithms) {
+    table.add_row(columns.row({"algorithm", group.algorithm, group}));
   }
-  for (const study::StudyGroup& group : lightings) {
-    add_group(table, "lighting", group.lighting, group);
+  for (const StudyGroup& group : lightings) {
+    table.add_row(columns.row({"lighting", group.lighting, group}));
   }
   table.n = sum_of_trials(algorithms);
   table.footnotes = {
@@ -96,28 +89,23 @@ Table speed_table(std::span<const study::StudyGroup> algorithms,
   return table;
 }
 
-Table latency_table(std::span<const study::StudyGroup> cells) {
-  Table table;
-  table.name = "latency";
-  table.title = "Median policy-loop latency by algorithm and lighting";
-  table.columns = {{"algorithm", "algorithm", "", ColumnKind::text},
-                   {"lighting", "lighting", "", ColumnKind::text},
-                   {"trials", "trials", "", ColumnKind::integer},
-                   {"latency_ms", "latency", "ms", ColumnKind::number, 2},
-                   {"published_latency_ms", "published", "ms", ColumnKind::number, 1}};
-  for (const study::StudyGroup& cell : cells) {
-    table.add_row({named(cell.algorithm),
-                   named(cell.lighting),
-                   integer(cell.trials),
-                   number_or_missing(cell.loop_latency_ms.median()),
-                   Number{study::kPublishedLatencyMs}});
-  }
+Table latency_table(std::span<const StudyGroup> cells) {
+  Table table =
+      cell_columns()
+          .integer("trials", "trials", &StudyGroup::trials)
+          .part(latency_columns(), [](auto& cell) { return &cell; })
+          .fixed("published_latency_ms",
+                 "published",
+                 "ms",
+                 1,
+                 [](auto&) { return study::kPublishedLatencyMs; })
+          .table("latency", "Median policy-loop latency by algorithm and lighting", cells);
   table.n = sum_of_trials(cells);
   return table;
 }
 
 std::vector<Table> study_tables(const study::StudyRecord& study) {
-  const std::vector<study::StudyGroup> cells = study.by_cell();
+  const std::vector<StudyGroup> cells = study.by_cell();
   return {success_table(cells),
           speed_table(study.by_algorithm(), study.by_lighting()),
           latency_table(cells)};

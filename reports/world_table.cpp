@@ -4,24 +4,51 @@
 
 #include <cmath>
 
+#include "reports/columns_of.hpp"
+
 namespace tcert {
+namespace {
+
+constexpr int kDecimals = 4;
+
+struct KnownWorld {
+  const World& world;
+  const study::Truth& truth;
+
+  [[nodiscard]] bool is_connected() const { return std::isfinite(truth.clearance.clearance_m); }
+};
+
+ColumnsOf<KnownWorld> world_columns() {
+  const auto bottleneck = ColumnsOf<Point>()
+                              .fixed("bottleneck_x_m", "bottleneck x", "m", kDecimals, &Point::x_m)
+                              .fixed("bottleneck_y_m", "y", "m", kDecimals, &Point::y_m);
+  return ColumnsOf<KnownWorld>()
+      .text("world", "world", [](auto& r) { return r.world.name; })
+      .fixed("T_lower_m", "T at least", "m", kDecimals, [](auto& r) { return r.truth.lower_m; })
+      .fixed("T_upper_m", "T at most", "m", kDecimals, [](auto& r) { return r.truth.upper_m; })
+      .fixed("clearance_m",
+             "clearance",
+             "m",
+             kDecimals,
+             [](auto& r) { return r.truth.clearance.clearance_m; })
+      .fixed("clearance_error_m",
+             "error at most",
+             "m",
+             kDecimals,
+             [](auto& r) {
+               const study::ClearanceValue& clearance = r.truth.clearance;
+               return r.is_connected() ? std::optional(clearance.upper_m - clearance.clearance_m)
+                                       : std::nullopt;
+             })
+      .integer("connected", "connected", &KnownWorld::is_connected)
+      .part(bottleneck, [](auto& r) { return r.truth.clearance.bottleneck; })
+      .integer("obstacles", "obstacles", [](auto& r) { return r.world.obstacles.size(); });
+}
+
+}  // namespace
 
 Table world_table(const Robot& robot, const study::TruthOptions& options) {
-  Table table;
-  table.name = "worlds";
-  table.title = "Truth of known worlds";
-  const auto metres = [](std::string name, std::string heading) {
-    return Column{std::move(name), std::move(heading), "m", ColumnKind::number, 4};
-  };
-  table.columns = {{"world", "world", "", ColumnKind::text},
-                   metres("T_lower_m", "T at least"),
-                   metres("T_upper_m", "T at most"),
-                   metres("clearance_m", "clearance"),
-                   metres("clearance_error_m", "error at most"),
-                   {"connected", "connected", "", ColumnKind::integer},
-                   metres("bottleneck_x_m", "bottleneck x"),
-                   metres("bottleneck_y_m", "y"),
-                   {"obstacles", "obstacles", "", ColumnKind::integer}};
+  Table table = world_columns().table("worlds", "Truth of known worlds");
   table.footnotes = {
       fmt::format("T = sup over paths from S to G of min({}, turn radius - {} m).",
                   options.convention == study::SlackConvention::width
@@ -37,23 +64,7 @@ Table world_table(const Robot& robot, const study::TruthOptions& options) {
 }
 
 std::vector<TableCell> world_row(const World& world, const study::Truth& truth) {
-  const study::ClearanceValue& clearance = truth.clearance;
-  const bool connected = std::isfinite(clearance.clearance_m);
-  std::vector<TableCell> cells = {
-      world.name,
-      Number{truth.lower_m},
-      Number{truth.upper_m},
-      Number{clearance.clearance_m},
-      Number{connected ? clearance.upper_m - clearance.clearance_m : std::nan("")},
-      std::int64_t{connected ? 1 : 0}};
-  if (clearance.bottleneck) {
-    cells.emplace_back(Number{clearance.bottleneck->x_m});
-    cells.emplace_back(Number{clearance.bottleneck->y_m});
-  } else {
-    cells.insert(cells.end(), 2, TableCell{});
-  }
-  cells.emplace_back(static_cast<std::int64_t>(world.obstacles.size()));
-  return cells;
+  return world_columns().row({world, truth});
 }
 
 }  // namespace tcert

@@ -1,28 +1,26 @@
 #include "reports/experiment/cells_table.hpp"
 
-#include <cstdint>
 #include <utility>
 
-#include "reports/fit/cells.hpp"
+#include "reports/columns_of.hpp"
 #include "reports/h1_intervals.hpp"
 
 namespace tcert {
 namespace {
 
+using study::CellIssuance;
+using study::H1Row;
+using study::H1Score;
+using study::H3Case;
+using study::H3Group;
+
 const char* const kWithheldNote =
     "Withheld for: why intervals and p-values are NA though their estimates are there.";
 
-/// Of an H1Score or an H3Estimate.
-template <class Score>
-TableCell estimate(const Score& score) {
-  return estimate_cell(score.value, score.interval);
-}
-
 /// The rival over which the certificate gains least; null without a rival that has a gain.
-const study::H1Row* strongest_rival(const study::H1Panel& panel,
-                                    study::H1Score study::H1Row::*gain) {
-  const study::H1Row* strongest = nullptr;
-  for (const study::H1Row& row : panel.rows) {
+const H1Row* strongest_rival(const study::H1Panel& panel, H1Score H1Row::*gain) {
+  const H1Row* strongest = nullptr;
+  for (const H1Row& row : panel.rows) {
     const bool counts = row.kind == study::H1RowKind::rival && (row.*gain).value;
     if (counts && (strongest == nullptr || *(row.*gain).value < *(strongest->*gain).value)) {
       strongest = &row;
@@ -31,18 +29,8 @@ const study::H1Row* strongest_rival(const study::H1Panel& panel,
   return strongest;
 }
 
-void add_rival(const study::H1Panel& panel,
-               study::H1Score study::H1Row::*gain,
-               std::optional<double> study::H1Row::*holm,
-               std::vector<TableCell>& cells) {
-  const study::H1Row* const rival = strongest_rival(panel, gain);
-  cells.push_back(rival != nullptr ? TableCell{rival->name} : TableCell{});
-  cells.push_back(rival != nullptr ? estimate(rival->*gain) : TableCell{});
-  cells.push_back(rival != nullptr ? p_cell(rival->*holm) : TableCell{});
-}
-
 /// Gains of the cell over the full method; NA for the full method itself.
-const study::H1Row* row_against(const study::CellScores& scores, std::size_t panel) {
+const H1Row* row_against(const study::CellScores& scores, std::size_t panel) {
   if (!scores.against_full || panel >= scores.against_full->panels.size()) {
     return nullptr;
   }
@@ -60,7 +48,7 @@ std::string withheld_of(const study::CellScores& scores, std::size_t panel) {
 }
 
 /// Why rates have no intervals: one reason for each algorithm that is few.
-std::string withheld_of(const study::H3Group& group) {
+std::string withheld_of(const H3Group& group) {
   std::string all;
   for (const statistics::Condition& condition : group.conditions) {
     if (condition.kind == statistics::ConditionKind::withheld) {
@@ -70,100 +58,152 @@ std::string withheld_of(const study::H3Group& group) {
   return all;
 }
 
-TableCell words(const std::string& text) { return text.empty() ? TableCell{} : TableCell{text}; }
+struct NamedCell {
+  const study::Cell& cell;
+  std::string status;
+};
 
-std::vector<TableCell> scores_row(const study::CellScores& scores, std::size_t at) {
-  const study::H1Panel& panel = scores.own.panels[at];
-  const study::H1Row empty;
-  const study::H1Row& own = panel.rows.empty() ? empty : panel.rows.front();
-  const study::H1Row* const against = row_against(scores, at);
-  std::vector<TableCell> cells = {std::string(study::to_string(panel.kind)),
-                                  integer_cell(panel.complete),
-                                  integer_cell(panel.successes),
-                                  integer_cell(panel.clusters),
-                                  integer_cell(own.missing),
-                                  estimate(own.auc),
-                                  against != nullptr ? estimate(against->auc_gain) : TableCell{},
-                                  against != nullptr ? p_cell(against->auc_p) : TableCell{}};
-  add_rival(panel, &study::H1Row::auc_gain, &study::H1Row::auc_holm, cells);
-  cells.push_back(estimate(own.c));
-  cells.push_back(against != nullptr ? estimate(against->c_gain) : TableCell{});
-  cells.push_back(against != nullptr ? p_cell(against->c_p) : TableCell{});
-  add_rival(panel, &study::H1Row::c_gain, &study::H1Row::c_holm, cells);
-  cells.push_back(words(withheld_of(scores, at)));
-  return cells;
+ColumnsOf<NamedCell> name_columns() {
+  return ColumnsOf<NamedCell>()
+      .text("cell", "cell", [](auto& r) { return r.cell.name; })
+      .text("parameters", "parameters", [](auto& r) { return study::overrides_text(r.cell); })
+      .text("status", "status", &NamedCell::status);
 }
 
-TableCell share(std::size_t part, std::size_t whole) {
-  return whole == 0 ? TableCell{} : Number{static_cast<double>(part) / static_cast<double>(whole)};
+/// A panel of a cell's scores.
+struct CellPanel {
+  const study::CellScores& scores;
+  std::size_t at;
+
+  [[nodiscard]] const study::H1Panel& panel() const { return scores.own.panels[at]; }
+  [[nodiscard]] const H1Row* own() const {
+    return panel().rows.empty() ? nullptr : &panel().rows.front();
+  }
+  [[nodiscard]] const H1Row* against() const { return row_against(scores, at); }
+};
+
+/// Of AUC or of C: the score, its change from the full method, its gain over the strongest rival.
+ColumnsOf<CellPanel> score_columns(const std::string& name,
+                                   const std::string& symbol,
+                                   const std::string& level,
+                                   H1Score H1Row::*score,
+                                   H1Score H1Row::*gain,
+                                   std::optional<double> H1Row::*p,
+                                   std::optional<double> H1Row::*holm) {
+  const auto own = ColumnsOf<H1Row>().estimate(name, symbol + " [" + level + "]", score);
+  const auto change =
+      ColumnsOf<H1Row>()
+          .estimate(name + "_change", "change of " + symbol + " from full [" + level + "]", gain)
+          .p(name + "_change_p", "p", p);
+  const auto rival =
+      ColumnsOf<H1Row>()
+          .text(name + "_rival", "strongest rival", &H1Row::name)
+          .estimate(name + "_gain", "gain of " + symbol + " over it [" + level + "]", gain)
+          .p(name + "_gain_p_holm", "p Holm", holm);
+  return ColumnsOf<CellPanel>()
+      .part(own, &CellPanel::own)
+      .part(change, &CellPanel::against)
+      .part(rival, [gain](auto& r) { return strongest_rival(r.panel(), gain); });
 }
 
-std::vector<TableCell> named(const study::Cell& cell,
-                             const std::string& status,
-                             const std::vector<TableCell>& rest,
-                             const Table& table) {
-  std::vector<TableCell> cells = {cell.name, study::overrides_text(cell), status};
-  cells.insert(cells.end(), rest.begin(), rest.end());
-  cells.resize(table.columns.size());
-  return cells;
+ColumnsOf<CellPanel> cell_panel_columns(const std::string& level) {
+  const auto whole = [](const CellPanel& r) { return &r; };
+  return ColumnsOf<CellPanel>()
+      .text("panel", "panel", [](auto& r) { return std::string(to_string(r.panel().kind)); })
+      .integer("n", "n", [](auto& r) { return r.panel().complete; })
+      .integer("events", "successes", [](auto& r) { return r.panel().successes; })
+      .integer("clusters", "clusters", [](auto& r) { return r.panel().clusters; })
+      .integer(
+          "missing", "missing", [](auto& r) { return r.own() != nullptr ? r.own()->missing : 0; })
+      .part(
+          score_columns(
+              "auc", "AUC", level, &H1Row::auc, &H1Row::auc_gain, &H1Row::auc_p, &H1Row::auc_holm),
+          whole)
+      .part(score_columns("c", "C", level, &H1Row::c, &H1Row::c_gain, &H1Row::c_p, &H1Row::c_holm),
+            whole)
+      .text("withheld", "withheld for", [](auto& r) {
+        return not_empty(withheld_of(r.scores, r.at));
+      });
 }
 
-std::vector<Column> name_columns() {
-  return {text_column("cell", "cell"),
-          text_column("parameters", "parameters"),
-          text_column("status", "status")};
+ColumnsOf<CellIssuance> issuance_columns() {
+  using Count = CellIssuance;
+  return ColumnsOf<Count>()
+      .integer("successes", "successes", &Count::successes)
+      .integer("issued_successes", "issued", &Count::issued_successes)
+      .fixed("issued_successes_share",
+             "share",
+             [](auto& r) { return share(r.issued_successes, r.successes); })
+      .integer("failures", "failures", &Count::failures)
+      .integer("issued_failures", "issued", &Count::issued_failures)
+      .fixed("issued_failures_share",
+             "share",
+             [](auto& r) { return share(r.issued_failures, r.failures); })
+      .integer("spurious", "not by full", &Count::spurious)
+      .integer("spurious_failures", "of those failed", &Count::spurious_failures)
+      .fixed("spurious_failures_share",
+             "share",
+             [](auto& r) { return share(r.spurious_failures, r.spurious); })
+      .integer("lost", "by full only", &Count::lost)
+      .integer("before_goal", "before G", &Count::before_goal)
+      .integer("falling", "T_t fell", &Count::falling);
+}
+
+/// Of all lightings together and their first case.
+ColumnsOf<H3Group> speed_columns(const std::string& level) {
+  const auto first =
+      ColumnsOf<H3Case>()
+          .estimate("gated_m_per_min", "gated [" + level + "]", "m/min", 2, &H3Case::gated)
+          .estimate("gain_m_per_min", "gain [" + level + "]", "m/min", 2, &H3Case::gain)
+          .estimate("gain_share", "relative gain", &H3Case::gain_share)
+          .estimate("gap_recovered", "share of gap", &H3Case::recovered)
+          .integer("lost", "lost", &H3Case::lost)
+          .fixed("lost_upper", "bound", &H3Case::lost_upper)
+          .yes_or_no("non_inferior", "non-inferior", &H3Case::non_inferior)
+          .estimate("retained",
+                    "retained",
+                    [](auto& r) { return Estimated(r.retained, r.retained_interval); })
+          .integer("stalls", "stalls", &H3Case::stalls)
+          .integer("stalled_trials", "trials with stalls", &H3Case::stalled_trials);
+  return ColumnsOf<H3Group>()
+      .integer("n", "n", &H3Group::trials)
+      .integer("events", "successes", &H3Group::successes)
+      .estimate("ungated_m_per_min", "ungated", "m/min", 2, &H3Group::ungated)
+      .part(first, [](auto& group) { return &group.cases.front(); })
+      .text("withheld", "withheld for", [](auto& group) { return not_empty(withheld_of(group)); });
+}
+
+template <class Row>
+Table table_of_cells(std::string name, std::string title, const ColumnsOf<Row>& behind_the_name) {
+  Table table = name_columns().table(std::move(name), std::move(title));
+  behind_the_name.append_to(table.columns);
+  return table;
 }
 
 }  // namespace
 
 std::vector<std::vector<TableCell>> cell_panels(const study::CellScores& scores) {
+  const ColumnsOf<CellPanel> columns = cell_panel_columns("");
   std::vector<std::vector<TableCell>> rows;
   for (std::size_t panel = 0; panel < scores.own.panels.size(); ++panel) {
-    rows.push_back(scores_row(scores, panel));
+    rows.push_back(columns.row({scores, panel}));
   }
   return rows;
 }
 
-std::vector<TableCell> cell_issuance(const study::CellIssuance& count) {
-  return {integer_cell(count.successes),
-          integer_cell(count.issued_successes),
-          share(count.issued_successes, count.successes),
-          integer_cell(count.failures),
-          integer_cell(count.issued_failures),
-          share(count.issued_failures, count.failures),
-          integer_cell(count.spurious),
-          integer_cell(count.spurious_failures),
-          share(count.spurious_failures, count.spurious),
-          integer_cell(count.lost),
-          integer_cell(count.before_goal),
-          integer_cell(count.falling)};
+std::vector<TableCell> cell_issuance(const CellIssuance& count) {
+  return issuance_columns().row(count);
+}
+
+std::vector<TableCell> cell_speed(const study::H3Table& h3) {
+  const bool has_case = !h3.groups.empty() && !h3.groups.front().cases.empty();
+  return has_case ? speed_columns("").row(h3.groups.front()) : std::vector<TableCell>{};
 }
 
 Table cells_table(const BatchNotes& notes) {
-  const std::string level = interval_text(notes.interval, notes.level);
-  Table table;
-  table.name = "cells";
-  table.title = "H1 under each cell's parameters";
-  table.columns = name_columns();
-  table.columns.insert(table.columns.end(),
-                       {text_column("panel", "panel"),
-                        integer_column("n", "n"),
-                        integer_column("events", "successes"),
-                        integer_column("clusters", "clusters"),
-                        integer_column("missing", "missing"),
-                        estimate_column("auc", "AUC [" + level + "]"),
-                        estimate_column("auc_change", "change of AUC from full [" + level + "]"),
-                        p_column("auc_change_p", "p"),
-                        text_column("auc_rival", "strongest rival"),
-                        estimate_column("auc_gain", "gain of AUC over it [" + level + "]"),
-                        p_column("auc_gain_p_holm", "p Holm"),
-                        estimate_column("c", "C [" + level + "]"),
-                        estimate_column("c_change", "change of C from full [" + level + "]"),
-                        p_column("c_change_p", "p"),
-                        text_column("c_rival", "strongest rival"),
-                        estimate_column("c_gain", "gain of C over it [" + level + "]"),
-                        p_column("c_gain_p_holm", "p Holm"),
-                        text_column("withheld", "withheld for")});
+  Table table = table_of_cells("cells",
+                               "H1 under each cell's parameters",
+                               cell_panel_columns(interval_text(notes.interval, notes.level)));
   table.footnotes = {
       "Changes are the cell minus the full method, on the trials that have both features, in the "
       "same resamples; p by clustered DeLong and the clustered jackknife of C, not adjusted over "
@@ -178,26 +218,8 @@ Table cells_table(const BatchNotes& notes) {
 }
 
 Table cell_issuance_table() {
-  Table table;
-  table.name = "issuance";
-  table.title = "Certificates issued under each cell's parameters";
-  const auto share_column = [](std::string name, std::string heading) {
-    return Column{std::move(name), std::move(heading), "", ColumnKind::number, 3};
-  };
-  table.columns = name_columns();
-  table.columns.insert(table.columns.end(),
-                       {integer_column("successes", "successes"),
-                        integer_column("issued_successes", "issued"),
-                        share_column("issued_successes_share", "share"),
-                        integer_column("failures", "failures"),
-                        integer_column("issued_failures", "issued"),
-                        share_column("issued_failures_share", "share"),
-                        integer_column("spurious", "not by full"),
-                        integer_column("spurious_failures", "of those failed"),
-                        share_column("spurious_failures_share", "share"),
-                        integer_column("lost", "by full only"),
-                        integer_column("before_goal", "before G"),
-                        integer_column("falling", "T_t fell")});
+  Table table = table_of_cells(
+      "issuance", "Certificates issued under each cell's parameters", issuance_columns());
   table.footnotes = {
       "'not by full': trials with a certificate here and none by the full method; 'before G': "
       "issued before the robot was inside G; 'T_t fell': trials whose T_t fell at some tick, which "
@@ -205,53 +227,10 @@ Table cell_issuance_table() {
   return table;
 }
 
-std::vector<TableCell> cell_speed(const study::H3Table& h3) {
-  if (h3.groups.empty() || h3.groups.front().cases.empty()) {
-    return {};
-  }
-  const study::H3Group& all = h3.groups.front();
-  const study::H3Case& one = all.cases.front();
-  const TableCell retained = estimate_cell(one.retained, one.retained_interval);
-  return {integer_cell(all.trials),
-          integer_cell(all.successes),
-          estimate(all.ungated),
-          estimate(one.gated),
-          estimate(one.gain),
-          estimate(one.gain_share),
-          estimate(one.recovered),
-          integer_cell(one.lost),
-          number_cell(one.lost_upper),
-          one.non_inferior ? TableCell{std::string(*one.non_inferior ? "yes" : "no")} : TableCell{},
-          retained,
-          integer_cell(one.stalls),
-          integer_cell(one.stalled_trials),
-          words(withheld_of(all))};
-}
-
 Table cell_speed_table(const BatchNotes& notes) {
-  const std::string level = interval_text(notes.interval, notes.level);
-  Table table;
-  table.name = "speed";
-  table.title = "Speed gated by the margin under each cell's parameters (H3)";
-  table.columns = name_columns();
-  const auto rate = [](std::string name, std::string heading) {
-    return Column{std::move(name), std::move(heading), "m/min", ColumnKind::estimate, 2};
-  };
-  table.columns.insert(table.columns.end(),
-                       {integer_column("n", "n"),
-                        integer_column("events", "successes"),
-                        rate("ungated_m_per_min", "ungated"),
-                        rate("gated_m_per_min", "gated [" + level + "]"),
-                        rate("gain_m_per_min", "gain [" + level + "]"),
-                        estimate_column("gain_share", "relative gain"),
-                        estimate_column("gap_recovered", "share of gap"),
-                        integer_column("lost", "lost"),
-                        Column{"lost_upper", "bound", "", ColumnKind::number, 3},
-                        text_column("non_inferior", "non-inferior"),
-                        estimate_column("retained", "retained"),
-                        integer_column("stalls", "stalls"),
-                        integer_column("stalled_trials", "trials with stalls"),
-                        text_column("withheld", "withheld for")});
+  Table table = table_of_cells("speed",
+                               "Speed gated by the margin under each cell's parameters (H3)",
+                               speed_columns(interval_text(notes.interval, notes.level)));
   table.footnotes = {
       "All lightings together; 'tcert hypotheses h3' has each, and says how every column is made. "
       "A replay can only lose successes: it cannot see failures that speed would cause.",
@@ -263,11 +242,17 @@ void add_cell(const study::Cell& cell,
               const std::string& status,
               const std::vector<std::vector<TableCell>>& rows,
               Table& table) {
+  const auto add = [&](const std::vector<TableCell>& behind_the_name) {
+    std::vector<TableCell> cells = name_columns().row({cell, status});
+    cells.insert(cells.end(), behind_the_name.begin(), behind_the_name.end());
+    cells.resize(table.columns.size());
+    table.add_row(std::move(cells));
+  };
   if (rows.empty()) {
-    table.add_row(named(cell, status, {}, table));
+    add({});
   }
   for (const auto& row : rows) {
-    table.add_row(named(cell, status, row, table));
+    add(row);
   }
 }
 

@@ -6,45 +6,41 @@
 namespace tcert {
 namespace {
 
+struct Part {
+  std::string name;
+  const statistics::CalibrationCoefficient& one;
+  double ideal;
+
+  const statistics::CalibrationCoefficient& operator*() const noexcept { return one; }
+};
+
 Table coefficient_table(const statistics::ModelCalibration& calibration, double level) {
-  Table table;
-  table.name = "calibration";
-  table.title = "Calibration of predicted probabilities";
-  table.n = static_cast<std::int64_t>(calibration.rows);
-  table.columns = {text_column("term", "quantity"),
-                   number_column("estimate", "estimate"),
-                   number_column("std.error", "SE"),
-                   number_column("conf.low", "low"),
-                   number_column("conf.high", "high")};
+  using Coefficient = statistics::CalibrationCoefficient;
   const bool clustered = calibration.clusters > 0;
+  ColumnsOf<Part> columns;
+  columns.text("term", "quantity", &Part::name)
+      .number("estimate", "estimate", &Coefficient::estimate)
+      .number("std.error", "SE", &Coefficient::standard_error)
+      .ends({"conf.low", "low"}, {"conf.high", "high"}, &Coefficient::interval);
   if (clustered) {
-    append_columns(t_columns(false), table.columns);
+    columns.part(t_columns(false), [&](auto& r) {
+      return std::optional(statistics::by_cluster_t(
+          r.one.estimate, r.one.standard_error, {}, calibration.clusters, level));
+    });
   }
-  table.columns.push_back(number_column("ideal", "ideal"));
-  const auto add =
-      [&](const char* name, const statistics::CalibrationCoefficient& one, double ideal) {
-        std::vector<TableCell> cells{std::string(name),
-                                     number_cell(one.estimate),
-                                     number_cell(one.standard_error),
-                                     low_cell(one.interval),
-                                     high_cell(one.interval)};
-        if (clustered) {
-          append_t(statistics::by_cluster_t(
-                       one.estimate, one.standard_error, {}, calibration.clusters, level),
-                   cells,
-                   false);
-        }
-        cells.push_back(number_cell(ideal));
-        table.add_row(std::move(cells));
-      };
-  add("slope", calibration.slope, 1.0);
-  add("intercept", calibration.intercept, 0.0);
-  add("intercept, slope 1", calibration.in_the_large, 0.0);
+  columns.number("ideal", "ideal", &Part::ideal);
+  Table table =
+      columns.table("calibration",
+                    "Calibration of predicted probabilities",
+                    std::vector<Part>{{"slope", calibration.slope, 1.0},
+                                      {"intercept", calibration.intercept, 0.0},
+                                      {"intercept, slope 1", calibration.in_the_large, 0.0}});
+  table.n = static_cast<std::int64_t>(calibration.rows);
   table.footnotes = {
       "Slope and intercept: outcome on logit p, logistic. Below 1 the probabilities are too "
       "extreme; "
       "an intercept above 0 with slope 1 says that they are too low on average.",
-      calibration.clusters > 0
+      clustered
           ? "Errors are cluster-robust; intervals of the bins and the Hosmer-Lemeshow test take "
             "trials as independent, so with clusters they are too sure of themselves."
           : "Trials are taken as independent."};
@@ -55,30 +51,23 @@ Table coefficient_table(const statistics::ModelCalibration& calibration, double 
 }
 
 Table bin_table(const statistics::ModelCalibration& calibration) {
-  Table table;
-  table.name = "bins";
-  table.title = "Observed by predicted: bins of equal size";
+  using Bin = statistics::CalibrationBin;
+  Table table =
+      ColumnsOf<Bin>()
+          .number("p.low", "above", &Bin::low)
+          .number("p.high", "to", &Bin::high)
+          .integer("n", "n", &Bin::trials)
+          .integer("events", "events", &Bin::events)
+          .integer("clusters",
+                   "clusters",
+                   [&](auto& bin) {
+                     return calibration.clusters > 0 ? std::optional(bin.clusters) : std::nullopt;
+                   })
+          .number("predicted", "predicted", &Bin::predicted)
+          .number("observed", "observed", &Bin::observed)
+          .ends({"conf.low", "Wilson low"}, {"conf.high", "Wilson high"}, &Bin::wilson)
+          .table("bins", "Observed by predicted: bins of equal size", calibration.bins);
   table.n = static_cast<std::int64_t>(calibration.rows);
-  table.columns = {number_column("p.low", "above"),
-                   number_column("p.high", "to"),
-                   integer_column("n", "n"),
-                   integer_column("events", "events"),
-                   integer_column("clusters", "clusters"),
-                   number_column("predicted", "predicted"),
-                   number_column("observed", "observed"),
-                   number_column("conf.low", "Wilson low"),
-                   number_column("conf.high", "Wilson high")};
-  for (const statistics::CalibrationBin& bin : calibration.bins) {
-    table.add_row({number_cell(bin.low),
-                   number_cell(bin.high),
-                   integer_cell(bin.trials),
-                   integer_cell(bin.events),
-                   calibration.clusters > 0 ? integer_cell(bin.clusters) : TableCell{},
-                   number_cell(bin.predicted),
-                   number_cell(bin.observed),
-                   low_cell(bin.wilson),
-                   high_cell(bin.wilson)});
-  }
   return table;
 }
 
@@ -104,18 +93,17 @@ Table brier_table(const statistics::ModelCalibration& calibration) {
 }
 
 Table prediction_table(const CalibrationSource& source) {
-  Table table;
-  table.name = "predictions";
-  table.title = "Predicted probabilities";
-  table.columns = {integer_column("row", "row"),
-                   number_column("outcome", "outcome"),
-                   number_column("predicted", "predicted"),
-                   integer_column("fold", "fold")};
+  const auto columns =
+      ColumnsOf<std::size_t>()
+          .integer("row", "row", [&](std::size_t i) { return source.rows[i] + 1; })
+          .number("outcome", "outcome", [&](std::size_t i) { return source.outcome[i]; })
+          .number("predicted", "predicted", [&](std::size_t i) { return source.probability[i]; })
+          .integer("fold", "fold", [&](std::size_t i) {
+            return source.fold.empty() ? std::nullopt : std::optional(source.fold[i]);
+          });
+  Table table = columns.table("predictions", "Predicted probabilities");
   for (std::size_t i = 0; i < source.rows.size(); ++i) {
-    table.add_row({integer_cell(source.rows[i] + 1),
-                   number_cell(source.outcome[i]),
-                   number_cell(source.probability[i]),
-                   source.fold.empty() ? TableCell{} : integer_cell(source.fold[i])});
+    table.add_row(columns.row(i));
   }
   return table;
 }
@@ -140,11 +128,9 @@ FitReport calibration_report(const statistics::ModelCalibration& calibration,
       .number("brier",
               "Brier score",
               calibration.brier ? std::optional(calibration.brier->score) : std::nullopt)
-      .number("statistic",
-              "Hosmer-Lemeshow chi-squared",
-              test ? std::optional(test->statistic) : std::nullopt)
+      .number("statistic", "Hosmer-Lemeshow chi-squared", statistic_of(test))
       .integer("df", "df", test ? test->df : 0)
-      .p("p.value", "p", test ? std::optional(test->p_value) : std::nullopt);
+      .p("p.value", "p", p_of(test));
   report.summary = std::move(summary).table();
   report.tables = {
       coefficient_table(calibration, level), bin_table(calibration), brier_table(calibration)};

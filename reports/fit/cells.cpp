@@ -1,12 +1,17 @@
 #include "reports/fit/cells.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace tcert {
 
-TableCell integer_cell(std::size_t value) { return static_cast<std::int64_t>(value); }
+TableCell text_cell(const std::optional<std::string>& text) {
+  return text ? TableCell{*text} : TableCell{};
+}
+
+TableCell integer_cell(const std::optional<std::int64_t>& value) {
+  return value ? TableCell{*value} : TableCell{};
+}
 
 TableCell number_cell(const std::optional<double>& value) {
   return value && !std::isnan(*value) ? TableCell{Number{*value}} : TableCell{};
@@ -35,6 +40,15 @@ TableCell estimate_cell(const std::optional<double>& value,
     cell.high = interval->high;
   }
   return cell;
+}
+
+std::optional<double> share(std::size_t part, std::size_t whole) {
+  return whole == 0 ? std::nullopt
+                    : std::optional(static_cast<double>(part) / static_cast<double>(whole));
+}
+
+std::optional<std::string> not_empty(std::string text) {
+  return text.empty() ? std::nullopt : std::optional(std::move(text));
 }
 
 TableCell yes_or_no_cell(const std::optional<bool>& answer) {
@@ -107,35 +121,6 @@ Record& Record::p(std::string name, std::string heading, const std::optional<dou
 Table Record::table() && {
   table_.add_row(std::move(cells_));
   return std::move(table_);
-}
-
-std::string apart_from(std::string name, const std::vector<std::string>& taken) {
-  while (std::find(taken.begin(), taken.end(), name) != taken.end()) {
-    name.insert(0, ".");
-  }
-  return name;
-}
-
-Table matrix_table(std::string name,
-                   std::string title,
-                   const std::vector<std::string>& names,
-                   const Eigen::MatrixXd& values) {
-  Table table;
-  table.name = std::move(name);
-  table.title = std::move(title);
-  table.columns.push_back(text_column(apart_from("term", names), "term"));
-  for (const std::string& one : names) {
-    table.columns.push_back(number_column(one, one));
-  }
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    std::vector<TableCell> cells{names[i]};
-    for (std::size_t j = 0; j < names.size(); ++j) {
-      cells.push_back(
-          number_cell(values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j))));
-    }
-    table.add_row(std::move(cells));
-  }
-  return table;
 }
 
 }  // namespace tcert

@@ -2,12 +2,11 @@
 /// \file
 /// Cells and columns that the reports of fits have in common, named as R's broom names them.
 
-#include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <statistics/basics/interval.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "reports/table.hpp"
@@ -17,7 +16,8 @@ namespace tcert {
 /// Digits that people see of a coefficient or a statistic.
 inline constexpr int kShownDigits = 4;
 
-[[nodiscard]] TableCell integer_cell(std::size_t value);
+[[nodiscard]] TableCell text_cell(const std::optional<std::string>& text);
+[[nodiscard]] TableCell integer_cell(const std::optional<std::int64_t>& value);
 [[nodiscard]] TableCell number_cell(const std::optional<double>& value);
 [[nodiscard]] TableCell p_cell(const std::optional<double>& value);
 [[nodiscard]] TableCell low_cell(const std::optional<statistics::Interval>& interval);
@@ -26,6 +26,11 @@ inline constexpr int kShownDigits = 4;
 /// The value with its interval, if there is one; missing without a value.
 [[nodiscard]] TableCell estimate_cell(const std::optional<double>& value,
                                       const std::optional<statistics::Interval>& interval);
+/// part / whole; missing of nothing.
+[[nodiscard]] std::optional<double> share(std::size_t part, std::size_t whole);
+/// Missing if there are no words.
+[[nodiscard]] std::optional<std::string> not_empty(std::string text);
+
 /// "yes", "no" or missing.
 [[nodiscard]] TableCell yes_or_no_cell(const std::optional<bool>& answer);
 
@@ -62,16 +67,5 @@ class Record {
   Table table_;
   std::vector<TableCell> cells_;
 };
-
-/// `name`, or with as many dots before it as keep it apart from `taken`: a predictor may be called
-/// `term` or `row`, and no column may replace another in JSON.
-[[nodiscard]] std::string apart_from(std::string name, const std::vector<std::string>& taken);
-
-/// A square matrix with its names: column `term` (`.term` if a name is `term`), then one column a
-/// name. NaN is missing.
-[[nodiscard]] Table matrix_table(std::string name,
-                                 std::string title,
-                                 const std::vector<std::string>& names,
-                                 const Eigen::MatrixXd& values);
 
 }  // namespace tcert

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "reports/fit/cells.hpp"
+#include "reports/columns_of.hpp"
 
 namespace tcert {
 
@@ -28,24 +28,15 @@ std::string_view reason_without_estimate(statistics::CoefficientKind kind) {
 
 Table drop_table(const std::vector<statistics::DroppedTerm>& dropped,
                  std::string_view deviance_heading) {
-  Table table;
-  table.name = "drop1";
-  table.title = "Likelihood-ratio test of each term";
-  table.columns = {text_column("term", "term"),
-                   integer_column("df", "df"),
-                   number_column("deviance", std::string(deviance_heading)),
-                   number_column("AIC", "AIC without"),
-                   number_column("statistic", "chi-squared"),
-                   p_column()};
-  for (const statistics::DroppedTerm& one : dropped) {
-    table.add_row({one.term,
-                   integer_cell(one.df),
-                   number_cell(one.deviance),
-                   number_cell(one.aic),
-                   number_cell(one.chi_squared),
-                   p_cell(one.p_value)});
-  }
-  return table;
+  using Term = statistics::DroppedTerm;
+  return ColumnsOf<Term>()
+      .text("term", "term", &Term::term)
+      .integer("df", "df", &Term::df)
+      .number("deviance", std::string(deviance_heading), &Term::deviance)
+      .number("AIC", "AIC without", &Term::aic)
+      .number("statistic", "chi-squared", &Term::chi_squared)
+      .p("p.value", "p", &Term::p_value)
+      .table("drop1", "Likelihood-ratio test of each term", dropped);
 }
 
 }  // namespace tcert

@@ -2,89 +2,60 @@
 
 #include "reports/fit/cells.hpp"
 #include "reports/fit/interval_columns.hpp"
+#include "reports/fit/matrix_table.hpp"
 
 namespace tcert {
 namespace {
 
 Table estimate_table(const statistics::ConcordanceResult& result, double level) {
-  Table table;
-  table.name = "concordance";
-  table.title = "Concordance C: Pr(the row with the longer time has the better value)";
-  table.n = static_cast<std::int64_t>(result.n);
-  table.columns = {text_column("term", "predictor"),
-                   number_column("estimate", "C"),
-                   number_column("std.error", "SE"),
-                   number_column("conf.low", "low"),
-                   number_column("conf.high", "high"),
-                   number_column("variance", "variance"),
-                   number_column("null.variance", "variance at 1/2"),
-                   number_column("concordant", "concordant"),
-                   number_column("discordant", "discordant"),
-                   number_column("tied.x", "tied x"),
-                   number_column("tied.y", "tied y"),
-                   number_column("tied.xy", "tied xy")};
-  for (std::size_t k = table.columns.size() - 5; k < table.columns.size(); ++k) {
-    table.columns[k].significant = 12;
-  }
+  using Estimate = statistics::ConcordanceEstimate;
+  constexpr int kCountDigits = 12;
+  ColumnsOf<Estimate> columns;
+  columns.text("term", "predictor", &Estimate::name)
+      .number("estimate", "C", &Estimate::c)
+      .number("std.error", "SE", &Estimate::std_error)
+      .ends({"conf.low", "low"}, {"conf.high", "high"}, &Estimate::interval)
+      .number("variance", "variance", &Estimate::variance)
+      .number("null.variance", "variance at 1/2", &Estimate::null_variance)
+      .number("concordant", "concordant", [](auto& one) { return one.counts.concordant; })
+      .significant(kCountDigits)
+      .number("discordant", "discordant", [](auto& one) { return one.counts.discordant; })
+      .significant(kCountDigits)
+      .number("tied.x", "tied x", [](auto& one) { return one.counts.tied_x; })
+      .significant(kCountDigits)
+      .number("tied.y", "tied y", [](auto& one) { return one.counts.tied_y; })
+      .significant(kCountDigits)
+      .number("tied.xy", "tied xy", [](auto& one) { return one.counts.tied_xy; })
+      .significant(kCountDigits);
   if (result.clusters > 0) {
-    append_columns(t_columns(false), table.columns);
-    table.footnotes.push_back(t_footnote(result.clusters));
+    columns.part(t_columns(false), [&](auto& one) {
+      return std::optional(
+          clipped(statistics::by_cluster_t(one.c, one.std_error, {}, result.clusters, level)));
+    });
   }
-  for (const statistics::ConcordanceEstimate& one : result.estimates) {
-    std::vector<TableCell> cells{one.name,
-                                 number_cell(one.c),
-                                 number_cell(one.std_error),
-                                 low_cell(one.interval),
-                                 high_cell(one.interval),
-                                 number_cell(one.variance),
-                                 number_cell(one.null_variance),
-                                 number_cell(one.counts.concordant),
-                                 number_cell(one.counts.discordant),
-                                 number_cell(one.counts.tied_x),
-                                 number_cell(one.counts.tied_y),
-                                 number_cell(one.counts.tied_xy)};
-    if (result.clusters > 0) {
-      append_t(clipped(statistics::by_cluster_t(one.c, one.std_error, {}, result.clusters, level)),
-               cells,
-               false);
-    }
-    table.add_row(std::move(cells));
+  Table table =
+      columns.table("concordance",
+                    "Concordance C: Pr(the row with the longer time has the better value)",
+                    result.estimates);
+  table.n = static_cast<std::int64_t>(result.n);
+  if (result.clusters > 0) {
+    table.footnotes.push_back(t_footnote(result.clusters));
   }
   return table;
 }
 
-Table difference_table(const statistics::ConcordanceResult& result, double level) {
-  Table table;
-  table.name = "differences";
-  table.title = "Paired differences of C";
-  table.columns = {text_column("first", "first"),
-                   text_column("second", "second"),
-                   number_column("estimate", "difference"),
-                   number_column("std.error", "SE"),
-                   number_column("statistic", "z"),
-                   p_column(),
-                   number_column("conf.low", "low"),
-                   number_column("conf.high", "high")};
-  if (result.clusters > 0) {
-    append_columns(t_columns(), table.columns);
-  }
+std::vector<Difference> differences_of(const statistics::ConcordanceResult& result) {
+  std::vector<Difference> differences;
   for (const statistics::ConcordanceDifference& one : result.differences) {
-    std::vector<TableCell> cells{result.estimates[one.first].name,
-                                 result.estimates[one.second].name,
-                                 number_cell(one.difference),
-                                 number_cell(one.std_error),
-                                 number_cell(one.z),
-                                 p_cell(one.p_value),
-                                 low_cell(one.interval),
-                                 high_cell(one.interval)};
-    if (result.clusters > 0) {
-      append_t(
-          statistics::by_cluster_t(one.difference, one.std_error, one.z, result.clusters, level),
-          cells);
-    }
-    table.add_row(std::move(cells));
+    differences.push_back({result.estimates[one.first].name,
+                           result.estimates[one.second].name,
+                           one.difference,
+                           one.std_error,
+                           one.z,
+                           one.p_value,
+                           one.interval});
   }
-  return table;
+  return differences;
 }
 
 }  // namespace
@@ -94,7 +65,8 @@ FitReport concordance_report(const statistics::ConcordanceResult& result, double
   report.model = "concordance";
   report.tables = {estimate_table(result, level)};
   if (!result.differences.empty()) {
-    report.tables.push_back(difference_table(result, level));
+    report.tables.push_back(difference_table(
+        "Paired differences of C", differences_of(result), result.clusters, level));
   }
   Record summary("summary", "Rows");
   summary.integer("n", "rows", result.n)
@@ -102,15 +74,14 @@ FitReport concordance_report(const statistics::ConcordanceResult& result, double
       .integer("clusters", "clusters", result.clusters)
       .integer("missing", "rows without a predictor", result.missing);
   report.summary = std::move(summary).table();
+  report.conditions = result.conditions;
   std::vector<std::string> names;
   for (const statistics::ConcordanceEstimate& one : result.estimates) {
     names.push_back(one.name);
-    report.conditions.insert(report.conditions.end(), one.conditions.begin(), one.conditions.end());
+    report.add(one.conditions);
   }
-  report.conditions.insert(
-      report.conditions.begin(), result.conditions.begin(), result.conditions.end());
   for (const statistics::ConcordanceDifference& one : result.differences) {
-    report.conditions.insert(report.conditions.end(), one.conditions.begin(), one.conditions.end());
+    report.add(one.conditions);
   }
   point_to_t(report.conditions);
   if (result.covariance.rows() == static_cast<Eigen::Index>(names.size())) {

@@ -4,53 +4,45 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reports/fit/cells.hpp"
 #include "reports/fit/interval_columns.hpp"
+#include "reports/fit/matrix_table.hpp"
 
 namespace tcert {
 namespace {
 
+struct Coefficient {
+  const statistics::CoxCoefficient& one;
+  statistics::ClusterT by_t;
+
+  const statistics::CoxCoefficient& operator*() const noexcept { return one; }
+};
+
 Table coefficient_table(const statistics::CoxFit& fit) {
-  Table table;
-  table.name = "coefficients";
-  table.title = "Cox model: log hazard ratios";
-  table.n = static_cast<std::int64_t>(fit.rows);
-  table.columns = {text_column("term", "term"),
-                   number_column("estimate", "estimate"),
-                   number_column("std.error", "SE"),
-                   number_column("robust.se", "robust SE"),
-                   number_column("statistic", "z"),
-                   p_column(),
-                   number_column("conf.low", "low"),
-                   number_column("conf.high", "high")};
+  using Cox = statistics::CoxCoefficient;
   const bool clustered = fit.clusters > 0;
-  std::vector<std::string> others;
+  ColumnsOf<Coefficient> columns;
+  columns.text("term", "term", &Cox::column)
+      .number("estimate", "estimate", &Cox::estimate)
+      .number("std.error", "SE", &Cox::model_se)
+      .number("robust.se", "robust SE", &Cox::robust_se)
+      .number("statistic", "z", &Cox::z)
+      .p("p.value", "p", &Cox::p_value)
+      .ends({"conf.low", "low"}, {"conf.high", "high"}, &Cox::interval);
   if (clustered) {
-    append_columns(t_columns(), table.columns);
-    others = {"t"};
-    table.footnotes.push_back(t_footnote(fit.clusters));
+    columns.part(t_columns(), [](auto& r) { return &r.by_t; });
   }
-  append_columns(ratio_columns(hazard_ratio_name(), others), table.columns);
-  for (const statistics::CoxCoefficient& one : fit.coefficients) {
-    std::vector<TableCell> cells{one.column,
-                                 number_cell(one.estimate),
-                                 number_cell(one.model_se),
-                                 number_cell(one.robust_se),
-                                 number_cell(one.z),
-                                 p_cell(one.p_value),
-                                 low_cell(one.interval),
-                                 high_cell(one.interval)};
-    const statistics::ClusterT by_t =
-        statistics::by_cluster_t(one.estimate, one.robust_se, one.z, fit.clusters, fit.level);
-    if (clustered) {
-      append_t(by_t, cells);
-    }
-    cells.push_back(number_cell(one.hazard_ratio));
-    append_ratios(one.interval, cells);
-    if (clustered) {
-      append_ratios(by_t.interval, cells);
-    }
-    table.add_row(std::move(cells));
+  columns.part(ratio_columns(hazard_ratio_name(), clustered ? "t" : ""), [](auto& r) {
+    return std::optional(LogRatio{r.one.estimate, r.one.interval, limits_of(r.by_t.interval)});
+  });
+  Table table = columns.table("coefficients", "Cox model: log hazard ratios");
+  table.n = static_cast<std::int64_t>(fit.rows);
+  for (const Cox& one : fit.coefficients) {
+    table.add_row(columns.row(
+        {one,
+         statistics::by_cluster_t(one.estimate, one.robust_se, one.z, fit.clusters, fit.level)}));
+  }
+  if (clustered) {
+    table.footnotes.push_back(t_footnote(fit.clusters));
   }
   return table;
 }
@@ -59,9 +51,8 @@ void add_test(const std::string& name,
               const std::string& heading,
               const std::optional<statistics::ChiSquareTest>& test,
               Record& summary) {
-  summary.number(
-      "statistic." + name, heading, test ? std::optional(test->statistic) : std::nullopt);
-  summary.p("p.value." + name, heading + " p", test ? std::optional(test->p_value) : std::nullopt);
+  summary.number("statistic." + name, heading, statistic_of(test))
+      .p("p.value." + name, heading + " p", p_of(test));
 }
 
 Table summary_of(const statistics::CoxFit& fit,
@@ -98,31 +89,21 @@ Table summary_of(const statistics::CoxFit& fit,
   return std::move(summary).table();
 }
 
-void append_tests(const statistics::ProportionalityTests& tests, bool with_global, Table& table) {
-  const auto append = [&](const std::string& name,
-                          const std::optional<statistics::ChiSquareTest>& test) {
-    table.add_row({name,
-                   test ? number_cell(test->statistic) : TableCell{},
-                   test ? integer_cell(test->df) : TableCell{},
-                   test ? p_cell(test->p_value) : TableCell{}});
-  };
-  for (const statistics::ProportionalityTest& part : tests.parts) {
-    append(part.name, part.test);
-  }
-  if (with_global) {
-    append("GLOBAL", tests.global);
-  }
+ColumnsOf<statistics::ProportionalityTest> proportionality_columns() {
+  using Test = statistics::ProportionalityTest;
+  return ColumnsOf<Test>()
+      .text("term", "term", &Test::name)
+      .part(chi_square_columns(), &Test::test);
 }
 
-Table proportionality_table(std::string name, std::string title) {
-  Table table;
-  table.name = std::move(name);
-  table.title = std::move(title);
-  table.columns = {text_column("term", "term"),
-                   number_column("statistic", "chi-squared"),
-                   integer_column("df", "df"),
-                   p_column()};
-  return table;
+Table term_table(const statistics::TermTests& tests, std::string name, std::string title) {
+  using Test = statistics::TermTest;
+  return ColumnsOf<Test>()
+      .text("term", "term", &Test::term)
+      .part(chi_square_columns(), &Test::test)
+      .number("logLik", "log-likelihood", &Test::loglik)
+      .number("AIC", "AIC", &Test::aic)
+      .table(std::move(name), std::move(title), tests.rows);
 }
 
 }  // namespace
@@ -133,12 +114,8 @@ FitReport cox_report(const statistics::CoxFit& fit,
   report.model = "cox";
   report.tables = {coefficient_table(fit)};
   report.summary = summary_of(fit, concordance);
-  std::vector<std::string> names;
-  for (const statistics::CoxCoefficient& one : fit.coefficients) {
-    names.push_back(one.column);
-  }
-  const auto p = static_cast<Eigen::Index>(names.size());
-  if (p > 0 && fit.vcov.rows() == p) {
+  const std::vector<std::string> names = names_of(fit.coefficients);
+  if (!names.empty() && fit.vcov.rows() == static_cast<Eigen::Index>(names.size())) {
     report.details.push_back(
         matrix_table("vcov", "Covariance of the coefficients", names, fit.vcov));
     report.details.push_back(
@@ -152,38 +129,23 @@ FitReport cox_report(const statistics::CoxFit& fit,
 void add_proportionality(const statistics::ProportionalityTests& by_term,
                          const statistics::ProportionalityTests& by_column,
                          FitReport& report) {
-  Table terms = proportionality_table("zph",
-                                      "Test of proportional hazards, time scale " +
-                                          std::string(statistics::to_string(by_term.transform)));
-  append_tests(by_term, true, terms);
+  const ColumnsOf<statistics::ProportionalityTest> columns = proportionality_columns();
+  Table terms = columns.table("zph",
+                              "Test of proportional hazards, time scale " +
+                                  std::string(statistics::to_string(by_term.transform)),
+                              by_term.parts);
+  terms.add_row(columns.row({"GLOBAL", by_term.global}));
   report.tables.push_back(std::move(terms));
-  Table columns = proportionality_table("zph_columns", "The same by coefficient");
-  append_tests(by_column, false, columns);
-  report.details.push_back(std::move(columns));
-  report.conditions.insert(
-      report.conditions.end(), by_term.conditions.begin(), by_term.conditions.end());
+  report.details.push_back(
+      columns.table("zph_columns", "The same by coefficient", by_column.parts));
+  report.add(by_term.conditions);
 }
 
 void add_term_tests(const statistics::TermTests& anova,
                     const statistics::TermTests& drop1,
                     FitReport& report) {
-  const auto table_of =
-      [](const statistics::TermTests& tests, std::string name, std::string title) {
-        Table table = proportionality_table(std::move(name), std::move(title));
-        table.columns.push_back(number_column("logLik", "log-likelihood"));
-        table.columns.push_back(number_column("AIC", "AIC"));
-        for (const statistics::TermTest& one : tests.rows) {
-          table.add_row({one.term,
-                         one.test ? number_cell(one.test->statistic) : TableCell{},
-                         one.test ? integer_cell(one.test->df) : TableCell{},
-                         one.test ? p_cell(one.test->p_value) : TableCell{},
-                         number_cell(one.loglik),
-                         number_cell(one.aic)});
-        }
-        return table;
-      };
-  report.tables.push_back(table_of(drop1, "drop1", "Likelihood-ratio test of each term"));
-  report.details.push_back(table_of(anova, "anova", "Terms added in turn"));
+  report.tables.push_back(term_table(drop1, "drop1", "Likelihood-ratio test of each term"));
+  report.details.push_back(term_table(anova, "anova", "Terms added in turn"));
   for (const statistics::TermTests* const tests : {&anova, &drop1}) {
     // Without a refit there is no test; the fit itself stands.
     for (statistics::Condition condition :
@@ -196,19 +158,30 @@ void add_term_tests(const statistics::TermTests& anova,
   }
 }
 
+namespace {
+
+/// A step of a curve.
+template <class Curve>
+struct Step {
+  const Curve& curve;
+  std::size_t at;
+};
+
+}  // namespace
+
 Table baseline_table(const std::vector<statistics::BaselineHazard>& hazards) {
-  Table table;
-  table.name = "basehaz";
-  table.title = "Cumulative baseline hazard, all covariates 0";
-  table.columns = {text_column("strata", "stratum"),
-                   time_column("time", "time"),
-                   number_column("hazard", "hazard")};
-  for (const statistics::BaselineHazard& one : hazards) {
+  using Hazard = statistics::BaselineHazard;
+  const auto columns = ColumnsOf<Step<Hazard>>()
+                           .text("strata", "stratum", [](auto& r) { return r.curve.stratum; })
+                           .time("time", "time", [](auto& r) { return r.curve.time[r.at]; })
+                           .number("hazard", "hazard", [](auto& r) {
+                             const double hazard = r.curve.hazard[r.at];
+                             return std::isfinite(hazard) ? std::optional(hazard) : std::nullopt;
+                           });
+  Table table = columns.table("basehaz", "Cumulative baseline hazard, all covariates 0");
+  for (const Hazard& one : hazards) {
     for (std::size_t i = 0; i < one.time.size(); ++i) {
-      const bool is_finite = std::isfinite(one.hazard[i]);
-      table.add_row({one.stratum,
-                     number_cell(one.time[i]),
-                     is_finite ? number_cell(one.hazard[i]) : TableCell{}});
+      table.add_row(columns.row({one, i}));
     }
   }
   return table;
@@ -216,25 +189,20 @@ Table baseline_table(const std::vector<statistics::BaselineHazard>& hazards) {
 
 Table curve_table(const std::vector<statistics::CoxCurve>& curves,
                   const std::vector<std::size_t>& rows) {
-  Table table;
-  table.name = "curves";
-  table.title = "Predicted survival";
-  table.columns = {integer_column("row", "row"),
-                   text_column("strata", "stratum"),
-                   time_column("time", "time"),
-                   number_column("estimate", "survival"),
-                   number_column("std.error", "SE"),
-                   number_column("conf.low", "low"),
-                   number_column("conf.high", "high")};
-  for (const statistics::CoxCurve& one : curves) {
+  using Curve = statistics::CoxCurve;
+  const auto columns =
+      ColumnsOf<Step<Curve>>()
+          .integer("row", "row", [&](auto& r) { return rows[r.curve.row]; })
+          .text("strata", "stratum", [](auto& r) { return r.curve.stratum; })
+          .time("time", "time", [](auto& r) { return r.curve.time[r.at]; })
+          .number("estimate", "survival", [](auto& r) { return r.curve.survival[r.at]; })
+          .number("std.error", "SE", [](auto& r) { return r.curve.std_err[r.at]; })
+          .number("conf.low", "low", [](auto& r) { return r.curve.lower[r.at]; })
+          .number("conf.high", "high", [](auto& r) { return r.curve.upper[r.at]; });
+  Table table = columns.table("curves", "Predicted survival");
+  for (const Curve& one : curves) {
     for (std::size_t i = 0; i < one.time.size(); ++i) {
-      table.add_row({integer_cell(rows[one.row]),
-                     one.stratum,
-                     number_cell(one.time[i]),
-                     number_cell(one.survival[i]),
-                     number_cell(one.std_err[i]),
-                     number_cell(one.lower[i]),
-                     number_cell(one.upper[i])});
+      table.add_row(columns.row({one, i}));
     }
   }
   return table;
@@ -244,42 +212,37 @@ Table residual_table(const statistics::CoxResiduals& residuals,
                      const std::string& word,
                      const std::vector<std::string>& columns,
                      const std::vector<std::size_t>& rows) {
-  Table table;
-  table.name = word;
-  table.title = word + " residuals";
-  table.columns = {integer_column(apart_from("row", columns), "row")};
   const bool by_event = word == "schoenfeld" || word == "scaledsch";
+  const bool is_vector = word == "martingale" || word == "deviance";
   Eigen::MatrixXd values;
-  if (word == "martingale" || word == "deviance") {
+  if (is_vector) {
     values = word == "martingale" ? residuals.martingale : residuals.deviance;
-    table.columns.push_back(number_column("residual", word));
-  } else {
-    const std::vector<std::pair<std::string, const Eigen::MatrixXd*>> matrices{
-        {"score", &residuals.score},
-        {"dfbeta", &residuals.dfbeta},
-        {"dfbetas", &residuals.dfbetas},
-        {"schoenfeld", &residuals.schoenfeld},
-        {"scaledsch", &residuals.scaled_schoenfeld}};
-    for (const auto& [name, matrix] : matrices) {
-      if (name == word) {
-        values = *matrix;
-      }
-    }
-    for (const std::string& column : columns) {
-      table.columns.push_back(number_column(column, column));
+  }
+  for (const auto& [name, matrix] : {std::pair("score", &residuals.score),
+                                     std::pair("dfbeta", &residuals.dfbeta),
+                                     std::pair("dfbetas", &residuals.dfbetas),
+                                     std::pair("schoenfeld", &residuals.schoenfeld),
+                                     std::pair("scaledsch", &residuals.scaled_schoenfeld)}) {
+    if (name == word) {
+      values = *matrix;
     }
   }
-  if (values.cols() + 1 != static_cast<Eigen::Index>(table.columns.size())) {
+  ColumnsOf<Eigen::Index> shown;
+  shown.integer(apart_from("row", columns), "row", [&](Eigen::Index i) {
+    const auto at = static_cast<std::size_t>(i);
+    return rows[by_event ? residuals.event_rows[at] : at] + 1;
+  });
+  if (is_vector) {
+    shown.number("residual", word, [&](Eigen::Index i) { return values(i, 0); });
+  } else {
+    add_matrix_columns(columns, values, shown);
+  }
+  if (values.cols() + 1 != static_cast<Eigen::Index>(shown.all().size())) {
     throw std::invalid_argument("no residuals of the kind '" + word + "'");
   }
+  Table table = shown.table(word, word + " residuals");
   for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const std::size_t row = rows[by_event ? residuals.event_rows[at] : at];
-    std::vector<TableCell> cells{integer_cell(row + 1)};
-    for (Eigen::Index j = 0; j < values.cols(); ++j) {
-      cells.push_back(number_cell(values(i, j)));
-    }
-    table.add_row(std::move(cells));
+    table.add_row(shown.row(i));
   }
   return table;
 }

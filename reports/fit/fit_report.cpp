@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reports/columns_of.hpp"
 #include "reports/table_json.hpp"
 
 namespace tcert {
@@ -28,22 +29,14 @@ Table name_and_value(const Table& record) {
 }
 
 Table conditions_table(const statistics::Conditions& conditions) {
-  Table table;
-  table.name = "conditions";
-  table.title = "Conditions";
-  table.columns = {{"severity", "", "", ColumnKind::text},
-                   {"condition", "condition", "", ColumnKind::text},
-                   {"column", "column", "", ColumnKind::text},
-                   {"detail", "found", "", ColumnKind::text},
-                   {"advice", "what to do", "", ColumnKind::text}};
-  for (const statistics::Condition& condition : conditions) {
-    table.add_row({std::string(statistics::to_string(condition.severity)),
-                   std::string(statistics::words(condition.kind)),
-                   condition.column,
-                   condition.detail,
-                   std::string(statistics::advice(condition))});
-  }
-  return table;
+  using statistics::Condition;
+  return ColumnsOf<Condition>()
+      .text("severity", "", [](auto& one) { return std::string(to_string(one.severity)); })
+      .text("condition", "condition", [](auto& one) { return std::string(words(one.kind)); })
+      .text("column", "column", &Condition::column)
+      .text("detail", "found", &Condition::detail)
+      .text("advice", "what to do", [](auto& one) { return std::string(advice(one)); })
+      .table("conditions", "Conditions", conditions);
 }
 
 Json json_of(const statistics::Conditions& conditions) {
@@ -124,6 +117,10 @@ std::vector<std::string> FitReport::table_names() const {
     }
   }
   return names;
+}
+
+void FitReport::add(const statistics::Conditions& more) {
+  conditions.insert(conditions.end(), more.begin(), more.end());
 }
 
 bool has_estimate(const FitReport& report) {

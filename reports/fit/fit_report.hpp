@@ -25,6 +25,8 @@ struct FitReport {
   /// Null if there is no table of that name.
   [[nodiscard]] const Table* find(std::string_view table) const noexcept;
   [[nodiscard]] std::vector<std::string> table_names() const;
+
+  void add(const statistics::Conditions& more);
 };
 
 /// Whether there is what the fit is for: a number in the column `estimate` of the main table (of a

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "reports/fit/cells.hpp"
 #include "reports/fit/coefficient_words.hpp"
 #include "reports/fit/interval_columns.hpp"
+#include "reports/fit/matrix_table.hpp"
 
 namespace tcert {
 namespace {
@@ -20,141 +20,117 @@ std::string title_of(const statistics::GlmmFit& fit) {
                             : "Logistic mixed model: log odds of success, Laplace";
 }
 
-void add_fixed_rows(const statistics::GlmmFit& fit,
-                    const statistics::GlmmProfile& profile,
-                    Table& table) {
+/// A fixed effect, or a standard deviation or a correlation of random ones.
+struct Parameter {
+  std::optional<std::string> group;  ///< Of a random effect.
+  std::string name;
+  std::optional<double> value;
+  std::optional<statistics::Interval> profile;
+  const statistics::LogisticCoefficient* fixed = nullptr;
+};
+
+ColumnsOf<statistics::LogisticCoefficient> wald_columns() {
+  using Fixed = statistics::LogisticCoefficient;
+  return ColumnsOf<Fixed>()
+      .number("std.error", "SE", &Fixed::standard_error)
+      .number("statistic", "z", &Fixed::z)
+      .p("p.value", "p", &Fixed::p_value)
+      .ends({"conf.low", "Wald low"}, {"conf.high", "Wald high"}, &Fixed::interval);
+}
+
+ColumnsOf<Parameter> parameter_columns() {
+  return ColumnsOf<Parameter>()
+      .text("effect", "effect", [](auto& r) { return r.fixed != nullptr ? "fixed" : "ran_pars"; })
+      .text("group", "group", &Parameter::group)
+      .text("term", "term", &Parameter::name)
+      .number("estimate", "estimate", &Parameter::value)
+      .part(wald_columns(), &Parameter::fixed)
+      .ends({"profile.low", "profile low"}, {"profile.high", "profile high"}, &Parameter::profile)
+      .part(ratio_columns(odds_ratio_name(), "profile"),
+            [](auto& r) {
+              return r.fixed == nullptr ? std::nullopt
+                                        : std::optional(LogRatio{
+                                              r.value, r.fixed->interval, limits_of(r.profile)});
+            })
+      .text("kind", "", [](auto& r) {
+        return r.fixed == nullptr ? "" : std::string(reason_without_estimate(r.fixed->kind));
+      });
+}
+
+std::vector<Parameter> parameters_of(const statistics::GlmmFit& fit,
+                                     const statistics::GlmmProfile& profile) {
+  std::vector<Parameter> all;
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
     const statistics::LogisticCoefficient& one = fit.coefficients[k];
-    const std::optional<statistics::Interval> by_profile =
-        one.kind == statistics::CoefficientKind::finite ? at(profile.coefficients, k)
-                                                        : std::nullopt;
-    std::vector<TableCell> cells{std::string("fixed"),
-                                 TableCell{},
-                                 one.column,
-                                 number_cell(one.estimate),
-                                 number_cell(one.standard_error),
-                                 number_cell(one.z),
-                                 p_cell(one.p_value),
-                                 low_cell(one.interval),
-                                 high_cell(one.interval),
-                                 low_cell(by_profile),
-                                 high_cell(by_profile),
-                                 ratio_cell(one.estimate)};
-    append_ratios(one.interval, cells);
-    append_ratios(by_profile, cells);
-    cells.emplace_back(std::string(reason_without_estimate(one.kind)));
-    table.add_row(std::move(cells));
+    const bool finite = one.kind == statistics::CoefficientKind::finite;
+    all.push_back(
+        {{}, one.column, one.estimate, finite ? at(profile.coefficients, k) : std::nullopt, &one});
   }
-}
-
-/// A standard deviation or a correlation.
-void add_parameter_row(const std::string& group,
-                       const std::string& name,
-                       double value,
-                       const std::optional<statistics::Interval>& profile,
-                       Table& table) {
-  std::vector<TableCell> row(table.columns.size());
-  row[0] = std::string("ran_pars");
-  row[1] = group;
-  row[2] = name;
-  row[3] = number_cell(value);
-  row[9] = low_cell(profile);
-  row[10] = high_cell(profile);
-  row.back() = std::string();
-  table.add_row(std::move(row));
-}
-
-void add_random_rows(const statistics::GlmmFit& fit,
-                     const statistics::GlmmProfile& profile,
-                     Table& table) {
   for (std::size_t t = 0; t < fit.random.size(); ++t) {
     const statistics::GlmmRandomTerm& term = fit.random[t];
     for (std::size_t a = 0; a < term.columns.size(); ++a) {
-      add_parameter_row(
-          term.group, "sd__" + term.columns[a], term.sd[a], at(profile.sds, t), table);
+      all.push_back({term.group, "sd__" + term.columns[a], term.sd[a], at(profile.sds, t)});
     }
     for (std::size_t a = 1; a < term.columns.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
-        add_parameter_row(
-            term.group,
-            "cor__" + term.columns[b] + "." + term.columns[a],
-            term.correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)),
-            std::nullopt,
-            table);
+        all.push_back({term.group,
+                       "cor__" + term.columns[b] + "." + term.columns[a],
+                       term.correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)),
+                       {}});
       }
     }
   }
+  return all;
 }
 
 Table coefficient_table(const statistics::GlmmFit& fit, const statistics::GlmmProfile& profile) {
-  Table table;
-  table.name = "coefficients";
-  table.title = title_of(fit);
+  Table table =
+      parameter_columns().table("coefficients", title_of(fit), parameters_of(fit, profile));
   table.n = static_cast<std::int64_t>(fit.rows);
-  table.columns = {text_column("effect", "effect"),
-                   text_column("group", "group"),
-                   text_column("term", "term"),
-                   number_column("estimate", "estimate"),
-                   number_column("std.error", "SE"),
-                   number_column("statistic", "z"),
-                   p_column(),
-                   number_column("conf.low", "Wald low"),
-                   number_column("conf.high", "Wald high"),
-                   number_column("profile.low", "profile low"),
-                   number_column("profile.high", "profile high")};
-  append_columns(ratio_columns(odds_ratio_name(), {"profile"}), table.columns);
-  table.columns.push_back(text_column("kind", ""));
-  add_fixed_rows(fit, profile, table);
-  add_random_rows(fit, profile, table);
   return table;
 }
 
 /// Half chi-squared with df - 1, half with df degrees of freedom.
 Table boundary_table(const statistics::GlmmFit& fit) {
-  Table table;
-  table.name = "random";
-  table.title = "Random effects, each against the model without it (on the boundary)";
-  table.columns = {text_column("group", "group"),
-                   integer_column("levels", "levels"),
-                   text_column("singular", "singular"),
-                   text_column("dropped", "without"),
-                   number_column("statistic", "chi-squared"),
-                   number_column("df", "df up to"),
-                   p_column()};
-  for (const statistics::GlmmRandomTerm& term : fit.random) {
-    const auto& test = term.test;
-    table.add_row({term.group,
-                   integer_cell(term.levels.size()),
-                   std::string(term.singular ? "yes" : "no"),
-                   test ? TableCell{test->column} : TableCell{},
-                   number_cell(test ? std::optional(test->chi_squared) : std::nullopt),
-                   number_cell(test ? std::optional(static_cast<double>(test->df)) : std::nullopt),
-                   p_cell(test ? std::optional(test->p_value) : std::nullopt)});
-  }
-  return table;
+  using Term = statistics::GlmmRandomTerm;
+  using Test = statistics::BoundaryTest;
+  const auto test = ColumnsOf<Test>()
+                        .text("dropped", "without", &Test::column)
+                        .number("statistic", "chi-squared", &Test::chi_squared)
+                        .number("df", "df up to", &Test::df)
+                        .p("p.value", "p", &Test::p_value);
+  return ColumnsOf<Term>()
+      .text("group", "group", &Term::group)
+      .integer("levels", "levels", [](auto& term) { return term.levels.size(); })
+      .yes_or_no("singular", "singular", &Term::singular)
+      .part(test, &Term::test)
+      .table("random",
+             "Random effects, each against the model without it (on the boundary)",
+             fit.random);
 }
 
 Table mode_table(const statistics::GlmmFit& fit) {
-  Table table;
-  table.name = "ran_vals";
-  table.title = "Conditional modes of the random effects";
-  table.columns = {text_column("effect", "effect"),
-                   text_column("group", "group"),
-                   text_column("level", "level"),
-                   text_column("term", "term"),
-                   number_column("estimate", "mode"),
-                   number_column("std.error", "SD")};
+  struct Mode {
+    const statistics::GlmmRandomTerm& of;
+    std::size_t level;
+    std::size_t column;
+  };
+  const auto entry = [](const Eigen::MatrixXd& values, const Mode& r) {
+    return values(static_cast<Eigen::Index>(r.level), static_cast<Eigen::Index>(r.column));
+  };
+  const auto columns =
+      ColumnsOf<Mode>()
+          .text("effect", "effect", [](auto&) { return "ran_vals"; })
+          .text("group", "group", [](auto& r) { return r.of.group; })
+          .text("level", "level", [](auto& r) { return r.of.levels[r.level]; })
+          .text("term", "term", [](auto& r) { return r.of.columns[r.column]; })
+          .number("estimate", "mode", [=](auto& r) { return entry(r.of.modes, r); })
+          .number("std.error", "SD", [=](auto& r) { return entry(r.of.mode_sds, r); });
+  Table table = columns.table("ran_vals", "Conditional modes of the random effects");
   for (const statistics::GlmmRandomTerm& term : fit.random) {
     for (std::size_t level = 0; level < term.levels.size(); ++level) {
       for (std::size_t k = 0; k < term.columns.size(); ++k) {
-        const auto row = static_cast<Eigen::Index>(level);
-        const auto column = static_cast<Eigen::Index>(k);
-        table.add_row({std::string("ran_vals"),
-                       term.group,
-                       term.levels[level],
-                       term.columns[k],
-                       number_cell(term.modes(row, column)),
-                       number_cell(term.mode_sds(row, column))});
+        table.add_row(columns.row({term, level, k}));
       }
     }
   }
@@ -203,10 +179,7 @@ FitReport glmm_report(const statistics::GlmmFit& fit,
   if (!dropped.empty()) {
     report.tables.push_back(drop_table(dropped, "-2 log-likelihood without"));
   }
-  std::vector<std::string> names;
-  for (const statistics::LogisticCoefficient& one : fit.coefficients) {
-    names.push_back(one.column);
-  }
+  const std::vector<std::string> names = names_of(fit.coefficients);
   if (fit.covariance.rows() == static_cast<Eigen::Index>(names.size())) {
     report.details.push_back(
         matrix_table("vcov", "Covariance of the fixed effects", names, fit.covariance));

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/fit/cells.hpp"
-
 namespace tcert {
 namespace {
 
@@ -15,70 +13,101 @@ std::string open_words(const statistics::ProfileLimits& limits) {
   return limits.open_low ? "no lower limit" : limits.open_high ? "no upper limit" : "";
 }
 
+/// Missing if it is, or if it is too large to be a number.
+std::optional<double> exp_of(const std::optional<double>& log_ratio) {
+  return log_ratio ? std::optional(std::exp(*log_ratio)) : std::nullopt;
+}
+
 }  // namespace
 
 RatioName odds_ratio_name() { return {"odds.ratio", "odds ratio", "OR"}; }
 
 RatioName hazard_ratio_name() { return {"hazard.ratio", "hazard ratio", "HR"}; }
 
-std::vector<Column> ratio_columns(const RatioName& ratio, const std::vector<std::string>& others) {
-  std::vector<Column> columns{number_column(ratio.name, ratio.heading),
-                              number_column(ratio.name + ".low", ratio.abbreviation + " low"),
-                              number_column(ratio.name + ".high", ratio.abbreviation + " high")};
-  for (const std::string& other : others) {
-    for (const char* const end : {"low", "high"}) {
-      columns.push_back(number_column(ratio.name + '.' + other + '.' + end,
-                                      ratio.abbreviation + ' ' + other + ' ' + end));
-    }
+ColumnsOf<LogRatio> ratio_columns(const RatioName& ratio, const std::string& other) {
+  const std::string& name = ratio.name;
+  const std::string& heading = ratio.abbreviation;
+  ColumnsOf<LogRatio> columns;
+  columns.number(name, ratio.heading, [](auto& r) { return exp_of(r.value); })
+      .number(
+          name + ".low", heading + " low", [](auto& r) { return exp_of(limits_of(r.wald).low); })
+      .number(name + ".high", heading + " high", [](auto& r) {
+        return exp_of(limits_of(r.wald).high);
+      });
+  if (!other.empty()) {
+    columns
+        .number(name + '.' + other + ".low",
+                heading + ' ' + other + " low",
+                [](auto& r) { return exp_of(r.other.low); })
+        .number(name + '.' + other + ".high", heading + ' ' + other + " high", [](auto& r) {
+          return exp_of(r.other.high);
+        });
   }
   return columns;
 }
 
-TableCell ratio_cell(const std::optional<double>& log_ratio) {
-  return number_cell(log_ratio ? std::optional(std::exp(*log_ratio)) : std::nullopt);
+ColumnsOf<statistics::ProfileLimits> profile_columns() {
+  using Limits = statistics::ProfileLimits;
+  return ColumnsOf<Limits>()
+      .number("profile.low", "profile low", &Limits::low)
+      .number("profile.high", "profile high", &Limits::high)
+      .text("profile.open", "open end", open_words);
 }
 
-void append_ratios(const std::optional<statistics::Interval>& log_ratio,
-                   std::vector<TableCell>& cells) {
-  cells.push_back(ratio_cell(log_ratio ? std::optional(log_ratio->low) : std::nullopt));
-  cells.push_back(ratio_cell(log_ratio ? std::optional(log_ratio->high) : std::nullopt));
-}
-
-std::vector<Column> profile_columns() {
-  return {number_column("profile.low", "profile low"),
-          number_column("profile.high", "profile high"),
-          text_column("profile.open", "open end")};
-}
-
-void append_profile(const statistics::ProfileLimits& limits, std::vector<TableCell>& cells) {
-  cells.push_back(number_cell(limits.low));
-  cells.push_back(number_cell(limits.high));
-  cells.emplace_back(open_words(limits));
-}
-
-statistics::ProfileLimits limits_of(const std::optional<statistics::Interval>& profile) {
+statistics::ProfileLimits limits_of(const std::optional<statistics::Interval>& interval) {
   statistics::ProfileLimits limits;
-  if (profile) {
-    limits.low = profile->low;
-    limits.high = profile->high;
+  if (interval) {
+    limits.low = interval->low;
+    limits.high = interval->high;
   }
   return limits;
 }
 
-std::vector<Column> t_columns(bool with_p) {
-  std::vector<Column> columns{number_column("t.low", "t low"), number_column("t.high", "t high")};
+ColumnsOf<statistics::ClusterT> t_columns(bool with_p) {
+  using ByT = statistics::ClusterT;
+  ColumnsOf<ByT> columns;
   if (with_p) {
-    columns.insert(columns.begin(), p_column("t.p.value", "t p"));
+    columns.p("t.p.value", "t p", &ByT::p_value);
   }
+  columns.ends({"t.low", "t low"}, {"t.high", "t high"}, &ByT::interval);
   return columns;
 }
 
-void append_t(const statistics::ClusterT& by_t, std::vector<TableCell>& cells, bool with_p) {
-  if (with_p) {
-    cells.push_back(p_cell(by_t.p_value));
+ColumnsOf<statistics::ChiSquareTest> chi_square_columns(const std::string& p_name,
+                                                        const std::string& p_heading) {
+  using Test = statistics::ChiSquareTest;
+  return ColumnsOf<Test>()
+      .number("statistic", "chi-squared", &Test::statistic)
+      .integer("df", "df", &Test::df)
+      .p(p_name, p_heading, &Test::p_value);
+}
+
+std::optional<double> statistic_of(const std::optional<statistics::ChiSquareTest>& test) {
+  return test ? std::optional(test->statistic) : std::nullopt;
+}
+
+std::optional<double> p_of(const std::optional<statistics::ChiSquareTest>& test) {
+  return test ? std::optional(test->p_value) : std::nullopt;
+}
+
+Table difference_table(std::string title,
+                       const std::vector<Difference>& differences,
+                       std::size_t clusters,
+                       double level) {
+  ColumnsOf<Difference> columns;
+  columns.text("first", "first", &Difference::first)
+      .text("second", "second", &Difference::second)
+      .number("estimate", "difference", &Difference::value)
+      .number("std.error", "SE", &Difference::std_error)
+      .number("statistic", "z", &Difference::z)
+      .p("p.value", "p", &Difference::p_value)
+      .ends({"conf.low", "low"}, {"conf.high", "high"}, &Difference::interval);
+  if (clusters > 0) {
+    columns.part(t_columns(), [&](auto& r) {
+      return std::optional(statistics::by_cluster_t(r.value, r.std_error, r.z, clusters, level));
+    });
   }
-  cells.push_back(low_cell(by_t.interval));
-  cells.push_back(high_cell(by_t.interval));
+  return columns.table("differences", std::move(title), differences);
 }
 
 statistics::ClusterT clipped(statistics::ClusterT by_t) {
@@ -109,10 +138,6 @@ void point_to_t(statistics::Conditions& conditions) {
                 "t, with care";
     }
   }
-}
-
-void append_columns(const std::vector<Column>& more, std::vector<Column>& columns) {
-  columns.insert(columns.end(), more.begin(), more.end());
 }
 
 }  // namespace tcert

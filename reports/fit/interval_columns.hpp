@@ -10,6 +10,7 @@
 /// RATIO odds.ratio or hazard.ratio.
 
 #include <optional>
+#include <statistics/basics/chi_square.hpp>
 #include <statistics/basics/condition.hpp>
 #include <statistics/basics/interval.hpp>
 #include <statistics/basics/student_t.hpp>
@@ -17,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/table.hpp"
+#include "reports/columns_of.hpp"
 
 namespace tcert {
 
@@ -30,25 +31,48 @@ struct RatioName {
 [[nodiscard]] RatioName odds_ratio_name();
 [[nodiscard]] RatioName hazard_ratio_name();
 
-/// The ratio and its Wald interval; then one more interval each for `others`: "profile", "t".
-[[nodiscard]] std::vector<Column> ratio_columns(const RatioName& ratio,
-                                                const std::vector<std::string>& others);
+/// A log ratio with its Wald interval and one more.
+struct LogRatio {
+  std::optional<double> value;
+  std::optional<statistics::Interval> wald;
+  statistics::ProfileLimits other;
+};
 
-/// exp of an end; missing if it is, or if it is too large to be a number.
-[[nodiscard]] TableCell ratio_cell(const std::optional<double>& log_ratio);
-/// exp of both ends.
-void append_ratios(const std::optional<statistics::Interval>& log_ratio,
-                   std::vector<TableCell>& cells);
+/// exp of the value and of all ends, missing where that is too large to be a number; `other` is
+/// "profile", "t", or empty without such an interval.
+[[nodiscard]] ColumnsOf<LogRatio> ratio_columns(const RatioName& ratio, const std::string& other);
 
 /// profile.low, profile.high, profile.open.
-[[nodiscard]] std::vector<Column> profile_columns();
-void append_profile(const statistics::ProfileLimits& limits, std::vector<TableCell>& cells);
+[[nodiscard]] ColumnsOf<statistics::ProfileLimits> profile_columns();
 [[nodiscard]] statistics::ProfileLimits limits_of(
-    const std::optional<statistics::Interval>& profile);
+    const std::optional<statistics::Interval>& interval);
 
 /// t.p.value, t.low, t.high; without the p for what has no test.
-[[nodiscard]] std::vector<Column> t_columns(bool with_p = true);
-void append_t(const statistics::ClusterT& by_t, std::vector<TableCell>& cells, bool with_p = true);
+[[nodiscard]] ColumnsOf<statistics::ClusterT> t_columns(bool with_p = true);
+
+/// statistic, df and a p.
+[[nodiscard]] ColumnsOf<statistics::ChiSquareTest> chi_square_columns(
+    const std::string& p_name = "p.value", const std::string& p_heading = "p");
+[[nodiscard]] std::optional<double> statistic_of(
+    const std::optional<statistics::ChiSquareTest>& test);
+[[nodiscard]] std::optional<double> p_of(const std::optional<statistics::ChiSquareTest>& test);
+
+/// A paired difference of two predictors' numbers.
+struct Difference {
+  std::string first;
+  std::string second;
+  std::optional<double> value;
+  std::optional<double> std_error;
+  std::optional<double> z;
+  std::optional<double> p_value;
+  std::optional<statistics::Interval> interval;
+};
+
+/// With 0 clusters there is nothing by t.
+[[nodiscard]] Table difference_table(std::string title,
+                                     const std::vector<Difference>& differences,
+                                     std::size_t clusters,
+                                     double level);
 
 /// The interval within [0, 1], as that of a probability.
 [[nodiscard]] statistics::ClusterT clipped(statistics::ClusterT by_t);
@@ -58,7 +82,5 @@ void append_t(const statistics::ClusterT& by_t, std::vector<TableCell>& cells, b
 
 /// Few clusters are pointed to the t columns.
 void point_to_t(statistics::Conditions& conditions);
-
-void append_columns(const std::vector<Column>& more, std::vector<Column>& columns);
 
 }  // namespace tcert

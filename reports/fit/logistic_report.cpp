@@ -1,8 +1,8 @@
 #include "reports/fit/logistic_report.hpp"
 
-#include "reports/fit/cells.hpp"
 #include "reports/fit/coefficient_words.hpp"
 #include "reports/fit/interval_columns.hpp"
+#include "reports/fit/matrix_table.hpp"
 
 namespace tcert {
 namespace {
@@ -11,57 +11,48 @@ bool is_robust(const statistics::LogisticFit& fit) {
   return fit.variance == statistics::CoefficientVariance::robust;
 }
 
+struct Coefficient {
+  const statistics::LogisticCoefficient& one;
+  statistics::ProfileLimits profile;
+  statistics::ClusterT by_t;
+
+  const statistics::LogisticCoefficient& operator*() const noexcept { return one; }
+};
+
 Table coefficient_table(const statistics::LogisticFit& fit,
                         const std::vector<statistics::ProfileLimits>& profiles) {
-  Table table;
-  table.name = "coefficients";
-  table.title = "Logistic regression: log odds of success";
-  table.n = static_cast<std::int64_t>(fit.rows);
-  table.columns = {text_column("term", "term"),
-                   number_column("estimate", "estimate"),
-                   number_column("std.error", is_robust(fit) ? "robust SE" : "SE"),
-                   number_column("statistic", "z"),
-                   p_column(),
-                   number_column("conf.low", "Wald low"),
-                   number_column("conf.high", "Wald high")};
-  std::vector<std::string> others;
+  using Logistic = statistics::LogisticCoefficient;
+  ColumnsOf<Coefficient> columns;
+  columns.text("term", "term", &Logistic::column)
+      .number("estimate", "estimate", &Logistic::estimate)
+      .number("std.error", is_robust(fit) ? "robust SE" : "SE", &Logistic::standard_error)
+      .number("statistic", "z", &Logistic::z)
+      .p("p.value", "p", &Logistic::p_value)
+      .ends({"conf.low", "Wald low"}, {"conf.high", "Wald high"}, &Logistic::interval);
+  std::string other;
   if (!is_robust(fit)) {
-    append_columns(profile_columns(), table.columns);
-    others = {"profile"};
+    columns.part(profile_columns(), [](auto& r) { return &r.profile; });
+    other = "profile";
   } else if (fit.clustered) {
-    append_columns(t_columns(), table.columns);
-    others = {"t"};
+    columns.part(t_columns(), [](auto& r) { return &r.by_t; });
+    other = "t";
   }
-  append_columns(ratio_columns(odds_ratio_name(), others), table.columns);
-  table.columns.push_back(text_column("kind", ""));
+  columns
+      .part(ratio_columns(odds_ratio_name(), other),
+            [robust = is_robust(fit)](auto& r) {
+              return std::optional(LogRatio{
+                  r.one.estimate, r.one.interval, robust ? limits_of(r.by_t.interval) : r.profile});
+            })
+      .text("kind", "", [](auto& r) { return std::string(reason_without_estimate(r.one.kind)); });
+  Table table = columns.table("coefficients", "Logistic regression: log odds of success");
+  table.n = static_cast<std::int64_t>(fit.rows);
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
-    const statistics::LogisticCoefficient& one = fit.coefficients[k];
-    const statistics::ProfileLimits profile =
-        k < profiles.size() ? profiles[k] : statistics::ProfileLimits{};
-    const statistics::ClusterT by_t = statistics::by_cluster_t(
-        one.estimate, one.standard_error, one.z, fit.clusters, fit.options.level);
-    std::vector<TableCell> cells{one.column,
-                                 number_cell(one.estimate),
-                                 number_cell(one.standard_error),
-                                 number_cell(one.z),
-                                 p_cell(one.p_value),
-                                 low_cell(one.interval),
-                                 high_cell(one.interval)};
-    if (!is_robust(fit)) {
-      append_profile(profile, cells);
-    } else if (fit.clustered) {
-      append_t(by_t, cells);
-    }
-    cells.push_back(ratio_cell(one.estimate));
-    append_ratios(one.interval, cells);
-    if (!is_robust(fit)) {
-      cells.push_back(ratio_cell(profile.low));
-      cells.push_back(ratio_cell(profile.high));
-    } else if (fit.clustered) {
-      append_ratios(by_t.interval, cells);
-    }
-    cells.emplace_back(std::string(reason_without_estimate(one.kind)));
-    table.add_row(std::move(cells));
+    const Logistic& one = fit.coefficients[k];
+    table.add_row(columns.row(
+        {one,
+         k < profiles.size() ? profiles[k] : statistics::ProfileLimits{},
+         statistics::by_cluster_t(
+             one.estimate, one.standard_error, one.z, fit.clusters, fit.options.level)}));
   }
   return table;
 }
@@ -112,10 +103,7 @@ FitReport logistic_report(const statistics::LogisticFit& fit,
       .number("gradient_norm", "gradient norm", fit.gradient_norm)
       .number("last_step", "last step [SE]", fit.last_step);
   report.summary = std::move(summary).table();
-  std::vector<std::string> names;
-  for (const statistics::LogisticCoefficient& one : fit.coefficients) {
-    names.push_back(one.column);
-  }
+  const std::vector<std::string> names = names_of(fit.coefficients);
   if (fit.covariance.rows() == static_cast<Eigen::Index>(names.size())) {
     report.details.push_back(
         matrix_table("vcov", "Covariance of the coefficients", names, fit.covariance));

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "reports/fit/cells.hpp"
 #include "reports/fit/interval_columns.hpp"
+#include "reports/fit/matrix_table.hpp"
 
 namespace tcert {
 namespace {
@@ -12,91 +12,69 @@ std::optional<double> root(const std::optional<double>& variance) {
   return variance ? std::optional(std::sqrt(*variance)) : std::nullopt;
 }
 
-bool is_clustered(const statistics::JointAuc& joint) { return joint.markers.front().clusters > 0; }
+struct Marker {
+  std::string name;
+  const statistics::AucEstimate& one;
+  std::optional<statistics::PartialAuc> partial;
+
+  const statistics::AucEstimate& operator*() const noexcept { return one; }
+};
 
 Table auc_table(const std::vector<std::string>& names,
                 const statistics::JointAuc& joint,
                 const std::vector<statistics::RocCurve>& curves,
                 const std::optional<PartialRange>& partial) {
-  Table table;
-  table.name = "auc";
-  table.title = "AUC: Pr(a success has the larger value), ties one half";
-  table.n =
-      static_cast<std::int64_t>(joint.markers.front().successes + joint.markers.front().failures);
-  table.columns = {text_column("term", "predictor"),
-                   number_column("estimate", "AUC"),
-                   number_column("std.error", "SE"),
-                   number_column("conf.low", "low"),
-                   number_column("conf.high", "high"),
-                   number_column("variance", "variance")};
-  if (is_clustered(joint)) {
-    append_columns(t_columns(false), table.columns);
-    table.footnotes.push_back(t_footnote(joint.markers.front().clusters));
+  using statistics::AucEstimate;
+  const AucEstimate& first = joint.markers.front();
+  ColumnsOf<Marker> columns;
+  columns.text("term", "predictor", &Marker::name)
+      .number("estimate", "AUC", &AucEstimate::auc)
+      .number("std.error", "SE", [](auto& r) { return root(r.one.variance); })
+      .ends({"conf.low", "low"}, {"conf.high", "high"}, &AucEstimate::interval)
+      .number("variance", "variance", &AucEstimate::variance);
+  if (first.clusters > 0) {
+    columns.part(t_columns(false), [&](auto& r) {
+      return std::optional(clipped(statistics::by_cluster_t(
+          r.one.auc, root(r.one.variance), {}, r.one.clusters, joint.level)));
+    });
   }
   if (partial) {
-    table.columns.push_back(number_column("partial.area", "partial area"));
-    table.columns.push_back(number_column("partial.corrected", "corrected"));
+    using statistics::PartialAuc;
+    columns.part(ColumnsOf<PartialAuc>()
+                     .number("partial.area", "partial area", &PartialAuc::area)
+                     .number("partial.corrected", "corrected", &PartialAuc::corrected),
+                 &Marker::partial);
   }
+  Table table = columns.table("auc", "AUC: Pr(a success has the larger value), ties one half");
+  table.n = static_cast<std::int64_t>(first.successes + first.failures);
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const statistics::AucEstimate& one = joint.markers[k];
-    std::vector<TableCell> cells{names[k],
-                                 number_cell(one.auc),
-                                 number_cell(root(one.variance)),
-                                 low_cell(one.interval),
-                                 high_cell(one.interval),
-                                 number_cell(one.variance)};
-    if (is_clustered(joint)) {
-      append_t(clipped(statistics::by_cluster_t(
-                   one.auc, root(one.variance), {}, one.clusters, joint.level)),
-               cells,
-               false);
-    }
+    Marker row{names[k], joint.markers[k], {}};
     if (partial) {
-      const statistics::PartialAuc area =
-          statistics::partial_auc(curves[k], partial->low, partial->high, partial->focus);
-      cells.push_back(number_cell(area.area));
-      cells.push_back(number_cell(area.corrected));
+      row.partial = statistics::partial_auc(curves[k], partial->low, partial->high, partial->focus);
     }
-    table.add_row(std::move(cells));
+    table.add_row(columns.row(row));
+  }
+  if (first.clusters > 0) {
+    table.footnotes.push_back(t_footnote(first.clusters));
   }
   return table;
 }
 
-/// Every pair; its conditions go to the report.
-Table difference_table(const std::vector<std::string>& names,
-                       const statistics::JointAuc& joint,
-                       statistics::Conditions& conditions) {
-  Table table;
-  table.name = "differences";
-  table.title = "Paired differences of AUC";
-  table.columns = {text_column("first", "first"),
-                   text_column("second", "second"),
-                   number_column("estimate", "difference"),
-                   number_column("std.error", "SE"),
-                   number_column("statistic", "z"),
-                   p_column(),
-                   number_column("conf.low", "low"),
-                   number_column("conf.high", "high")};
-  if (is_clustered(joint)) {
-    append_columns(t_columns(), table.columns);
-  }
+/// Of every pair; their conditions go to the report.
+std::vector<Difference> differences_of(const std::vector<std::string>& names,
+                                       const statistics::JointAuc& joint,
+                                       statistics::Conditions& conditions) {
+  std::vector<Difference> differences;
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = i + 1; j < names.size(); ++j) {
       const statistics::AucDifference one = statistics::auc_contrast(joint, i, j);
-      std::vector<TableCell> cells{names[i],
-                                   names[j],
-                                   number_cell(one.difference),
-                                   number_cell(root(one.variance)),
-                                   number_cell(one.z),
-                                   p_cell(one.p_value),
-                                   low_cell(one.interval),
-                                   high_cell(one.interval)};
-      if (is_clustered(joint)) {
-        append_t(statistics::by_cluster_t(
-                     one.difference, root(one.variance), one.z, one.clusters, joint.level),
-                 cells);
-      }
-      table.add_row(std::move(cells));
+      differences.push_back({names[i],
+                             names[j],
+                             one.difference,
+                             root(one.variance),
+                             one.z,
+                             one.p_value,
+                             one.interval});
       for (statistics::Condition condition : one.conditions) {
         if (condition.kind == statistics::ConditionKind::same_ranking ||
             condition.kind == statistics::ConditionKind::zero_variance) {
@@ -106,37 +84,46 @@ Table difference_table(const std::vector<std::string>& names,
       }
     }
   }
-  return table;
+  return differences;
+}
+
+/// A point of a predictor's curve, or a threshold on it.
+template <class Of>
+struct Named {
+  std::string name;
+  const Of& one;
+  std::string best_by = {};
+
+  const Of& operator*() const noexcept { return one; }
+};
+
+ColumnsOf<statistics::RocPoint> point_columns() {
+  using Point = statistics::RocPoint;
+  return ColumnsOf<Point>()
+      .number("threshold", "threshold", &Point::threshold)
+      .number("sensitivity", "sensitivity", &Point::sensitivity)
+      .number("specificity", "specificity", &Point::specificity);
 }
 
 Table threshold_table(const std::vector<std::string>& names,
                       const std::vector<statistics::RocCurve>& curves) {
-  Table table;
-  table.name = "thresholds";
-  table.title = "Best thresholds, chosen and measured on the same rows";
-  table.columns = {text_column("term", "predictor"),
-                   text_column("best", "best by"),
-                   number_column("threshold", "threshold"),
-                   number_column("sensitivity", "sensitivity"),
-                   number_column("specificity", "specificity"),
-                   number_column("accuracy", "accuracy"),
-                   number_column("ppv", "PPV"),
-                   number_column("npv", "NPV")};
+  using Threshold = statistics::RocThreshold;
+  using Row = Named<Threshold>;
+  const auto columns = ColumnsOf<Row>()
+                           .text("term", "predictor", &Row::name)
+                           .text("best", "best by", &Row::best_by)
+                           .part(point_columns(), [](auto& r) { return &r.one.point; })
+                           .number("accuracy", "accuracy", &Threshold::accuracy)
+                           .number("ppv", "PPV", &Threshold::ppv)
+                           .number("npv", "NPV", &Threshold::npv);
+  Table table =
+      columns.table("thresholds", "Best thresholds, chosen and measured on the same rows");
   for (std::size_t k = 0; k < names.size(); ++k) {
-    for (const statistics::BestBy criterion :
-         {statistics::BestBy::youden, statistics::BestBy::closest_topleft}) {
-      const std::string word =
-          criterion == statistics::BestBy::youden ? "youden" : "closest.topleft";
-      for (const statistics::RocThreshold& best :
-           statistics::best_thresholds(curves[k], criterion)) {
-        table.add_row({names[k],
-                       word,
-                       number_cell(best.point.threshold),
-                       number_cell(best.point.sensitivity),
-                       number_cell(best.point.specificity),
-                       number_cell(best.accuracy),
-                       number_cell(best.ppv),
-                       number_cell(best.npv)});
+    for (const auto& [criterion, word] :
+         {std::pair(statistics::BestBy::youden, "youden"),
+          std::pair(statistics::BestBy::closest_topleft, "closest.topleft")}) {
+      for (const Threshold& best : statistics::best_thresholds(curves[k], criterion)) {
+        table.add_row(columns.row({names[k], best, word}));
       }
     }
   }
@@ -145,19 +132,15 @@ Table threshold_table(const std::vector<std::string>& names,
 
 Table point_table(const std::vector<std::string>& names,
                   const std::vector<statistics::RocCurve>& curves) {
-  Table table;
-  table.name = "points";
-  table.title = "ROC curve";
-  table.columns = {text_column("term", "predictor"),
-                   number_column("threshold", "threshold"),
-                   number_column("sensitivity", "sensitivity"),
-                   number_column("specificity", "specificity")};
+  using Row = Named<statistics::RocPoint>;
+  const auto columns =
+      ColumnsOf<Row>().text("term", "predictor", &Row::name).part(point_columns(), [](auto& r) {
+        return &r.one;
+      });
+  Table table = columns.table("points", "ROC curve");
   for (std::size_t k = 0; k < names.size(); ++k) {
     for (const statistics::RocPoint& point : curves[k].points) {
-      table.add_row({names[k],
-                     number_cell(point.threshold),
-                     number_cell(point.sensitivity),
-                     number_cell(point.specificity)});
+      table.add_row(columns.row({names[k], point}));
     }
   }
   return table;
@@ -183,7 +166,10 @@ FitReport roc_report(const std::vector<std::string>& names,
   }
   report.tables = {auc_table(names, joint, curves, partial)};
   if (names.size() > 1) {
-    report.tables.push_back(difference_table(names, joint, report.conditions));
+    report.tables.push_back(difference_table("Paired differences of AUC",
+                                             differences_of(names, joint, report.conditions),
+                                             joint.markers.front().clusters,
+                                             joint.level));
   }
   report.tables.push_back(threshold_table(names, curves));
   point_to_t(report.conditions);

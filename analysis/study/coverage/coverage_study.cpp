@@ -232,4 +232,11 @@ std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const 
   return rows;
 }
 
+std::vector<Scenario> coverage_scenarios() {
+  return {{"independent", 22, 30, 0.0},
+          {"icc_0.2", 22, 30, 0.2},
+          {"icc_0.5", 22, 30, 0.5},
+          {"icc_0.8", 22, 30, 0.8}};
+}
+
 }  // namespace tcert::study::coverage

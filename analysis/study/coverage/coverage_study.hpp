@@ -67,6 +67,9 @@ struct Coverage {
   double mean_width = 0.0;
 };
 
+/// 22 days of 30 trials with a within-day correlation of 0, 0.2, 0.5 and 0.8.
+[[nodiscard]] std::vector<Scenario> coverage_scenarios();
+
 /// All methods on all data sets of a scenario. `stream` must differ between scenarios. The same
 /// numbers for any number of threads.
 std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const Options& options);

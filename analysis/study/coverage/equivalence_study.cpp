@@ -129,4 +129,20 @@ EquivalenceRates run_equivalence(const LightingScenario& scenario,
   return rates;
 }
 
+std::vector<LightingScenario> equivalence_scenarios() {
+  std::vector<LightingScenario> scenarios;
+  for (const double icc : {0.0, 0.2, 0.5}) {
+    for (const double margin : {0.05, 0.22, 0.27}) {
+      for (const double share : {0.0, 0.5, 1.0}) {
+        LightingScenario scenario;
+        scenario.icc = icc;
+        scenario.margin = margin;
+        scenario.difference = share * margin;
+        scenarios.push_back(scenario);
+      }
+    }
+  }
+  return scenarios;
+}
+
 }  // namespace tcert::study::coverage

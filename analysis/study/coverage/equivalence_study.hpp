@@ -55,6 +55,10 @@ struct EquivalenceRates {
   double mean_power_margin = 0.0;  ///< Margin with 80 % power, as printed.
 };
 
+/// Within-day correlations of 0, 0.2, 0.5, margins of 0.05, 0.22, 0.27, and lightings that are
+/// alike, half a margin and a margin apart.
+[[nodiscard]] std::vector<LightingScenario> equivalence_scenarios();
+
 /// All data sets of a scenario, 0.76 the AUC of the better lightings. `stream` must differ between
 /// scenarios. The same numbers for any number of threads.
 EquivalenceRates run_equivalence(const LightingScenario& scenario,

@@ -1,0 +1,32 @@
+#include "cli/runs/certify.hpp"
+
+#include "cli/commands/run_command.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kText =
+    R"(Certify the trials of a bundle: the certificate at every tick, and each trial's features.
+
+With --output DIR: DIR/series/<trial_id>.csv (one row a tick), DIR/edges/<trial_id>.csv (one row an
+edge of the corridor graph), DIR/features.csv and DIR/certificates.csv (one row a trial), the tables
+of the study (table1, speed, latency) in every format, DIR/diagnostics.csv, DIR/manifest.json.
+Without it: the features on stdout.
+
+Usage: tcert certify BUNDLE [options]
+
+Example:
+  tcert certify corpus --output results
+  tcert certify corpus --trials 't00000*' --set memory_weight_m=0 --format csv
+
+Cost: one pass over the logs, a few trials in memory at a time; the series take about as much space
+as logs at 20 Hz (--no-series leaves them out).
+)";
+
+int run(Arguments arguments) { return run_command(kText, arguments, certify); }
+
+}  // namespace
+
+const Command kCertify = {"certify", "certify the trials of a bundle, tick by tick", run};
+
+}  // namespace tcert::cli

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// The commands of the tool; each one lives in the file of its name.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace tcert::cli {
+
+using Arguments = std::span<const std::string>;
+
+struct Command {
+  std::string_view name;
+  std::string_view summary;  ///< One line.
+  /// Arguments without the command's name. Returns the exit code; throws the errors of errors.hpp.
+  int (*run)(Arguments arguments);
+};
+
+extern const Command kSimulate;
+extern const Command kImport;
+extern const Command kCheck;
+extern const Command kCertify;
+extern const Command kWorld;
+extern const Command kFit;
+extern const Command kHypotheses;
+extern const Command kAblate;
+extern const Command kSweep;
+extern const Command kReplay;
+extern const Command kExplore;
+extern const Command kGate;
+extern const Command kStudy;
+extern const Command kReport;
+extern const Command kReproduce;
+extern const Command kFigures;
+extern const Command kVerify;
+extern const Command kLive;
+extern const Command kHelp;
+extern const Command kVersion;
+
+/// All of them, in the order of the data's way.
+[[nodiscard]] std::span<const Command* const> commands();
+
+}  // namespace tcert::cli

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// From the words of a command line to an exit code: parse, run, print.
+
+#include "cli/commands/command_line.hpp"
+#include "cli/commands/output.hpp"
+#include "cli/commands/terminal_progress.hpp"
+#include "cli/runs/run_result.hpp"
+
+namespace tcert::cli {
+
+/// \throws the errors of errors.hpp.
+template <class Request>
+int run_command(std::string_view help,
+                Arguments arguments,
+                RunResult (*run)(const Request&, Progress&)) {
+  Request request;
+  Manner manner;
+  if (!parse(help, options_of(request), manner, arguments)) {
+    return exit_done;
+  }
+  TerminalProgress progress(manner.quiet);
+  const RunResult result = run(request, progress);
+  if (!result.text.empty()) {
+    print(result.text);
+  }
+  return result.code;
+}
+
+}  // namespace tcert::cli

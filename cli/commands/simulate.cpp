@@ -1,0 +1,48 @@
+#include "cli/runs/simulate.hpp"
+
+#include "cli/commands/run_command.hpp"
+#include "cli/runs/simulate_terrain.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kText =
+    R"(Make the synthetic corpus: a bundle with everything that the paper publishes about its 660 trials
+built in, and everything else declared. It tests and shows the tool; it says nothing about a robot.
+
+Usage: tcert simulate --output DIR [options]
+       tcert simulate terrain --output FILE [options]   (see 'tcert simulate terrain --help')
+
+Example:
+  tcert simulate --output corpus
+  tcert simulate --output null --effect 0 --seed 7
+  tcert simulate --output gates --micro-study
+
+Cost: about 2 ms and 115 kB a trial (five times that at native rates).
+)";
+
+constexpr std::string_view kTerrainText =
+    R"(Make a random terrain whose Lipschitz constant is stated: no two cells differ by more than it times
+their distance. 256 random waves with the covariance of a Gaussian process, scaled.
+
+Usage: tcert simulate terrain --output FILE [options]
+
+Example:
+  tcert simulate terrain --output terrain.csv
+  tcert simulate terrain --output small.csv --rows 80 --columns 60 --length-scale 10 --lipschitz 40
+
+Cost: 0.2 s at 600 x 400 cells.
+)";
+
+int run(Arguments arguments) {
+  if (!arguments.empty() && arguments.front() == "terrain") {
+    return run_command(kTerrainText, arguments.subspan(1), simulate_terrain);
+  }
+  return run_command(kText, arguments, simulate);
+}
+
+}  // namespace
+
+const Command kSimulate = {"simulate", "make the synthetic corpus", run};
+
+}  // namespace tcert::cli

@@ -1,0 +1,43 @@
+#include "cli/runs/study/study.hpp"
+
+#include "cli/commands/run_command.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kText =
+    R"(How often is the tool itself right? Studies on data that are made, so that the truth is known.
+
+STUDY is one of
+  soundness    is the certificate at most the truth, in random worlds, and how far below does it end
+  coverage     do the intervals of AUCs and Cs cover the truth, where trials of a day are alike
+  equivalence  how often are lightings found equivalent, or different
+  gate         do the sets of the 50 % point of the micro-study cover it
+  null         does H1 find nothing where there is nothing to be found
+  terrain      what do the rules of exploration hold safe that is not; with TERRAIN, a file like the
+               thesis' own (600 x 400 numbers, its first line dropped): the scenarios of the thesis
+               under every rule set, and baselines
+
+With --output DIR/ (it ends with /, or is a folder): every table in every format. csv has the first
+table, or that of --table: soundness, tightness; coverage; equivalence; gate_coverage; null,
+null_corpora; terrain_soundness, terrain_trust; scenarios, baselines.
+
+Usage: tcert study STUDY [TERRAIN] [options]
+
+Example:
+  tcert study soundness --worlds 1000 --u-turns 100
+  tcert study null --data-sets 5 --format csv
+  tcert study coverage --data-sets 200 --replicates 499 --output coverage/
+
+Cost: as they are, minutes (equivalence, gate) to hours (coverage, terrain) on two cores; in
+proportion to --worlds, --data-sets and --terrains.
+)";
+
+int run(Arguments arguments) { return run_command(kText, arguments, study); }
+
+}  // namespace
+
+const Command kStudy = {
+    "study", "how often the tool itself is right, where the truth is known", run};
+
+}  // namespace tcert::cli

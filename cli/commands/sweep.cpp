@@ -1,0 +1,35 @@
+#include "cli/runs/experiment/batch.hpp"
+
+#include "cli/commands/run_command.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::string_view kText =
+    R"(Run the whole way from log to H1 under many parameter values.
+
+--grid KEY=V1,V2,... gives a parameter several values; several --grid give every combination. --cells
+takes any list of cells from a CSV file. --sensitivity takes every choice that the paper leaves open,
+one at a time, at other values that one could defend: how H1 moves is its specification curve.
+
+With --output DIR: DIR/cells.*, DIR/issuance.*, DIR/speed.* (H3; CSV, JSON, text, Markdown, LaTeX), DIR/features/*.csv and
+DIR/replays/*.csv (DIR/files.csv says which cell has which), DIR/manifest.json. Without it: the table on stdout. A cell whose parameters are impossible
+is refused with the reason, the others run; the exit code is then 3.
+
+Usage: tcert sweep BUNDLE (--grid KEY=VALUES ... | --cells FILE | --sensitivity) [options]
+
+Example:
+  tcert sweep corpus --grid memory_weight_m=0,0.05,0.1 --grid early_quantile=0,0.1,0.5
+  tcert sweep corpus --sensitivity --output sensitivity
+
+Cost: that of 'tcert certify' for each distinct series; results are kept in the cache as they come, so
+a run that was stopped goes on where it was.
+)";
+
+int run(Arguments arguments) { return run_command(kText, arguments, sweep); }
+
+}  // namespace
+
+const Command kSweep = {"sweep", "run under many parameter values", run};
+
+}  // namespace tcert::cli

@@ -1,0 +1,113 @@
+#include "cli/runs/certify.hpp"
+
+#include <utility>
+
+#include "cli/runs/certify_trials.hpp"
+#include "cli/runs/certify_truth.hpp"
+#include "cli/runs/errors.hpp"
+#include "cli/runs/inputs.hpp"
+#include "cli/runs/progress.hpp"
+#include "cli/runs/report_output.hpp"
+#include "cli/runs/shared_options.hpp"
+#include "reports/features_table.hpp"
+#include "reports/study_table.hpp"
+
+namespace tcert::cli {
+namespace {
+
+/// Keeps the failed trials for say_issued_failures, if truth was asked for.
+class Failures {
+ public:
+  explicit Failures(bool wanted) : wanted_(wanted) {}
+
+  void add(const study::TrialRecord& trial) {
+    if (wanted_ && !trial.row.trial.success.value_or(true)) {
+      trials_.push_back(trial);
+    }
+  }
+  void say(Progress& progress) const {
+    if (wanted_) {
+      say_issued_failures(trials_, progress);
+    }
+  }
+
+ private:
+  bool wanted_;
+  std::vector<study::TrialRecord> trials_;
+};
+
+RunResult certify_to_text(const OpenedBundle& opened,
+                          const CertifyRequest& request,
+                          Progress& progress) {
+  Failures failures(request.truth);
+  Table table = features_table(opened.bundle);
+  const CertifySummary summary = certify_trials(
+      opened, request.threads, progress, nullptr, {}, [&](study::TrialRecord&& trial) {
+        table.add_row(features_row(trial));
+        failures.add(trial);
+      });
+  table.n = static_cast<std::int64_t>(summary.trials);
+  failures.say(progress);
+  return {report(summary, opened, progress), render(table, request.output.table_format())};
+}
+
+}  // namespace
+
+OptionTable options_of(CertifyRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"BUNDLE", &request.bundle, true, OptionRole::input});
+  table.add("ticks",
+            request.ticks,
+            "also write DIR/ticks/<trial_id>.csv, which 'live' reads and a bundle takes as "
+            "logs/<trial_id>/ticks.csv");
+  table.add("no-series", request.no_series, "leave DIR/series and DIR/edges out, to save space");
+  table.add(
+      "ray-margins", request.ray_margins, "one more column a ray in the series: its own margin");
+  table.add("truth",
+            request.truth,
+            "two more columns in the features: T of each trial's known world, at least and at most "
+            "(truth_lower_m, truth_upper_m); failed trials with a certificate are listed");
+  table.common();
+  add_output_path(table, request.output);
+  add_format(table, request.output);
+  add_threads(table, request.threads);
+  add_logs(table, request.logs);
+  return table;
+}
+
+RunResult certify(const CertifyRequest& request, Progress& progress) {
+  const std::string& output = request.output.path;
+  if (output.empty() && (request.ticks || request.no_series || request.ray_margins)) {
+    throw UsageError("--ticks, --no-series and --ray-margins need --output");
+  }
+  OpenedBundle opened = open_for(request.bundle, request.logs, progress);
+  if (request.truth) {
+    add_truth(opened, request.threads, progress);
+  }
+  if (output.empty()) {
+    return certify_to_text(opened, request, progress);
+  }
+  require_apart(request.bundle, output);
+  ResultFolder folder(output, "certify");
+  Failures failures(request.truth);
+  study::StudyRecord study;
+  const CertifySummary summary =
+      certify_trials(opened,
+                     request.threads,
+                     progress,
+                     &folder,
+                     {!request.no_series, request.ticks, request.ray_margins},
+                     [&](study::TrialRecord&& trial) {
+                       failures.add(trial);
+                       study.add(std::move(trial));
+                     });
+  for (Table& table : study_tables(study)) {
+    table.synthetic = synthetic_label(opened.bundle.info);
+    write_table(table, folder);
+  }
+  folder.commit(manifest_of("certify", opened, written(request), summary));
+  failures.say(progress);
+  return {report(summary, opened, progress), ""};
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,209 @@
+#include "cli/runs/certify_trials.hpp"
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "analysis/study/trials/study.hpp"
+#include "cli/runs/bundle_digest.hpp"
+#include "cli/runs/errors.hpp"
+#include "datasets/tick_table.hpp"
+#include "reports/diagnostics_table.hpp"
+#include "reports/edges_table.hpp"
+#include "reports/features_table.hpp"
+#include "reports/series.hpp"
+
+namespace tcert::cli {
+namespace {
+
+/// The tables that have a row or more per trial, written as trials come in.
+class TrialTables {
+ public:
+  TrialTables(const Bundle& bundle, const std::filesystem::path& folder)
+      : features_(features_table(bundle)),
+        certificates_(certificates_table(bundle)),
+        diagnostics_(diagnostics_table(synthetic_label(bundle.info))),
+        features_file_(folder / "features.csv"),
+        certificates_file_(folder / "certificates.csv"),
+        diagnostics_file_(folder / "diagnostics.csv") {
+    write_header(features_file_, features_);
+    write_header(certificates_file_, certificates_);
+    write_header(diagnostics_file_, diagnostics_);
+  }
+
+  void add_diagnostics(const std::string& trial_id,
+                       std::span<const table::Diagnostic> diagnostics) {
+    for (const table::Diagnostic& diagnostic : diagnostics) {
+      write_row(diagnostics_file_, diagnostics_, diagnostics_row(trial_id, diagnostic));
+    }
+  }
+
+  void add_trial(const study::TrialRecord& trial, const std::vector<TableCell>& certificate) {
+    write_row(features_file_, features_, features_row(trial));
+    write_row(certificates_file_, certificates_, certificate);
+  }
+
+  void close() {
+    features_file_.close();
+    certificates_file_.close();
+    diagnostics_file_.close();
+  }
+
+ private:
+  static void write_header(ResultFile& file, const Table& table) {
+    std::string line;
+    append_csv_header(line, table);
+    file.write(line);
+  }
+  static void write_row(ResultFile& file, const Table& table, const std::vector<TableCell>& row) {
+    std::string line;
+    append_csv_row(line, table, row);
+    file.write(line);
+  }
+
+  Table features_;
+  Table certificates_;
+  Table diagnostics_;
+  ResultFile features_file_;
+  ResultFile certificates_file_;
+  ResultFile diagnostics_file_;
+};
+
+std::string series_csv(const study::StudiedTrial& trial,
+                       const SeriesFormat& format,
+                       const Robot& robot) {
+  std::string text = series_header(format, robot);
+  const std::size_t rays = format.ray_margins ? trial.ticks.rays : 0;
+  const std::span<const double> margins(trial.ray_margins);
+  for (std::size_t i = 0; i < trial.ticks.size(); ++i) {
+    append_series_row(
+        text, trial.ticks[i], trial.series.ticks[i], margins.subspan(i * rays, rays), format);
+  }
+  return text;
+}
+
+std::string comment_line(const std::optional<SyntheticLabel>& label) {
+  return label ? "# " + to_string(*label) + '\n' : std::string();
+}
+
+/// Files of one trial, written from whichever thread certified it.
+void write_trial_files(const study::StudiedTrial& trial,
+                       const ResultFolder& folder,
+                       const CertifyFiles& files,
+                       const SeriesFormat& format,
+                       const Robot& robot) {
+  const std::string name = trial.row->trial_id + ".csv";
+  if (files.series) {
+    folder.write(std::filesystem::path("series") / name, series_csv(trial, format, robot));
+    folder.write(std::filesystem::path("edges") / name, edges_csv(trial.series, format.synthetic));
+  }
+  if (files.ticks) {
+    // A log, so it is labelled as those of the corpus are.
+    folder.write(std::filesystem::path("ticks") / name,
+                 comment_line(format.synthetic) + to_ticks_csv(robot, trial.ticks));
+  }
+}
+
+}  // namespace
+
+CertifySummary certify_trials(const OpenedBundle& opened,
+                              std::int64_t threads,
+                              Progress& progress,
+                              const ResultFolder* folder,
+                              const CertifyFiles& files,
+                              const TrialSink& sink,
+                              const TrialExtra& extra) {
+  const Bundle& bundle = opened.bundle;
+  const Robot robot = study::with_overrides(bundle.info.robot, opened.parameters.robot);
+  const SeriesFormat format{
+      opened.parameters.speed_law, files.ray_margins, synthetic_label(bundle.info)};
+  CertifySummary summary;
+  ListDigest logs;
+  std::unique_ptr<TrialTables> tables;
+  if (folder != nullptr) {
+    tables = std::make_unique<TrialTables>(bundle, folder->staging());
+    tables->add_diagnostics("", opened.diagnostics);
+  }
+  Stage stage(progress, "certifying", opened.trials.size());
+  const study::StudyOptions study{
+      {opened.logs.repair}, static_cast<int>(threads), files.ray_margins && folder != nullptr};
+  const auto work = [&](study::StudiedTrial&& trial) -> std::function<bool()> {
+    const FileDigest digest = folder != nullptr ? log_digest(bundle, *trial.row) : FileDigest{};
+    if (folder != nullptr && !trial.rejected) {
+      write_trial_files(trial, *folder, files, format, robot);
+    }
+    auto certificate = certificates_row(trial, digest.sha256);
+    auto diagnostics = std::move(trial.diagnostics);
+    const bool rejected = trial.rejected;
+    const std::size_t bytes = trial.log_bytes;
+    const std::function<void()> finish = extra && !rejected ? extra(trial) : nullptr;
+    // The ticks end here: what waits for its turn is small.
+    auto row = std::make_shared<study::TrialRecord>(study::summarise(std::move(trial)));
+    return [&, row, digest, certificate, diagnostics, rejected, bytes, finish]() {
+      const std::string& id = row->row.trial.trial_id;
+      stage.advance();
+      logs.add(id, digest);
+      summary.log_bytes += bytes;
+      progress.say(diagnostics);
+      if (tables) {
+        tables->add_diagnostics(id, diagnostics);
+      }
+      if (rejected) {
+        summary.rejected.push_back(id);
+        return !opened.logs.strict;
+      }
+      ++summary.trials;
+      if (tables) {
+        tables->add_trial(*row, certificate);
+      }
+      if (finish) {
+        finish();
+      }
+      if (sink) {
+        sink(std::move(*row));
+      }
+      return true;
+    };
+  };
+  study::study_trials(bundle, opened.trials, opened.parameters, study, work);
+  if (opened.logs.strict && !summary.rejected.empty()) {
+    throw BadData("trial '" + summary.rejected.front() +
+                  "' is rejected, and --strict was asked for");
+  }
+  if (tables) {
+    tables->close();
+    summary.inputs = bundle_inputs(bundle, logs.finish());
+  }
+  return summary;
+}
+
+ExitCode report(const CertifySummary& summary, const OpenedBundle& opened, Progress& progress) {
+  std::string line =
+      "Certified " + std::to_string(summary.trials) + (summary.trials == 1 ? " trial" : " trials");
+  for (const std::string& id : summary.rejected) {
+    line += (&id == &summary.rejected.front() ? "; rejected: " : ", ") + id;
+  }
+  const bool bad_rows = table::has_error(opened.diagnostics);
+  line += bad_rows ? "; some rows of trials.csv are rejected, see above." : ".";
+  if (summary.rejected.empty() && !bad_rows) {
+    progress.sum_up(line);
+    return exit_done;
+  }
+  progress.say(line);
+  return exit_rejected;
+}
+
+Manifest manifest_of(std::string command,
+                     const OpenedBundle& opened,
+                     WrittenOptions written,
+                     const CertifySummary& summary) {
+  Manifest manifest;
+  manifest.command = std::move(command);
+  record(std::move(written), manifest);
+  manifest.parameters = as_settings(opened.parameters, opened.bundle.info.robot);
+  manifest.synthetic = synthetic_label(opened.bundle.info);
+  manifest.inputs = summary.inputs;
+  return manifest;
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,106 @@
+#include "cli/runs/check.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <table/check_csv.hpp>
+
+#include "cli/runs/inputs.hpp"
+#include "datasets/check_trial.hpp"
+#include "reports/check_table.hpp"
+#include "reports/diagnostics_table.hpp"
+#include "reports/features_table.hpp"
+
+namespace tcert::cli {
+namespace {
+
+/// Trials that are read before their rows are added, in order.
+constexpr std::size_t kBatch = 64;
+
+/// The tables one after another; a blank line between them where people read them.
+RunResult shown(const Table& found, const Table& problems, TableFormat format) {
+  std::string text = render(found, format) + "\n" + render(problems, format);
+  if (format == TableFormat::json) {
+    std::string first = render(found, format);
+    std::string second = render(problems, format);
+    for (std::string* const one : {&first, &second}) {
+      one->erase(one->find_last_not_of('\n') + 1);
+    }
+    text = "[" + first + ",\n" + second + "]\n";
+  }
+  const auto is_problem = [](const std::vector<TableCell>& row) {
+    return std::get<std::string>(row[1]) != "note";
+  };
+  return {std::ranges::any_of(problems.rows, is_problem) ? exit_differences : exit_done, text};
+}
+
+RunResult check_file(const CheckRequest& request, Progress& progress) {
+  table::CsvOptions csv;
+  csv.decimal_comma = request.logs.decimal_comma;
+  const table::CsvCheckResult result = table::check_csv_file(request.path, 1.0, csv);
+  if (!result.check) {
+    progress.say(result.diagnostics);
+    throw BadData(request.path + " cannot be read as CSV");
+  }
+  Table problems = diagnostics_table(std::nullopt);
+  for (const table::Diagnostic& diagnostic : result.diagnostics) {
+    problems.add_row(diagnostics_row("", diagnostic));
+  }
+  return shown(
+      csv_check_table(*result.check, request.path), problems, request.output.table_format());
+}
+
+RunResult check_bundle(const CheckRequest& request, Progress& progress) {
+  const OpenedBundle opened = open_for(request.path, request.logs, progress, SayDiagnostics::no);
+  const auto label = synthetic_label(opened.bundle.info);
+  Table trials = trial_check_table(label);
+  Table problems = diagnostics_table(label);
+  for (const table::Diagnostic& diagnostic : opened.diagnostics) {
+    problems.add_row(diagnostics_row("", diagnostic));
+  }
+  Stage stage(progress, "trials checked", opened.trials.size());
+  for (std::size_t begin = 0; begin < opened.trials.size(); begin += kBatch) {
+    std::vector<TrialCheckResult> batch(std::min(kBatch, opened.trials.size() - begin));
+    tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
+      batch[i] = check_trial(opened.bundle,
+                             opened.bundle.trials[opened.trials[begin + i]],
+                             {request.logs.repair},
+                             opened.parameters.resample,
+                             opened.parameters.certificate);
+    });
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const std::string& trial_id = opened.bundle.trials[opened.trials[begin + i]].trial_id;
+      trials.add_row(trial_check_row(trial_id, batch[i].check));
+      for (const table::Diagnostic& diagnostic : batch[i].diagnostics) {
+        problems.add_row(diagnostics_row(trial_id, diagnostic));
+      }
+      stage.advance();
+    }
+  }
+  trials.n = static_cast<std::int64_t>(opened.trials.size());
+  return shown(trials, problems, request.output.table_format());
+}
+
+}  // namespace
+
+OptionTable options_of(CheckRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"BUNDLE|FILE", &request.path});
+  table.common();
+  add_format(table, request.output);
+  add_threads(table, request.threads);
+  add_logs(table, request.logs);
+  return table;
+}
+
+RunResult check(const CheckRequest& request, Progress& progress) {
+  if (!std::filesystem::exists(request.path)) {
+    throw NoInput("there is nothing at " + request.path);
+  }
+  const bool is_bundle =
+      std::filesystem::is_directory(request.path) || request.path.ends_with(".zip");
+  return is_bundle ? check_bundle(request, progress) : check_file(request, progress);
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// Running a batch of cells, whichever they are.
+
+#include "analysis/study/experiment/cell.hpp"
+#include "cli/runs/experiment/batch.hpp"
+#include "cli/runs/written_options.hpp"
+
+namespace tcert::cli {
+
+/// What is run, and what is written of it.
+struct Batch {
+  std::string command;
+  const BatchRequest& options;
+  WrittenOptions written;
+};
+
+/// The full method, then `cells`. \throws UsageError, NoInput, BadData, WriteError.
+[[nodiscard]] RunResult run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progress);
+
+}  // namespace tcert::cli

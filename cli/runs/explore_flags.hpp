@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// Which flags of `explore` act under which rules, and within which bounds.
+
+#include "cli/runs/explore.hpp"
+
+namespace tcert::cli {
+
+/// \throws UsageError for words, cells and values that cannot be, and for flags that the rule set
+/// or the motion would not look at: naming both. Says on stderr which flags change nothing here.
+void check(const ExploreRequest& options, Progress& progress);
+
+/// The largest slope. \throws UsageError for what is no number within its limit.
+[[nodiscard]] double lipschitz_of(const ExploreRequest& options);
+
+}  // namespace tcert::cli

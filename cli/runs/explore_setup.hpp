@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// What `explore` runs, from what it was asked.
+
+#include <terrain/explore.hpp>
+
+#include "cli/runs/explore.hpp"
+
+namespace tcert::cli {
+
+/// Start, and the goal if there is one. \throws UsageError if they lie outside the terrain.
+struct Places {
+  terrain::Cell start;
+  std::optional<terrain::Cell> goal;
+};
+[[nodiscard]] Places places_of(const ExploreRequest& options, const terrain::Grid& grid);
+
+/// The setup for a terrain; says on stderr what of the options could not be used, and why.
+/// `blocked` cells are not measured. \throws UsageError; BadData if the start is not on safe
+/// ground.
+[[nodiscard]] terrain::ExploreSetup explore_setup(const ExploreRequest& options,
+                                                  Progress& progress,
+                                                  const terrain::Terrain& terrain,
+                                                  terrain::CellSet blocked);
+
+}  // namespace tcert::cli

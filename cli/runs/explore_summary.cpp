@@ -1,0 +1,136 @@
+#include "cli/runs/explore_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tcert::cli {
+namespace {
+
+using terrain::End;
+using terrain::ExploreResult;
+using terrain::ExploreSetup;
+
+/// What stands between the robot and the goal, by the end that was found.
+[[nodiscard]] std::string reason(const ExploreResult& result, const ExploreSetup& setup) {
+  switch (result.end) {
+    case End::not_reachable:
+      return "is not reachable at this threshold: no way from the start keeps it";
+    case End::past_obstacles:
+      return "is not reachable at this threshold: ways that keep it lead through obstacles or gaps";
+    case End::only_lipschitz:
+      return fmt::format(
+          "is reachable at this threshold, but not by what L = {:.6g}{} certifies; a smaller L "
+          "that "
+          "still bounds the terrain's slopes, or a lower threshold, may do it",
+          result.last().lipschitz,
+          setup.rules.noise_bound > 0.0 ? " and the noise bound" : "");
+    case End::only_rules:
+      return fmt::format("is reachable at this threshold, but not by the rule set '{}'",
+                         terrain::to_string(setup.rules.kind));
+    case End::step_limit:
+      return "was not reached in so many measurements (--max-steps)";
+    default:
+      return {};
+  }
+}
+
+[[nodiscard]] std::string how_it_ended(const ExploreResult& result, const ExploreSetup& setup) {
+  std::string text = fmt::format("end: {}\n", terrain::to_string(result.end));
+  if (!setup.goal) {
+    return text;
+  }
+  if (result.end == End::goal_at_edge) {
+    return text + fmt::format(
+                      "the goal ({}, {}) is certified and joined, but less than {:g} cells "
+                      "(--simplification) within the outline, where the published rules do "
+                      "not end\n",
+                      setup.goal->x,
+                      setup.goal->y,
+                      setup.simplification);
+  }
+  const std::string why = reason(result, setup);
+  if (!why.empty()) {
+    text += fmt::format(
+        "the goal ({}, {}) {}: {} cells are certified, and the frontier stands at ({}, {}), {:.1f} "
+        "cells from the goal\n",
+        setup.goal->x,
+        setup.goal->y,
+        why,
+        result.last().safe,
+        result.frontier.x(),
+        result.frontier.y(),
+        (terrain::position(*setup.goal) - result.frontier).norm());
+  }
+  return text;
+}
+
+[[nodiscard]] std::string certificate(const ExploreResult& result) {
+  const auto& value = result.last().certificate;
+  if (!value && (result.end == End::reached || result.end == End::goal_at_edge)) {
+    return "certificate: NA (the start is not on certified ground)\n";
+  }
+  if (!value) {
+    return "certificate: NA (start and goal are not joined over certified ground)\n";
+  }
+  return std::isfinite(*value)
+             ? fmt::format("certificate: {:.6g}\n", *value)
+             : "certificate: NA (the rules give no lower bound of the ground on the way)\n";
+}
+
+}  // namespace
+
+ExitCode exit_code_of(End end) noexcept {
+  switch (end) {
+    case End::reached:
+    case End::explored:
+      return exit_done;
+    case End::not_reachable:
+    case End::past_obstacles:
+      return exit_not_reachable;
+    case End::only_lipschitz:
+    case End::only_rules:
+      return exit_only_rules;
+    case End::goal_at_edge:
+      return exit_at_edge;
+    case End::step_limit:
+      return exit_step_limit;
+    case End::empty_safe_set:
+    case End::stranded:
+      break;
+  }
+  return exit_stranded;
+}
+
+std::string explore_summary(const ExploreResult& result, const ExploreSetup& setup) {
+  const terrain::ExploreStep& last = result.last();
+  std::string text = how_it_ended(result, setup);
+  text += fmt::format(
+      "rules: {}\nmeasurements: {} first, {} after\nsafe cells: {}\ntravelled: {:.1f} cells\n",
+      terrain::to_string(setup.rules.kind),
+      setup.first_cells.size() + 1,
+      result.steps.size() - 1,
+      last.safe,
+      last.travelled);
+  if (setup.goal) {
+    text += certificate(result);
+  }
+  text += fmt::format(
+      "Lipschitz constant: {:.6g}\nunsafe cells held to be safe, at most: {}\nsteps "
+      "onto unsafe cells: {}\n",
+      last.lipschitz,
+      result.most_unsafe_certified,
+      last.unsafe_visits);
+  if (setup.motion == terrain::Motion::reactive) {
+    text += fmt::format(
+        "ways on which the controller arrived: {} of {}; a route finished the others\ngone by the "
+        "controller: {:.1f} cells, by routes: {:.1f} cells\n",
+        result.ways - result.controller_fallbacks,
+        result.ways,
+        result.controller_cells,
+        result.route_cells);
+  }
+  return text;
+}
+
+}  // namespace tcert::cli

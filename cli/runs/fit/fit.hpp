@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// `fit`: a model on any table.
+
+#include "cli/runs/progress.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/shared_options.hpp"
+
+namespace tcert::cli {
+
+struct FitRequest {
+  std::string kind;
+  std::string data;
+  std::string formula;
+  std::string cluster;
+  std::string strata;
+  std::string weights;
+  std::vector<std::string> references;  ///< COLUMN=LEVEL.
+  double level = 0.95;
+  std::string table;
+  bool no_time_rounding = false;
+  // cox
+  std::string ties = "efron";
+  bool robust = false;
+  std::string transform = "km";
+  std::string residuals;
+  std::string curves;
+  // glm
+  bool no_profile = false;
+  bool firth = false;
+  // calibration
+  std::int64_t folds = 5;
+  std::string predicted;
+  // glmm
+  std::optional<std::int64_t> quadrature;  ///< None: the model's own.
+  bool profile = false;
+  bool drop1 = false;
+  // km
+  std::string interval = "log";
+  std::string times;
+  double rho = 0.0;
+  std::string cause;
+  // concordance
+  std::string pair_weight = "n";
+  bool reverse = false;
+  // roc
+  std::string partial;
+  // roc and concordance
+  std::int64_t replicates = 0;
+
+  OutputOptions output;
+  std::int64_t seed = 1;
+  std::int64_t threads = 0;
+  bool decimal_comma = false;
+  std::vector<std::string> given;
+};
+
+[[nodiscard]] OptionTable options_of(FitRequest& request);
+
+/// \throws UsageError, NoInput, BadData, WriteError.
+[[nodiscard]] RunResult fit(const FitRequest& request, Progress& progress);
+
+}  // namespace tcert::cli

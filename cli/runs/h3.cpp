@@ -1,0 +1,115 @@
+#include "cli/runs/h3.hpp"
+
+#include <memory>
+#include <stdexcept>
+#include <table/bytes.hpp>
+
+#include "analysis/study/h3/hypothesis_h3.hpp"
+#include "cli/runs/certify_trials.hpp"
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/guard_options.hpp"
+#include "cli/runs/h1_options.hpp"
+#include "cli/runs/report_output.hpp"
+#include "cli/runs/thread_limit.hpp"
+#include "reports/features_table.hpp"
+#include "reports/h3_table.hpp"
+#include "reports/replay_table.hpp"
+
+namespace tcert::cli {
+namespace {
+
+struct Study {
+  table::DataTable table;
+  std::optional<SyntheticLabel> synthetic;
+  Manifest manifest;
+  ExitCode code = exit_done;
+};
+
+Study study_of_table(const HypothesesRequest& request,
+                     const study::H3Options& h3,
+                     Progress& progress) {
+  Study study;
+  DataFile file =
+      read_data_file(request.replays, study::columns_of(h3), request.logs.decimal_comma, progress);
+  study.manifest = manifest_of("hypotheses", file, written(request));
+  study.table = std::move(file.table);
+  study.synthetic = file.synthetic;
+  return study;
+}
+
+// Written as CSV and read again, so that a bundle and its replay.csv give the same numbers.
+table::DataTable read_back(const Table& replays) {
+  table::CsvOptions csv;
+  csv.file = "replay.csv";
+  table::DataTableResult read =
+      table::read_data_table(table::Bytes::copy_of(render(replays, TableFormat::csv)), {}, csv);
+  if (!read.table) {
+    throw std::logic_error("the replays cannot be read back: " +
+                           table::to_string(read.diagnostics.front()));
+  }
+  return std::move(*read.table);
+}
+
+Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
+  const OpenedBundle opened = open_for(request.bundle, request.logs, progress);
+  const study::ReplaySetup setup =
+      replay_setup(request.laws, opened.parameters, request.logs.decimal_comma, progress);
+  Table replays = replay_table();
+  const auto extra = [&](const study::StudiedTrial& trial) -> std::function<void()> {
+    auto rows = std::make_shared<std::vector<std::vector<TableCell>>>();
+    for (const study::ReplayedTrial& one :
+         study::replay_trial(trial, opened.bundle.info, opened.parameters, setup)) {
+      rows->push_back(replay_row(one.record));
+    }
+    return [&replays, rows] {
+      for (std::vector<TableCell>& row : *rows) {
+        replays.add_row(std::move(row));
+      }
+    };
+  };
+  Study study;
+  const CertifySummary summary =
+      certify_trials(opened, request.threads, progress, nullptr, {}, {}, extra);
+  study.table = read_back(replays);
+  study.synthetic = synthetic_label(opened.bundle.info);
+  study.manifest = manifest_of("hypotheses", opened, written(request), summary);
+  if (const auto input = tracking_error_input(request.laws.tracking_error)) {
+    study.manifest.inputs.push_back(*input);
+  }
+  study.code = report(summary, opened, progress);
+  return study;
+}
+
+}  // namespace
+
+RunResult hypothesis_3(const HypothesesRequest& request, Progress& progress) {
+  if (request.bundle.empty() == request.replays.empty()) {
+    throw UsageError("h3 needs either BUNDLE or --replays FILE");
+  }
+  require_range("level", request.level, 1e-9, 1.0 - 1e-9);
+  study::H3Options h3;
+  h3.gated = request.gated;
+  h3.baseline = request.lead;
+  h3.cluster = request.cluster;
+  h3.level = request.level;
+  h3.interval = interval_method(request.interval);
+  h3.loss_margin = request.loss_margin;
+  h3.replicates = static_cast<std::size_t>(request.replicates);
+  h3.seed = static_cast<std::uint64_t>(request.seed);
+  const ThreadLimit limit(request.threads);
+  ReportOutput output(request.output, "hypotheses");
+  Study study = request.replays.empty() ? study_of_bundle(request, progress)
+                                        : study_of_table(request, h3, progress);
+  FitReport report;
+  try {
+    report = h3_report(study::hypothesis_h3(study.table, h3));
+  } catch (const std::invalid_argument& error) {
+    throw BadData(error.what());
+  }
+  report.synthetic = study.synthetic;
+  study.manifest.seed = h3.seed;
+  const ExitCode code = statistics::has_error(report.conditions) ? exit_bad_data : study.code;
+  return {code, output.deliver(std::move(report), request.table, std::move(study.manifest))};
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,131 @@
+#include "cli/runs/import_barn.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/written_options.hpp"
+#include "datasets/import_barn.hpp"
+#include "reports/sha256.hpp"
+
+namespace tcert::cli {
+namespace {
+
+table::TextTable table_of(const std::string& option, const std::string& file, Progress& progress) {
+  if (file.empty()) {
+    throw UsageError("needs --" + option + " FILE");
+  }
+  if (!std::filesystem::exists(file)) {
+    throw NoInput("no table at '" + file + "'");
+  }
+  table::TextTableResult result = table::read_text_table(std::filesystem::path(file), {"world"});
+  for (table::Diagnostic& diagnostic : result.diagnostics) {
+    // There is no bundle.json to rename columns in.
+    const auto advice = diagnostic.expectation.find("; rename");
+    diagnostic.expectation.resize(std::min(advice, diagnostic.expectation.size()));
+  }
+  progress.say(result.diagnostics);
+  if (!result.table) {
+    throw BadData("'" + file + "' cannot be read");
+  }
+  return std::move(*result.table);
+}
+
+std::vector<std::string> split(const std::string& names) {
+  std::vector<std::string> result;
+  std::size_t begin = 0;
+  while (begin <= names.size() && !names.empty()) {
+    const std::size_t end = std::min(names.find(',', begin), names.size());
+    result.push_back(names.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return result;
+}
+
+void require_known(const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
+  if (!wanted.empty() && known.empty()) {
+    throw UsageError("--planners: the trials have no column planner");
+  }
+  for (const std::string& name : wanted) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw UsageError("--planners: no trial of '" + name + "'" + did_you_mean(name, known));
+    }
+  }
+}
+
+void report(const BarnSummary& s, Progress& progress) {
+  std::string groups;
+  for (const auto& [name, rows] : s.groups) {
+    groups += fmt::format("{}{} {}", groups.empty() ? "" : ", ", name, rows);
+  }
+  progress.sum_up(fmt::format("{} of {} trials written: {} successes, {} worlds, {} {}s ({})",
+                              s.written,
+                              s.read,
+                              s.successes,
+                              s.worlds,
+                              s.groups.size(),
+                              s.group,
+                              groups));
+  progress.sum_up(fmt::format(
+      "left out: {} with errors, {} of planners not asked for, {} of another port, {} in "
+      "worlds with moving obstacles, {} in worlds without metrics",
+      s.bad,
+      s.not_asked_for,
+      s.other_ports,
+      s.moving,
+      s.unmeasured));
+}
+
+}  // namespace
+
+OptionTable options_of(ImportBarnRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"FORMAT", &request.format, true, OptionRole::shapes, {"barn"}});
+  table.add_input("trials", request.trials, "FILE", "outcomes: trials.csv or mlda_dated.csv");
+  table.add_input("metrics", request.metrics, "FILE", "difficulty_metrics.csv");
+  table.add(
+      "planners", request.planners, "NAMES", "keep these, comma between; all if it is not given");
+  table.add("same-port", request.same_port, "leave out ros2_maity and mppi_ros2");
+  table.common();
+  add_output_path(table, request.output);
+  table.config_file();
+  return table;
+}
+
+RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
+  const std::string& output = request.output.path;
+  if (output.empty()) {
+    throw UsageError("needs --output FILE");
+  }
+  require_own_file(output);
+  const table::TextTable trials = table_of("trials", request.trials, progress);
+  const table::TextTable metrics = table_of("metrics", request.metrics, progress);
+  BarnImportOptions barn;
+  barn.planners = split(request.planners);
+  barn.other_ports = !request.same_port;
+  require_known(barn.planners, planners_of(trials));
+  if (request.same_port && planners_of(trials).empty()) {
+    throw UsageError("--same-port: the trials have no column planner");
+  }
+  const BarnImportResult result =
+      tcert::import_barn(trials, request.trials, metrics, request.metrics, barn);
+  progress.say(result.diagnostics);
+  report(result.summary, progress);
+  if (!result.csv) {
+    const bool measured = result.summary.unmeasured == 0;
+    throw BadData(measured ? "'" + request.trials + "' holds no trial that can be used"
+                           : "'" + request.metrics + "' has no metrics for the worlds of '" +
+                                 request.trials + "'");
+  }
+  Manifest manifest;
+  manifest.command = "import barn";
+  record(written(request), manifest);
+  manifest.inputs = {{name_of(request.trials), digest_file(request.trials)},
+                     {name_of(request.metrics), digest_file(request.metrics)}};
+  write_with_manifest(output, *result.csv, std::move(manifest));
+  return {table::has_error(result.diagnostics) ? exit_rejected : exit_done, ""};
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// `import barn`: public outcomes of the BARN challenge become a feature table.
+
+#include "cli/runs/progress.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/shared_options.hpp"
+
+namespace tcert::cli {
+
+struct ImportBarnRequest {
+  std::string format;  ///< "barn".
+  std::string trials;
+  std::string metrics;
+  std::string planners;
+  bool same_port = false;
+  OutputOptions output;
+  std::vector<std::string> given;
+};
+
+[[nodiscard]] OptionTable options_of(ImportBarnRequest& request);
+
+/// \throws UsageError, NoInput, BadData, WriteError.
+[[nodiscard]] RunResult import_barn(const ImportBarnRequest& request, Progress& progress);
+
+}  // namespace tcert::cli

@@ -1,0 +1,169 @@
+#include "cli/runs/report/report.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "cli/runs/figures/figures.hpp"
+#include "cli/runs/report/page_parts.hpp"
+#include "cli/runs/report/page_trials.hpp"
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/written_options.hpp"
+#include "reports/figure/figures_of.hpp"
+#include "reports/html/page.hpp"
+#include "reports/html/report_json.hpp"
+#include "reports/results/results.hpp"
+
+namespace tcert::cli {
+namespace {
+
+/// Every column keeps its peaks: fewer ticks than this would not be fewer.
+constexpr double kFewestTicks = 60;
+
+/// share/tcert/page beside the program's own folder: in an installation and in a build alike.
+std::filesystem::path page_folder() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  return program.parent_path().parent_path() / "share" / "tcert" / "page";
+}
+
+PageAssets page_assets() {
+  const std::filesystem::path folder = page_folder();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(folder / "page.js", error)) {
+    throw NoInput(
+        "this build has no report page: '" + (folder / "page.js").string() +
+        "' is not there. It is made when Node.js and npm are installed and the npm registry "
+        "can be reached; tables and figures need no page");
+  }
+  return read_page_assets(folder);
+}
+
+std::string lead_of(const Results& results, std::size_t trials, const PageContents& contents) {
+  const auto some = [](std::size_t n, const std::string& one) {
+    return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+  };
+  return some(trials, "trial") + ", " + some(contents.tables.size(), "table") + ", " +
+         some(contents.figures.size(), "figure") + " from " + some(results.all.size(), "folder") +
+         " of results.";
+}
+
+Results checked_results(const std::string& folder) {
+  try {
+    Results results = read_results(folder);
+    // Drawn of the other results, as the page's own figures are.
+    std::erase_if(results.all,
+                  [](const Result& result) { return result.manifest.command == "figures"; });
+    require_same_inputs(results);
+    for (const Result& result : results.all) {
+      if (const auto changed = first_difference(result.folder, result.manifest)) {
+        throw BadData(
+            "'" + result.name + "/" + *changed +
+            "' is not as its manifest lists it: 'tcert verify' tells more; make the result "
+            "again");
+      }
+    }
+    // As a paper would have them, not by the names of folders.
+    std::stable_sort(results.all.begin(), results.all.end(), [](const Result& a, const Result& b) {
+      return a.kind < b.kind;
+    });
+    return results;
+  } catch (const MissingResult& cause) {
+    throw NoInput(cause.what());
+  } catch (const MixedResults& cause) {
+    throw BadData(cause.what());
+  }
+}
+
+Manifest manifest_of(const Results& results, const ReportRequest& request) {
+  Manifest manifest;
+  manifest.command = "report";
+  record(written(request), manifest);
+  manifest.synthetic = results.synthetic;
+  for (const Result& result : results.all) {
+    const std::string name = result.name == "." ? "" : result.name + "/";
+    manifest.inputs.push_back(
+        {name + "manifest.json", digest_file(result.folder / "manifest.json")});
+  }
+  return manifest;
+}
+
+void add_figures(const Results& results, PageContents& contents) {
+  StudyFigures study = study_figures(results);
+  contents.figures = std::move(study.figures);
+  for (const MissingFigure& missing : study.missing) {
+    contents.left_out.push_back("No figure '" + missing.name + "': " + missing.reason);
+  }
+}
+
+}  // namespace
+
+OptionTable options_of(ReportRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"RESULTS", &request.results, true, OptionRole::input});
+  table.add_input(
+      "bundle",
+      request.bundle,
+      "FOLDER",
+      "the logs that the results were made from, for the courses on the maps; needed if "
+      "RESULTS does not hold them");
+  table.add("title", request.title, "TEXT", "the page's heading; change it to tell pages apart");
+  table.add("ticks",
+            request.ticks,
+            "N",
+            "most ticks of a trial on the page; 60 or more; more make it larger, 0 goes by the "
+            "number of trials");
+  table.add_output("figures",
+                   request.figures,
+                   "DIR",
+                   "also write the figures there for a paper, as 'tcert figures' does");
+  table.common();
+  add_output_path(table, request.output);
+  add_threads(table, request.threads);
+  table.config_file();
+  return table;
+}
+
+RunResult report(const ReportRequest& request, Progress& progress) {
+  if (request.ticks != 0) {
+    require_range("ticks", static_cast<double>(request.ticks), kFewestTicks, 1e6);
+  }
+  const std::string output = request.output.path.empty() ? "report.html" : request.output.path;
+  require_own_file(output);
+  table::require_output_place(request.figures);
+  const PageAssets assets = page_assets();
+  const Results results = checked_results(request.results);
+
+  PageData page;
+  PageContents contents;
+  contents.title = request.title;
+  contents.synthetic = results.synthetic;
+  contents.results = results.all;
+  contents.packages = assets.packages;
+  contents.tables = page_tables(results, contents.left_out);
+  contents.frames = page_frames(results, page);
+  add_figures(results, contents);
+  const std::size_t trials = add_trials(
+      results,
+      {request.bundle, static_cast<std::size_t>(request.ticks), static_cast<int>(request.threads)},
+      progress,
+      page,
+      contents.left_out);
+  contents.lead = lead_of(results, trials, contents);
+  page.title = (contents.synthetic ? "SYNTHETIC: " : "") + request.title;
+  page.report = report_json(contents);
+  write_with_manifest(output, tcert::page(assets, page), manifest_of(results, request));
+  progress.sum_up("Report: " + output);
+  if (request.figures.empty()) {
+    return {};
+  }
+  FiguresRequest drawn;
+  drawn.results = request.results;
+  drawn.output.path = request.figures;
+  return figures(drawn, progress);
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Where a report goes: back as text, into one file, or into a folder with every table in every
+/// format.
+
+#include <optional>
+#include <string>
+
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/shared_options.hpp"
+#include "reports/fit/fit_report.hpp"
+
+namespace tcert::cli {
+
+/// True if --output names a folder: it ends with '/', or is one.
+[[nodiscard]] bool names_folder(const std::string& output);
+
+/// <name>.csv, .json, .txt, .md and .tex of a table. \throws WriteError.
+void write_table(const Table& table, const ResultFolder& folder);
+
+class ReportOutput {
+ public:
+  /// \throws WriteError if a folder is asked for and may not be replaced.
+  ReportOutput(const OutputOptions& output, const std::string& command);
+
+  /// The report in the format, or only its table `table`: returned to be printed, or with a
+  /// manifest beside the file; or the folder: every table in every format, details as CSV and JSON,
+  /// the whole in report.json. \throws UsageError if there is no such table; WriteError.
+  [[nodiscard]] std::string deliver(FitReport report, const std::string& table, Manifest manifest);
+
+ private:
+  const OutputOptions& output_;
+  std::optional<ResultFolder> folder_;
+};
+
+}  // namespace tcert::cli

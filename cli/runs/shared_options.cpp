@@ -1,0 +1,60 @@
+#include "cli/runs/shared_options.hpp"
+
+#include <table/nearest_name.hpp>
+
+#include "cli/runs/errors.hpp"
+
+namespace tcert::cli {
+
+TableFormat OutputOptions::table_format() const {
+  if (const auto known = table_format_from(format)) {
+    return *known;
+  }
+  throw UsageError("--format: found '" + format + "', expected text, md, csv, json, jsonl or tex" +
+                   did_you_mean(format, {"text", "md", "csv", "json", "jsonl", "tex"}));
+}
+
+void add_output_path(OptionTable& table, OutputOptions& output) {
+  table.add_output("output", output.path, "PATH", "where to write; appears only when it is whole");
+}
+
+void add_format(OptionTable& table, OutputOptions& output) {
+  table.add(
+      "format", output.format, "WORD", "of what is printed: text, md, csv, json, jsonl or tex");
+}
+
+void add_seed(OptionTable& table, std::int64_t& seed) {
+  table.add("seed", seed, "N", "of all random draws; another seed is another sample")
+      .within(0, 9.3e18);
+}
+
+void add_threads(OptionTable& table, std::int64_t& threads) {
+  table
+      .add_process(
+          "threads", threads, "N", "0 takes all cores; the results are the same for any number")
+      .within(0, 1024);
+}
+
+void add_logs(OptionTable& table, LogOptions& logs) {
+  table.add("trials",
+            logs.trials,
+            "IDS",
+            "only these: trial ids or patterns with * and ?, comma between");
+  table.add("strict", logs.strict, "stop at the first rejected trial");
+  table.add(
+      "repair", logs.repair, "drop or merge bad rows, counted, instead of rejecting their trial");
+  add_decimal_comma(table, logs.decimal_comma);
+  table.parameters(logs.parameters);
+}
+
+void add_decimal_comma(OptionTable& table, bool& decimal_comma) {
+  table.add(
+      "decimal-comma", decimal_comma, "numbers like 1,5 in files whose separator is the semicolon");
+}
+
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+  const auto nearest = table::nearest_name(name, known);
+  return nearest ? "; did you mean '" + *nearest + "'?" : "";
+}
+
+}  // namespace tcert::cli

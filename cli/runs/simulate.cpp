@@ -1,0 +1,113 @@
+#include "cli/runs/simulate.hpp"
+
+#include <table/csv_write.hpp>
+#include <utility>
+
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/thread_limit.hpp"
+#include "datasets/corpus/corpus.hpp"
+#include "datasets/corpus/micro_study.hpp"
+
+namespace tcert::cli {
+namespace {
+
+std::uint64_t seed_of(const SimulateRequest& request) {
+  return static_cast<std::uint64_t>(request.seed);
+}
+
+std::uint64_t trials_of(const SimulateRequest& request) {
+  return request.micro_study ? kGatePasses : static_cast<std::uint64_t>(request.trials);
+}
+
+Manifest manifest_of(const SimulateRequest& request) {
+  Manifest manifest;
+  manifest.command = "simulate";
+  manifest.seed = seed_of(request);
+  manifest.synthetic = SyntheticLabel{seed_of(request)};
+  if (request.micro_study) {
+    manifest.arguments.push_back({"--micro-study"});
+  }
+  manifest.options = {{"micro-study", request.micro_study ? "true" : "false"}};
+  if (!request.micro_study) {
+    std::string effect;
+    table::append_number(effect, request.effect);
+    manifest.options.insert(manifest.options.end(),
+                            {{"trials", std::to_string(request.trials)},
+                             {"effect", effect},
+                             {"native-rates", request.native_rates ? "true" : "false"}});
+    for (const auto& [name, value] : {std::pair("--trials", manifest.options[1].second),
+                                      std::pair("--effect", manifest.options[2].second)}) {
+      manifest.arguments.insert(manifest.arguments.end(), {{name}, {value}});
+    }
+    if (request.native_rates) {
+      manifest.arguments.push_back({"--native-rates"});
+    }
+  }
+  manifest.arguments.insert(manifest.arguments.end(), {{"--seed"}, {std::to_string(request.seed)}});
+  return manifest;
+}
+
+}  // namespace
+
+OptionTable options_of(SimulateRequest& request) {
+  OptionTable table(request.given);
+  table
+      .add("trials",
+           request.trials,
+           "N",
+           "another number for tests of scaling; blocks of 660 are alike")
+      .within(1, 1e8);
+  table
+      .add("effect",
+           request.effect,
+           "E",
+           "how far successes and failures lie apart, 0 to 2; 0 makes a null corpus")
+      .within(0, 2);
+  table.add("native-rates",
+            request.native_rates,
+            "streams at 83, 50 and 20 Hz, as the robot logs them, instead of 20 Hz");
+  table.add("micro-study",
+            request.micro_study,
+            "the 60 passes through gates about as wide as the body instead of the corpus");
+  table.common();
+  add_output_path(table, request.output);
+  add_seed(table, request.seed);
+  add_threads(table, request.threads);
+  table.config_file();
+  return table;
+}
+
+RunResult simulate(const SimulateRequest& request, Progress& progress) {
+  const std::string& output = request.output.path;
+  if (output.empty()) {
+    throw UsageError("needs --output DIR");
+  }
+  const ThreadLimit limit(request.threads);
+  ResultFolder result(output, "simulate");
+  {
+    Stage stage(progress, "simulating", trials_of(request));
+    const TrialProgress advance = [&](std::uint64_t done, std::uint64_t /*total*/) {
+      stage.reach(done);
+    };
+    if (request.micro_study) {
+      simulate_micro_study(result.staging(), seed_of(request), advance, true);
+    } else {
+      CorpusOptions corpus;
+      corpus.seed = seed_of(request);
+      corpus.trials = trials_of(request);
+      corpus.effect = request.effect;
+      corpus.native_rates = request.native_rates;
+      simulate_corpus(result.staging(), corpus, advance, true);
+    }
+  }
+  result.commit(manifest_of(request));
+  progress.sum_up(to_string(SyntheticLabel{seed_of(request)}) + " " +
+                  std::to_string(trials_of(request)) + " trials in " + output + ".");
+  return {};
+}
+
+bool is_there(const SimulateRequest& request) {
+  return is_current(request.output.path, manifest_of(request));
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// `simulate terrain`: random fields with a stated Lipschitz constant.
+
+#include "cli/runs/progress.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/shared_options.hpp"
+#include "datasets/terrain_field/terrain_field.hpp"
+
+namespace tcert::cli {
+
+struct SimulateTerrainRequest {
+  std::int64_t rows = TerrainFieldOptions().rows;
+  std::int64_t columns = TerrainFieldOptions().columns;
+  double mean = TerrainFieldOptions().mean;
+  double length_scale = TerrainFieldOptions().length_scale;
+  double lipschitz = TerrainFieldOptions().lipschitz;
+  OutputOptions output;
+  std::int64_t seed = 1;
+  std::vector<std::string> given;
+};
+
+[[nodiscard]] OptionTable options_of(SimulateTerrainRequest& request);
+
+/// \throws UsageError, WriteError.
+[[nodiscard]] RunResult simulate_terrain(const SimulateTerrainRequest& request, Progress& progress);
+
+}  // namespace tcert::cli

@@ -1,0 +1,106 @@
+#include "cli/runs/study/study.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "cli/runs/report_output.hpp"
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/study/studies.hpp"
+#include "cli/runs/thread_limit.hpp"
+#include "cli/runs/written_options.hpp"
+
+namespace tcert::cli {
+namespace {
+
+struct Study {
+  std::string_view name;
+  std::string_view options;  ///< Beside those that all take; blank between.
+  FitReport (*run)(const StudyRequest& request, Progress& progress);
+};
+
+constexpr std::array kStudies{Study{"soundness", "worlds u-turns", soundness_study},
+                              Study{"coverage", "data-sets replicates", coverage_study},
+                              Study{"equivalence", "data-sets", equivalence_study},
+                              Study{"gate", "data-sets replicates", gate_coverage_study},
+                              Study{"null", "data-sets", null_study},
+                              Study{"terrain", "terrains seeds", terrain_study}};
+
+constexpr std::array kOfSome{"worlds", "u-turns", "data-sets", "replicates", "terrains", "seeds"};
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const Study& one : kStudies) {
+    all.emplace_back(one.name);
+  }
+  return all;
+}
+
+const Study& study_of(const StudyRequest& request) {
+  const auto found = std::ranges::find(kStudies, request.study, &Study::name);
+  if (found == kStudies.end()) {
+    throw UsageError("unknown study '" + request.study +
+                     "', expected soundness, coverage, equivalence, gate, null or terrain" +
+                     did_you_mean(request.study, names()));
+  }
+  const std::string taken = ' ' + std::string(found->options) + ' ';
+  for (const std::string option : kOfSome) {
+    if (is_given(request.given, option) && taken.find(' ' + option + ' ') == std::string::npos) {
+      throw UsageError("--" + option + " does nothing to 'study " + request.study + "'");
+    }
+  }
+  if (!request.terrain.empty() && request.study != "terrain") {
+    throw UsageError("unexpected argument '" + request.terrain + "'");
+  }
+  return *found;
+}
+
+}  // namespace
+
+OptionTable options_of(StudyRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"STUDY", &request.study, true, OptionRole::shapes, names()});
+  table.argument({"TERRAIN", &request.terrain, false, OptionRole::input});
+  table.add("worlds", request.worlds, "N", "soundness: random worlds").within(1, 1e8);
+  table.add("u-turns", request.u_turns, "N", "soundness: worlds that ask for a turn by half")
+      .within(1, 1e8);
+  table
+      .add("data-sets",
+           request.data_sets,
+           "N",
+           "coverage, equivalence: 2000; gate: 1000 micro-studies; null: 40 corpora")
+      .within(1, 1e6);
+  table.add("replicates", request.replicates, "R", "of the bootstrap; coverage: 1999; gate: 999")
+      .within(1, 1e6);
+  table.add("terrains", request.terrains, "N", "terrain: random terrains").within(1, 1e6);
+  table.add("seeds", request.seeds, "N", "terrain, with TERRAIN: runs of rules that draw")
+      .within(1, 1e4);
+  table.add("table", request.table, "NAME", "print only this table; a wrong name lists them");
+  table.common();
+  add_output_path(table, request.output);
+  add_format(table, request.output);
+  add_seed(table, request.seed);
+  add_threads(table, request.threads);
+  table.config_file();
+  return table;
+}
+
+RunResult study(const StudyRequest& request, Progress& progress) {
+  const Study& one = study_of(request);
+  if (!request.terrain.empty() && !request.output.path.empty()) {
+    require_apart(request.terrain, request.output.path);
+  }
+  ReportOutput output(request.output, "study");
+  const ThreadLimit limit(request.threads);
+  Manifest manifest;
+  manifest.command = "study";
+  record(written(request), manifest);
+  manifest.seed = static_cast<std::uint64_t>(request.seed);
+  if (!request.terrain.empty()) {
+    manifest.inputs = {{name_of(request.terrain), digest_file(request.terrain)}};
+  }
+  FitReport report = one.run(request, progress);
+  manifest.synthetic = report.synthetic;
+  return {exit_done, output.deliver(std::move(report), request.table, std::move(manifest))};
+}
+
+}  // namespace tcert::cli

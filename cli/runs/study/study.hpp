@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// `study`: how often the tool itself is right, on data whose truth is known.
+
+#include "cli/runs/progress.hpp"
+#include "cli/runs/run_result.hpp"
+#include "cli/runs/shared_options.hpp"
+
+namespace tcert::cli {
+
+struct StudyRequest {
+  std::string study;    ///< "soundness", "coverage", "equivalence", "gate", "null", "terrain".
+  std::string terrain;  ///< A file, for the scenarios of `terrain`; without it random terrains.
+  std::int64_t worlds = 100000;
+  std::int64_t u_turns = 10000;
+  std::optional<std::int64_t> data_sets;  ///< None: as many as the study usually has.
+  std::optional<std::int64_t> replicates;
+  std::int64_t terrains = 1000;
+  std::int64_t seeds = 20;
+  std::string table;
+  OutputOptions output;
+  std::int64_t seed = 1;
+  std::int64_t threads = 0;
+  std::vector<std::string> given;
+};
+
+[[nodiscard]] OptionTable options_of(StudyRequest& request);
+
+/// The same bytes for any number of threads. \throws UsageError, NoInput, BadData, WriteError.
+[[nodiscard]] RunResult study(const StudyRequest& request, Progress& progress);
+
+}  // namespace tcert::cli

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include "cli/runs/study/studies.hpp"
+#include "cli/runs/terrain_input.hpp"
+#include "reports/study/terrain_report.hpp"
+
+namespace tcert::cli {
+namespace {
+
+using terrain::Terrain;
+
+FitReport scenarios_of(const StudyRequest& request, Progress& progress) {
+  TerrainFileOptions reading;
+  reading.header = TerrainHeader::yes;  // As the published program does.
+  TerrainGrid file = read_terrain_or_throw(request.terrain, reading, progress);
+  const std::optional<SyntheticLabel> label = label_of(file);
+  const Terrain ground{{file.rows, file.columns}, std::move(file.values)};
+  for (const terrain::study::Scenario& scenario : terrain::study::scenarios()) {
+    if (!ground.grid.contains(scenario.start) ||
+        (scenario.goal && !ground.grid.contains(*scenario.goal))) {
+      throw BadData(
+          fmt::format("'{}': found {} x {} cells, too few for scenario {} of the thesis, "
+                      "whose terrain has 600 x 400",
+                      request.terrain,
+                      ground.grid.rows,
+                      ground.grid.columns,
+                      scenario.name));
+    }
+  }
+  const auto seeds = static_cast<std::size_t>(request.seeds);
+  std::optional<Stage> stage;
+  const auto runs =
+      terrain::study::run_scenarios(ground, seeds, [&](std::size_t done, std::size_t total) {
+        if (!stage) {
+          stage.emplace(progress, "runs", total);
+        }
+        stage->reach(done);
+      });
+  return scenario_report(runs, terrain::study::run_baselines(ground, seeds), label);
+}
+
+}  // namespace
+
+FitReport terrain_study(const StudyRequest& request, Progress& progress) {
+  if (!request.terrain.empty()) {
+    return scenarios_of(request, progress);
+  }
+  const auto terrains = static_cast<std::size_t>(request.terrains);
+  const auto seed = static_cast<std::uint64_t>(request.seed);
+  std::vector<TerrainRates> told;
+  std::vector<TerrainRates> trusted;
+  for (const bool trust : {false, true}) {
+    for (const double factor : {1.0, 0.75, 0.5}) {
+      told.push_back({factor, trust, terrain::Rules{}.beta, {}});
+    }
+  }
+  for (const double beta : {3.0, 9.0, 16.0, 25.0, 36.0}) {
+    trusted.push_back({1.0, true, beta, {}});
+  }
+  Stage stage(progress, "sets of terrains", told.size() + trusted.size());
+  for (std::vector<TerrainRates>* const rows : {&told, &trusted}) {
+    for (TerrainRates& row : *rows) {
+      row.found = terrain::study::soundness(terrains, row.told, row.trusted, seed, row.beta);
+      stage.advance();
+    }
+  }
+  return terrain_soundness_report(told, trusted, seed);
+}
+
+}  // namespace tcert::cli

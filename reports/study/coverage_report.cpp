@@ -1,0 +1,154 @@
+#include "reports/study/coverage_report.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "reports/columns_of.hpp"
+#include "reports/study/study_summary.hpp"
+
+namespace tcert {
+
+using namespace study::coverage;
+
+FitReport coverage_report(const std::vector<Coverage>& rows, const Options& options) {
+  ColumnsOf<Coverage> columns;
+  columns.text("scenario", "scenario", &Coverage::scenario)
+      .text("quantity", "quantity", &Coverage::quantity)
+      .text("method", "method", &Coverage::method)
+      .fixed("truth", "truth", "", 4, &Coverage::truth)
+      .fixed("mean_estimate", "mean estimate", "", 4, &Coverage::mean_estimate)
+      .integer("intervals", "intervals", &Coverage::intervals)
+      .integer("missing", "missing", &Coverage::missing)
+      .fixed("coverage", "coverage", "", 4, &Coverage::covered)
+      .fixed("mc_se", "its SE", "", 4, &Coverage::monte_carlo_se)
+      .fixed("mean_width", "mean width", "", 4, &Coverage::mean_width);
+  FitReport report = study_report("coverage", options.seed);
+  report.summary = study_summary({{"data_sets", options.data_sets},
+                                  {"replicates", options.replicates},
+                                  {"seed", options.seed}});
+  report.tables = {columns.table("coverage", "How often intervals cover the truth", rows)};
+  report.tables.front().footnotes = {fmt::format(
+      "Of nominal {:g} % intervals, over {} data sets of each scenario: 22 days of 30 trials.",
+      100.0 * options.level,
+      options.data_sets)};
+  return report;
+}
+
+FitReport equivalence_report(const std::vector<ScenarioRates>& rows,
+                             std::size_t data_sets,
+                             std::uint64_t seed) {
+  const auto of_scenario = [](auto member) {
+    return [member](const ScenarioRates& row) { return row.first.*member; };
+  };
+  const auto of_rates = [](auto member) {
+    return [member](const ScenarioRates& row) { return row.second.*member; };
+  };
+  ColumnsOf<ScenarioRates> columns;
+  columns.fixed("icc", "within-day correlation", "", 1, of_scenario(&LightingScenario::icc))
+      .fixed("margin", "margin", "", 2, of_scenario(&LightingScenario::margin))
+      .fixed("difference", "true difference", "", 3, of_scenario(&LightingScenario::difference))
+      .integer("data_sets", "data sets", of_rates(&EquivalenceRates::tested))
+      .fixed("equivalent", "all pairs equivalent", "", 4, of_rates(&EquivalenceRates::equivalent))
+      .fixed("pair_equivalent", "one pair equivalent", "", 4, of_rates(&EquivalenceRates::one_pair))
+      .fixed("different", "different", "", 4, of_rates(&EquivalenceRates::different))
+      .fixed("mean_se", "mean SE", "", 4, of_rates(&EquivalenceRates::mean_error))
+      .fixed("true_se", "true SE", "", 4, of_rates(&EquivalenceRates::true_error))
+      .fixed("mean_range", "mean range", "", 4, of_rates(&EquivalenceRates::mean_range))
+      .fixed("margin_80",
+             "margin of 80 % power",
+             "",
+             4,
+             of_rates(&EquivalenceRates::mean_power_margin));
+  FitReport report = study_report("equivalence", seed);
+  report.summary = study_summary({{"data_sets", data_sets}, {"seed", seed}});
+  report.tables = {columns.table(
+      "equivalence", "How often AUCs of lightings are found equivalent, or different", rows)};
+  report.tables.front().footnotes = {
+      "Shares of the data sets: 660 trials on 22 days in three lightings, two of AUC 0.76 and one "
+      "that lies lower by the true difference. Tests at 5 %."};
+  return report;
+}
+
+FitReport gate_coverage_report(const GateSummary& summary, const GateOptions& options) {
+  ColumnsOf<GateCoverage> columns;
+  columns.text("method", "set", &GateCoverage::method)
+      .integer("sets", "sets", &GateCoverage::sets)
+      .fixed("unbounded_share",
+             "without bounds",
+             "",
+             4,
+             [](const GateCoverage& row) {
+               return static_cast<double>(row.unbounded) / static_cast<double>(row.sets);
+             })
+      .fixed("coverage", "covers the large-sample point", "", 4, &GateCoverage::covered)
+      .fixed("mc_se", "its SE", "", 4, &GateCoverage::monte_carlo_se)
+      .fixed("covers_zero", "covers 0", "", 4, &GateCoverage::covered_zero)
+      .fixed("median_width_m", "median width", "m", 5, &GateCoverage::median_width_m);
+  FitReport report = study_report("gate", options.first_seed);
+  report.summary = study_summary({{"data_sets", options.studies},
+                                  {"replicates", options.replicates},
+                                  {"seed", options.first_seed}});
+  report.tables = {columns.table(
+      "gate_coverage", "How often the sets of the 50 % point cover it", summary.methods)};
+  report.tables.front().footnotes = {
+      fmt::format("{} micro-studies; the large-sample 50 % point is {:.5f} m (SE {:.5f}), slope "
+                  "{:.2f} per metre; estimates: mean {:.5f} m, median {:.5f} m; {} are separated.",
+                  options.studies,
+                  summary.point_m,
+                  summary.point_error_m,
+                  summary.slope_per_m,
+                  summary.mean_estimate_m,
+                  summary.median_estimate_m,
+                  summary.separated)};
+  return report;
+}
+
+std::optional<bool> NullAuc::covers() const noexcept {
+  return interval ? std::optional(interval->low <= 0.5 && 0.5 <= interval->high) : std::nullopt;
+}
+
+FitReport null_report(const std::vector<NullAuc>& rows) {
+  struct Sum {
+    std::string panel;
+    std::size_t corpora = 0;
+    std::size_t covered = 0;
+    double auc = 0.0;
+  };
+  std::map<std::string, Sum> sums;
+  for (const NullAuc& row : rows) {
+    Sum& sum = sums[row.panel];
+    sum.panel = row.panel;
+    ++sum.corpora;
+    sum.covered += row.covers().value_or(false) ? 1 : 0;
+    sum.auc += row.auc.value_or(0.5);
+  }
+  std::vector<Sum> panels;
+  for (const auto& [name, sum] : sums) {
+    panels.push_back(sum);
+  }
+  ColumnsOf<Sum> of_panels;
+  of_panels.text("panel", "panel", &Sum::panel)
+      .integer("corpora", "corpora", &Sum::corpora)
+      .integer("covered", "intervals that hold 0.5", &Sum::covered)
+      .fixed("mean_auc", "mean AUC", "", 3, [](const Sum& sum) {
+        return sum.auc / static_cast<double>(sum.corpora);
+      });
+  ColumnsOf<NullAuc> of_corpora;
+  of_corpora.integer("seed", "seed", &NullAuc::seed)
+      .text("panel", "panel", &NullAuc::panel)
+      .estimate(
+          "auc", "AUC", "", 3, [](const NullAuc& row) { return Estimated(row.auc, row.interval); })
+      .yes_or_no("covers", "holds 0.5", &NullAuc::covers);
+  const std::uint64_t seed = rows.empty() ? 1 : rows.front().seed;
+  FitReport report = study_report("null", seed);
+  report.summary = study_summary({{"first_seed", seed}});
+  report.tables = {of_panels.table("null", "H1 where there is nothing to be found", panels),
+                   of_corpora.table("null_corpora", "Its corpora", rows)};
+  report.tables.front().footnotes = {
+      "Corpora in which the outcome has nothing to do with the margin: AUC of the certificate, "
+      "nominal 95 % intervals."};
+  return report;
+}
+
+}  // namespace tcert

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// Studies of the intervals and tests themselves: how often they hold what they say.
+
+#include <cstdint>
+#include <optional>
+#include <statistics/basics/interval.hpp>
+#include <utility>
+#include <vector>
+
+#include "analysis/study/coverage/coverage_study.hpp"
+#include "analysis/study/coverage/equivalence_study.hpp"
+#include "analysis/study/coverage/gate_study.hpp"
+#include "reports/fit/fit_report.hpp"
+
+namespace tcert {
+
+[[nodiscard]] FitReport coverage_report(const std::vector<study::coverage::Coverage>& rows,
+                                        const study::coverage::Options& options);
+
+using ScenarioRates =
+    std::pair<study::coverage::LightingScenario, study::coverage::EquivalenceRates>;
+[[nodiscard]] FitReport equivalence_report(const std::vector<ScenarioRates>& rows,
+                                           std::size_t data_sets,
+                                           std::uint64_t seed);
+
+[[nodiscard]] FitReport gate_coverage_report(const study::coverage::GateSummary& summary,
+                                             const study::coverage::GateOptions& options);
+
+/// H1's AUC of the certificate on a corpus whose outcomes have nothing to do with it.
+struct NullAuc {
+  std::uint64_t seed = 0;
+  std::string panel;
+  std::optional<double> auc;
+  std::optional<statistics::Interval> interval;
+
+  [[nodiscard]] std::optional<bool> covers() const noexcept;
+};
+[[nodiscard]] FitReport null_report(const std::vector<NullAuc>& rows);
+
+}  // namespace tcert

@@ -1,0 +1,124 @@
+#include "reports/study/soundness_report.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "reports/columns_of.hpp"
+#include "reports/study/study_summary.hpp"
+
+namespace tcert {
+namespace {
+
+using study::SoundnessMethod;
+using study::SoundnessSummary;
+using study::Tightness;
+using study::WorldOutcome;
+
+struct RateRow {
+  std::string worlds_of;
+  const SoundnessMethod* method = nullptr;
+  SoundnessSummary summary;
+};
+
+void add_rates(const std::string& worlds_of,
+               const std::vector<SoundnessMethod>& methods,
+               const std::vector<WorldOutcome>& worlds,
+               std::vector<RateRow>& rows) {
+  for (std::size_t m = 0; m < methods.size() && !worlds.empty(); ++m) {
+    rows.push_back({worlds_of, &methods[m], study::summarise(worlds, m)});
+  }
+}
+
+Table rate_table(const SoundnessRuns& runs) {
+  std::vector<RateRow> rows;
+  add_rates("mixed", runs.mixed_methods, runs.mixed, rows);
+  for (const WorldFamily family : kMixedFamilies) {
+    std::vector<WorldOutcome> of_family;
+    std::ranges::copy_if(runs.mixed, std::back_inserter(of_family), [&](const WorldOutcome& world) {
+      return world.family == family;
+    });
+    add_rates(std::string(name_of(family)), runs.mixed_methods, of_family, rows);
+  }
+  add_rates("u_turn", runs.turn_methods, runs.turns, rows);
+  const auto count = [](auto member) {
+    return [member](const RateRow& row) { return static_cast<std::int64_t>(row.summary.*member); };
+  };
+  ColumnsOf<RateRow> columns;
+  columns.text("worlds_of", "worlds", &RateRow::worlds_of)
+      .text("method", "method", [](const RateRow& row) { return row.method->name; })
+      .yes_or_no("noise", "noise", [](const RateRow& row) { return row.method->noise; })
+      .integer("worlds", "n", count(&SoundnessSummary::worlds))
+      .integer("ticks", "ticks", count(&SoundnessSummary::ticks))
+      .integer("issued", "issued", count(&SoundnessSummary::issued))
+      .integer("untraversable", "T <= 0", count(&SoundnessSummary::untraversable))
+      .integer("issued_untraversable", "issued, T <= 0", count(&SoundnessSummary::spurious))
+      .integer("violating_worlds", "worlds violated", count(&SoundnessSummary::violations))
+      .integer("violating_ticks", "ticks violated", count(&SoundnessSummary::violating_ticks))
+      .fixed("largest_excess_m",
+             "largest excess",
+             "m",
+             4,
+             [](const RateRow& row) { return row.summary.largest_excess_m; })
+      .number("rate",
+              "rate",
+              [](const RateRow& row) {
+                return static_cast<double>(row.summary.violations) /
+                       static_cast<double>(row.summary.worlds);
+              })
+      .number(
+          "upper_95", "at most", [](const RateRow& row) { return row.summary.violation_bound; });
+  Table table = columns.table("soundness", "Is the certificate at most the truth?", rows);
+  table.footnotes = {
+      "A violation is T_t > T at any tick, however small. The bound is on the rate of worlds: "
+      "one-sided, 95 %, Clopper-Pearson. U-turns are held against their exact T, the others "
+      "against that by clearance."};
+  return table;
+}
+
+Table tightness_table(const SoundnessRuns& runs) {
+  struct Row {
+    const SoundnessMethod* method = nullptr;
+    Tightness tightness;
+  };
+  std::vector<Row> rows;
+  for (std::size_t m = 0; m < runs.mixed_methods.size(); ++m) {
+    for (const Tightness& one : study::tightness_of(runs.mixed, m)) {
+      rows.push_back({&runs.mixed_methods[m], one});
+    }
+  }
+  ColumnsOf<Row> columns;
+  columns
+      .text("family",
+            "worlds",
+            [](const Row& row) { return std::string(name_of(row.tightness.family)); })
+      .text("method", "method", [](const Row& row) { return row.method->name; })
+      .yes_or_no("noise", "noise", [](const Row& row) { return row.method->noise; })
+      .integer("lanes_explored",
+               "lanes explored",
+               [](const Row& row) { return std::int64_t{row.tightness.explored}; })
+      .integer("lanes", "of", [](const Row& row) { return std::int64_t{row.tightness.lanes}; })
+      .integer("worlds",
+               "n",
+               [](const Row& row) { return static_cast<std::int64_t>(row.tightness.worlds); })
+      .fixed("median_gap_m",
+             "median gap",
+             "m",
+             4,
+             [](const Row& row) { return row.tightness.median_m; })
+      .fixed("p90_gap_m", "90 % below", "m", 4, [](const Row& row) { return row.tightness.p90_m; });
+  Table table = columns.table("tightness", "How far below the truth does it end?", rows);
+  table.footnotes = {"T - T_t at the end of the runs that reached G."};
+  return table;
+}
+
+}  // namespace
+
+FitReport soundness_report(const SoundnessRuns& runs) {
+  FitReport report = study_report("soundness", runs.seed);
+  report.summary = study_summary(
+      {{"worlds", runs.mixed.size()}, {"u_turns", runs.turns.size()}, {"seed", runs.seed}});
+  report.tables = {rate_table(runs), tightness_table(runs)};
+  return report;
+}
+
+}  // namespace tcert

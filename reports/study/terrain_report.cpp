@@ -1,0 +1,150 @@
+#include "reports/study/terrain_report.hpp"
+
+#include <cmath>
+
+#include "reports/columns_of.hpp"
+#include "reports/study/study_summary.hpp"
+
+namespace tcert {
+namespace {
+
+using terrain::study::BaselineRun;
+using terrain::study::ScenarioRun;
+using terrain::study::Soundness;
+
+auto count(std::size_t Soundness::*member) {
+  return [member](const TerrainRates& row) { return static_cast<std::int64_t>(row.found.*member); };
+}
+
+ColumnsOf<TerrainRates>& add_found(ColumnsOf<TerrainRates>& columns) {
+  return columns.integer("terrains", "terrains", count(&Soundness::terrains))
+      .integer(
+          "with_unsafe_cells", "with unsafe cells held safe", count(&Soundness::with_unsafe_cells))
+      .integer("with_unsafe_visits", "with a step onto one", count(&Soundness::with_unsafe_visits));
+}
+
+Table told_table(const std::vector<TerrainRates>& rows) {
+  ColumnsOf<TerrainRates> columns;
+  columns.fixed("told", "told, of L", "", 2, &TerrainRates::told)
+      .yes_or_no("model_trusted", "model trusted", &TerrainRates::trusted);
+  add_found(columns)
+      .integer("contradicted", "L found contradicted", count(&Soundness::contradicted))
+      .integer("reached", "reached", count(&Soundness::reached))
+      .integer("not_reachable", "not reachable", count(&Soundness::not_reachable))
+      .integer("limit", "ended by the limit", count(&Soundness::limit))
+      .fixed("mean_samples", "mean measurements", "", 1, [](const TerrainRates& row) {
+        return row.found.mean_samples;
+      });
+  Table table =
+      columns.table("terrain_soundness", "What the certified rules hold safe that is not", rows);
+  table.footnotes = {"Random terrains of 48 x 36 cells, length scale 8, threshold at their mean."};
+  return table;
+}
+
+Table trust_table(const std::vector<TerrainRates>& rows) {
+  ColumnsOf<TerrainRates> columns;
+  columns.number("beta", "beta", &TerrainRates::beta)
+      .fixed("sd", "band", "sd", 2, [](const TerrainRates& row) { return std::sqrt(row.beta); });
+  add_found(columns)
+      .integer("reached", "reached", count(&Soundness::reached))
+      .fixed("mean_samples", "mean measurements", "", 1, [](const TerrainRates& row) {
+        return row.found.mean_samples;
+      });
+  return columns.table(
+      "terrain_trust", "What a band of the model costs that is trusted with certifying", rows);
+}
+
+Table scenario_table(const std::vector<ScenarioRun>& runs) {
+  const auto whole = [](auto value) {
+    return [value](const ScenarioRun& run) { return static_cast<std::int64_t>(value(run)); };
+  };
+  ColumnsOf<ScenarioRun> columns;
+  columns.text("scenario", "scenario", &ScenarioRun::scenario)
+      .text("variant", "rules", &ScenarioRun::variant)
+      .integer("seed", "seed", &ScenarioRun::seed)
+      .text("end",
+            "end",
+            [](const ScenarioRun& run) { return std::string(to_string(run.result.end)); })
+      .integer("iterations", "iterations", whole([](const ScenarioRun& run) {
+                 return run.result.steps.size();
+               }))
+      .integer("first", "measured first", &ScenarioRun::first)
+      .integer("safe", "safe cells", whole([](const ScenarioRun& run) {
+                 return run.result.last().safe;
+               }))
+      .integer("unsafe_visits", "steps onto unsafe cells", whole([](const ScenarioRun& run) {
+                 return run.result.last().unsafe_visits;
+               }))
+      .integer("unsafe_certified", "unsafe cells held safe", whole([](const ScenarioRun& run) {
+                 return run.result.most_unsafe_certified;
+               }))
+      .fixed("travelled",
+             "travelled",
+             "cells",
+             1,
+             [](const ScenarioRun& run) { return run.result.last().travelled; })
+      .integer("ways", "ways", whole([](const ScenarioRun& run) { return run.result.ways; }))
+      .integer("fallbacks", "ended by a route", whole([](const ScenarioRun& run) {
+                 return run.result.controller_fallbacks;
+               }))
+      .fixed("controller_cells",
+             "by the controller",
+             "cells",
+             1,
+             [](const ScenarioRun& run) { return run.result.controller_cells; })
+      .fixed("route_cells",
+             "by routes",
+             "cells",
+             1,
+             [](const ScenarioRun& run) { return run.result.route_cells; })
+      .fixed("certificate", "certificate", "", 2, [](const ScenarioRun& run) {
+        return run.result.last().certificate;
+      });
+  return columns.table("scenarios", "The scenarios of the thesis, by rules", runs);
+}
+
+Table baseline_table(const std::vector<BaselineRun>& runs) {
+  ColumnsOf<BaselineRun> columns;
+  columns.text("scenario", "scenario", &BaselineRun::scenario)
+      .text("method", "method", &BaselineRun::method)
+      .integer("seed", "seed", &BaselineRun::seed)
+      .yes_or_no("reached", "reached", [](const BaselineRun& run) { return run.result.reached; })
+      .integer("unsafe_visits",
+               "steps onto unsafe cells",
+               [](const BaselineRun& run) {
+                 return static_cast<std::int64_t>(run.result.unsafe_visits);
+               })
+      .integer("samples",
+               "measurements",
+               [](const BaselineRun& run) { return static_cast<std::int64_t>(run.result.samples); })
+      .integer("plans",
+               "plans",
+               [](const BaselineRun& run) { return static_cast<std::int64_t>(run.result.plans); })
+      .fixed(
+          "length", "length", "cells", 1, [](const BaselineRun& run) { return run.result.length; });
+  return columns.table("baselines", "What the method is compared with", runs);
+}
+
+}  // namespace
+
+FitReport terrain_soundness_report(const std::vector<TerrainRates>& told,
+                                   const std::vector<TerrainRates>& trusted,
+                                   std::uint64_t seed) {
+  FitReport report = study_report("terrain", seed);
+  report.summary = study_summary({{"seed", seed}});
+  report.tables = {told_table(told), trust_table(trusted)};
+  return report;
+}
+
+FitReport scenario_report(const std::vector<ScenarioRun>& runs,
+                          const std::vector<BaselineRun>& baselines,
+                          const std::optional<SyntheticLabel>& label) {
+  FitReport report;
+  report.model = "terrain";
+  report.synthetic = label;
+  report.summary = study_summary({{"runs", runs.size()}});
+  report.tables = {scenario_table(runs), baseline_table(baselines)};
+  return report;
+}
+
+}  // namespace tcert
