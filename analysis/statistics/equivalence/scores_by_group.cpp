@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <statistics/basics/compact_codes.hpp>
-#include <statistics/model/variable.hpp>
+#include <statistics/model/factor_levels.hpp>
 #include <stdexcept>
 
 namespace tcert::statistics {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <statistics/model/design_matrix.hpp>
+#include <statistics/model/factor_levels.hpp>
 #include <statistics/model/frame_checks.hpp>
 #include <statistics/model/outcome_coding.hpp>
 #include <statistics/model/stray_text.hpp>

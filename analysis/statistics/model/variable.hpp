@@ -46,13 +46,4 @@ using References = std::map<std::string, std::string>;
 [[nodiscard]] table::Factor evaluate_factor(const Expression& expression,
                                             const table::DataTable& table);
 
-/// The cross of several factors, the first varying slowest, only levels that occur; a row where one
-/// is missing is missing. Level names are joined by `separator`.
-[[nodiscard]] table::Factor crossed(const std::vector<table::Factor>& factors,
-                                    const std::string& separator);
-
-/// The factor on these rows, without the levels that no longer occur.
-[[nodiscard]] table::Factor on_rows(const table::Factor& factor,
-                                    const std::vector<std::size_t>& rows);
-
 }  // namespace tcert::statistics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <statistics/basics/standard_deviation.hpp>
-#include <statistics/model/variable.hpp>
+#include <statistics/model/factor_levels.hpp>
 #include <string>
 
 namespace tcert::study {

@@ -10,22 +10,11 @@
 #include <statistics/survival/time_rounding.hpp>
 #include <table/csv_write.hpp>
 #include <table/nearest_name.hpp>
-#include <table/not_a_number.hpp>
+
+#include "analysis/study/h1/panel_columns.hpp"
 
 namespace tcert::study {
 namespace {
-
-statistics::Expression column_named(const std::string& name) {
-  return {statistics::Expression::Kind::column, 0.0, name, {}};
-}
-
-std::vector<double> numbers(const table::DataTable& table, const std::string& column) {
-  statistics::Variable variable = statistics::evaluate(column_named(column), table);
-  if (variable.kind == statistics::Variable::Kind::factor) {
-    throw statistics::FormulaError("column " + statistics::not_numbers(table, column));
-  }
-  return std::move(variable.numbers);
-}
 
 /// Whether two times are one: but for rounding, as `round_times` has it, unless every time is left
 /// as it is.
@@ -38,111 +27,9 @@ bool is_by(double at, double time, const H1Options& options) {
   return time <= at || is_same(at, time, options);
 }
 
-/// A column without a single value is not there: feature tables have a column for all they could
-/// know.
-bool is_there(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn* const column = table.find(name);
-  return column != nullptr &&
-         (column->is_text ? !column->text.levels.empty()
-                          : std::any_of(column->numbers.begin(),
-                                        column->numbers.end(),
-                                        [](double x) { return !std::isnan(x); }));
-}
-
-/// All NaN if the table does not have it.
-std::vector<double> numbers_if_there(const table::DataTable& table, const std::string& column) {
-  return table.find(column) == nullptr ? std::vector<double>(table.rows, table::kNaN)
-                                       : numbers(table, column);
-}
-
-std::vector<double> finite_numbers(const table::DataTable& table, const std::string& column) {
-  std::vector<double> values = numbers_if_there(table, column);
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    if (std::isinf(values[row])) {
-      throw statistics::FormulaError(
-          "column '" + column + "' of " + table.file + ", row " + std::to_string(row + 1) +
-          ": found " + (values[row] > 0.0 ? "" : "-") + "Inf; make the cell NA or correct it");
-    }
-  }
-  return values;
-}
-
-std::vector<double> outcome(const table::DataTable& table, const std::string& column) {
-  std::vector<double> success = numbers(table, column);
-  for (std::size_t row = 0; row < success.size(); ++row) {
-    if (!std::isnan(success[row]) && success[row] != 0.0 && success[row] != 1.0) {
-      throw statistics::FormulaError("column '" + column + "' of " + table.file + ", row " +
-                                     std::to_string(row + 1) + ": an outcome is 0 or 1");
-    }
-  }
-  return success;
-}
-
-/// Columns of the whole table.
-struct Columns {
-  std::vector<double> success;
-  std::vector<double> time;
-  std::vector<double> end;  ///< Time, or that of the last tick.
-  std::vector<double> log_end;
-  std::vector<std::vector<double>> predictors;
-  std::optional<table::Factor> cluster;
-  std::optional<table::Factor> strata;
-  std::optional<table::Factor> group;
-};
-
-/// The landmark's own column where the table has it.
-const std::string& column_of(const table::DataTable& table,
-                             const H1Predictor& predictor,
-                             H1PanelKind kind) {
-  const bool landmark =
-      kind == H1PanelKind::landmark && table.find(predictor.landmark_column) != nullptr;
-  return landmark ? predictor.landmark_column : predictor.column;
-}
-
-/// The cross of those columns of `within` that are there; nothing if none is.
-std::optional<table::Factor> strata_of(const table::DataTable& table,
-                                       const std::vector<std::string>& within,
-                                       std::vector<std::string>& used) {
-  std::vector<table::Factor> factors;
-  for (const std::string& name : within) {
-    if (is_there(table, name)) {
-      factors.push_back(statistics::evaluate_factor(column_named(name), table));
-      used.push_back(name);
-    }
-  }
-  return factors.empty() ? std::nullopt : std::optional(statistics::crossed(factors, ", "));
-}
-
-Columns columns_of_table(const table::DataTable& table,
-                         const H1Options& options,
-                         H1PanelKind kind) {
-  Columns columns;
-  columns.success = outcome(table, options.success);
-  columns.time = finite_numbers(table, options.time);
-  columns.log_end = finite_numbers(table, "end_s");
-  columns.end = columns.time;
-  for (std::size_t row = 0; row < table.rows; ++row) {
-    columns.end[row] = std::isnan(columns.end[row]) ? columns.log_end[row] : columns.end[row];
-  }
-  for (const H1Predictor& predictor : options.predictors) {
-    static_cast<void>(numbers(table, predictor.column));  // both panels need it to be there
-    columns.predictors.push_back(finite_numbers(table, column_of(table, predictor, kind)));
-  }
-  if (is_there(table, options.cluster)) {
-    columns.cluster = statistics::evaluate_factor(column_named(options.cluster), table);
-  }
-  if (is_there(table, options.strata)) {
-    columns.strata = statistics::evaluate_factor(column_named(options.strata), table);
-  }
-  if (!options.group.empty()) {
-    columns.group = statistics::evaluate_factor(column_named(options.group), table);
-  }
-  return columns;
-}
-
 std::vector<std::size_t> trials_of_panel(const table::DataTable& table,
                                          const H1Options& options,
-                                         const Columns& columns,
+                                         const PanelColumns& columns,
                                          H1Panel& panel) {
   const std::vector<double> still = numbers_if_there(table, "still_at_landmark");
   std::vector<std::size_t> rows;
@@ -171,12 +58,12 @@ std::vector<std::size_t> trials_of_panel(const table::DataTable& table,
 
 void count_window_ends(const table::DataTable& table,
                        const H1Options& options,
-                       const Columns& columns,
+                       const PanelColumns& columns,
                        H1Panel& panel) {
   if (panel.kind != H1PanelKind::paper || table.find("window_end_s") == nullptr) {
     return;
   }
-  const std::vector<double> window_end = numbers(table, "window_end_s");
+  const std::vector<double> window_end = numbers_in(table, "window_end_s");
   std::size_t ended = 0;
   std::size_t failures = 0;
   for (std::size_t row = 0; row < table.rows; ++row) {
@@ -216,7 +103,7 @@ void list_missing(H1Panel& panel, const std::string& column, std::size_t missing
 
 std::vector<std::size_t> complete_trials(const std::vector<std::size_t>& rows,
                                          const H1Options& options,
-                                         const Columns& columns,
+                                         const PanelColumns& columns,
                                          H1Panel& panel) {
   std::vector<bool> complete(rows.size(), true);
   for (const std::vector<double>& predictor : columns.predictors) {
@@ -359,7 +246,7 @@ void add_times(const std::vector<double>& time,
 }
 
 TcDistribution distribution(const std::vector<std::size_t>& trials,
-                            const Columns& columns,
+                            const PanelColumns& columns,
                             bool success) {
   TcDistribution result;
   result.success = success;
@@ -445,7 +332,7 @@ bool has_landmark(const table::DataTable& table, const H1Options& options) {
 }
 
 H1Data panel_data(const table::DataTable& table, const H1Options& options, H1Panel& panel) {
-  const Columns columns = columns_of_table(table, options, panel.kind);
+  const PanelColumns columns = columns_of_table(table, options, panel.kind);
   panel.has_time = is_there(table, options.time);
   panel.has_clusters = columns.cluster.has_value();
   panel.has_strata = columns.strata.has_value();

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <statistics/concordance/concordance_statistic.hpp>
 #include <statistics/equivalence/scores_by_group.hpp>
-#include <statistics/model/variable.hpp>
+#include <statistics/model/factor_levels.hpp>
 #include <string>
 #include <utility>
 

@@ -7,7 +7,7 @@
 #include <statistics/cox/cox.hpp>
 #include <statistics/equivalence/scores_by_group.hpp>
 #include <statistics/logistic/logistic.hpp>
-#include <statistics/model/variable.hpp>
+#include <statistics/model/factor_levels.hpp>
 #include <utility>
 
 #include "analysis/study/h1/hazard_ratio.hpp"

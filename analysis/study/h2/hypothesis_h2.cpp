@@ -6,7 +6,7 @@
 #include <statistics/concordance/concordance_statistic.hpp>
 #include <statistics/equivalence/scores_by_group.hpp>
 #include <statistics/equivalence/statistic_by_group.hpp>
-#include <statistics/model/variable.hpp>
+#include <statistics/model/factor_levels.hpp>
 #include <statistics/roc/auc_statistic.hpp>
 #include <stdexcept>
 #include <utility>

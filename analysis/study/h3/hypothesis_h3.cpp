@@ -11,173 +11,20 @@
 #include <statistics/basics/quantile.hpp>
 #include <statistics/resampling/bootstrap.hpp>
 #include <stdexcept>
-#include <table/csv_write.hpp>
 #include <table/not_a_number.hpp>
 #include <tuple>
 #include <utility>
 
 #include "analysis/study/h1/withhold.hpp"
 #include "analysis/study/h3/pareto.hpp"
-#include "analysis/study/replay/replay.hpp"
+#include "analysis/study/h3/rates_of_advance.hpp"
+#include "analysis/study/h3/replay_rows.hpp"
 
 namespace tcert::study {
 namespace {
 
 constexpr std::uint32_t kH3Stream = 0x48330000;
 const char* const kAllLightings = "all";
-
-using CaseKey = std::pair<std::string, double>;
-
-/// The columns of the table, as they are used.
-struct ReplayRows {
-  std::vector<std::string> trial, algorithm, lighting, cluster, law;
-  std::vector<double> success, beta, length, time, gated_time, speed, gated_speed, latency, stalls,
-      kept;
-};
-
-const table::DataColumn& column_of(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn* column = table.find(name);
-  if (column == nullptr) {
-    throw std::invalid_argument("h3: the table has no column '" + name + "'");
-  }
-  return *column;
-}
-
-std::vector<double> numbers_of(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn& column = column_of(table, name);
-  if (column.is_text) {
-    throw std::invalid_argument("h3: column '" + name + "' holds text, expected numbers");
-  }
-  return column.numbers;
-}
-
-std::vector<std::string> words(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn& column = column_of(table, name);
-  std::vector<std::string> out(table.rows);
-  for (std::size_t i = 0; i < table.rows; ++i) {
-    if (!column.is_text) {
-      table::append_number(out[i], column.numbers[i]);
-    } else if (column.text.codes[i] != table::Factor::kMissing) {
-      out[i] = column.text.levels[column.text.codes[i]];
-    }
-  }
-  return out;
-}
-
-ReplayRows rows_of(const table::DataTable& table, const H3Options& options) {
-  ReplayRows rows;
-  rows.trial = words(table, "trial_id");
-  rows.algorithm = words(table, "algorithm");
-  rows.lighting = words(table, "lighting");
-  rows.law = words(table, "speed_law");
-  rows.cluster = words(table, options.cluster.empty() ? "trial_id" : options.cluster);
-  rows.success = numbers_of(table, "success");
-  rows.beta = numbers_of(table, "beta_per_m");
-  rows.length = numbers_of(table, "length_m");
-  rows.time = numbers_of(table, "logged_time_s");
-  rows.gated_time = numbers_of(table, "gated_time_s");
-  rows.speed = numbers_of(table, "speed_cmd_mps");
-  rows.gated_speed = numbers_of(table, "gated_speed_cmd_mps");
-  rows.latency = numbers_of(table, "loop_latency_ms");
-  rows.stalls = numbers_of(table, "stalls");
-  rows.kept = numbers_of(table, "kept");
-  return rows;
-}
-
-/// One trial of the two algorithms: the row of each case.
-struct H3Trial {
-  bool baseline = false;
-  bool success = false;
-  std::map<CaseKey, std::size_t> row;
-  [[nodiscard]] std::size_t any_row() const { return row.begin()->second; }
-};
-
-/// The trials of a group that succeed, as arrays that the bootstrap runs over.
-struct Advance {
-  std::vector<std::uint8_t> baseline;
-  std::vector<std::size_t> lighting;  ///< Below `lightings`.
-  std::size_t lightings = 0;
-  std::vector<double> length;
-  std::vector<double> time;
-  std::vector<std::vector<double>> gated_time;  ///< [case][trial]
-};
-
-// Values of the statistic: five of the group, then four a case.
-enum GroupValue : std::size_t {
-  value_ungated,
-  value_baseline,
-  value_standardised,
-  value_gap,
-  value_gap_as_run,
-  group_values
-};
-enum CaseValue : std::size_t {
-  value_gated,
-  value_gain,
-  value_gain_share,
-  value_recovered,
-  case_values
-};
-
-double rate(double length_m, double time_s) {
-  return rate_of_advance(length_m, time_s).value_or(table::kNaN);
-}
-
-/// Metres and seconds of both algorithms.
-struct Sums {
-  double length = 0.0;
-  double time = 0.0;
-  double baseline_length = 0.0;
-  double baseline_time = 0.0;
-
-  void add(bool baseline, double more_length, double more_time) {
-    (baseline ? baseline_length : length) += more_length;
-    (baseline ? baseline_time : time) += more_time;
-  }
-};
-
-/// The baseline's rate at the gated algorithm's mix of lightings by length; NaN where it has none.
-double standardised_rate(std::span<const Sums> by_lighting) {
-  double length = 0.0;
-  double time = 0.0;
-  for (const Sums& sums : by_lighting) {
-    if (sums.length > 0.0) {
-      length += sums.length;
-      time += sums.length * 60.0 / rate(sums.baseline_length, sums.baseline_time);
-    }
-  }
-  return rate(length, time);
-}
-
-void rates(const Advance& advance,
-           std::span<const std::uint32_t> multiplicity,
-           std::span<double> values) {
-  std::vector<Sums> by_lighting(advance.lightings);
-  Sums all;
-  for (std::size_t i = 0; i < advance.length.size(); ++i) {
-    const double times = multiplicity[i];
-    for (Sums* const sums : {&all, &by_lighting[advance.lighting[i]]}) {
-      sums->add(advance.baseline[i] != 0, times * advance.length[i], times * advance.time[i]);
-    }
-  }
-  const double length = all.length;
-  values[value_ungated] = rate(length, all.time);
-  values[value_baseline] = rate(all.baseline_length, all.baseline_time);
-  values[value_standardised] = standardised_rate(by_lighting);
-  values[value_gap] = values[value_standardised] - values[value_ungated];
-  values[value_gap_as_run] = values[value_baseline] - values[value_ungated];
-  for (std::size_t c = 0; c < advance.gated_time.size(); ++c) {
-    double gated_time = 0.0;
-    for (std::size_t i = 0; i < advance.length.size(); ++i) {
-      gated_time += advance.baseline[i] != 0 ? 0.0 : multiplicity[i] * advance.gated_time[c][i];
-    }
-    const std::span<double> of_case = values.subspan(group_values + c * case_values, case_values);
-    of_case[value_gated] = rate(length, gated_time);
-    of_case[value_gain] = of_case[value_gated] - values[value_ungated];
-    of_case[value_gain_share] = of_case[value_gated] / values[value_ungated] - 1.0;
-    of_case[value_recovered] = of_case[value_gain] / values[value_gap];
-  }
-}
 
 /// What is computed of one lighting.
 class Group {
@@ -422,46 +269,6 @@ class Group {
   statistics::BootstrapResult bootstrap_;
 };
 
-/// Trials by lighting, each with its rows; trials that lack a case are refused.
-struct Grouped {
-  std::map<std::string, std::vector<H3Trial>> by_lighting;
-  std::set<CaseKey> cases;
-  std::size_t unknown = 0;
-};
-
-Grouped grouped(const ReplayRows& rows, const H3Options& options) {
-  Grouped out;
-  std::map<std::string, std::pair<std::string, H3Trial>> by_id;
-  std::set<std::string> unknown;
-  for (std::size_t i = 0; i < rows.trial.size(); ++i) {
-    const bool baseline = rows.algorithm[i] == options.baseline;
-    if (!baseline && rows.algorithm[i] != options.gated) {
-      continue;
-    }
-    if (std::isnan(rows.success[i])) {
-      unknown.insert(rows.trial[i]);
-      continue;
-    }
-    auto& [lighting, trial] = by_id[rows.trial[i]];
-    lighting = rows.lighting[i];
-    trial.baseline = baseline;
-    trial.success = rows.success[i] == 1.0;
-    const CaseKey key{rows.law[i], rows.beta[i]};
-    out.cases.insert(key);
-    if (!trial.row.emplace(key, i).second) {
-      throw std::invalid_argument("h3: trial '" + rows.trial[i] + "' has two rows of " + key.first);
-    }
-  }
-  for (auto& [id, entry] : by_id) {
-    if (entry.second.row.size() != out.cases.size()) {
-      throw std::invalid_argument("h3: trial '" + id + "' lacks a row of some law and beta");
-    }
-    out.by_lighting[entry.first].push_back(std::move(entry.second));
-  }
-  out.unknown = unknown.size();
-  return out;
-}
-
 void require(const H3Options& options) {
   const auto inside = [](double share) { return share > 0.0 && share < 1.0; };
   if (!inside(options.level) || !inside(options.loss_margin) || options.replicates == 0) {
@@ -470,28 +277,6 @@ void require(const H3Options& options) {
 }
 
 }  // namespace
-
-std::vector<std::string> columns_of(const H3Options& options) {
-  std::vector<std::string> columns{"trial_id",
-                                   "algorithm",
-                                   "lighting",
-                                   "success",
-                                   "speed_law",
-                                   "beta_per_m",
-                                   "length_m",
-                                   "logged_time_s",
-                                   "gated_time_s",
-                                   "speed_cmd_mps",
-                                   "gated_speed_cmd_mps",
-                                   "loop_latency_ms",
-                                   "stalls",
-                                   "kept",
-                                   "synthetic_seed"};
-  if (!options.cluster.empty()) {
-    columns.push_back(options.cluster);
-  }
-  return columns;
-}
 
 H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options) {
   require(options);

@@ -1,5 +1,6 @@
 #include <array>
 
+#include <statistics/model/factor_levels.hpp>
 #include <statistics/model/stray_text.hpp>
 #include <statistics/model/variable.hpp>
 #include <statistics/survival/cumulative_incidence.hpp>
