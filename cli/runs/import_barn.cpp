@@ -55,7 +55,7 @@ void require_known(const std::vector<std::string>& wanted, const std::vector<std
   }
 }
 
-void report(const BarnSummary& s, Progress& progress) {
+void sum_up(const BarnSummary& s, Progress& progress) {
   std::string groups;
   for (const auto& [name, rows] : s.groups) {
     groups += fmt::format("{}{} {}", groups.empty() ? "" : ", ", name, rows);
@@ -112,7 +112,7 @@ RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
   const BarnImportResult result =
       tcert::import_barn(trials, request.trials, metrics, request.metrics, barn);
   progress.say(result.diagnostics);
-  report(result.summary, progress);
+  sum_up(result.summary, progress);
   if (!result.csv) {
     const bool measured = result.summary.unmeasured == 0;
     throw BadData(measured ? "'" + request.trials + "' holds no trial that can be used"
