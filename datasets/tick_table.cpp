@@ -24,11 +24,6 @@ bool has_any(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double v) { return !std::isnan(v); });
 }
 
-void append_cell(std::string& out, double value) {
-  out += ',';
-  table::append_number(out, value);
-}
-
 double value_or_missing(const std::vector<double>& values, std::size_t i) {
   return i < values.size() ? values[i] : kMissing;
 }
@@ -71,18 +66,18 @@ void TickFormat::append_row(std::string& out,
                             double speed_cmd_mps,
                             double yaw_rate_cmd_rps) const {
   table::append_seconds(out, tick.time_ns);
-  append_cell(out, tick.pose.position.x_m);
-  append_cell(out, tick.pose.position.y_m);
-  append_cell(out, tick.pose.yaw_rad);
+  table::append_cell(out, tick.pose.position.x_m);
+  table::append_cell(out, tick.pose.position.y_m);
+  table::append_cell(out, tick.pose.yaw_rad);
   for (std::size_t k = 0; k < has_force_.size(); ++k) {
-    append_cell(out, tick.rays[k].value);
+    table::append_cell(out, tick.rays[k].value);
     if (has_force_[k] != 0) {
-      append_cell(out, tick.rays[k].fsr_n);
+      table::append_cell(out, tick.rays[k].fsr_n);
     }
   }
   if (has_command_) {
-    append_cell(out, speed_cmd_mps);
-    append_cell(out, yaw_rate_cmd_rps);
+    table::append_cell(out, speed_cmd_mps);
+    table::append_cell(out, yaw_rate_cmd_rps);
   }
   out += tick.stale ? ",1" : ",0";
   out += tick.segment_start ? ",1\n" : ",0\n";

@@ -7,27 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <table/json_shape.hpp>
 
+#include "datasets/robot_json.hpp"
+
 namespace tcert {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 Json point_json(Point p) { return Json::array({p.x_m, p.y_m}); }
-
-Json region_json(const Region& region) {
-  Json json = Json::object();
-  if (const auto* disc = std::get_if<Disc>(&region)) {
-    json["disc"] = {
-        {"x_m", disc->centre.x_m}, {"y_m", disc->centre.y_m}, {"radius_m", disc->radius_m}};
-    return json;
-  }
-  Json vertices = Json::array();
-  for (const Point p : std::get<Polygon>(region).vertices) {
-    vertices.push_back(point_json(p));
-  }
-  json["polygon"] = std::move(vertices);
-  return json;
-}
 
 [[noreturn]] void fail(const std::string& where, const std::string& expected) {
   throw WorldFormatError(where + ": expected " + expected);

@@ -11,7 +11,6 @@
 namespace tcert {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLookahead = 0.30;
 constexpr double kMostCurvature = 1.0 / 0.42;
 constexpr double kSpeedLag = 0.25;        // s
@@ -153,7 +152,7 @@ class Driver {
   double commanded_curvature(bool reverse) noexcept {
     Pose facing = pose_;
     if (reverse) {
-      facing.yaw_rad += kPi;
+      facing.yaw_rad += std::numbers::pi;
     }
     const auto& path = backing_ ? back_path_ : plan_.legs[leg_].path;
     Progress& progress = backing_ ? back_progress_ : progress_;
@@ -165,14 +164,14 @@ class Driver {
     const double noise = plan_.policy.heading_noise_per_m * heading_wander_.next(random_);
     const double ds = speed_ * kDriveStep;
     const double turn = ds * (curvature + noise);
-    const double middle = pose_.yaw_rad + 0.5 * turn + (reverse ? kPi : 0.0);
+    const double middle = pose_.yaw_rad + 0.5 * turn + (reverse ? std::numbers::pi : 0.0);
     const Point wanted = pose_.position + ds * direction(middle);
     const auto [moved, is_free] = walls_.pushed_out(wanted, plan_.body_radius_m);
     if (is_free) {
       travelled_ += distance(pose_.position, moved);
       pose_.position = moved;
     }
-    pose_.yaw_rad = std::remainder(pose_.yaw_rad + turn, 2.0 * kPi);
+    pose_.yaw_rad = std::remainder(pose_.yaw_rad + turn, 2.0 * std::numbers::pi);
   }
 
   void watch_goal() noexcept {

@@ -8,13 +8,12 @@
 namespace tcert {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kHalfPostDistance = 2.4;
 constexpr double kRegionCentre = 3.2;  // inside the lane behind its post for every radius
 constexpr double kRegionRadius = 0.3;
 constexpr double kLeastIslandRadius = 0.05;
-constexpr double kArcStep = kPi / 36.0;  // chords stay within 2 mm of the arc
-constexpr double kJawOverlap = 0.03;     // the jaws reach into the wall behind them
+constexpr double kArcStep = std::numbers::pi / 36.0;  // chords stay within 2 mm of the arc
+constexpr double kJawOverlap = 0.03;                  // the jaws reach into the wall behind them
 constexpr Point kExtent{4.5, 2.2};
 
 double half_crossing_angle(const FigureEight& course) {
@@ -57,12 +56,12 @@ Polygon island(const FigureEight& course) {
       kHalfPostDistance - 0.5 * course.lane_width_m / elementary::sin(half_crossing_angle(course));
   Polygon polygon;
   if (apex <= radius) {
-    append_arc(polygon.vertices, radius, 0.0, 2.0 * kPi);
+    append_arc(polygon.vertices, radius, 0.0, 2.0 * std::numbers::pi);
     polygon.vertices.pop_back();
     return polygon;
   }
   const double tangent = elementary::acos(radius / apex);
-  append_arc(polygon.vertices, radius, tangent, 2.0 * kPi - tangent);
+  append_arc(polygon.vertices, radius, tangent, 2.0 * std::numbers::pi - tangent);
   polygon.vertices.push_back({-kHalfPostDistance + apex, 0.0});
   return polygon;
 }
@@ -71,7 +70,10 @@ Polygon island(const FigureEight& course) {
 Polygon upper_wall(const FigureEight& course) {
   const double angle = half_crossing_angle(course);
   std::vector<Point> first;
-  append_arc(first, course.radius_m + 0.5 * course.lane_width_m, kPi, 0.5 * kPi - angle);
+  append_arc(first,
+             course.radius_m + 0.5 * course.lane_width_m,
+             std::numbers::pi,
+             0.5 * std::numbers::pi - angle);
   Polygon polygon;
   polygon.vertices.push_back({-kExtent.x_m, 0.0});
   polygon.vertices.insert(polygon.vertices.end(), first.begin(), first.end());
@@ -109,7 +111,8 @@ Region course_goal() { return Disc{{kRegionCentre, 0.0}, kRegionRadius}; }
 
 double lane_length(const FigureEight& course) {
   const double angle = half_crossing_angle(course);
-  return course.radius_m * (0.5 * kPi + angle) + kHalfPostDistance * elementary::cos(angle);
+  return course.radius_m * (0.5 * std::numbers::pi + angle) +
+         kHalfPostDistance * elementary::cos(angle);
 }
 
 double walled_length(const FigureEight& course) {
@@ -119,11 +122,11 @@ double walled_length(const FigureEight& course) {
 
 Pose lane_pose(const FigureEight& course, Lane lane, double along_m) {
   const double angle = half_crossing_angle(course);
-  const double arc = course.radius_m * (0.5 * kPi + angle);
+  const double arc = course.radius_m * (0.5 * std::numbers::pi + angle);
   const double turned = std::min(along_m, arc) / course.radius_m;
-  const double bearing = kPi - turned;  // of the point, seen from the post
+  const double bearing = std::numbers::pi - turned;  // of the point, seen from the post
   const Point on_arc = Point{-kHalfPostDistance, 0.0} + course.radius_m * direction(bearing);
-  const double yaw = bearing - 0.5 * kPi;
+  const double yaw = bearing - 0.5 * std::numbers::pi;
   const Point p = on_arc + std::max(along_m - arc, 0.0) * direction(yaw);
   return reflected(Pose{p, yaw}, lane);
 }

@@ -15,6 +15,7 @@ namespace tcert {
 struct Lane {
   bool at_goal = false;  ///< Round the second post, which G lies behind; else round the first.
   bool upper = false;    ///< Over the post (y > 0); else under it.
+  friend bool operator==(Lane, Lane) = default;
 };
 
 /// Two posts 4.8 m apart on the x axis, lanes of one width round them at `radius_m`, joined by the

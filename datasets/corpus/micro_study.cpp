@@ -26,8 +26,7 @@ constexpr double kGateLength = 0.15;
 constexpr double kApproachSpeed = 0.15;
 constexpr double kSqueeze =
     0.002;  // how much the body gives beyond the gate, or stands proud of it
-constexpr double kRegionRadius = 0.3;
-constexpr double kSensingRange = 0.70;
+constexpr double kEndRadius = 0.3;
 constexpr std::uint64_t kEverything = kGatePasses;  // index of the draws that order the passes
 
 struct Pass {
@@ -48,7 +47,7 @@ Pass pass_of(std::uint64_t seed, std::uint64_t index) {
           place / kOffsets.size() % 2 == 0};
 }
 
-Region region_at(double x) { return Disc{{x, 0.0}, kRegionRadius}; }
+Region region_at(double x) { return Disc{{x, 0.0}, kEndRadius}; }
 
 Polygon box(double x_low, double y_low, double x_high, double y_high) {
   return {{{x_low, y_low}, {x_high, y_low}, {x_high, y_high}, {x_low, y_high}}};

@@ -8,12 +8,9 @@
 namespace tcert {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSwerve = 0.7;  // way before and after a gate on which its offset is taken up
 constexpr double kCrossingRadius = 1.0;  // of the turn from one tangent to the other
 constexpr double kBackOff = 0.15;        // before that turn begins
-
-bool same(Lane a, Lane b) { return a.at_goal == b.at_goal && a.upper == b.upper; }
 
 /// Offset of the path from a lane's centre line: raised cosines round its gates.
 double swerve(const TrialCourse& trial, Lane lane, double along) {
@@ -21,8 +18,8 @@ double swerve(const TrialCourse& trial, Lane lane, double along) {
   double weight = 0.0;
   for (const Gate& gate : trial.gates) {
     const double x = (along - gate.along_m) / kSwerve;
-    if (same(gate.lane, lane) && std::abs(x) < 1.0) {
-      const double w = 0.5 * (1.0 + elementary::cos(kPi * x));
+    if (gate.lane == lane && std::abs(x) < 1.0) {
+      const double w = 0.5 * (1.0 + elementary::cos(std::numbers::pi * x));
       offset += w * w * gate.offset_m;
       weight += w;
     }
@@ -49,11 +46,11 @@ std::vector<Point> crossing_turn(Point before, Point after) {
   const double turn = angle_between(heading, elementary::atan2(after.y_m, after.x_m));
   const double radius = norm(before) / elementary::tan(0.5 * std::abs(turn));
   const double side = turn < 0.0 ? -1.0 : 1.0;
-  const Point centre = before + (side * radius) * direction(heading + 0.5 * kPi);
+  const Point centre = before + (side * radius) * direction(heading + 0.5 * std::numbers::pi);
   const auto steps = static_cast<int>(std::ceil(radius * std::abs(turn) / kPathStep));
   std::vector<Point> points;
   for (int i = 1; i < steps; ++i) {
-    const double bearing = heading - side * 0.5 * kPi + turn * i / steps;
+    const double bearing = heading - side * 0.5 * std::numbers::pi + turn * i / steps;
     points.push_back(centre + radius * direction(bearing));
   }
   return points;
@@ -75,7 +72,7 @@ std::vector<Point> straight_path(Point from, Point to) {
 }
 
 std::vector<Leg> plan_legs(const TrialCourse& trial, bool look_in, double look_in_m) {
-  const Route& route = trial.route;
+  const LanePair& route = trial.route;
   const double length = lane_length(trial.course);
   const bool straight_on = route.first.upper != route.second.upper;
   const double angle = elementary::asin(trial.course.radius_m / 2.4);

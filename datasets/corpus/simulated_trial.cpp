@@ -8,12 +8,11 @@
 #include "datasets/corpus/drive.hpp"
 #include "datasets/corpus/purpose.hpp"
 #include "datasets/corpus/streams.hpp"
+#include "datasets/corpus/tentacles.hpp"
 #include "datasets/corpus/trial_course.hpp"
 
 namespace tcert {
 namespace {
-
-constexpr double kSensingRange = 0.70;  // from the body's centre to the tip of any tentacle
 
 // Tight lobes are driven more slowly, so that the way takes as long in all of them.
 constexpr double kTypicalRadius = 0.8;

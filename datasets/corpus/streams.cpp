@@ -20,9 +20,6 @@ constexpr double kLatency = 19.6;                // ms, median
 constexpr double kLatencySpread = 0.25;          // ms, scale of its jitter
 constexpr std::int64_t kClockQuantum = 100'000;  // ns
 
-// Adding 0 turns -0 into 0.
-double rounded(double value, double scale) { return std::round(value * scale) / scale + 0.0; }
-
 /// Sample times of one stream from 0 to `end_s`, in ns. The clock has draws of its own, so that
 /// what is logged at an instant does not depend on how long the log is.
 std::vector<std::int64_t> sample_times(double rate_hz,
@@ -75,9 +72,9 @@ PoseStream log_pose(const Drive& drive, double end_s, const StreamOptions& optio
   for (const std::int64_t time : stream.time_ns) {
     const Pose pose = pose_at(drive, time);
     const double yaw = pose.yaw_rad + kYawNoise * random.normal();
-    stream.poses.push_back({{rounded(pose.position.x_m + kPoseNoise * random.normal(), 1e4),
-                             rounded(pose.position.y_m + kPoseNoise * random.normal(), 1e4)},
-                            rounded(std::remainder(yaw, 2.0 * std::numbers::pi), 1e4)});
+    stream.poses.push_back({{rounded_to(pose.position.x_m + kPoseNoise * random.normal(), 1e4),
+                             rounded_to(pose.position.y_m + kPoseNoise * random.normal(), 1e4)},
+                            rounded_to(std::remainder(yaw, 2.0 * std::numbers::pi), 1e4)});
   }
   return stream;
 }
@@ -111,12 +108,12 @@ ControlStream log_control(const Drive& drive, double end_s, const StreamOptions&
   for (const std::int64_t time : stream.time_ns) {
     const auto at = static_cast<std::size_t>(static_cast<double>(time) * 1e-9 / kDriveStep);
     const std::size_t i = std::min(at, drive.poses.size() - 1);
-    stream.speed_cmd_mps.push_back(rounded(drive.speed_cmd_mps[i], 1e4));
-    stream.yaw_rate_cmd_rps.push_back(rounded(drive.yaw_rate_cmd_rps[i], 1e4));
+    stream.speed_cmd_mps.push_back(rounded_to(drive.speed_cmd_mps[i], 1e4));
+    stream.yaw_rate_cmd_rps.push_back(rounded_to(drive.yaw_rate_cmd_rps[i], 1e4));
     // Laplace about the median: short most of the time, with the odd late loop.
     const double u = random.uniform() - 0.5;
     const double jitter = -std::copysign(elementary::log(1.0 - 2.0 * std::abs(u)), u);
-    stream.loop_latency_ms.push_back(rounded(kLatency + kLatencySpread * jitter, 1e2));
+    stream.loop_latency_ms.push_back(rounded_to(kLatency + kLatencySpread * jitter, 1e2));
   }
   return stream;
 }

@@ -48,10 +48,12 @@ double bend_per_metre(const Calibration& calibration, double clearance) {
          (calibration.clearance_m[knot - 1] - calibration.clearance_m[knot]);
 }
 
-// Adding 0 turns -0 into 0.
-double rounded(double value, double scale) { return std::round(value * scale) / scale + 0.0; }
-
 }  // namespace
+
+// Adding 0 turns -0 into 0.
+double rounded_to(double value, double scale) noexcept {
+  return std::round(value * scale) / scale + 0.0;
+}
 
 const Robot& corpus_robot() {
   static const Robot robot = make_robot();
@@ -120,8 +122,8 @@ std::array<RayReading, kTentacles> TentacleSensors::read(const WallIndex& walls,
       bend = ray.calibration.bend_rad.back() * glitch / kGlitchShare;
     }
     const double force = kForceNoise * random_.normal();
-    readings[k].value = rounded(bend, 1e4);
-    readings[k].fsr_n = rounded(touching_[k] ? rub + force : std::abs(force), 1e2);
+    readings[k].value = rounded_to(bend, 1e4);
+    readings[k].fsr_n = rounded_to(touching_[k] ? rub + force : std::abs(force), 1e2);
   }
   return readings;
 }

@@ -13,13 +13,17 @@
 
 namespace tcert {
 
-inline constexpr std::size_t kTentacles = 3;  ///< Left, right, front.
+inline constexpr std::size_t kTentacles = 3;   ///< Left, right, front.
+inline constexpr double kSensingRange = 0.70;  ///< From the body's centre to the tip of any, m.
 
 /// Body 0.45 m wide, least turn radius 0.35 m; lateral tentacles 0.16 m ahead of the centre and
 /// 0.12 m to the side, square to the heading, reach 0.45 m: they feel a wall up to 0.57 m from the
 /// centre line, so the middle of a 1.2 m lane feels free and every gate is felt on both sides. One
 /// frontal tentacle.
 [[nodiscard]] const Robot& corpus_robot();
+
+/// To a multiple of 1 / scale, as loggers write it; never -0.
+[[nodiscard]] double rounded_to(double value, double scale) noexcept;
 
 /// Distance from each tentacle's mount to the first wall, at most its reach.
 [[nodiscard]] std::array<double, kTentacles> cast_tentacles(const WallIndex& walls,

@@ -62,13 +62,11 @@ void add_gates(TrialCourse& trial,
   }
 }
 
-bool same(Lane a, Lane b) { return a.at_goal == b.at_goal && a.upper == b.upper; }
-
 /// Makes one of the gates of the route's second lane too narrow.
 void add_wedge(TrialCourse& trial, double shift, table::RandomStream& random) {
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < trial.gates.size(); ++i) {
-    if (same(trial.gates[i].lane, trial.route.second)) {
+    if (trial.gates[i].lane == trial.route.second) {
       candidates.push_back(i);
     }
   }
@@ -81,7 +79,7 @@ void add_wedge(TrialCourse& trial, double shift, table::RandomStream& random) {
 double least_margin(const TrialCourse& trial) {
   double least = std::numeric_limits<double>::infinity();
   for (const Gate& gate : trial.gates) {
-    if (same(gate.lane, trial.route.first) || same(gate.lane, trial.route.second)) {
+    if (gate.lane == trial.route.first || gate.lane == trial.route.second) {
       least = std::min(least, gate.width_m - corpus_robot().body_width_m);
     }
   }

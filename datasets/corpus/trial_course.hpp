@@ -12,7 +12,7 @@
 namespace tcert {
 
 /// One lane of each lobe.
-struct Route {
+struct LanePair {
   Lane first;
   Lane second;
 };
@@ -20,7 +20,7 @@ struct Route {
 struct TrialCourse {
   FigureEight course;
   std::vector<Gate> gates;  ///< 4 to 8: one or two in each lane, the tightest on its way in first.
-  Route route;
+  LanePair route;
   std::optional<std::size_t> wedge;  ///< Index of the gate that a failure never passes.
   double true_margin_m = 0.0;        ///< Least gate width on the route, less the body width.
 };

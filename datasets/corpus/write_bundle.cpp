@@ -36,20 +36,15 @@ void write_file(const fs::path& path, std::string_view bytes) {
   }
 }
 
-void append_cell(std::string& text, double value) {
-  text += ',';
-  table::append_number(text, value);
-}
-
 std::string control_csv(const ControlStream& stream, std::string_view first_line) {
   std::string text(first_line);
   text.reserve(text.size() + 32 * (stream.time_ns.size() + 2));
   text += "time_s,speed_cmd_mps,yaw_rate_cmd_rps,loop_latency_ms\n";
   for (std::size_t i = 0; i < stream.time_ns.size(); ++i) {
     table::append_seconds(text, stream.time_ns[i]);
-    append_cell(text, stream.speed_cmd_mps[i]);
-    append_cell(text, stream.yaw_rate_cmd_rps[i]);
-    append_cell(text, stream.loop_latency_ms[i]);
+    table::append_cell(text, stream.speed_cmd_mps[i]);
+    table::append_cell(text, stream.yaw_rate_cmd_rps[i]);
+    table::append_cell(text, stream.loop_latency_ms[i]);
     text += '\n';
   }
   return text;
@@ -62,9 +57,9 @@ std::string pose_csv(const PoseStream& stream, std::string_view first_line) {
   for (std::size_t i = 0; i < stream.time_ns.size(); ++i) {
     const Pose& pose = stream.poses[i];
     table::append_seconds(text, stream.time_ns[i]);
-    append_cell(text, pose.position.x_m);
-    append_cell(text, pose.position.y_m);
-    append_cell(text, pose.yaw_rad);
+    table::append_cell(text, pose.position.x_m);
+    table::append_cell(text, pose.position.y_m);
+    table::append_cell(text, pose.yaw_rad);
     text += '\n';
   }
   return text;
@@ -84,8 +79,8 @@ std::string tactile_csv(const TactileStream& stream,
     table::append_seconds(text, stream.time_ns[i]);
     for (std::size_t k = 0; k < stream.rays; ++k) {
       const RayReading& reading = stream.readings[i * stream.rays + k];
-      append_cell(text, reading.value);
-      append_cell(text, reading.fsr_n);
+      table::append_cell(text, reading.value);
+      table::append_cell(text, reading.fsr_n);
     }
     text += '\n';
   }

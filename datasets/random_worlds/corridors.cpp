@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kStart = 0.6;       // of S's middle from the lane's end, and of G's from the other
 constexpr double kFirstGate = 0.75;  // from S's middle, and the last one's from G's
-constexpr double kGateSpacing = 0.55;
-constexpr double kIntoGoal = 0.15;  // driven beyond G's middle
+constexpr double kBetweenGates = 0.55;
 
 void draw_lane_gates(WalledLane& lane, std::uint32_t most, table::RandomStream& random) {
   const double last = length_of(lane) - kStart - kFirstGate;
@@ -30,7 +29,7 @@ void draw_lane_gates(WalledLane& lane, std::uint32_t most, table::RandomStream& 
     gate.offset_m = random.uniform(-1.0, 1.0) * std::min(0.12, room);
     gate.length_m = random.uniform(0.10, 0.30);
     lane.gates.push_back(gate);
-    along += kGateSpacing;
+    along += kBetweenGates;
   }
 }
 

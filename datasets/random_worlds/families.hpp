@@ -7,6 +7,7 @@
 namespace tcert {
 
 inline constexpr double kRandomRegionRadius = 0.35;  // of S and of G
+inline constexpr double kIntoGoal = 0.15;            // driven beyond G's middle
 
 [[nodiscard]] RandomWorld draw_gates(table::RandomStream& random);
 [[nodiscard]] RandomWorld draw_bends(table::RandomStream& random);

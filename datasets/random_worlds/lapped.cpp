@@ -9,22 +9,20 @@
 namespace tcert {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kLaneGates = 2;
 constexpr double kRounding = 3e-4;  // how much wider rounded vertices may make a gate
-constexpr double kIntoGoal = 0.15;
 
 double lane_passage(const TrialCourse& trial, Lane lane) {
   double least = trial.course.lane_width_m;
   for (const Gate& gate : trial.gates) {
-    if (gate.lane.at_goal == lane.at_goal && gate.lane.upper == lane.upper) {
+    if (gate.lane == lane) {
       least = std::min(least, gate.width_m);
     }
   }
   return least;
 }
 
-void append(std::vector<Point>& path, const std::vector<Point>& more) {
+void append_after_first(std::vector<Point>& path, const std::vector<Point>& more) {
   path.insert(path.end(), more.begin() + 1, more.end());
 }
 
@@ -35,7 +33,8 @@ constexpr int kSides = 72;
 
 /// A corner of the regular polygon whose sides touch the circle of `radius`.
 Point corner_about(double radius, int i) {
-  return radius / elementary::cos(kPi / kSides) * direction(2.0 * kPi * i / kSides);
+  return radius / elementary::cos(std::numbers::pi / kSides) *
+         direction(2.0 * std::numbers::pi * i / kSides);
 }
 
 /// A wall of quadrilaterals round a circle, which they touch.
@@ -60,8 +59,8 @@ void add_island(World& world, double radius) {
 /// Half of the ring, from S's middle at angle pi to G's at 0: below if `side` is +1.
 WalledLane half_ring(double radius, double width, double side) {
   WalledLane lane;
-  lane.begin = {{-radius, 0.0}, -side * 0.5 * kPi};
-  lane.pieces = {{kPi * radius, side / radius}};
+  lane.begin = {{-radius, 0.0}, -side * 0.5 * std::numbers::pi};
+  lane.pieces = {{std::numbers::pi * radius, side / radius}};
   lane.width_m = width;
   return lane;
 }
@@ -103,13 +102,13 @@ RandomWorld draw_loop(table::RandomStream& random) {
   const std::uint32_t laps = random.below(4) == 0 ? 0 : 2 + random.below(2);
   std::vector<Point> path = there;
   for (std::uint32_t lap = 0; lap < laps; ++lap) {
-    append(path, back);
-    append(path, there);
+    append_after_first(path, back);
+    append_after_first(path, there);
   }
-  append(path,
-         path_along(halves[1 - first],
-                    length_of(halves[1 - first]),
-                    length_of(halves[1 - first]) - kIntoGoal));
+  append_after_first(path,
+                     path_along(halves[1 - first],
+                                length_of(halves[1 - first]),
+                                length_of(halves[1 - first]) - kIntoGoal));
   drawn.legs = {{path, false}};
   drawn.lanes = 2;
   drawn.explored = laps == 0 ? 1 : 2;
@@ -161,7 +160,7 @@ RandomWorld draw_figure_eight(table::RandomStream& random) {
   std::reverse(back.begin(), back.end());
   std::vector<Point> path = there;
   for (std::uint32_t pass = 1; pass < passes; ++pass) {
-    append(path, pass % 2 == 1 ? back : there);
+    append_after_first(path, pass % 2 == 1 ? back : there);
   }
   drawn.legs = {{path, false}};
   drawn.explored = 4;

@@ -15,10 +15,8 @@ namespace {
 
 constexpr std::uint32_t kStray = 0x7277'0101;
 constexpr std::uint32_t kBias = 0x7277'0102;
-constexpr double kPi = std::numbers::pi;
-constexpr double kSensingRange = 0.70;  // from the body's centre to the tip of any tentacle
-constexpr double kFree = 0.0005;        // between body and wall, at least
-constexpr double kBackOff = 0.4;
+constexpr double kLeastFree = 0.0005;  // between body and wall, at least
+constexpr double kWayBack = 0.4;
 constexpr double kFadeIn = 0.5;  // way on which the waves grow, and fade before a leg's end
 constexpr double kBiasSd = 0.004;
 constexpr double kTouchForce = 1.0;
@@ -39,8 +37,8 @@ struct Waves {
 Waves draw_waves(table::RandomStream& random) {
   Waves waves;
   for (std::size_t k = 0; k < waves.phase.size(); ++k) {
-    waves.per_metre[k] = 2.0 * kPi / random.uniform(0.8, 2.0);
-    waves.phase[k] = random.uniform(0.0, 2.0 * kPi);
+    waves.per_metre[k] = 2.0 * std::numbers::pi / random.uniform(0.8, 2.0);
+    waves.phase[k] = random.uniform(0.0, 2.0 * std::numbers::pi);
   }
   return waves;
 }
@@ -119,10 +117,11 @@ class Follower {
     const double end = track.along.back();
     for (double at = 0.0; at < end; at += step_m_) {
       Pose pose = pose_on(track, at, segment);
-      if (walls_.distance_from(pose.position) < 0.5 * corpus_robot().body_width_m + kFree) {
+      if (walls_.distance_from(pose.position) < 0.5 * corpus_robot().body_width_m + kLeastFree) {
         return false;
       }
-      pose.yaw_rad = std::remainder(pose.yaw_rad + (reverse ? kPi : 0.0), 2.0 * kPi);
+      pose.yaw_rad =
+          std::remainder(pose.yaw_rad + (reverse ? std::numbers::pi : 0.0), 2.0 * std::numbers::pi);
       const double travelled = drive_.poses.empty() ? 0.0 : step_m_;
       record(pose, reverse ? -travelled : travelled);
       drive_.distance_m += travelled;
@@ -131,7 +130,7 @@ class Follower {
   }
 
   void back_off() {
-    const auto steps = static_cast<std::size_t>(kBackOff / step_m_);
+    const auto steps = static_cast<std::size_t>(kWayBack / step_m_);
     const std::size_t stuck = drive_.poses.size();
     for (std::size_t i = 1; i <= steps && i < stuck; ++i) {
       record(drive_.poses[stuck - 1 - i], -step_m_);

@@ -12,8 +12,8 @@ namespace tcert {
 namespace {
 
 constexpr double kWallStep = 0.08;
-constexpr double kSwerve = 0.6;       // way before and after a gate on which its offset is taken up
-constexpr double kJawOverlap = 0.05;  // the jaws reach into the wall behind them
+constexpr double kLaneSwerve = 0.6;  // way before and after a gate on which its offset is taken up
+constexpr double kWallOverlap = 0.05;  // the jaws reach into the wall behind them
 
 Pose advanced(const Pose& from, double length_m, double curvature_per_m) noexcept {
   const double turn = length_m * curvature_per_m;
@@ -26,7 +26,7 @@ double swerve(const WalledLane& lane, double along_m) noexcept {
   double offset = 0.0;
   double weight = 0.0;
   for (const LaneGate& gate : lane.gates) {
-    const double x = (along_m - gate.along_m) / kSwerve;
+    const double x = (along_m - gate.along_m) / kLaneSwerve;
     if (std::abs(x) < 1.0) {
       const double w = 0.5 * (1.0 + elementary::cos(std::numbers::pi * x));
       offset += w * w * gate.offset_m;
@@ -130,7 +130,7 @@ void add_gates(World& world, const WalledLane& lane) {
   for (const LaneGate& gate : lane.gates) {
     const Pose middle = pose_at(lane, gate.along_m);
     const double half = 0.5 * gate.length_m;
-    const double wall = 0.5 * lane.width_m + kJawOverlap;
+    const double wall = 0.5 * lane.width_m + kWallOverlap;
     const double left = gate.offset_m + 0.5 * gate.width_m;
     const double right = gate.offset_m - 0.5 * gate.width_m;
     world.obstacles.emplace_back(box_at(middle, {-half, left}, {half, wall}));

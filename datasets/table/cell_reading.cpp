@@ -10,12 +10,12 @@
 #include <string>
 #include <table/decimal.hpp>
 #include <table/nearest_name.hpp>
+#include <table/not_a_number.hpp>
 #include <table/trimmed.hpp>
 
 namespace tcert::table {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Case-folded.

@@ -25,7 +25,7 @@ void step_over_line_end(CsvCursor& cursor) noexcept {
 
 bool is_space(char c) noexcept { return c == ' ' || c == '\t'; }
 
-std::string_view trimmed(std::string_view text) noexcept {
+std::string_view without_padding(std::string_view text) noexcept {
   while (!text.empty() && (is_space(text.back()) || text.back() == '\r')) {
     text.remove_suffix(1);
   }
@@ -103,7 +103,7 @@ bool skip_to_record(CsvCursor& cursor) noexcept {
   while (cursor.at < cursor.end) {
     const char* const end = line_end(cursor);
     const std::string_view line(cursor.at, static_cast<std::size_t>(end - cursor.at));
-    if (!trimmed(line).empty() && line.front() != '#') {
+    if (!without_padding(line).empty() && line.front() != '#') {
       return true;
     }
     cursor.at = end;
@@ -120,12 +120,12 @@ CsvField scan_field(CsvCursor& cursor, char separator, std::string& unquoted) {
     // Text after the closing quote belongs to the field, as most readers take it.
     const char* const tail_end = plain_field_end(cursor, separator);
     const std::string_view tail(cursor.at, static_cast<std::size_t>(tail_end - cursor.at));
-    unquoted += trimmed(tail);
+    unquoted += without_padding(tail);
     cursor.at = tail_end;
     field.text = unquoted;
   } else {
     const char* const end = plain_field_end(cursor, separator);
-    field.text = trimmed({cursor.at, static_cast<std::size_t>(end - cursor.at)});
+    field.text = without_padding({cursor.at, static_cast<std::size_t>(end - cursor.at)});
     cursor.at = end;
   }
   field.ends_record = step_over_separator(cursor, separator);

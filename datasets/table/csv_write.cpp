@@ -26,6 +26,11 @@ void append_number(std::string& out, double value) {
   out.append(digits.data(), end);
 }
 
+void append_cell(std::string& out, double value) {
+  out += ',';
+  append_number(out, value);
+}
+
 void append_seconds(std::string& out, std::int64_t time_ns) {
   const bool negative = time_ns < 0;
   const auto bits = static_cast<std::uint64_t>(time_ns);

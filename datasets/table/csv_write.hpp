@@ -11,6 +11,9 @@ namespace tcert::table {
 /// Shortest decimal that reads back as `value`; nothing for NaN, which is an empty cell.
 void append_number(std::string& out, double value);
 
+/// A comma, and the number.
+void append_cell(std::string& out, double value);
+
 /// Seconds as an exact decimal without trailing zeros: 1'500'000'000 is "1.5".
 void append_seconds(std::string& out, std::int64_t time_ns);
 

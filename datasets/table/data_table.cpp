@@ -11,9 +11,9 @@ namespace tcert::table {
 namespace {
 
 /// Cells within the padded bytes may be scanned ahead; those that were quoted lie elsewhere.
-class CellReader {
+class MeaningReader {
  public:
-  CellReader(std::string_view bytes, char point) : bytes_(bytes), point_(point) {}
+  MeaningReader(std::string_view bytes, char point) : bytes_(bytes), point_(point) {}
 
   [[nodiscard]] CellReading read(std::string_view cell) const {
     const char* const end = cell.data() + cell.size();
@@ -93,7 +93,7 @@ void read_numbers(const Bytes& bytes,
                   const CsvHeader& header,
                   Reading& reading,
                   DiagnosticGroups& problems) {
-  const CellReader reader(bytes.view(), header.dialect.decimal_point);
+  const MeaningReader reader(bytes.view(), header.dialect.decimal_point);
   auto& columns = reading.table.columns;
   std::vector<double> row(columns.size());
   const auto take = [&](std::size_t position, std::string_view cell) {

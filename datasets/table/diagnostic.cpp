@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <table/printable.hpp>
+#include <table/utf8.hpp>
 #include <utility>
 
 namespace tcert::table {
@@ -14,12 +15,6 @@ constexpr std::size_t kLongestValue = 40;
 std::string_view severity_name(Severity severity) noexcept {
   constexpr std::array<std::string_view, 3> kNames{"note", "warning", "error"};
   return kNames[static_cast<std::size_t>(severity)];
-}
-
-constexpr std::size_t kLongestCharacter = 4;
-
-bool continues_character(char c) noexcept {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
 std::string_view cut_between_characters(std::string_view text, std::size_t length) noexcept {

@@ -58,7 +58,7 @@ constexpr std::array kMagics{
   return text;
 }
 
-[[nodiscard]] bool is_control(char c) noexcept {
+[[nodiscard]] bool is_no_text(char c) noexcept {
   const auto code = static_cast<unsigned char>(c);
   return code < 0x20U && c != '\t' && c != '\n' && c != '\r' && c != '\f';
 }
@@ -73,7 +73,7 @@ std::optional<FileKind> kind_of_binary(std::string_view bytes, std::string_view 
   }
   const std::string_view front = bytes.substr(0, kLooked);
   const auto controls =
-      static_cast<std::size_t>(std::count_if(front.begin(), front.end(), is_control));
+      static_cast<std::size_t>(std::count_if(front.begin(), front.end(), is_no_text));
   if (front.find('\0') == std::string_view::npos && controls * kTextPerControl <= front.size()) {
     return std::nullopt;
   }

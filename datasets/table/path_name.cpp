@@ -1,20 +1,17 @@
 #include <table/path_name.hpp>
 
 #include <algorithm>
+#include <table/utf8.hpp>
 
 namespace tcert::table {
 namespace {
 
-bool is_control(char c) noexcept {
+bool is_control_byte(char c) noexcept {
   const auto code = static_cast<unsigned char>(c);
   return code < 0x20U || code == 0x7FU;
 }
 
-bool may_be_in_a_name(char c) noexcept { return !is_control(c) && c != '/' && c != '\\'; }
-
-bool continues_character(char c) noexcept {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
+bool may_be_in_a_name(char c) noexcept { return !is_control_byte(c) && c != '/' && c != '\\'; }
 
 }  // namespace
 

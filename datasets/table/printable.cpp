@@ -1,15 +1,10 @@
 #include <table/printable.hpp>
 
 #include <algorithm>
+#include <table/utf8.hpp>
 
 namespace tcert::table {
 namespace {
-
-constexpr std::size_t kLongestCharacter = 4;
-
-bool continues_character(char c) noexcept {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
 
 /// Bytes of the UTF-8 character at the front of `text`; 0 if there is none.
 std::size_t length_of_character(std::string_view text) noexcept {

@@ -6,14 +6,13 @@
 #include <limits>
 #include <table/cell_reading.hpp>
 #include <table/decimal.hpp>
+#include <table/not_a_number.hpp>
 #include <utility>
 
 #include "datasets/terrain_file.hpp"
 
 namespace tcert::terrain_reading {
 namespace {
-
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 [[nodiscard]] bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
 
@@ -97,9 +96,9 @@ class Line {
       cells.begin(), cells.end(), [&](std::string_view cell) { return to_number(cell, value); });
 }
 
-class Reader {
+class CellTableReader {
  public:
-  explicit Reader(std::string file) : file_(std::move(file)) {}
+  explicit CellTableReader(std::string file) : file_(std::move(file)) {}
 
   void line(std::string_view text, std::size_t number) {
     const std::size_t begin = text.find_first_not_of(" \t");
@@ -150,7 +149,7 @@ class Reader {
         full_ = true;
         return;
       }
-      double value = kGap;
+      double value = table::kNaN;
       if (!to_number(cell, value)) {
         if (is_gap_word(cell)) {
           ++table_.words;
@@ -276,7 +275,7 @@ std::string_view take_line(std::string_view& text) {
 }
 
 CellTable read_cells(std::string_view text, const std::string& file) {
-  Reader reader(file);
+  CellTableReader reader(file);
   for (std::size_t number = 1; !text.empty(); ++number) {
     reader.line(take_line(text), number);
   }

@@ -66,9 +66,9 @@ constexpr std::array<Key, 10> kKeys{{{"ncols", &Header::columns},
   return nullptr;
 }
 
-class Reader {
+class EsriReader {
  public:
-  Reader(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {}
+  EsriReader(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {}
 
   EsriGrid read() {
     if (read_header() && read_cells()) {
@@ -230,7 +230,7 @@ bool is_esri_grid(std::string_view text) {
 }
 
 EsriGrid read_esri_grid(std::string_view text, const std::string& file) {
-  return Reader(text, file).read();
+  return EsriReader(text, file).read();
 }
 
 }  // namespace tcert::terrain_reading

@@ -6,11 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <table/not_a_number.hpp>
 
 namespace tcert::terrain_reading {
 namespace {
-
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 /// What GDAL, ArcGIS and their kin write where nothing was measured.
 constexpr std::array kSentinels{-9999.0,
@@ -101,7 +100,7 @@ class Marker {
     std::size_t count = 0;
     for (double& v : values_) {
       if (!std::isnan(v) && is(v)) {
-        v = kGap;
+        v = table::kNaN;
         ++count;
       }
     }

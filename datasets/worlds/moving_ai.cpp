@@ -10,8 +10,6 @@
 namespace tcert {
 namespace {
 
-constexpr std::size_t kMostCells = 100'000'000;
-
 /// Lines of a text, counted; without the carriage return.
 class Lines {
  public:
@@ -45,9 +43,9 @@ class Lines {
   bool again_ = false;
 };
 
-class Reader {
+class MovingAiReader {
  public:
-  Reader(const table::Bytes& bytes, std::string file)
+  MovingAiReader(const table::Bytes& bytes, std::string file)
       : lines_(bytes.view()), file_(std::move(file)) {}
 
   [[nodiscard]] bool read(Raster& raster) {
@@ -112,7 +110,7 @@ class Reader {
     if (raster.columns == 0 || raster.rows == 0) {
       return fail("height and width, both above 0, before the map");
     }
-    if (raster.columns > kMostCells / raster.rows) {
+    if (raster.columns > kMostRasterCells / raster.rows) {
       return fail("at most 100 million cells");
     }
     return true;
@@ -205,7 +203,7 @@ WorldsResult world_from_moving_ai(const table::Bytes& bytes,
                                   const std::string& file,
                                   const WorldFrame& frame) {
   WorldsResult result;
-  Reader reader(bytes, file);
+  MovingAiReader reader(bytes, file);
   Raster raster;
   if (reader.read(raster)) {
     World world = raster_world(raster, {0.0, 0.0}, frame.cell_m);

@@ -10,6 +10,8 @@
 
 namespace tcert {
 
+inline constexpr std::size_t kMostRasterCells = 100'000'000;
+
 /// Row-major, the first row at high y.
 struct Raster {
   std::size_t columns = 0;

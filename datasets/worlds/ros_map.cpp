@@ -10,8 +10,6 @@
 namespace tcert {
 namespace {
 
-constexpr std::size_t kMostCells = 100'000'000;
-
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) {
@@ -160,7 +158,7 @@ std::string read_pgm(std::string_view text, const std::string& file, Pgm& image)
     }
     *field = *value;
   }
-  if (image.most > 65535 || image.columns > kMostCells / image.rows) {
+  if (image.most > 65535 || image.columns > kMostRasterCells / image.rows) {
     return "at most 100 million pixels of at most 65535";
   }
   const std::size_t count = image.columns * image.rows;

@@ -32,7 +32,7 @@ Bounds bounds_of(const World& world) {
   return bounds;
 }
 
-std::optional<double> number_of(std::string_view cell) {
+std::optional<double> finite_cell(std::string_view cell) {
   const table::CellReading reading = table::read_cell(cell);
   const bool is_number =
       reading.meaning == table::CellMeaning::number && std::isfinite(reading.value);
@@ -69,7 +69,7 @@ WorldsResult worlds_from_disc_csv(const table::Bytes& bytes,
     bool good = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::string& cell = table->at(row, *table->find(names[k + 1]));
-      const auto value = number_of(cell);
+      const auto value = finite_cell(cell);
       if (!value || (k == 2 && !(*value > 0.0))) {
         problems.add({table::Severity::error,
                       file,

@@ -4,9 +4,6 @@
 namespace tcert::terrain {
 namespace {
 
-constexpr std::array<Cell, 8> kSteps{
-    {{-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
-
 /// Calls `visit(index)` for every unvisited neighbour of the cells in `open`, until none is left.
 template <class Visit>
 void flood(const Grid& grid, std::vector<std::size_t>& open, std::size_t steps, Visit visit) {

@@ -3,6 +3,7 @@
 /// Cells of a terrain, and positions between them. Unit of length: one cell.
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,10 @@ struct Cell {
   int y = 0;
   friend bool operator==(const Cell&, const Cell&) = default;
 };
+
+/// From a cell to its neighbours: those at its sides, then those at its corners.
+inline constexpr std::array<Cell, 8> kSteps{
+    {{-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
 
 /// A point of the plane; cell (x, y) has its centre at (x, y).
 using Position = Eigen::Vector2d;

@@ -7,9 +7,6 @@
 namespace tcert::terrain {
 namespace {
 
-constexpr std::array<Cell, 8> kSteps{
-    {{-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
-
 using Entry = std::pair<double, std::size_t>;
 
 [[nodiscard]] bool is_member(const Grid& grid, const CellSet& set, Cell c) {

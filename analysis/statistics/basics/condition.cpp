@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace tcert::statistics {
 namespace {
@@ -243,6 +244,10 @@ const Entry& entry_of(ConditionKind kind) noexcept {
 }
 
 }  // namespace
+
+Condition error_of(ConditionKind kind, std::string column, std::string detail, std::string advice) {
+  return {kind, ConditionSeverity::error, std::move(column), std::move(detail), std::move(advice)};
+}
 
 std::string_view name_of(ConditionKind kind) noexcept { return entry_of(kind).name; }
 std::string_view words(ConditionKind kind) noexcept { return entry_of(kind).words; }

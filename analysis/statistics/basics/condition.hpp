@@ -103,6 +103,12 @@ struct Condition {
 
 using Conditions = std::vector<Condition>;
 
+/// A condition that leaves no estimate.
+[[nodiscard]] Condition error_of(ConditionKind kind,
+                                 std::string column = {},
+                                 std::string detail = {},
+                                 std::string advice = {});
+
 /// The kind's name in data files: the enumerator as it is written above.
 [[nodiscard]] std::string_view name_of(ConditionKind kind) noexcept;
 

@@ -1,6 +1,6 @@
 #include <statistics/basics/wald_chi_squared.hpp>
 
-#include <Eigen/Cholesky>
+#include <statistics/basics/linalg.hpp>
 
 namespace tcert::statistics {
 
@@ -14,15 +14,13 @@ std::optional<ChiSquareTest> wald_test(const Eigen::VectorXd& estimates,
     return std::nullopt;
   }
   const Eigen::VectorXd inverse = scale.cwiseInverse();
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(inverse.asDiagonal() * covariance *
-                                             inverse.asDiagonal());
+  const Cholesky cholesky(inverse.asDiagonal() * covariance * inverse.asDiagonal());
   // A pivot of a correlation matrix this small is rounding.
   constexpr double kSmallestPivot = 1e-6;
-  if (cholesky.info() != Eigen::Success ||
-      Eigen::MatrixXd(cholesky.matrixLLT()).diagonal().minCoeff() < kSmallestPivot) {
+  if (!cholesky.succeeded() || cholesky.pivots().minCoeff() < kSmallestPivot) {
     return std::nullopt;
   }
-  const Eigen::VectorXd z = cholesky.matrixL().solve(inverse.cwiseProduct(estimates));
+  const Eigen::VectorXd z = cholesky.whiten(inverse.cwiseProduct(estimates).eval());
   return chi_square_test(z.squaredNorm(), static_cast<std::size_t>(estimates.size()));
 }
 

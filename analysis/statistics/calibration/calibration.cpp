@@ -52,11 +52,11 @@ std::string words_of(const NamedRows& named,
 }
 
 /// Complete rows; a probability outside [0, 1] becomes an error, one of 0 or 1 a warning.
-CalibrationRows complete_rows(std::span<const double> outcome,
-                              std::span<const double> probability,
-                              const table::Factor* cluster,
-                              const CalibrationOptions& options,
-                              ModelCalibration& result) {
+CalibrationRows usable_rows(std::span<const double> outcome,
+                            std::span<const double> probability,
+                            const table::Factor* cluster,
+                            const CalibrationOptions& options,
+                            ModelCalibration& result) {
   CalibrationRows rows;
   NamedRows outside;
   NamedRows certain;
@@ -182,7 +182,7 @@ ModelCalibration calibration(std::span<const double> outcome,
                              const CalibrationOptions& options) {
   check(outcome, probability, cluster, options);
   ModelCalibration result;
-  const CalibrationRows rows = complete_rows(outcome, probability, cluster, options, result);
+  const CalibrationRows rows = usable_rows(outcome, probability, cluster, options, result);
   result.rows = rows.outcome.size();
   if (has_error(result.conditions)) {
     return result;

@@ -1,12 +1,11 @@
 #include <statistics/cox/cox_newton.hpp>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <statistics/basics/linalg.hpp>
 #include <statistics/cox/cox_recession.hpp>
 
 namespace tcert::statistics {
@@ -79,18 +78,15 @@ Eigen::MatrixXd unit_directions(const CoxDerivatives& null, const std::vector<Ei
   Eigen::MatrixXd information = null.information(kept, kept);
   const Eigen::VectorXd unit = information.diagonal().cwiseSqrt().cwiseInverse();
   information = unit.asDiagonal() * information * unit.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
-  const Eigen::VectorXd inverse_root =
-      eigen.eigenvalues().cwiseMax(1e-15).cwiseSqrt().cwiseInverse();
-  basis(kept, Eigen::all) = unit.asDiagonal() * eigen.eigenvectors() * inverse_root.asDiagonal();
+  const Eigensystem eigen = eigensystem_of(information);
+  const Eigen::VectorXd inverse_root = eigen.values.cwiseMax(1e-15).cwiseSqrt().cwiseInverse();
+  basis(kept, Eigen::all) = unit.asDiagonal() * eigen.vectors * inverse_root.asDiagonal();
   return basis;
 }
 
 /// The information at some coefficients in the unit directions: 1 is what there is at 0.
-Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> share_of_information(const CoxDerivatives& at,
-                                                                    const Eigen::MatrixXd& basis) {
-  const Eigen::MatrixXd share = basis.transpose() * at.information * basis;
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(share);
+Eigensystem share_of_information(const CoxDerivatives& at, const Eigen::MatrixXd& basis) {
+  return eigensystem_of(basis.transpose() * at.information * basis);
 }
 
 /// Solves information step = score for the `kept` columns; 0 for the others. Directions whose share
@@ -104,19 +100,19 @@ Eigen::VectorXd newton_step(const CoxDerivatives& at,
     return step;
   }
   const auto share = share_of_information(at, basis);
-  if (share.eigenvalues()(0) > kLimitTolerance) {
+  if (share.values(0) > kLimitTolerance) {
     const Eigen::VectorXd score = at.score(kept);
     const Eigen::MatrixXd information = at.information(kept, kept);
-    const Eigen::VectorXd solution = information.ldlt().solve(score);
+    const Eigen::VectorXd solution = solve_symmetric(information, score);
     step(kept) = solution;
     return step;
   }
-  Eigen::VectorXd along = share.eigenvectors().transpose() * (basis.transpose() * at.score);
+  Eigen::VectorXd along = share.vectors.transpose() * (basis.transpose() * at.score);
   for (Eigen::Index k = 0; k < along.size(); ++k) {
-    const double left = share.eigenvalues()(k);
+    const double left = share.values(k);
     along(k) = left > smallest ? along(k) / left : 0.0;
   }
-  return basis * (share.eigenvectors() * along);
+  return basis * (share.vectors * along);
 }
 
 double relative_size(const Eigen::VectorXd& step, const Eigen::VectorXd& beta) {
@@ -124,14 +120,12 @@ double relative_size(const Eigen::VectorXd& step, const Eigen::VectorXd& beta) {
 }
 
 /// Columns that have a part in the certified direction, or in one whose information is lost.
-void name_infinite(const Eigen::MatrixXd& basis,
-                   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& share,
-                   CoxMaximum& maximum) {
+void name_infinite(const Eigen::MatrixXd& basis, const Eigensystem& share, CoxMaximum& maximum) {
   Eigen::Index lost = 0;
-  while (lost < basis.cols() && share.eigenvalues()(lost) <= kLimitTolerance) {
+  while (lost < basis.cols() && share.values(lost) <= kLimitTolerance) {
     ++lost;
   }
-  const Eigen::MatrixXd directions = basis * share.eigenvectors().leftCols(lost);
+  const Eigen::MatrixXd directions = basis * share.vectors.leftCols(lost);
   for (const Eigen::Index j : ranked_columns(maximum.columns)) {
     const double length = basis.row(j).norm();
     if (directions.row(j).norm() > kPart * length ||
@@ -151,7 +145,7 @@ void judge(const CoxRows& rows,
            double errors,
            CoxMaximum& maximum) {
   const auto share = share_of_information(maximum.fitted, basis);
-  const double least = share.eigenvalues()(0);
+  const double least = share.values(0);
   CoxTermination& termination = maximum.summary.termination;
   const bool converged = settled && errors <= kMostErrors;
   termination = converged ? CoxTermination::converged : CoxTermination::iteration_limit;
@@ -289,8 +283,7 @@ Eigen::MatrixXd limit_inverse(const CoxMaximum& maximum) {
   if (!kept.empty()) {
     const Eigen::MatrixXd information = maximum.fitted.information(kept, kept);
     const auto size = static_cast<Eigen::Index>(kept.size());
-    const Eigen::MatrixXd solution =
-        information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+    const Eigen::MatrixXd solution = inverse_symmetric(information);
     inverse(kept, kept) = solution;
   }
   return inverse;

@@ -9,7 +9,7 @@
 namespace tcert::statistics {
 namespace {
 
-constexpr double kTie = 1e-9;
+constexpr double kPairTie = 1e-9;
 constexpr double kSame = 1e-10;  ///< Rows as near to each other, of the widest row, are equal.
 constexpr std::size_t kPairsAtOnce = 20;
 constexpr int kRounds = 2000;
@@ -91,7 +91,7 @@ class PairScan {
     }
     const Eigen::VectorXd difference = basis_.transpose() * (row(event) - row(other));
     const double distance = difference.norm();
-    if (distance > kSame * widest_ && size > kTie * distance) {
+    if (distance > kSame * widest_ && size > kPairTie * distance) {
       found.push_back({size / distance, difference / distance});
     }
   }
@@ -118,7 +118,7 @@ std::optional<Eigen::VectorXd> recession_direction(const CoxRows& rows,
   PairScan scan(rows, ties, basis);
   Eigen::MatrixXd pairs(0, target.size());
   for (int round = 0; round < kRounds; ++round) {
-    const auto nearest = project_on_cone(pairs, target, kTie);
+    const auto nearest = project_on_cone(pairs, target, kPairTie);
     if (!nearest || nearest->isZero(0.0)) {
       return std::nullopt;
     }

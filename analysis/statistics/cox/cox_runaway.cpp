@@ -1,7 +1,7 @@
 #include <statistics/cox/cox_runaway.hpp>
 
-#include <Eigen/Cholesky>
 #include <cmath>
+#include <statistics/basics/linalg.hpp>
 #include <statistics/basics/runaway.hpp>
 
 namespace tcert::statistics {
@@ -30,8 +30,7 @@ std::vector<bool> cox_runaways(const CoxData& data,
     return away;
   }
   const Eigen::MatrixXd null = maximum.null.information(ranked, ranked);
-  const Eigen::MatrixXd without_effect =
-      null.ldlt().solve(Eigen::MatrixXd::Identity(null.rows(), null.cols()));
+  const Eigen::MatrixXd without_effect = inverse_symmetric(null);
   for (const std::size_t k : candidates) {
     const Eigen::Index j = ranked[k];
     const double variance = inverse(j, j);

@@ -1,7 +1,7 @@
 #include <statistics/cox/cox_terms.hpp>
 
 #include <algorithm>
-#include <set>
+#include <statistics/model/droppable_terms.hpp>
 
 namespace tcert::statistics {
 namespace {
@@ -58,31 +58,6 @@ void add_test(const CoxFit& smaller, const CoxFit& larger, TermTest& row) {
   }
 }
 
-/// The variables of a term: "a:b" has a and b.
-std::set<std::string> variables_of(const std::string& term) {
-  std::set<std::string> variables;
-  std::size_t begin = 0;
-  int depth = 0;
-  for (std::size_t k = 0; k <= term.size(); ++k) {
-    if (k == term.size() || (term[k] == ':' && depth == 0)) {
-      variables.insert(term.substr(begin, k - begin));
-      begin = k + 1;
-    } else {
-      depth += static_cast<int>(term[k] == '(') - static_cast<int>(term[k] == ')');
-    }
-  }
-  return variables;
-}
-
-bool is_part_of_another(const std::vector<std::string>& terms, std::size_t term) {
-  const std::set<std::string> own = variables_of(terms[term]);
-  return std::any_of(terms.begin(), terms.end(), [&](const std::string& other) {
-    const std::set<std::string> variables = variables_of(other);
-    return variables.size() > own.size() &&
-           std::includes(variables.begin(), variables.end(), own.begin(), own.end());
-  });
-}
-
 }  // namespace
 
 TermTests cox_anova(const CoxData& data, const CoxOptions& options) {
@@ -115,18 +90,16 @@ TermTests cox_drop1(const CoxData& data, const CoxOptions& options) {
     return result;
   }
   result.rows.push_back(row_of("<none>", full));
-  for (std::size_t out = 0; out < data.terms.size(); ++out) {
-    if (!is_part_of_another(data.terms, out)) {
-      const CoxFit fit =
-          refit(with_terms(data, [&](std::size_t term) { return term != out; }), options);
-      if (has_error(fit.conditions)) {
-        result.conditions = fit.conditions;
-        result.rows.clear();
-        return result;
-      }
-      result.rows.push_back(row_of(data.terms[out], fit));
-      add_test(fit, full, result.rows.back());
+  for (const std::size_t out : droppable_terms(data.terms)) {
+    const CoxFit fit =
+        refit(with_terms(data, [&](std::size_t term) { return term != out; }), options);
+    if (has_error(fit.conditions)) {
+      result.conditions = fit.conditions;
+      result.rows.clear();
+      return result;
     }
+    result.rows.push_back(row_of(data.terms[out], fit));
+    add_test(fit, full, result.rows.back());
   }
   return result;
 }

@@ -2,37 +2,34 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
+#include <statistics/basics/chi_square.hpp>
+#include <statistics/basics/linalg.hpp>
 #include <statistics/basics/normal.hpp>
 #include <statistics/glmm/glmm_problem.hpp>
 #include <statistics/glmm/glmm_solve.hpp>
 #include <statistics/logistic/near_separation.hpp>
+#include <table/not_a_number.hpp>
 #include <utility>
 
 namespace tcert::statistics {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kResidualVariance = std::numbers::pi * std::numbers::pi / 3.0;
 
 /// The inverse of a positive semidefinite matrix; directions without curvature count as known.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
-  const Eigen::Index size = information.rows();
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(information);
-  if (cholesky.info() == Eigen::Success) {
-    return cholesky.solve(Eigen::MatrixXd::Identity(size, size));
+  const Cholesky cholesky(information);
+  if (cholesky.succeeded()) {
+    return cholesky.inverse();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(information);
-  const double least = 1e-10 * solver.eigenvalues().maxCoeff();
-  const Eigen::VectorXd inverse = solver.eigenvalues().unaryExpr(
-      [least](double value) { return value > least ? 1.0 / value : 0.0; });
-  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+  const Eigensystem system = eigensystem_of(information);
+  const double least = 1e-10 * system.values.maxCoeff();
+  const Eigen::VectorXd inverse =
+      system.values.unaryExpr([least](double value) { return value > least ? 1.0 / value : 0.0; });
+  return system.vectors * inverse.asDiagonal() * system.vectors.transpose();
 }
 
 void set_estimate(LogisticCoefficient& coefficient,
@@ -124,7 +121,7 @@ GlmmRandomTerm random_term(const TermRows& rows, const Eigen::Ref<const Eigen::V
   term.factor = factor_of(rows, thetas);
   term.covariance = term.factor * term.factor.transpose();
   const Eigen::Index q = term.factor.rows();
-  term.correlation.setConstant(q, q, kNan);
+  term.correlation.setConstant(q, q, table::kNaN);
   term.singular = (term.factor.diagonal().array() == 0.0).any();
   for (Eigen::Index a = 0; a < q; ++a) {
     term.sd.push_back(std::sqrt(term.covariance(a, a)));
@@ -246,10 +243,8 @@ void add_boundary_tests(const GlmmInput& input, GlmmFit& fit) {
     const double rounding = 1e-10 * (1.0 + std::abs(*fit.log_likelihood));
     test.chi_squared = drop > rounding ? drop : 0.0;
     if (test.chi_squared > 0.0) {
-      const double half = 0.5 * test.chi_squared;
-      const double df = static_cast<double>(test.df);
-      const double lower = test.df > 1 ? boost::math::gamma_q(0.5 * (df - 1.0), half) : 0.0;
-      test.p_value = 0.5 * (lower + boost::math::gamma_q(0.5 * df, half));
+      const double lower = test.df > 1 ? chi_square_tail(test.chi_squared, test.df - 1) : 0.0;
+      test.p_value = 0.5 * (lower + chi_square_tail(test.chi_squared, test.df));
     }
     term.test = test;
   }
@@ -332,7 +327,7 @@ GlmmFit empty_fit(const GlmmInput& input, const GlmmOptions& options) {
     fit.coefficients.back().column = column;
   }
   const Eigen::Index columns = input.fixed.design.cols();
-  fit.covariance.setConstant(columns, columns, kNan);
+  fit.covariance.setConstant(columns, columns, table::kNaN);
   return fit;
 }
 
@@ -359,7 +354,7 @@ GlmmFit fit_glmm(const GlmmInput& input, const GlmmOptions& options) {
   fit.evaluations = maximum.evaluations;
   fit.last_step = maximum.last_step;
   fit.gradient_norm =
-      maximum.at.gradient.size() > 0 ? maximum.at.gradient.cwiseAbs().maxCoeff() : kNan;
+      maximum.at.gradient.size() > 0 ? maximum.at.gradient.cwiseAbs().maxCoeff() : table::kNaN;
   if (!maximum.converged()) {
     add_no_convergence(*problem, maximum, fit);
     return fit;

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <statistics/model/droppable_terms.hpp>
 #include <stdexcept>
 
 namespace tcert::statistics {

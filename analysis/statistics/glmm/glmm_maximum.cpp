@@ -1,8 +1,7 @@
 #include <statistics/glmm/glmm_maximum.hpp>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <statistics/basics/linalg.hpp>
 #include <utility>
 
 namespace tcert::statistics {
@@ -21,19 +20,19 @@ struct Step {
 /// Where the Hessian is not negative definite: as if its curvatures had the right sign, or if the
 /// gradient is 0, along the direction that curves up most.
 Step step_over_saddle(const Eigen::VectorXd& gradient, const Eigen::MatrixXd& information) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(information);
-  const Eigen::VectorXd& curvature = solver.eigenvalues();
+  const Eigensystem system = eigensystem_of(information);
+  const Eigen::VectorXd& curvature = system.values;
   const double largest = std::max(curvature.cwiseAbs().maxCoeff(), 1e-300);
   const Eigen::VectorXd size = curvature.cwiseAbs().cwiseMax(1e-6 * largest);
-  const Eigen::VectorXd along = solver.eigenvectors().transpose() * gradient;
+  const Eigen::VectorXd along = system.vectors.transpose() * gradient;
   const Eigen::VectorXd move = along.cwiseQuotient(size);
   Step step;
   step.concave = curvature[0] > -1e-10 * largest;
   step.length = std::sqrt(along.dot(move));
-  step.direction = solver.eigenvectors() * move;
+  step.direction = system.vectors * move;
   if (!step.concave && step.length < 1e-3) {
     step.uphill = false;
-    step.direction = solver.eigenvectors().col(0) / std::sqrt(size[0]);
+    step.direction = system.vectors.col(0) / std::sqrt(size[0]);
   }
   return step;
 }
@@ -49,8 +48,8 @@ Step step_at(const LikelihoodPoint& at, const std::optional<Eigen::MatrixXd>& su
     step.direction = Eigen::VectorXd::Zero(at.gradient.size());
     return step;
   }
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(information);
-  if (cholesky.info() == Eigen::Success) {
+  const Cholesky cholesky(information);
+  if (cholesky.succeeded()) {
     step.direction = cholesky.solve(gradient);
     step.length = std::sqrt(std::max(0.0, gradient.dot(step.direction)));
   } else {
@@ -105,9 +104,8 @@ std::string_view to_string(GlmmTermination termination) noexcept {
 }
 
 bool is_concave(const Eigen::MatrixXd& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian, Eigen::EigenvaluesOnly);
-  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-  return solver.eigenvalues().maxCoeff() <= 1e-10 * largest;
+  const Eigen::VectorXd curvature = eigenvalues_of(hessian);
+  return curvature.maxCoeff() <= 1e-10 * curvature.cwiseAbs().maxCoeff();
 }
 
 GlmmMaximum newton_maximum(MixedLikelihood& likelihood,

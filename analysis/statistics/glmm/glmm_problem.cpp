@@ -11,13 +11,6 @@
 namespace tcert::statistics {
 namespace {
 
-Condition error(ConditionKind kind,
-                std::string column,
-                std::string detail,
-                std::string advice = {}) {
-  return {kind, ConditionSeverity::error, std::move(column), std::move(detail), std::move(advice)};
-}
-
 bool is_intercept(const RandomEffects& random) {
   return random.columns.size() == 1 && random.columns[0] == "(Intercept)";
 }
@@ -125,14 +118,15 @@ void add_term_conditions(const RandomEffects& random,
                          const LogisticProblem& fixed,
                          Conditions& conditions) {
   if (!random.design.allFinite()) {
-    conditions.push_back(error(ConditionKind::infinite_value, random.group, "of a random slope"));
+    conditions.push_back(
+        error_of(ConditionKind::infinite_value, random.group, "of a random slope"));
     return;
   }
   if (term.levels.size() < 2) {
-    conditions.push_back(
-        error(ConditionKind::one_group,
-              random.group,
-              fmt::format("every row has {}", term.levels.empty() ? "none" : term.levels.front())));
+    conditions.push_back(error_of(
+        ConditionKind::one_group,
+        random.group,
+        fmt::format("every row has {}", term.levels.empty() ? "none" : term.levels.front())));
     return;
   }
   if (static_cast<Eigen::Index>(term.levels.size()) == fixed.size() &&
@@ -144,10 +138,10 @@ void add_term_conditions(const RandomEffects& random,
   }
   if (term.design.size() > 0) {
     for (const std::size_t j : orthonormal_basis(term.design).dropped) {
-      conditions.push_back(error(ConditionKind::collinear_column,
-                                 random.columns[j],
-                                 "among the random effects of " + random.group,
-                                 "leave the effect out"));
+      conditions.push_back(error_of(ConditionKind::collinear_column,
+                                    random.columns[j],
+                                    "among the random effects of " + random.group,
+                                    "leave the effect out"));
     }
   }
 }
@@ -162,10 +156,11 @@ void add_duplicate_conditions(const GlmmInput& input, Conditions& conditions) {
       for (const std::string& column : input.random[a].columns) {
         const auto& others = input.random[b].columns;
         if (std::find(others.begin(), others.end(), column) != others.end()) {
-          conditions.push_back(error(ConditionKind::collinear_column,
-                                     column,
-                                     "twice among the random effects of " + input.random[a].group,
-                                     "leave one of them out"));
+          conditions.push_back(
+              error_of(ConditionKind::collinear_column,
+                       column,
+                       "twice among the random effects of " + input.random[a].group,
+                       "leave one of them out"));
         }
       }
     }
@@ -196,7 +191,7 @@ std::optional<GlmmProblem> glmm_problem(const GlmmInput& input,
   check_quadrature(input, options);
   conditions = input.fixed.conditions;
   if (input.random.empty()) {
-    conditions.push_back(error(ConditionKind::no_random_effects, "", ""));
+    conditions.push_back(error_of(ConditionKind::no_random_effects, "", ""));
   }
   add_duplicate_conditions(input, conditions);
   if (has_error(conditions)) {

@@ -1,8 +1,8 @@
 #include <ceres/gradient_problem.h>
 #include <ceres/gradient_problem_solver.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <statistics/basics/linalg.hpp>
 #include <statistics/glmm/glmm_maximum.hpp>
 
 namespace tcert::statistics {
@@ -56,11 +56,10 @@ Eigen::MatrixXd metric_of(const Eigen::MatrixXd& hessian) {
   // Deviations between groups and coefficients may differ by orders of magnitude in curvature.
   const Eigen::VectorXd unit = hessian.diagonal().unaryExpr(
       [](double value) { return value != 0.0 ? 1.0 / std::sqrt(std::abs(value)) : 1.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(unit.asDiagonal() * hessian *
-                                                              unit.asDiagonal());
-  const Eigen::VectorXd scale = solver.eigenvalues().unaryExpr(
+  const Eigensystem system = eigensystem_of(unit.asDiagonal() * hessian * unit.asDiagonal());
+  const Eigen::VectorXd scale = system.values.unaryExpr(
       [](double value) { return 1.0 / std::sqrt(std::max(std::abs(value), 1e-3)); });
-  return unit.asDiagonal() * solver.eigenvectors() * scale.asDiagonal();
+  return unit.asDiagonal() * system.vectors * scale.asDiagonal();
 }
 
 }  // namespace

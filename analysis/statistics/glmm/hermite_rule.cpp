@@ -1,8 +1,8 @@
 #include <statistics/glmm/hermite_rule.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstddef>
+#include <statistics/basics/linalg.hpp>
 #include <stdexcept>
 
 namespace tcert::statistics {
@@ -45,13 +45,12 @@ HermiteRule hermite_rule(int points) {
   for (int j = 1; j < points; ++j) {
     beside[j - 1] = std::sqrt(static_cast<double>(j));
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(Eigen::VectorXd::Zero(points), beside, Eigen::EigenvaluesOnly);
+  const Eigen::VectorXd roots = eigenvalues_of_tridiagonal(Eigen::VectorXd::Zero(points), beside);
   HermiteRule rule;
   const auto size = static_cast<std::size_t>(points);
   rule.nodes.assign(size, 0.0);
   for (std::size_t k = size / 2 + size % 2; k < size; ++k) {
-    const double node = polished(points, solver.eigenvalues()[static_cast<Eigen::Index>(k)]);
+    const double node = polished(points, roots[static_cast<Eigen::Index>(k)]);
     rule.nodes[k] = node;
     rule.nodes[size - 1 - k] = -node;
   }

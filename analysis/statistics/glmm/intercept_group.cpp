@@ -8,7 +8,7 @@
 namespace tcert::statistics {
 namespace {
 
-constexpr double kLargestEta = 300.0;
+constexpr double kLargestGroupEta = 300.0;
 
 /// Sums over the rows at one u.
 struct Sums {
@@ -41,7 +41,7 @@ bool find_mode(const InterceptGroup& group, double theta, double& mode) {
   double high = -low;
   double u = mode;
   for (int iteration = 0; iteration < 200; ++iteration) {
-    if (!(std::abs(theta * u) <= kLargestEta)) {
+    if (!(std::abs(theta * u) <= kLargestGroupEta)) {
       // Far off: start where every group can.
       u = 0.0;
       if (iteration > 0) {
@@ -156,8 +156,8 @@ double value_at_nodes(const InterceptGroup& group,
     scratch.t[k] = mode.u + mode.s * rule.nodes[k];
     scratch.factor[k] = std::exp(theta * scratch.t[k]);
   }
-  double largest = -kLargestEta;
-  double smallest = kLargestEta;
+  double largest = -kLargestGroupEta;
+  double smallest = kLargestGroupEta;
   double successes = 0.0;
   double linear = 0.0;
   for (Eigen::Index i = 0; i < group.rows; ++i) {
@@ -168,7 +168,7 @@ double value_at_nodes(const InterceptGroup& group,
   }
   const double reach =
       std::max(std::abs(theta * scratch.t.front()), std::abs(theta * scratch.t.back()));
-  if (!(std::max({std::abs(largest), std::abs(smallest), reach}) <= kLargestEta)) {
+  if (!(std::max({std::abs(largest), std::abs(smallest), reach}) <= kLargestGroupEta)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   sum_losses(group, largest + reach, scratch);

@@ -8,9 +8,6 @@
 namespace tcert::statistics {
 namespace {
 
-/// Rows that are worked on together: their columns fit into the first-level cache.
-constexpr Eigen::Index kBlock = 256;
-
 double x_log_x(double x) { return x > 0.0 ? x * std::log(x) : 0.0; }
 
 }  // namespace
@@ -22,12 +19,12 @@ BinomialLikelihood binomial_likelihood(const Eigen::MatrixXd& design,
   BinomialLikelihood result;
   result.gradient = Eigen::VectorXd::Zero(columns);
   result.information = Eigen::MatrixXd::Zero(columns, columns);
-  Eigen::VectorXd eta(kBlock);
-  Eigen::VectorXd residual(kBlock);
-  Eigen::VectorXd weight(kBlock);
-  Eigen::MatrixXd weighted(kBlock, columns);
-  for (Eigen::Index first = 0; first < design.rows(); first += kBlock) {
-    const Eigen::Index size = std::min(kBlock, design.rows() - first);
+  Eigen::VectorXd eta(kRowsAtOnce);
+  Eigen::VectorXd residual(kRowsAtOnce);
+  Eigen::VectorXd weight(kRowsAtOnce);
+  Eigen::MatrixXd weighted(kRowsAtOnce, columns);
+  for (Eigen::Index first = 0; first < design.rows(); first += kRowsAtOnce) {
+    const Eigen::Index size = std::min(kRowsAtOnce, design.rows() - first);
     const auto block = design.middleRows(first, size);
     eta.head(size).noalias() = block * coefficients;
     if (rows.offset.size() > 0) {

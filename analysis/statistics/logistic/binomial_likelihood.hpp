@@ -6,6 +6,9 @@
 
 namespace tcert::statistics {
 
+/// Rows that a likelihood works on together: their columns fit into the first-level cache.
+inline constexpr Eigen::Index kRowsAtOnce = 256;
+
 /// One entry a row; case weights are multiplied in, so neither needs to be whole.
 struct BinomialRows {
   Eigen::VectorXd successes;

@@ -1,16 +1,16 @@
 #include <statistics/logistic/binomial_newton.hpp>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <optional>
+#include <statistics/basics/linalg.hpp>
 #include <utility>
 
 namespace tcert::statistics {
 namespace {
 
 /// False if a pivot is nothing but rounding: a direction that no row with trials looks along.
-bool invertible(const Eigen::LLT<Eigen::MatrixXd>& cholesky) {
-  const Eigen::VectorXd pivots = Eigen::MatrixXd(cholesky.matrixLLT()).diagonal().cwiseAbs2();
+bool invertible(const Cholesky& cholesky) {
+  const Eigen::VectorXd pivots = cholesky.pivots().cwiseAbs2();
   return pivots.minCoeff() > 1e-14 * pivots.maxCoeff();
 }
 
@@ -24,8 +24,8 @@ std::optional<NewtonStep> newton_step(const BinomialLikelihood& at,
   if (gradient.size() == 0) {
     return NewtonStep{Eigen::VectorXd::Zero(at.gradient.size()), 0.0};
   }
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(information);
-  if (cholesky.info() != Eigen::Success || !invertible(cholesky)) {
+  const Cholesky cholesky(information);
+  if (!cholesky.succeeded() || !invertible(cholesky)) {
     return std::nullopt;
   }
   const Eigen::VectorXd step = cholesky.solve(gradient);

@@ -7,7 +7,7 @@ namespace tcert::statistics {
 namespace {
 
 /// A row is on the wrong side if its cosine with the direction is below minus this.
-constexpr double kTie = 1e-10;
+constexpr double kWrongSide = 1e-10;
 
 /// The rows that carry weight, and their weights: target + A(active)' u is the residual.
 class ActiveSet {
@@ -98,7 +98,7 @@ std::optional<Eigen::VectorXd> project_on_cone(const Eigen::MatrixXd& rows,
     }
     Eigen::Index worst = 0;
     const double margin = (rows * (set.residual() / length)).minCoeff(&worst);
-    if (margin >= -kTie) {
+    if (margin >= -kWrongSide) {
       return set.residual();
     }
     set.add(worst);

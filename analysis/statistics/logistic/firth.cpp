@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
+#include <statistics/basics/linalg.hpp>
 #include <statistics/basics/normal.hpp>
 #include <statistics/logistic/firth_newton.hpp>
 #include <statistics/logistic/likelihood_profile.hpp>
@@ -12,6 +12,7 @@
 #include <statistics/logistic/logistic_drop.hpp>
 #include <statistics/logistic/logistic_problem.hpp>
 #include <statistics/logistic/separation_words.hpp>
+#include <statistics/model/droppable_terms.hpp>
 
 namespace tcert::statistics {
 namespace {
@@ -41,11 +42,11 @@ class FirthMaximum {
       return std::nullopt;
     }
     const Eigen::MatrixXd functionals = back_(kept, Eigen::all).transpose();
-    const Eigen::MatrixXd lines = newton_.at.information.llt().solve(functionals);
+    const Eigen::MatrixXd lines = Cholesky(newton_.at.information).solve(functionals);
     const Eigen::MatrixXd products = functionals.transpose() * lines;
     const Eigen::VectorXd start =
         newton_.coefficients -
-        lines * products.ldlt().solve(functionals.transpose() * newton_.coefficients);
+        lines * solve_symmetric(products, functionals.transpose() * newton_.coefficients);
     const auto at_zero = maximise(start, orthogonal_complement(functionals));
     if (!at_zero) {
       return std::nullopt;
@@ -142,8 +143,7 @@ void add_separation(const LogisticInput& input, const LogisticProblem& problem, 
 
 void add_coefficients(const LogisticProblem& problem, const FirthMaximum& maximum, FirthFit& fit) {
   const Eigen::Index rank = problem.space.rank();
-  const Eigen::MatrixXd inverse =
-      maximum.newton().at.information.llt().solve(Eigen::MatrixXd::Identity(rank, rank));
+  const Eigen::MatrixXd inverse = Cholesky(maximum.newton().at.information).inverse();
   const Eigen::MatrixXd covariance = maximum.back() * inverse * maximum.back().transpose();
   const Eigen::VectorXd estimates = maximum.back() * maximum.newton().coefficients;
   const double factor = normal_factor(fit.options.level);
@@ -239,36 +239,8 @@ void add_solution(const LogisticInput& input, const LogisticProblem& problem, Fi
 FirthFit fit_firth(const LogisticInput& input, const FirthOptions& options) {
   FirthFit fit;
   fit.options = options;
-  fit.conditions = input.conditions;
-  for (const std::string& column : input.columns) {
-    FirthCoefficient coefficient;
-    coefficient.column = column;
-    fit.coefficients.push_back(std::move(coefficient));
-  }
-  const Eigen::Index columns = input.design.cols();
-  fit.covariance =
-      Eigen::MatrixXd::Constant(columns, columns, std::numeric_limits<double>::quiet_NaN());
-  if (has_error(fit.conditions)) {
-    return fit;
-  }
-  check_lengths(input, options.level);
-  add_value_conditions(input, fit.conditions);
-  if (has_error(fit.conditions)) {
-    return fit;
-  }
-  const LogisticProblem problem = logistic_problem(input);
-  fit.rows = static_cast<std::size_t>(problem.size());
-  fit.rank = static_cast<std::size_t>(problem.space.rank());
-  fit.df_residual = fit.rows - fit.rank;
-  add_outcome_conditions(input, problem, fit.conditions);
-  if (problem.size() > 0) {
-    add_rank_conditions(input, problem, fit.conditions);
-    for (const std::size_t j : problem.space.dropped) {
-      fit.coefficients[j].kind = CoefficientKind::not_estimable;
-    }
-  }
-  if (!has_error(fit.conditions)) {
-    add_solution(input, problem, fit);
+  if (const auto problem = begin_fit(input, add_outcome_conditions, fit)) {
+    add_solution(input, *problem, fit);
   }
   return fit;
 }

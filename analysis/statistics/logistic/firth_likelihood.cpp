@@ -1,15 +1,12 @@
 #include <statistics/logistic/firth_likelihood.hpp>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <statistics/basics/linalg.hpp>
 
 namespace tcert::statistics {
 namespace {
-
-/// Rows that are worked on together: their columns fit into the first-level cache.
-constexpr Eigen::Index kBlock = 256;
 
 /// Derivatives of a row's weight by its linear predictor.
 struct Weight {
@@ -31,24 +28,24 @@ Weight weight_of(double eta, double trials) {
 void add_penalty(const Eigen::MatrixXd& design,
                  const BinomialRows& rows,
                  const Eigen::VectorXd& coefficients,
-                 const Eigen::LLT<Eigen::MatrixXd>& cholesky,
+                 const Cholesky& cholesky,
                  FirthLikelihood& result) {
   const Eigen::Index columns = design.cols();
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(columns * columns, columns);
   Eigen::MatrixXd second = Eigen::MatrixXd::Zero(columns, columns);
-  Eigen::VectorXd eta = Eigen::VectorXd::Zero(kBlock);
-  Eigen::VectorXd correction = Eigen::VectorXd::Zero(kBlock);
-  Eigen::VectorXd by_second = Eigen::VectorXd::Zero(kBlock);
-  Eigen::VectorXd by_first = Eigen::VectorXd::Zero(kBlock);
-  for (Eigen::Index first = 0; first < design.rows(); first += kBlock) {
-    const Eigen::Index size = std::min(kBlock, design.rows() - first);
+  Eigen::VectorXd eta = Eigen::VectorXd::Zero(kRowsAtOnce);
+  Eigen::VectorXd correction = Eigen::VectorXd::Zero(kRowsAtOnce);
+  Eigen::VectorXd by_second = Eigen::VectorXd::Zero(kRowsAtOnce);
+  Eigen::VectorXd by_first = Eigen::VectorXd::Zero(kRowsAtOnce);
+  for (Eigen::Index first = 0; first < design.rows(); first += kRowsAtOnce) {
+    const Eigen::Index size = std::min(kRowsAtOnce, design.rows() - first);
     const auto block = design.middleRows(first, size);
     eta.head(size).noalias() = block * coefficients;
     if (rows.offset.size() > 0) {
       eta.head(size) += rows.offset.segment(first, size);
     }
     // Rows z_i = L^-1 x_i, so that q_i = |z_i|^2.
-    const Eigen::MatrixXd whitened = cholesky.matrixL().solve(block.transpose()).transpose();
+    const Eigen::MatrixXd whitened = cholesky.whiten(block.transpose().eval()).transpose();
     for (Eigen::Index i = 0; i < size; ++i) {
       const Weight weight = weight_of(eta[i], rows.trials[first + i]);
       const double q = whitened.row(i).squaredNorm();
@@ -78,9 +75,9 @@ FirthLikelihood firth_likelihood(const Eigen::MatrixXd& design,
   result.gradient = plain.gradient;
   result.information = plain.information;
   result.curvature = plain.information;
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(plain.information);
-  const Eigen::VectorXd pivots = Eigen::MatrixXd(cholesky.matrixLLT()).diagonal();
-  const bool invertible = cholesky.info() == Eigen::Success && (pivots.array() > 0.0).all();
+  const Cholesky cholesky(plain.information);
+  const Eigen::VectorXd pivots = cholesky.pivots();
+  const bool invertible = cholesky.succeeded() && (pivots.array() > 0.0).all();
   if (!invertible || !std::isfinite(plain.log_likelihood)) {
     result.value = -std::numeric_limits<double>::infinity();
     return result;

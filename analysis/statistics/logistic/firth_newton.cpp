@@ -1,7 +1,7 @@
 #include <statistics/logistic/firth_newton.hpp>
 
-#include <Eigen/Cholesky>
 #include <cmath>
+#include <statistics/basics/linalg.hpp>
 #include <utility>
 
 namespace tcert::statistics {
@@ -9,8 +9,8 @@ namespace {
 
 std::optional<NewtonStep> step_by(const Eigen::MatrixXd& curvature,
                                   const Eigen::VectorXd& gradient) {
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(curvature);
-  if (cholesky.info() != Eigen::Success) {
+  const Cholesky cholesky(curvature);
+  if (!cholesky.succeeded()) {
     return std::nullopt;
   }
   Eigen::VectorXd direction = cholesky.solve(gradient);

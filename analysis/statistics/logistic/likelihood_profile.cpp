@@ -1,9 +1,9 @@
 #include <statistics/logistic/likelihood_profile.hpp>
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <cmath>
 #include <limits>
+#include <statistics/basics/linalg.hpp>
 #include <statistics/basics/normal.hpp>
 #include <utility>
 
@@ -11,11 +11,11 @@ namespace tcert::statistics {
 namespace {
 
 /// The likelihood along one coefficient: functional' gamma, maximised over the rest.
-class Profile {
+class CoefficientProfile {
  public:
-  Profile(const ProfilePoint& maximum,
-          const Eigen::VectorXd& functional,
-          const ConstrainedMaximum& maximise)
+  CoefficientProfile(const ProfilePoint& maximum,
+                     const Eigen::VectorXd& functional,
+                     const ConstrainedMaximum& maximise)
       : maximise_(maximise),
         functional_(functional),
         others_(orthogonal_complement(functional)),
@@ -25,7 +25,7 @@ class Profile {
   /// Goes to value `to` of the coefficient; false if the rest cannot be maximised there.
   bool move(double to) {
     // Along the line on which the others stay best as far as the curvature here can tell.
-    const Eigen::VectorXd line = at_.information.llt().solve(functional_);
+    const Eigen::VectorXd line = Cholesky(at_.information).solve(functional_);
     const Eigen::VectorXd start =
         at_.coefficients + line * ((to - value()) / functional_.dot(line));
     std::optional<ProfilePoint> next = maximise_(start, others_);
@@ -55,7 +55,10 @@ class Profile {
 /// Where the root of the drop is `target` on the side of `sign`. The root is nearly linear in the
 /// coefficient, so Newton's method needs a few steps; they are kept within the bracket found so
 /// far.
-std::optional<double> end_along(Profile profile, double error, double target, double sign) {
+std::optional<double> end_along(CoefficientProfile profile,
+                                double error,
+                                double target,
+                                double sign) {
   double inside = profile.value();
   double outside = sign * std::numeric_limits<double>::infinity();
   double next = inside + sign * target * error;
@@ -91,8 +94,9 @@ std::optional<double> profile_end(const ProfilePoint& maximum,
                                   const ConstrainedMaximum& maximise,
                                   double level,
                                   double sign) {
-  const double error = std::sqrt(functional.dot(maximum.information.llt().solve(functional)));
-  return end_along(Profile(maximum, functional, maximise), error, normal_factor(level), sign);
+  const double error = std::sqrt(functional.dot(Cholesky(maximum.information).solve(functional)));
+  return end_along(
+      CoefficientProfile(maximum, functional, maximise), error, normal_factor(level), sign);
 }
 
 std::optional<Interval> profile_interval(const ProfilePoint& maximum,

@@ -2,46 +2,40 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <statistics/basics/few_clusters.hpp>
+#include <statistics/basics/linalg.hpp>
 #include <statistics/basics/normal.hpp>
 #include <statistics/logistic/logistic_checks.hpp>
 #include <statistics/logistic/logistic_problem.hpp>
 #include <statistics/logistic/near_separation.hpp>
 #include <statistics/logistic/separation_words.hpp>
 #include <stdexcept>
+#include <table/not_a_number.hpp>
 #include <utility>
 
 namespace tcert::statistics {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-Condition error(ConditionKind kind, std::string column, std::string detail) {
-  return {kind, ConditionSeverity::error, std::move(column), std::move(detail)};
-}
-
-void add_outcome_conditions(const LogisticInput& input,
-                            const LogisticProblem& problem,
-                            Conditions& conditions) {
+void add_outcome_errors(const LogisticInput& input,
+                        const LogisticProblem& problem,
+                        Conditions& conditions) {
   const double successes = problem.rows.successes.sum();
   const bool none = (problem.rows.successes.array() == 0.0).all();
   const bool all = (problem.rows.successes.array() == problem.rows.trials.array()).all();
   if (problem.size() == 0) {
-    conditions.push_back(error(ConditionKind::no_rows, "", ""));
+    conditions.push_back(error_of(ConditionKind::no_rows, "", ""));
   } else if (none || all) {
     conditions.push_back(
-        error(ConditionKind::one_class,
-              input.response,
-              fmt::format("{} of {} are successes", successes, problem.rows.trials.sum())));
+        error_of(ConditionKind::one_class,
+                 input.response,
+                 fmt::format("{} of {} are successes", successes, problem.rows.trials.sum())));
   } else if (problem.space.rank() == problem.size() && !problem.space.dropped.empty()) {
     conditions.push_back(
-        error(ConditionKind::too_few_rows,
-              "",
-              fmt::format("{} for {} coefficients", problem.size(), input.columns.size())));
+        error_of(ConditionKind::too_few_rows,
+                 "",
+                 fmt::format("{} for {} coefficients", problem.size(), input.columns.size())));
   }
 }
 
@@ -106,15 +100,14 @@ Eigen::MatrixXd basis_covariance(const LogisticInput& input,
                                  const NewtonResult& newton,
                                  LogisticFit& fit) {
   const Eigen::Index rank = problem.space.rank();
-  const Eigen::MatrixXd inverse =
-      newton.at.information.llt().solve(Eigen::MatrixXd::Identity(rank, rank));
+  const Eigen::MatrixXd inverse = Cholesky(newton.at.information).inverse();
   if (fit.variance == CoefficientVariance::model) {
     return inverse;
   }
   const Eigen::MatrixXd products =
       score_products(input, problem, newton.coefficients, fit.clusters);
   if (fit.clusters < 2) {
-    return Eigen::MatrixXd::Constant(rank, rank, kNan);
+    return Eigen::MatrixXd::Constant(rank, rank, table::kNaN);
   }
   return inverse * products * inverse;
 }
@@ -171,7 +164,7 @@ void withhold_runaways(const LogisticInput& input,
   if (!(newton.at.largest_eta > kSuspiciousEta)) {
     return;
   }
-  const Eigen::LLT<Eigen::MatrixXd> information(newton.at.information);
+  const Cholesky information(newton.at.information);
   Eigen::VectorXd variances(scaled.back.rows());
   for (Eigen::Index k = 0; k < variances.size(); ++k) {
     const Eigen::VectorXd functional = scaled.back.row(k).transpose();
@@ -291,7 +284,7 @@ void set_limits(const LogisticProblem& problem,
                 const std::vector<bool>& overlaps,
                 Eigen::VectorXd& fitted) {
   const Eigen::VectorXd finite = fitted;
-  fitted.setConstant(kNan);
+  fitted.setConstant(table::kNaN);
   for (std::size_t i = 0; i < overlaps.size(); ++i) {
     const Eigen::Index row = problem.used[i];
     const bool success = problem.rows.successes[static_cast<Eigen::Index>(i)] > 0.0;
@@ -325,12 +318,12 @@ void add_solution(const LogisticInput& input, const LogisticProblem& problem, Lo
   fit.last_step = newton.last_step;
   fit.gradient_norm = newton.at.gradient.norm();
   if (!newton.converged()) {
-    fit.conditions.push_back(error(ConditionKind::not_converged,
-                                   "",
-                                   fmt::format("{} after {} iterations, gradient {:.2g}",
-                                               to_string(newton.termination),
-                                               newton.iterations,
-                                               fit.gradient_norm)));
+    fit.conditions.push_back(error_of(ConditionKind::not_converged,
+                                      "",
+                                      fmt::format("{} after {} iterations, gradient {:.2g}",
+                                                  to_string(newton.termination),
+                                                  newton.iterations,
+                                                  fit.gradient_norm)));
     return;
   }
   const bool separated = fit.separation != Separation::none;
@@ -358,36 +351,9 @@ LogisticFit fit_logistic(const LogisticInput& input, const LogisticOptions& opti
   fit.options = options;
   fit.variance = options.variance;
   fit.clustered = input.cluster && options.variance == CoefficientVariance::robust;
-  fit.conditions = input.conditions;
-  for (const std::string& column : input.columns) {
-    LogisticCoefficient coefficient;
-    coefficient.column = column;
-    fit.coefficients.push_back(std::move(coefficient));
-  }
-  const Eigen::Index columns = input.design.cols();
-  fit.covariance = Eigen::MatrixXd::Constant(columns, columns, kNan);
   fit.rows = static_cast<std::size_t>(input.design.rows());
-  if (has_error(fit.conditions)) {
-    return fit;
-  }
-  check_lengths(input, options.level);
-  add_value_conditions(input, fit.conditions);
-  if (has_error(fit.conditions)) {
-    return fit;
-  }
-  const LogisticProblem problem = logistic_problem(input);
-  fit.rows = static_cast<std::size_t>(problem.size());
-  fit.rank = static_cast<std::size_t>(problem.space.rank());
-  fit.df_residual = fit.rows - fit.rank;
-  add_outcome_conditions(input, problem, fit.conditions);
-  if (problem.size() > 0) {
-    add_rank_conditions(input, problem, fit.conditions);
-    for (const std::size_t j : problem.space.dropped) {
-      fit.coefficients[j].kind = CoefficientKind::not_estimable;
-    }
-  }
-  if (!has_error(fit.conditions)) {
-    add_solution(input, problem, fit);
+  if (const auto problem = begin_fit(input, add_outcome_errors, fit)) {
+    add_solution(input, *problem, fit);
   }
   return fit;
 }

@@ -1,40 +1,12 @@
 #include <statistics/logistic/logistic_drop.hpp>
 
 #include <algorithm>
-#include <boost/math/special_functions/gamma.hpp>
+#include <statistics/basics/chi_square.hpp>
 #include <statistics/logistic/logistic_problem.hpp>
-#include <string_view>
+#include <statistics/model/droppable_terms.hpp>
 
 namespace tcert::statistics {
 namespace {
-
-/// The variables of a term: parts between colons that no parenthesis encloses, sorted.
-std::vector<std::string> variables_of(std::string_view term) {
-  std::vector<std::string> variables(1);
-  int depth = 0;
-  for (const char c : term) {
-    depth += (c == '(' ? 1 : 0) - (c == ')' ? 1 : 0);
-    if (c == ':' && depth == 0) {
-      variables.emplace_back();
-    } else {
-      variables.back() += c;
-    }
-  }
-  std::sort(variables.begin(), variables.end());
-  return variables;
-}
-
-bool is_contained(const std::vector<std::string>& terms, std::size_t term) {
-  const std::vector<std::string> small = variables_of(terms[term]);
-  for (std::size_t other = 0; other < terms.size(); ++other) {
-    const std::vector<std::string> large = variables_of(terms[other]);
-    if (other != term && large.size() > small.size() &&
-        std::includes(large.begin(), large.end(), small.begin(), small.end())) {
-      return true;
-    }
-  }
-  return false;
-}
 
 DroppedTerm dropped(const LogisticInput& input,
                     std::size_t term,
@@ -57,23 +29,12 @@ DroppedTerm dropped(const LogisticInput& input,
   }
   result.chi_squared = std::max(0.0, *result.deviance - *whole.deviance);
   if (result.df > 0) {
-    result.p_value =
-        boost::math::gamma_q(0.5 * static_cast<double>(result.df), 0.5 * *result.chi_squared);
+    result.p_value = chi_square_tail(*result.chi_squared, result.df);
   }
   return result;
 }
 
 }  // namespace
-
-std::vector<std::size_t> droppable_terms(const std::vector<std::string>& terms) {
-  std::vector<std::size_t> droppable;
-  for (std::size_t term = 0; term < terms.size(); ++term) {
-    if (!is_contained(terms, term)) {
-      droppable.push_back(term);
-    }
-  }
-  return droppable;
-}
 
 LogisticInput without_term(const LogisticInput& input, std::size_t term) {
   LogisticInput reduced = input;

@@ -27,9 +27,6 @@ struct DroppedTerm {
 [[nodiscard]] std::vector<DroppedTerm> drop_terms(const LogisticInput& input,
                                                   const NewtonOptions& options = {});
 
-/// Indices of the terms that no other term contains: those that may be left out alone.
-[[nodiscard]] std::vector<std::size_t> droppable_terms(const std::vector<std::string>& terms);
-
 /// The input without the columns of a term (an index into `terms`, which stay as they are).
 [[nodiscard]] LogisticInput without_term(const LogisticInput& input, std::size_t term);
 

@@ -1,6 +1,6 @@
 #include <statistics/logistic/logistic_problem.hpp>
 
-#include <Eigen/Cholesky>
+#include <statistics/basics/linalg.hpp>
 
 namespace tcert::statistics {
 namespace {
@@ -79,7 +79,7 @@ Eigen::VectorXd starting_point(const LogisticProblem& problem) {
   const Eigen::VectorXd weight = problem.rows.trials.array() * share * (1.0 - share);
   const Eigen::VectorXd wanted = (share / (1.0 - share)).log() - problem.rows.offset.array();
   const Eigen::MatrixXd normal = basis.transpose() * weight.asDiagonal() * basis;
-  return normal.ldlt().solve(basis.transpose() * weight.cwiseProduct(wanted));
+  return solve_symmetric(normal, basis.transpose() * weight.cwiseProduct(wanted));
 }
 
 LogisticMaximum maximum_of(const LogisticInput& input,

@@ -1,7 +1,7 @@
 #include <statistics/logistic/near_separation.hpp>
 
-#include <Eigen/Cholesky>
 #include <cmath>
+#include <statistics/basics/linalg.hpp>
 #include <statistics/basics/runaway.hpp>
 
 namespace tcert::statistics {
@@ -17,8 +17,7 @@ std::vector<bool> ran_away(const LogisticInput& input,
     return result;
   }
   const Eigen::MatrixXd& basis = problem.space.basis;
-  const Eigen::LLT<Eigen::MatrixXd> even(basis.transpose() *
-                                         (0.25 * problem.rows.trials).asDiagonal() * basis);
+  const Cholesky even(basis.transpose() * (0.25 * problem.rows.trials).asDiagonal() * basis);
   const double trials = problem.rows.trials.sum();
   bool any = false;
   std::vector<std::size_t> without_spread;

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <statistics/model/expression.hpp>
 #include <table/cell_reading.hpp>
 #include <table/csv_write.hpp>
 #include <table/diagnostic.hpp>
 #include <table/nearest_name.hpp>
+#include <table/not_a_number.hpp>
 #include <table/outcome_word.hpp>
 
 namespace tcert::statistics {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string column_of(const table::DataTable& table, const std::string& column) {
   return "column '" + column + "' of " + table.file;
@@ -42,7 +40,7 @@ OutcomeCoding coding_of(const table::Factor& text, const std::vector<double>& va
   OutcomeCoding coding;
   coding.values.reserve(text.codes.size());
   for (const std::uint32_t code : text.codes) {
-    coding.values.push_back(code == table::Factor::kMissing ? kNaN : value_of[code]);
+    coding.values.push_back(code == table::Factor::kMissing ? table::kNaN : value_of[code]);
   }
   for (std::size_t level = 0; level < value_of.size(); ++level) {
     add_word(value_of[level] == 1.0 ? coding.success : coding.failure, text.levels[level]);
@@ -57,7 +55,7 @@ std::vector<double> values_by_words(const table::Factor& text) {
     const table::OutcomeWord word = table::outcome_of_cell(level);
     values.push_back(word == table::OutcomeWord::success   ? 1.0
                      : word == table::OutcomeWord::failure ? 0.0
-                                                           : kNaN);
+                                                           : table::kNaN);
   }
   return values;
 }
@@ -110,7 +108,7 @@ OutcomeCoding texts_by_name(const table::DataTable& table,
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const bool is_missing_word =
         table::read_cell(levels[level]).meaning == table::CellMeaning::missing_word;
-    checked[level] = is_missing_word && value_of[level] == 0.0 ? kNaN : value_of[level];
+    checked[level] = is_missing_word && value_of[level] == 0.0 ? table::kNaN : value_of[level];
   }
   require_values(table, column, checked, "an outcome");
   return coding_of(column.text, value_of);
@@ -134,7 +132,7 @@ OutcomeCoding numbers_by_name(const table::DataTable& table,
   }
   for (double& x : coding.values) {
     const bool is_success = std::find(wanted.begin(), wanted.end(), x) != wanted.end();
-    x = std::isnan(x) ? kNaN : is_success ? 1.0 : 0.0;
+    x = std::isnan(x) ? table::kNaN : is_success ? 1.0 : 0.0;
   }
   return coding;
 }

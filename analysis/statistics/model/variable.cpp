@@ -4,18 +4,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <statistics/model/stray_text.hpp>
 #include <string_view>
 #include <table/cell_reading.hpp>
 #include <table/csv_write.hpp>
 #include <table/nearest_name.hpp>
+#include <table/not_a_number.hpp>
 #include <utility>
 
 namespace tcert::statistics {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct Function {
   std::string_view name;
@@ -392,7 +390,7 @@ class Evaluation {
     }
     const Variable names = factor(subject);
     refuse_missing_words(call, names.factor, text);
-    Variable result{Variable::Kind::truth, std::vector<double>(table_.rows, kNaN), {}};
+    Variable result{Variable::Kind::truth, std::vector<double>(table_.rows, table::kNaN), {}};
     for (std::size_t row = 0; row < table_.rows; ++row) {
       if (!names.is_missing(row)) {
         const bool equal = names.factor.levels[names.factor.codes[row]] == text;
@@ -435,7 +433,7 @@ class Evaluation {
     const std::vector<double> b = numbers(right, call);
     for (std::size_t row = 0; row < a.size(); ++row) {
       const bool missing = std::isnan(a[row]) || std::isnan(b[row]);
-      a[row] = missing ? kNaN : arithmetic.value(a[row], b[row]);
+      a[row] = missing ? table::kNaN : arithmetic.value(a[row], b[row]);
     }
     return {arithmetic.is_comparison ? Variable::Kind::truth : Variable::Kind::number,
             std::move(a),

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <statistics/basics/normal.hpp>
 #include <statistics/basics/student_t.hpp>
 #include <stdexcept>
 #include <string>
+#include <table/not_a_number.hpp>
 #include <utility>
 
 namespace tcert::statistics {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 struct Endpoint {
   double value = 0.0;
@@ -109,7 +107,7 @@ std::optional<std::pair<double, double>> bca_levels(const BootstrapDistribution&
   const auto adjusted = [&](double alpha) {
     const double z = w + normal_quantile(alpha);
     const double scale = 1.0 - *acceleration * z;
-    return scale > 0.0 ? normal_cdf(w + z / scale) : kNan;
+    return scale > 0.0 ? normal_cdf(w + z / scale) : table::kNaN;
   };
   const double low = adjusted((1.0 - level) / 2.0);
   const double high = adjusted((1.0 + level) / 2.0);
@@ -157,7 +155,7 @@ BootstrapInterval bootstrap_interval(const BootstrapDistribution& distribution,
     throw std::invalid_argument("bootstrap: level must be in (0, 1)");
   }
   BootstrapInterval result;
-  result.low_rank = result.high_rank = kNan;
+  result.low_rank = result.high_rank = table::kNaN;
   if (!usable(distribution, result.conditions)) {
     return result;
   }

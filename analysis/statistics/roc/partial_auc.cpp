@@ -6,7 +6,7 @@ namespace tcert::statistics {
 namespace {
 
 // A curve on the diagonal itself may come out below it by rounding.
-constexpr double kRounding = 1e-12;
+constexpr double kAreaRounding = 1e-12;
 
 /// Area under the line from (x0, y0) to (x1, y1), x0 <= x1, where x is in [low, high].
 double clipped_area(double x0, double y0, double x1, double y1, double low, double high) {
@@ -44,7 +44,7 @@ PartialAuc partial_auc(const RocCurve& curve, double low, double high, RocFocus 
   result.area = area;
   const double most = high - low;
   const double by_chance = (2.0 - (low + high)) * most / 2.0;
-  if (area < by_chance - kRounding) {
+  if (area < by_chance - kAreaRounding) {
     result.conditions.push_back(
         {ConditionKind::below_diagonal, ConditionSeverity::warning, "", ""});
   } else {

@@ -14,7 +14,7 @@
 namespace tcert::statistics {
 namespace {
 
-struct Rows {
+struct IncidenceRows {
   const SurvivalOutcome* outcome = nullptr;
   const std::vector<std::uint32_t>* cause = nullptr;
   const IncidenceOptions* options = nullptr;
@@ -31,7 +31,7 @@ struct Rows {
 
 /// Times and risk sets, added up from the last time so that the smallest are the most exact. Rows
 /// are counted beside their weights, so that a set that empties leaves no rounding behind.
-void fill_risk_sets(const Rows& rows, IncidenceCurves& curves) {
+void fill_risk_sets(const IncidenceRows& rows, IncidenceCurves& curves) {
   const auto& [start, stop, event] = *rows.outcome;
   for (const std::uint32_t row : rows.stops) {
     if (curves.time.empty() || curves.time.back() != stop[row]) {
@@ -123,7 +123,7 @@ class CauseWalk {
 /// Walks up the curves of one group.
 class GroupWalk {
  public:
-  GroupWalk(const Rows& rows, std::size_t clusters, IncidenceCurves& curves)
+  GroupWalk(const IncidenceRows& rows, std::size_t clusters, IncidenceCurves& curves)
       : rows_(&rows),
         curves_(&curves),
         free_(clusters),
@@ -204,7 +204,7 @@ class GroupWalk {
             : 0.0);
   }
 
-  const Rows* rows_;
+  const IncidenceRows* rows_;
   IncidenceCurves* curves_;
   InfluenceSums free_;  ///< Of log S.
   std::vector<CauseWalk> causes_;
@@ -245,7 +245,7 @@ void forget_variances(IncidenceCurves& curves) {
   }
 }
 
-void name_conditions(const Rows& rows, IncidenceCurves& curves) {
+void name_conditions(const IncidenceRows& rows, IncidenceCurves& curves) {
   if (curves.rows == 0) {
     curves.conditions.push_back(
         {ConditionKind::no_rows, ConditionSeverity::error, {}, curves.group});
@@ -282,7 +282,7 @@ std::vector<IncidenceCurves> cumulative_incidence(CompetingOutcome outcome,
                                      groups);
   std::vector<IncidenceCurves> result(groups);
   for (std::size_t g = 0; g < groups; ++g) {
-    const Rows rows{&any, &outcome.cause, &options, order.stops_of(g), order.starts_of(g)};
+    const IncidenceRows rows{&any, &outcome.cause, &options, order.stops_of(g), order.starts_of(g)};
     IncidenceCurves& curves = result[g];
     curves.group = options.groups == nullptr ? std::string() : options.groups->levels[g];
     curves.rows = rows.stops.size();

@@ -12,12 +12,12 @@ namespace tcert::statistics {
 namespace {
 
 /// Sums over the event times of one stratum.
-class Stratum {
+class LogRankStratum {
  public:
-  Stratum(const SurvivalOutcome& outcome,
-          const table::Factor& groups,
-          std::span<const std::uint32_t> stops,
-          std::span<const std::uint32_t> starts)
+  LogRankStratum(const SurvivalOutcome& outcome,
+                 const table::Factor& groups,
+                 std::span<const std::uint32_t> stops,
+                 std::span<const std::uint32_t> starts)
       : outcome_(&outcome),
         groups_(&groups),
         stops_(stops),
@@ -183,7 +183,7 @@ LogRankTest log_rank_test(const SurvivalOutcome& outcome,
   test.covariance = Eigen::MatrixXd::Zero(k, k);
   std::vector<Eigen::Index> present;
   for (std::size_t s = 0; s < order.groups(); ++s) {
-    Stratum stratum(outcome, groups, order.stops_of(s), order.starts_of(s));
+    LogRankStratum stratum(outcome, groups, order.stops_of(s), order.starts_of(s));
     stratum.for_each_event_time([&](double events,
                                     double all,
                                     const Eigen::VectorXd& events_of,

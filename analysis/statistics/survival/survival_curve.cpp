@@ -12,7 +12,7 @@
 namespace tcert::statistics {
 namespace {
 
-struct Rows {
+struct CurveRows {
   const SurvivalOutcome* outcome = nullptr;
   const CurveOptions* options = nullptr;
   std::span<const std::uint32_t> stops;
@@ -26,7 +26,7 @@ struct Rows {
 
 /// Risk sets, added up from the last time so that the smallest are the most exact. With late entry
 /// rows are counted beside their weights, so that a set that empties leaves no rounding behind.
-void fill_risk_sets(const Rows& rows, std::vector<SurvivalPoint>& points) {
+void fill_risk_sets(const CurveRows& rows, std::vector<SurvivalPoint>& points) {
   const auto& [start, stop, event] = *rows.outcome;
   points.reserve(rows.stops.size());  // its pages are not touched before they are used
   for (const std::uint32_t row : rows.stops) {
@@ -125,7 +125,7 @@ class RobustVariance {
 /// Walks up a curve.
 class CurveWalk {
  public:
-  CurveWalk(const Rows& rows, std::size_t clusters)
+  CurveWalk(const CurveRows& rows, std::size_t clusters)
       : rows_(&rows),
         survival_variance_(rows.robust ? clusters : 0),
         hazard_variance_(rows.robust ? clusters : 0) {
@@ -216,7 +216,7 @@ class CurveWalk {
     }
   }
 
-  const Rows* rows_;
+  const CurveRows* rows_;
   RobustVariance survival_variance_;
   RobustVariance hazard_variance_;
   std::size_t entered_ = 0;
@@ -295,11 +295,11 @@ std::vector<SurvivalCurve> survival_curves(const SurvivalOutcome& outcome,
                                       [](double weight) { return weight != std::floor(weight); });
   std::vector<SurvivalCurve> curves(groups);
   for (std::size_t g = 0; g < groups; ++g) {
-    const Rows rows{&outcome,
-                    &options,
-                    order.stops_of(g),
-                    order.starts_of(g),
-                    options.cluster != nullptr || fractional};
+    const CurveRows rows{&outcome,
+                         &options,
+                         order.stops_of(g),
+                         order.starts_of(g),
+                         options.cluster != nullptr || fractional};
     SurvivalCurve& curve = curves[g];
     curve.group = options.groups == nullptr ? std::string() : options.groups->levels[g];
     curve.rows = rows.stops.size();

@@ -1,15 +1,13 @@
 #include <statistics/survival/survival_interval.hpp>
 
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <statistics/basics/normal.hpp>
 #include <stdexcept>
+#include <table/not_a_number.hpp>
 
 namespace tcert::statistics {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Into [low, high], NaN kept.
 double clamp(double value, double low, double high) {
@@ -27,7 +25,7 @@ Interval survival_interval(double p, double log_std_error, IntervalScale scale, 
   if (!(level > 0.0 && level < 1.0)) {
     throw std::invalid_argument("survival interval: level must be in (0, 1)");
   }
-  const double half = std::numbers::sqrt2 * boost::math::erf_inv(level) * log_std_error;
+  const double half = normal_factor(level) * log_std_error;
   switch (scale) {
     case IntervalScale::log:
       if (p == 0.0) {
@@ -66,7 +64,7 @@ Interval survival_interval(double p, double log_std_error, IntervalScale scale, 
               level};
     }
   }
-  return {kNan, kNan, level};
+  return {table::kNaN, table::kNaN, level};
 }
 
 }  // namespace tcert::statistics

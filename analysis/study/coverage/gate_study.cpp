@@ -44,10 +44,10 @@ struct Method {
   ConfidenceSet EvenChance::*set;
 };
 
-constexpr std::array kMethods = {Method{"fieller", &EvenChance::fieller},
-                                 Method{"profile", &EvenChance::profile},
-                                 Method{"bootstrap_percentile", &EvenChance::percentile},
-                                 Method{"bootstrap_bca", &EvenChance::bca}};
+constexpr std::array kGateMethods = {Method{"fieller", &EvenChance::fieller},
+                                     Method{"profile", &EvenChance::profile},
+                                     Method{"bootstrap_percentile", &EvenChance::percentile},
+                                     Method{"bootstrap_bca", &EvenChance::bca}};
 
 GateCoverage coverage_of(const Method& method, const std::vector<EvenChance>& all, double truth) {
   GateCoverage row;
@@ -126,7 +126,7 @@ GateSummary run_gates(const GateOptions& options) {
   summary.separated = options.studies - points.size();
   summary.mean_estimate_m /= static_cast<double>(points.size());
   summary.median_estimate_m = statistics::median(points).value_or(std::nan(""));
-  for (const Method& method : kMethods) {
+  for (const Method& method : kGateMethods) {
     summary.methods.push_back(coverage_of(method, found, summary.point_m));
   }
   return summary;

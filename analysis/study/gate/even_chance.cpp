@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <statistics/basics/normal.hpp>
 #include <statistics/logistic/logistic.hpp>
@@ -10,13 +9,12 @@
 #include <statistics/logistic/logistic_refit.hpp>
 #include <statistics/resampling/bootstrap.hpp>
 #include <stdexcept>
+#include <table/not_a_number.hpp>
 
 #include "analysis/study/gate/profile_point.hpp"
 
 namespace tcert::study {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 statistics::LogisticInput input_of(std::span<const double> x,
                                    std::span<const std::uint8_t> success) {
@@ -43,7 +41,7 @@ statistics::Statistic point_statistic(const statistics::LogisticInput& input) {
   statistic.values = 2;
   statistic.make_kernel = [refit]() -> statistics::StatisticKernel {
     return [refit](std::span<const std::uint32_t> multiplicity, std::span<double> values) {
-      values[0] = values[1] = kNaN;
+      values[0] = values[1] = table::kNaN;
       const statistics::LogisticReplicate replicate = refit->fit(multiplicity);
       if (replicate.coefficients) {
         const Eigen::VectorXd of_column = refit->column_coefficients(*replicate.coefficients);

@@ -23,7 +23,7 @@ namespace tcert::study {
 namespace {
 
 /// Streams of the seed; the panels must not share draws.
-constexpr std::uint32_t kFirstStream = 0x4831;  // "H1"
+constexpr std::uint32_t kH1Stream = 0x4831;  // "H1"
 
 void name_rows(const H1Data& data, H1Panel& panel) {
   for (std::size_t k = 0; k < data.names.size(); ++k) {
@@ -139,7 +139,7 @@ void bootstrap_rows(const H1Data& data,
   statistics::BootstrapOptions bootstrap_options;
   bootstrap_options.replicates = options.replicates;
   bootstrap_options.seed = options.seed;
-  bootstrap_options.analysis = kFirstStream + static_cast<std::uint32_t>(panel.kind);
+  bootstrap_options.analysis = kH1Stream + static_cast<std::uint32_t>(panel.kind);
   const statistics::BootstrapResult result =
       statistics::bootstrap(joint_statistic(data, layout, models), plan, bootstrap_options);
 

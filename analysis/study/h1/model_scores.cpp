@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <statistics/basics/standard_deviation.hpp>
 #include <statistics/concordance/concordance_replicates.hpp>
 #include <statistics/roc/auc_statistic.hpp>
+#include <table/not_a_number.hpp>
 
 namespace tcert::study {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Centred and scaled: a fit is the same, but better conditioned. A constant column is 0.
 Eigen::VectorXd standardised(const std::vector<double>& values) {
@@ -110,11 +108,11 @@ H1Model::H1Model(const H1Data& data, const std::vector<std::size_t>& columns) : 
 double H1Model::auc(std::span<const std::uint32_t> multiplicity) const {
   const statistics::LogisticReplicate fit = refit_->fit(multiplicity);
   if (!fit.coefficients) {
-    return kNaN;
+    return table::kNaN;
   }
   const Eigen::VectorXd predictor = refit_->linear_predictor(*fit.coefficients);
   const statistics::Score score{{predictor.data(), static_cast<std::size_t>(predictor.size())}};
-  double value = kNaN;
+  double value = table::kNaN;
   statistics::auc_statistic({&score, 1}, data_.success).make_kernel()(multiplicity, {&value, 1});
   return value;
 }
@@ -122,7 +120,7 @@ double H1Model::auc(std::span<const std::uint32_t> multiplicity) const {
 double H1Model::c(std::span<const std::uint32_t> multiplicity) const {
   const statistics::CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
   if (!usable(fit)) {
-    return kNaN;
+    return table::kNaN;
   }
   const Eigen::VectorXd risk = cox_.design * fit.beta;
   const statistics::Predictor predictor{"",
@@ -134,12 +132,13 @@ double H1Model::c(std::span<const std::uint32_t> multiplicity) const {
 
 double H1Model::added_logistic_coefficient(std::span<const std::uint32_t> multiplicity) const {
   const statistics::LogisticReplicate fit = refit_->fit(multiplicity);
-  return fit.coefficients ? refit_->column_coefficients(*fit.coefficients)(Eigen::last) : kNaN;
+  return fit.coefficients ? refit_->column_coefficients(*fit.coefficients)(Eigen::last)
+                          : table::kNaN;
 }
 
 double H1Model::added_cox_coefficient(std::span<const std::uint32_t> multiplicity) const {
   const statistics::CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
-  return usable(fit) && last_is_estimated(fit) ? fit.beta(Eigen::last) : kNaN;
+  return usable(fit) && last_is_estimated(fit) ? fit.beta(Eigen::last) : table::kNaN;
 }
 
 std::optional<std::vector<double>> H1Model::logistic_scores(

@@ -6,12 +6,15 @@
 namespace tcert::study {
 namespace {
 
-using Rows = std::span<const std::size_t>;
+using FoldRows = std::span<const std::size_t>;
 
 /// Scores of the held-out rows by a fit to the training rows; NaN if there is no estimate, which
 /// leaves the fold out.
 template <class Scores>
-std::vector<double> scored(std::size_t rows, Rows training, Rows held_out, const Scores& scores) {
+std::vector<double> scored(std::size_t rows,
+                           FoldRows training,
+                           FoldRows held_out,
+                           const Scores& scores) {
   std::vector<std::uint8_t> train(rows, 0);
   for (const std::size_t row : training) {
     train[row] = 1;
@@ -81,7 +84,7 @@ void add_out_of_fold(const H1Data& data,
     const H1Model& model = models.models[m];
     H1Row& row = panel.rows[predictors + m];
     const std::vector<double> logistic =
-        statistics::out_of_fold_scores(folds, [&](Rows training, Rows held_out) {
+        statistics::out_of_fold_scores(folds, [&](FoldRows training, FoldRows held_out) {
           return scored(data.rows(), training, held_out, [&](const auto& train) {
             return model.logistic_scores(train);
           });
@@ -90,7 +93,7 @@ void add_out_of_fold(const H1Data& data,
         statistics::out_of_fold_auc(folds, logistic, data.success), "out-of-fold AUC", row);
     if (data.censored) {
       const std::vector<double> cox =
-          statistics::out_of_fold_scores(folds, [&](Rows training, Rows held_out) {
+          statistics::out_of_fold_scores(folds, [&](FoldRows training, FoldRows held_out) {
             return scored(data.rows(), training, held_out, [&](const auto& train) {
               return model.cox_scores(train);
             });

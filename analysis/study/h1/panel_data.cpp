@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <statistics/basics/quantile.hpp>
 #include <statistics/model/stray_text.hpp>
 #include <statistics/model/variable.hpp>
@@ -11,11 +10,10 @@
 #include <statistics/survival/time_rounding.hpp>
 #include <table/csv_write.hpp>
 #include <table/nearest_name.hpp>
+#include <table/not_a_number.hpp>
 
 namespace tcert::study {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 statistics::Expression column_named(const std::string& name) {
   return {statistics::Expression::Kind::column, 0.0, name, {}};
@@ -53,7 +51,7 @@ bool is_there(const table::DataTable& table, const std::string& name) {
 
 /// All NaN if the table does not have it.
 std::vector<double> numbers_if_there(const table::DataTable& table, const std::string& column) {
-  return table.find(column) == nullptr ? std::vector<double>(table.rows, kNaN)
+  return table.find(column) == nullptr ? std::vector<double>(table.rows, table::kNaN)
                                        : numbers(table, column);
 }
 

@@ -22,11 +22,11 @@ namespace tcert::study {
 namespace {
 
 /// Streams of the seed; panels, resamples and permutations must not share draws.
-constexpr std::uint32_t kFirstStream = 0x48320000;  // "H2"
+constexpr std::uint32_t kH2Stream = 0x48320000;  // "H2"
 constexpr std::uint32_t kPanelStreams = 16;
 
 /// AUC, and C if there are times, of the predictor on all rows.
-statistics::Statistic scores_of(const H1Data& data) {
+statistics::Statistic statistic_of_all(const H1Data& data) {
   const statistics::Score score = data.score(0);
   statistics::Statistic auc = statistics::auc_statistic({&score, 1}, data.success);
   if (!data.censored) {
@@ -74,7 +74,7 @@ void bootstrap_levels(const H1Data& data,
   bootstrap_options.replicates = options.trials.replicates;
   bootstrap_options.seed = options.trials.seed;
   bootstrap_options.analysis =
-      kFirstStream + kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind);
+      kH2Stream + kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind);
   const bool has_strata = !panel.trials.within.columns.empty();
   const statistics::Statistic each =
       has_strata ? statistics::joined({scores, within_statistic(data)}) : scores;
@@ -121,9 +121,8 @@ std::optional<H2Equality> equality(const statistics::ScoresByGroup& by_level,
   statistics::PermutationOptions permutation;
   permutation.permutations = options.permutations;
   permutation.seed = options.trials.seed;
-  permutation.analysis = kFirstStream +
-                         kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind) + 1 +
-                         static_cast<std::uint32_t>(value);
+  permutation.analysis = kH2Stream + kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind) +
+                         1 + static_cast<std::uint32_t>(value);
   result.range = statistics::range_under_equality(
       data.group->codes,
       data.cluster.codes,
@@ -155,7 +154,7 @@ void score_within_strata(const H1Data& data, double level, H2Panel& panel) {
 
 void score_levels(const H1Data& data, const H2Options& options, H2Panel& panel) {
   const double level = options.trials.level;
-  const statistics::Statistic scores = scores_of(data);
+  const statistics::Statistic scores = statistic_of_all(data);
   const statistics::ScoresByGroup auc =
       statistics::auc_by_group(data.score(0), data.success, *data.group, data.cluster.codes, level);
   for (std::size_t g = 0; g < panel.levels.size(); ++g) {

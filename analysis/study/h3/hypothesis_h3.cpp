@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -13,6 +12,7 @@
 #include <statistics/resampling/bootstrap.hpp>
 #include <stdexcept>
 #include <table/csv_write.hpp>
+#include <table/not_a_number.hpp>
 #include <tuple>
 #include <utility>
 
@@ -23,14 +23,13 @@
 namespace tcert::study {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kH3Stream = 0x48330000;
 const char* const kAllLightings = "all";
 
 using CaseKey = std::pair<std::string, double>;
 
 /// The columns of the table, as they are used.
-struct Rows {
+struct ReplayRows {
   std::vector<std::string> trial, algorithm, lighting, cluster, law;
   std::vector<double> success, beta, length, time, gated_time, speed, gated_speed, latency, stalls,
       kept;
@@ -44,7 +43,7 @@ const table::DataColumn& column_of(const table::DataTable& table, const std::str
   return *column;
 }
 
-std::vector<double> numbers(const table::DataTable& table, const std::string& name) {
+std::vector<double> numbers_of(const table::DataTable& table, const std::string& name) {
   const table::DataColumn& column = column_of(table, name);
   if (column.is_text) {
     throw std::invalid_argument("h3: column '" + name + "' holds text, expected numbers");
@@ -65,28 +64,28 @@ std::vector<std::string> words(const table::DataTable& table, const std::string&
   return out;
 }
 
-Rows rows_of(const table::DataTable& table, const H3Options& options) {
-  Rows rows;
+ReplayRows rows_of(const table::DataTable& table, const H3Options& options) {
+  ReplayRows rows;
   rows.trial = words(table, "trial_id");
   rows.algorithm = words(table, "algorithm");
   rows.lighting = words(table, "lighting");
   rows.law = words(table, "speed_law");
   rows.cluster = words(table, options.cluster.empty() ? "trial_id" : options.cluster);
-  rows.success = numbers(table, "success");
-  rows.beta = numbers(table, "beta_per_m");
-  rows.length = numbers(table, "length_m");
-  rows.time = numbers(table, "logged_time_s");
-  rows.gated_time = numbers(table, "gated_time_s");
-  rows.speed = numbers(table, "speed_cmd_mps");
-  rows.gated_speed = numbers(table, "gated_speed_cmd_mps");
-  rows.latency = numbers(table, "loop_latency_ms");
-  rows.stalls = numbers(table, "stalls");
-  rows.kept = numbers(table, "kept");
+  rows.success = numbers_of(table, "success");
+  rows.beta = numbers_of(table, "beta_per_m");
+  rows.length = numbers_of(table, "length_m");
+  rows.time = numbers_of(table, "logged_time_s");
+  rows.gated_time = numbers_of(table, "gated_time_s");
+  rows.speed = numbers_of(table, "speed_cmd_mps");
+  rows.gated_speed = numbers_of(table, "gated_speed_cmd_mps");
+  rows.latency = numbers_of(table, "loop_latency_ms");
+  rows.stalls = numbers_of(table, "stalls");
+  rows.kept = numbers_of(table, "kept");
   return rows;
 }
 
 /// One trial of the two algorithms: the row of each case.
-struct Trial {
+struct H3Trial {
   bool baseline = false;
   bool success = false;
   std::map<CaseKey, std::size_t> row;
@@ -121,7 +120,7 @@ enum CaseValue : std::size_t {
 };
 
 double rate(double length_m, double time_s) {
-  return rate_of_advance(length_m, time_s).value_or(kNaN);
+  return rate_of_advance(length_m, time_s).value_or(table::kNaN);
 }
 
 /// Metres and seconds of both algorithms.
@@ -183,8 +182,8 @@ void rates(const Advance& advance,
 /// What is computed of one lighting.
 class Group {
  public:
-  Group(const Rows& rows,
-        const std::vector<Trial>& trials,
+  Group(const ReplayRows& rows,
+        const std::vector<H3Trial>& trials,
         const std::set<CaseKey>& cases,
         const H3Options& options)
       : rows_(rows), trials_(trials), cases_(cases.begin(), cases.end()), options_(options) {}
@@ -205,7 +204,7 @@ class Group {
                                                 const std::vector<double>& column,
                                                 const CaseKey* key = nullptr) const {
     std::vector<double> values;
-    for (const Trial& trial : trials_) {
+    for (const H3Trial& trial : trials_) {
       const double value = column[key == nullptr ? trial.any_row() : trial.row.at(*key)];
       if (trial.baseline == baseline && !std::isnan(value)) {
         values.push_back(value);
@@ -215,7 +214,7 @@ class Group {
   }
 
   void count() {
-    for (const Trial& trial : trials_) {
+    for (const H3Trial& trial : trials_) {
       (trial.baseline ? group_.baseline_trials : group_.trials) += 1;
       (trial.baseline ? group_.baseline_successes : group_.successes) += trial.success ? 1 : 0;
     }
@@ -232,7 +231,7 @@ class Group {
     std::set<std::string> of_baseline;
     std::map<std::string, std::size_t> lightings;
     std::vector<std::uint32_t> cluster;
-    for (const Trial& trial : trials_) {
+    for (const H3Trial& trial : trials_) {
       const std::size_t row = trial.any_row();
       if (!trial.success || std::isnan(rows_.length[row]) || std::isnan(rows_.time[row])) {
         continue;
@@ -374,7 +373,7 @@ class Group {
       out.recovered = estimate(first + value_recovered);
     }
     out.speed_cmd_mps = median_of(false, rows_.gated_speed, &cases_[c]);
-    for (const Trial& trial : trials_) {
+    for (const H3Trial& trial : trials_) {
       const std::size_t row = trial.row.at(cases_[c]);
       if (!trial.baseline) {
         out.kept += trial.success && rows_.kept[row] == 1.0 ? 1 : 0;
@@ -402,7 +401,8 @@ class Group {
   void mark_front() {
     std::vector<GainAndRetention> points;
     for (const H3Case& one : group_.cases) {
-      points.push_back({one.gain_share.value.value_or(kNaN), one.retained.value_or(kNaN)});
+      points.push_back(
+          {one.gain_share.value.value_or(table::kNaN), one.retained.value_or(table::kNaN)});
     }
     const std::vector<bool> front = pareto_front(points);
     for (std::size_t c = 0; c < front.size(); ++c) {
@@ -410,8 +410,8 @@ class Group {
     }
   }
 
-  const Rows& rows_;
-  const std::vector<Trial>& trials_;
+  const ReplayRows& rows_;
+  const std::vector<H3Trial>& trials_;
   std::vector<CaseKey> cases_;
   const H3Options& options_;
   std::size_t gated_clusters_ = 0;     ///< Among the successes of the gated algorithm.
@@ -424,14 +424,14 @@ class Group {
 
 /// Trials by lighting, each with its rows; trials that lack a case are refused.
 struct Grouped {
-  std::map<std::string, std::vector<Trial>> by_lighting;
+  std::map<std::string, std::vector<H3Trial>> by_lighting;
   std::set<CaseKey> cases;
   std::size_t unknown = 0;
 };
 
-Grouped grouped(const Rows& rows, const H3Options& options) {
+Grouped grouped(const ReplayRows& rows, const H3Options& options) {
   Grouped out;
-  std::map<std::string, std::pair<std::string, Trial>> by_id;
+  std::map<std::string, std::pair<std::string, H3Trial>> by_id;
   std::set<std::string> unknown;
   for (std::size_t i = 0; i < rows.trial.size(); ++i) {
     const bool baseline = rows.algorithm[i] == options.baseline;
@@ -497,10 +497,10 @@ H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options)
   require(options);
   H3Table table;
   table.options = options;
-  const Rows rows = rows_of(replays, options);
+  const ReplayRows rows = rows_of(replays, options);
   Grouped trials = grouped(rows, options);
   table.unknown = trials.unknown;
-  std::vector<Trial> all;
+  std::vector<H3Trial> all;
   for (const auto& [lighting, some] : trials.by_lighting) {
     all.insert(all.end(), some.begin(), some.end());
   }

@@ -3,16 +3,6 @@
 #include "analysis/study/trials/study_tables.hpp"
 
 namespace tcert::study {
-namespace {
-
-std::optional<double> known_median(const std::vector<double>& samples) {
-  Tally tally;
-  tally.add(samples);
-  return tally.median();
-}
-
-}  // namespace
-
 std::vector<ReplayedTrial> replay_trial(const StudiedTrial& trial,
                                         const BundleInfo& info,
                                         const ParameterSet& parameters,

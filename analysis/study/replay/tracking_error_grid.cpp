@@ -10,7 +10,7 @@
 namespace tcert::study {
 namespace {
 
-const std::vector<double>& numbers(const table::DataTable& table, const std::string& name) {
+const std::vector<double>& finite_column(const table::DataTable& table, const std::string& name) {
   const table::DataColumn* column = table.find(name);
   if (column == nullptr || column->is_text) {
     throw std::invalid_argument("tracking error: needs a column of numbers '" + name + "'");
@@ -37,10 +37,10 @@ std::size_t place_of(const std::vector<double>& knots, double value) {
 }  // namespace
 
 TrackingErrorGrid tracking_error_grid(const table::DataTable& table) {
-  const auto& speed = numbers(table, "speed_mps");
-  const auto& acceleration = numbers(table, "acceleration_mps2");
-  const auto& disturbance = numbers(table, "disturbance");
-  const auto& radius = numbers(table, "radius_m");
+  const auto& speed = finite_column(table, "speed_mps");
+  const auto& acceleration = finite_column(table, "acceleration_mps2");
+  const auto& disturbance = finite_column(table, "disturbance");
+  const auto& radius = finite_column(table, "radius_m");
   TrackingErrorGrid grid{knots_of(speed), knots_of(acceleration), knots_of(disturbance), {}};
   const std::size_t knots =
       grid.speed_mps.size() * grid.acceleration_mps2.size() * grid.disturbance.size();

@@ -7,7 +7,7 @@
 namespace tcert::terrain::study {
 namespace {
 
-constexpr std::uint32_t kPurpose = 0x7e44ba;
+constexpr std::uint32_t kScenarioPurpose = 0x7e44ba;
 
 }  // namespace
 
@@ -64,7 +64,7 @@ std::vector<Cell> first_batch(const Terrain& terrain,
                               Cell start,
                               double threshold,
                               std::uint64_t seed) {
-  table::RandomStream random(seed, kPurpose, 0);
+  table::RandomStream random(seed, kScenarioPurpose, 0);
   const auto draw = [&](int centre, int limit) {
     const int low = std::max(0, centre - 20);
     const int high = std::min(limit, centre + 20);

@@ -12,7 +12,7 @@
 namespace tcert::terrain::study {
 namespace {
 
-constexpr std::uint32_t kPurpose = 0x7e44bb;
+constexpr std::uint32_t kSoundnessPurpose = 0x7e44bb;
 
 struct Outcome {
   ExploreResult result;
@@ -31,7 +31,7 @@ Outcome run(
   field.number = number;
   TerrainGrid made = random_terrain(field);
   const Terrain terrain{{made.rows, made.columns}, std::move(made.values)};
-  table::RandomStream random(seed, kPurpose, number);
+  table::RandomStream random(seed, kSoundnessPurpose, number);
   const auto safe_cell = [&] {
     for (;;) {
       const Cell c =

@@ -95,7 +95,7 @@ struct WindowValues {
   std::optional<double> bend_variance;
 };
 
-struct Trial {
+struct LoggedTrial {
   const Robot& robot;
   const TickTable& ticks;
   std::span<const CertifiedTick> series;
@@ -103,7 +103,7 @@ struct Trial {
   const EarlyWindowOptions& options;
 };
 
-WindowValues window_values(const Trial& trial, const Window& window) {
+WindowValues window_values(const LoggedTrial& trial, const Window& window) {
   if (window.size == 0 || window.size < static_cast<std::size_t>(trial.options.min_ticks)) {
     return {};
   }
@@ -143,7 +143,7 @@ std::size_t certificate_falls(std::span<const CertifiedTick> series) {
   return falls;
 }
 
-void add_trial_facts(const Trial& trial, std::int64_t end_ns, Features& features) {
+void add_trial_facts(const LoggedTrial& trial, std::int64_t end_ns, Features& features) {
   features.ticks = trial.ticks.size();
   features.end_s = seconds_of(end_ns);
   features.travel_m = trial.series.back().travel_m;
@@ -186,7 +186,7 @@ Features early_features(const Robot& robot,
   }
   const FreshTicks fresh = fresh_ticks(ticks, series, nanoseconds_of(options.dwell_window_s));
   const std::int64_t end_ns = ticks.time_ns.back() - ticks.time_ns.front();
-  const Trial trial{robot, ticks, series, fresh, options};
+  const LoggedTrial trial{robot, ticks, series, fresh, options};
   add_trial_facts(trial, end_ns, features);
 
   const Window landmark = time_window(fresh, end_ns, options.time_s);

@@ -37,12 +37,6 @@ bool before(const std::string& a, const std::string& b) noexcept {
   return rank_a != rank_b ? rank_a < rank_b : a < b;
 }
 
-std::optional<double> known_median(const std::vector<double>& samples) {
-  Tally tally;
-  tally.add(samples);
-  return tally.median();
-}
-
 }  // namespace
 
 TrialRecord summarise(StudiedTrial&& trial) {
@@ -52,6 +46,12 @@ TrialRecord summarise(StudiedTrial&& trial) {
                       std::move(trial.speed_cmd_mps),
                       std::move(trial.loop_latency_ms)};
   return summary;
+}
+
+std::optional<double> known_median(std::span<const double> samples) {
+  Tally tally;
+  tally.add(samples);
+  return tally.median();
 }
 
 void Tally::add(std::span<const double> samples) {

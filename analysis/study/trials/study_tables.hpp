@@ -45,6 +45,9 @@ class Tally {
   std::uint64_t total_ = 0;
 };
 
+/// Of the samples that are known; empty if none is.
+[[nodiscard]] std::optional<double> known_median(std::span<const double> samples);
+
 /// Trials of one algorithm under one lighting; of all where a name is empty.
 struct StudyGroup {
   std::string algorithm;

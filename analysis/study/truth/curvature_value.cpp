@@ -10,10 +10,9 @@
 namespace tcert::study {
 namespace {
 
-constexpr double kTolerance = 1e-4;  // of measured clearances
+constexpr double kClearanceTolerance = 1e-4;  // of measured clearances
 constexpr double kLeastRadius = 0.02;
 constexpr int kSteps = 4;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What a path is really worth.
 CurvatureValue measured(std::vector<Arc> path,
@@ -21,10 +20,10 @@ CurvatureValue measured(std::vector<Arc> path,
                         const Robot& robot,
                         SlackConvention convention) {
   CurvatureValue value;
-  double clearance = kInfinity;
-  double radius = kInfinity;
+  double clearance = std::numeric_limits<double>::infinity();
+  double radius = std::numeric_limits<double>::infinity();
   for (const Arc& arc : path) {
-    clearance = std::min(clearance, arc_clearance(arc, obstacles, kTolerance));
+    clearance = std::min(clearance, arc_clearance(arc, obstacles, kClearanceTolerance));
     radius = std::min(radius, 1.0 / std::abs(arc.curvature_per_m));
   }
   if (path.empty() || clearance <= 0.0) {
@@ -121,7 +120,7 @@ CurvatureValue curvature_value(const World& world,
   for (int round = 1; round < options.rounds; ++round) {
     const double found = rounds.best().slack_m;
     const double gap = (high - low) / kSteps;
-    if (!std::isfinite(found) || found >= upper_m - kTolerance) {
+    if (!std::isfinite(found) || found >= upper_m - kClearanceTolerance) {
       break;
     }
     low = found;
