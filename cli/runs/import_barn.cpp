@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/runs/data_file.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/written_options.hpp"
 #include "datasets/import_barn.hpp"
@@ -31,17 +32,6 @@ table::TextTable table_of(const std::string& option, const std::string& file, Pr
     throw BadData("'" + file + "' cannot be read");
   }
   return std::move(*result.table);
-}
-
-std::vector<std::string> split(const std::string& names) {
-  std::vector<std::string> result;
-  std::size_t begin = 0;
-  while (begin <= names.size() && !names.empty()) {
-    const std::size_t end = std::min(names.find(',', begin), names.size());
-    result.push_back(names.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return result;
 }
 
 void require_known(const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
@@ -103,7 +93,7 @@ RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
   const table::TextTable trials = table_of("trials", request.trials, progress);
   const table::TextTable metrics = table_of("metrics", request.metrics, progress);
   BarnImportOptions barn;
-  barn.planners = split(request.planners);
+  barn.planners = words_of(request.planners);
   barn.other_ports = !request.same_port;
   require_known(barn.planners, planners_of(trials));
   if (request.same_port && planners_of(trials).empty()) {

@@ -10,7 +10,7 @@
 namespace tcert {
 namespace {
 
-struct Coefficient {
+struct CoxRow {
   const statistics::CoxCoefficient& one;
   statistics::ClusterT by_t;
 
@@ -20,7 +20,7 @@ struct Coefficient {
 Table coefficient_table(const statistics::CoxFit& fit) {
   using Cox = statistics::CoxCoefficient;
   const bool clustered = fit.clusters > 0;
-  ColumnsOf<Coefficient> columns;
+  ColumnsOf<CoxRow> columns;
   columns.text("term", "term", &Cox::column)
       .number("estimate", "estimate", &Cox::estimate)
       .number("std.error", "SE", &Cox::model_se)

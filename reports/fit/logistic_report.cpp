@@ -11,7 +11,7 @@ bool is_robust(const statistics::LogisticFit& fit) {
   return fit.variance == statistics::CoefficientVariance::robust;
 }
 
-struct Coefficient {
+struct LogisticRow {
   const statistics::LogisticCoefficient& one;
   statistics::ProfileLimits profile;
   statistics::ClusterT by_t;
@@ -22,7 +22,7 @@ struct Coefficient {
 Table coefficient_table(const statistics::LogisticFit& fit,
                         const std::vector<statistics::ProfileLimits>& profiles) {
   using Logistic = statistics::LogisticCoefficient;
-  ColumnsOf<Coefficient> columns;
+  ColumnsOf<LogisticRow> columns;
   columns.text("term", "term", &Logistic::column)
       .number("estimate", "estimate", &Logistic::estimate)
       .number("std.error", is_robust(fit) ? "robust SE" : "SE", &Logistic::standard_error)
