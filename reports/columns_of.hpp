@@ -49,6 +49,15 @@ struct Estimated {
   return estimate_cell(estimated.value, estimated.interval);
 }
 
+/// A row of a table that says more of something than it has: what points to a member of either is
+/// a value.
+template <class Of>
+struct RowOf {
+  const Of& of;
+
+  const Of& operator*() const noexcept { return of; }
+};
+
 template <class Row>
 class ColumnsOf {
  public:

@@ -24,15 +24,14 @@ struct SeriesRow {
 
 using Number = double (*)(const SeriesRow&);
 using Words = void (*)(std::string& out, const SeriesRow&);
-using Certified = CertifiedTick;
+using C = CertifiedTick;
+using G = GuardedTick;
 
 struct SeriesColumn {
   std::string_view name;
   std::string_view unit;
   std::string_view doc;
-  std::
-      variant<double Certified::*, std::uint32_t Certified::*, double GuardedTick::*, Number, Words>
-          value;
+  std::variant<double C::*, std::uint32_t C::*, double G::*, Number, Words> value;
 };
 
 void append_number(std::string& out, double value) {
@@ -69,11 +68,9 @@ struct CellWriter {
   std::string& out;
   const SeriesRow& row;
 
-  void operator()(double Certified::*value) const { append_number(out, row.certified.*value); }
-  void operator()(std::uint32_t Certified::*value) const {
-    append_count(out, row.certified.*value);
-  }
-  void operator()(double GuardedTick::*value) const { append_number(out, row.guarded.*value); }
+  void operator()(double C::*value) const { append_number(out, row.certified.*value); }
+  void operator()(std::uint32_t C::*value) const { append_count(out, row.certified.*value); }
+  void operator()(double G::*value) const { append_number(out, row.guarded.*value); }
   void operator()(Number value) const { append_number(out, value(row)); }
   void operator()(Words value) const { value(out, row); }
 };
@@ -88,31 +85,25 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
     {"x_m", "m", "pose, in the frame of the log", [](R r) { return r.tick.pose.position.x_m; }},
     {"y_m", "m", "the same", [](R r) { return r.tick.pose.position.y_m; }},
     {"yaw_rad", "rad", "the same", [](R r) { return r.tick.pose.yaw_rad; }},
-    {"travel_m",
-     "m",
-     "signed way along the body axis, standing noise left out",
-     &Certified::travel_m},
-    {"left_m",
-     "m",
-     "free distance that the rays prove on the left of the path",
-     &Certified::left_m},
-    {"right_m", "m", "the same on the right", &Certified::right_m},
-    {"width_m", "m", "w_t: left and right together", &Certified::width_m},
-    {"turn_radius_m", "m", "rho_t: radius of the path's curvature", &Certified::turn_radius_m},
-    {"margin_m", "m", "m_t: the tick's margin, by width and turn radius", &Certified::margin_m},
+    {"travel_m", "m", "signed way along the body axis, standing noise left out", &C::travel_m},
+    {"left_m", "m", "free distance that the rays prove on the left of the path", &C::left_m},
+    {"right_m", "m", "the same on the right", &C::right_m},
+    {"width_m", "m", "w_t: left and right together", &C::width_m},
+    {"turn_radius_m", "m", "rho_t: radius of the path's curvature", &C::turn_radius_m},
+    {"margin_m", "m", "m_t: the tick's margin, by width and turn radius", &C::margin_m},
     {"edge_margin_m",
      "m",
      "least margin of the graph's edge that is being driven",
-     &Certified::edge_margin_m},
-    {"memory", "", "contact memory, 0 to 1", &Certified::memory},
+     &C::edge_margin_m},
+    {"memory", "", "contact memory, 0 to 1", &C::memory},
     {"corridor_value_m",
      "m",
      "V_t: bottleneck of the widest path from S to the present node",
-     &Certified::corridor_value_m},
+     &C::corridor_value_m},
     {"certificate_m",
      "m",
      "T_t: bottleneck of the widest path from S to G; empty without one",
-     &Certified::certificate_m},
+     &C::certificate_m},
     {"series_m",
      "m",
      "T_t where it is issued, before that V_t",
@@ -121,13 +112,10 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
      "m/s",
      "speed that the law allows at the margin",
      [](R r) { return gated(r.speed_law, r.certified.margin_m); }},
-    {"contacts", "", "rays in contact at the tick", &Certified::contacts},
-    {"new_contacts",
-     "",
-     "of them those that were free at the tick before",
-     &Certified::new_contacts},
-    {"nodes", "", "of the graph so far", &Certified::nodes},
-    {"edges", "", "of the graph so far", &Certified::edges},
+    {"contacts", "", "rays in contact at the tick", &C::contacts},
+    {"new_contacts", "", "of them those that were free at the tick before", &C::new_contacts},
+    {"nodes", "", "of the graph so far", &C::nodes},
+    {"edges", "", "of the graph so far", &C::edges},
     {"flags",
      "",
      "words with + between: stale, bad_input, missing_ray, break, capacity_exceeded, "
@@ -141,12 +129,12 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
 
 /// Those of `SeriesFormat::guards`.
 constexpr auto kGuardColumns = std::to_array<SeriesColumn>({
-    {"gated_speed_mps", "m/s", "", &GuardedTick::speed_mps},
+    {"gated_speed_mps", "m/s", "", &G::speed_mps},
     {"yaw_rate_cmd_rps", "rad/s", "", [](R r) { return r.yaw_rate_cmd_rps; }},
-    {"tracking_error_m", "m", "", &GuardedTick::tracking_error_m},
-    {"robust_margin_m", "m", "", &GuardedTick::robust_margin_m},
-    {"force_n", "N", "", &GuardedTick::force_n},
-    {"force_limit_n", "N", "", &GuardedTick::force_limit_n},
+    {"tracking_error_m", "m", "", &G::tracking_error_m},
+    {"robust_margin_m", "m", "", &G::robust_margin_m},
+    {"force_n", "N", "", &G::force_n},
+    {"force_limit_n", "N", "", &G::force_limit_n},
     {"triggers", "", "", [](std::string& out, R r) { out += trigger_words(r.guarded.triggers); }},
 });
 

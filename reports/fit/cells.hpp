@@ -28,6 +28,11 @@ inline constexpr int kShownDigits = 4;
                                       const std::optional<statistics::Interval>& interval);
 /// part / whole; missing of nothing.
 [[nodiscard]] std::optional<double> share(std::size_t part, std::size_t whole);
+/// Missing otherwise.
+template <class Value>
+[[nodiscard]] std::optional<Value> when(bool condition, const Value& value) {
+  return condition ? std::optional(value) : std::nullopt;
+}
 /// Missing if there are no words.
 [[nodiscard]] std::optional<std::string> not_empty(std::string text);
 

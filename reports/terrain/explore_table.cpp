@@ -7,6 +7,14 @@ namespace {
 
 using terrain::ExploreStep;
 
+ColumnsOf<terrain::Cell> cell_columns() {
+  return ColumnsOf<terrain::Cell>()
+      .integer("next_x", "next_x", "cell", &terrain::Cell::x)
+      .doc("row of the cell chosen next; empty if there is none")
+      .integer("next_y", "next_y", "cell", &terrain::Cell::y)
+      .doc("column of the cell chosen next");
+}
+
 ColumnsOf<ExploreStep> step_columns() {
   return ColumnsOf<ExploreStep>()
       .integer("step", "step", &ExploreStep::step)
@@ -21,19 +29,8 @@ ColumnsOf<ExploreStep> step_columns() {
       .doc("|S_t|, cells that the rules hold to be safe")
       .integer("expander_cells", "expander_cells", "cell", &ExploreStep::expanders)
       .doc("|G_t|, cells that could make S_t grow")
-      .integer("next_x",
-               "next_x",
-               "cell",
-               [](auto& s) { return s.next ? std::optional(s.next->x) : std::nullopt; })
-      .doc("row of the cell chosen next; empty if there is none")
-      .integer("next_y",
-               "next_y",
-               "cell",
-               [](auto& s) { return s.next ? std::optional(s.next->y) : std::nullopt; })
-      .doc("column of the cell chosen next")
-      .fixed("width",
-             "width",
-             [](auto& s) { return s.next ? std::optional(s.upper - s.lower) : std::nullopt; })
+      .part(cell_columns(), &ExploreStep::next)
+      .fixed("width", "width", [](auto& s) { return when(s.next.has_value(), s.upper - s.lower); })
       .doc("u_t - l_t there")
       .fixed("certificate", "certificate", &ExploreStep::certificate)
       .doc("widest path over S_t of l_t - h from start to goal; empty until joined")
