@@ -30,8 +30,6 @@ ColumnsOf<StudyGroup> latency_columns() {
       "latency_ms", "latency", "ms", 2, [](auto& r) { return r.loop_latency_ms.median(); });
 }
 
-}  // namespace
-
 Table success_table(std::span<const StudyGroup> cells) {
   const auto columns =
       cell_columns()
@@ -98,6 +96,8 @@ Table latency_table(std::span<const StudyGroup> cells) {
   table.n = sum_of_trials(cells);
   return table;
 }
+
+}  // namespace
 
 std::vector<Table> study_tables(const study::StudyRecord& study) {
   const std::vector<StudyGroup> cells = study.by_cell();
