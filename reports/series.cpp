@@ -34,16 +34,20 @@ struct SeriesColumn {
   std::variant<double C::*, std::uint32_t C::*, double G::*, Number, Words> value;
 };
 
+// A comma ends each cell; that of the last one makes room for the end of the line.
+
 void append_number(std::string& out, double value) {
   if (std::isfinite(value)) {
     table::append_number(out, value);
   }
+  out += ',';
 }
 
 void append_count(std::string& out, std::uint32_t value) {
   std::array<char, 10> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   out.append(digits.data(), end);
+  out += ',';
 }
 
 void append_flags(std::string& out, std::uint32_t flags) {
@@ -72,7 +76,10 @@ struct CellWriter {
   void operator()(std::uint32_t C::*value) const { append_count(out, row.certified.*value); }
   void operator()(double G::*value) const { append_number(out, row.guarded.*value); }
   void operator()(Number value) const { append_number(out, value(row)); }
-  void operator()(Words value) const { value(out, row); }
+  void operator()(Words value) const {
+    value(out, row);
+    out += ',';
+  }
 };
 
 using R = const SeriesRow&;
@@ -138,12 +145,10 @@ constexpr auto kGuardColumns = std::to_array<SeriesColumn>({
     {"triggers", "", "", [](std::string& out, R r) { out += trigger_words(r.guarded.triggers); }},
 });
 
-/// With commas between; what a column holds is known when this is compiled.
+/// What a column holds is known when this is compiled.
 template <const auto& columns, std::size_t... I>
 void append_cells(const CellWriter& cell, std::index_sequence<I...> /*all*/) {
-  ((I == 0 ? void() : cell.out.push_back(','),
-    cell(std::get<columns[I].value.index()>(columns[I].value))),
-   ...);
+  (cell(std::get<columns[I].value.index()>(columns[I].value)), ...);
 }
 
 template <const auto& columns>
@@ -159,28 +164,28 @@ std::vector<ColumnDoc> series_columns() {
     columns.push_back({std::string(one.name), std::string(one.unit), std::string(one.doc)});
   }
   columns.push_back({"<ray>_margin_m", "m", "margin of each ray, with --ray-margins"});
-  columns.push_back({"synthetic_seed", "", "seed of synthetic data; not in real data"});
+  columns.push_back(synthetic_seed_doc());
   return columns;
 }
 
 std::string series_header(const SeriesFormat& format, const Robot& robot) {
   std::string header;
   for (const SeriesColumn& column : kColumns) {
-    header += header.empty() ? "" : ",";
-    header += column.name;
+    (header += column.name) += ',';
   }
   if (format.ray_margins) {
     for (const Ray& ray : robot.rays) {
-      header += ',';
       table::append_text(header, ray.name + "_margin_m");
+      header += ',';
     }
   }
   if (format.guards) {
     for (const SeriesColumn& column : kGuardColumns) {
-      (header += ',') += column.name;
+      (header += column.name) += ',';
     }
   }
-  header += format.synthetic ? ",synthetic_seed\n" : "\n";
+  header += format.synthetic ? "synthetic_seed," : "";
+  header.back() = '\n';
   return header;
 }
 
@@ -195,19 +200,17 @@ void append_series_row(std::string& out,
   append_cells<kColumns>(out, row);
   if (format.ray_margins) {
     for (const double margin : ray_margins) {
-      out += ',';
       append_number(out, is_evidence(certified.flags) ? margin : kMissing);
     }
   }
   if (format.guards) {
-    out += ',';
     append_cells<kGuardColumns>(out, row);
   }
   if (format.synthetic) {
-    out += ',';
     out += format.synthetic->seed ? std::to_string(*format.synthetic->seed) : "";
+    out += ',';
   }
-  out += '\n';
+  out.back() = '\n';
 }
 
 std::string flag_words(std::uint32_t flags) {
