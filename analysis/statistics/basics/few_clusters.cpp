@@ -1,5 +1,7 @@
 #include <statistics/basics/few_clusters.hpp>
 
+#include <utility>
+
 namespace tcert::statistics {
 
 std::optional<Condition> few_clusters(std::size_t clusters,
@@ -24,6 +26,19 @@ std::optional<Condition> few_clusters(std::size_t clusters,
                    too_few || lacks_rank ? ConditionSeverity::warning : ConditionSeverity::note,
                    "",
                    detail};
+}
+
+void add_cluster_conditions(std::size_t clusters,
+                            std::string of_one,
+                            Conditions& conditions,
+                            std::size_t coefficients,
+                            const std::string& of) {
+  if (clusters == 1) {
+    conditions.push_back(
+        {ConditionKind::one_cluster, ConditionSeverity::warning, "", std::move(of_one)});
+  } else if (auto few = few_clusters(clusters, coefficients, of)) {
+    conditions.push_back(std::move(*few));
+  }
 }
 
 }  // namespace tcert::statistics

@@ -23,4 +23,11 @@ inline constexpr std::size_t kTooFewClusters = 10;
                                                     std::size_t coefficients = 0,
                                                     const std::string& of = {});
 
+/// Adds one_cluster, a warning with `of_one` for its detail, or few_clusters, where they hold.
+void add_cluster_conditions(std::size_t clusters,
+                            std::string of_one,
+                            Conditions& conditions,
+                            std::size_t coefficients = 0,
+                            const std::string& of = {});
+
 }  // namespace tcert::statistics

@@ -132,12 +132,8 @@ void name_row_conditions(std::size_t rows, bool clustered, ConcordanceResult& re
   if (result.events == 0) {
     result.conditions.push_back(condition(ConditionKind::no_events, ConditionSeverity::error));
   }
-  if (clustered && result.clusters == 1) {
-    result.conditions.push_back(condition(ConditionKind::one_cluster, ConditionSeverity::warning));
-  } else if (clustered) {
-    if (auto few = few_clusters(result.clusters)) {
-      result.conditions.push_back(std::move(*few));
-    }
+  if (clustered) {
+    add_cluster_conditions(result.clusters, "", result.conditions);
   }
 }
 

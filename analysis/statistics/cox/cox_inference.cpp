@@ -73,14 +73,11 @@ void add_robust_variance(const CoxData& data,
   const table::Factor* const cluster = data.cluster ? &*data.cluster : nullptr;
   if (cluster != nullptr) {
     fit.clusters = count_codes(cluster->codes);
+    add_cluster_conditions(fit.clusters, "", fit.conditions, fit.df);
     if (fit.clusters < 2) {
-      fit.conditions.push_back({ConditionKind::one_cluster, ConditionSeverity::warning, {}, {}});
       fit.vcov.setConstant(std::nan(""));
       fit.limit_vcov.setConstant(std::nan(""));
       return;
-    }
-    if (auto few = few_clusters(fit.clusters, fit.df)) {
-      fit.conditions.push_back(std::move(*few));
     }
   }
   const std::vector<Eigen::Index> ranked = ranked_columns(maximum.columns);

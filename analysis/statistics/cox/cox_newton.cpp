@@ -282,7 +282,6 @@ Eigen::MatrixXd limit_inverse(const CoxMaximum& maximum) {
   Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(p, p);
   if (!kept.empty()) {
     const Eigen::MatrixXd information = maximum.fitted.information(kept, kept);
-    const auto size = static_cast<Eigen::Index>(kept.size());
     const Eigen::MatrixXd solution = inverse_symmetric(information);
     inverse(kept, kept) = solution;
   }

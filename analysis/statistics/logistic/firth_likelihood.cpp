@@ -45,7 +45,8 @@ void add_penalty(const Eigen::MatrixXd& design,
       eta.head(size) += rows.offset.segment(first, size);
     }
     // Rows z_i = L^-1 x_i, so that q_i = |z_i|^2.
-    const Eigen::MatrixXd whitened = cholesky.whiten(block.transpose().eval()).transpose();
+    const Eigen::MatrixXd whitened =
+        cholesky.whiten(Eigen::MatrixXd(block.transpose())).transpose();
     for (Eigen::Index i = 0; i < size; ++i) {
       const Weight weight = weight_of(eta[i], rows.trials[first + i]);
       const double q = whitened.row(i).squaredNorm();

@@ -82,18 +82,6 @@ Eigen::MatrixXd score_products(const LogisticInput& input,
   return scores * scores.transpose();
 }
 
-void add_cluster_conditions(LogisticFit& fit) {
-  if (!fit.clustered) {
-    return;
-  }
-  if (fit.clusters == 1) {
-    fit.conditions.push_back(
-        {ConditionKind::one_cluster, ConditionSeverity::warning, "", "no robust variance"});
-  } else if (auto few = few_clusters(fit.clusters, fit.rank)) {
-    fit.conditions.push_back(std::move(*few));
-  }
-}
-
 /// Covariance of the coefficients along the basis.
 Eigen::MatrixXd basis_covariance(const LogisticInput& input,
                                  const LogisticProblem& problem,
@@ -341,7 +329,9 @@ void add_solution(const LogisticInput& input, const LogisticProblem& problem, Lo
     set_limits(problem, maximum.separation.overlaps, fit.fitted);
     add_separation(input, problem, fit);
   }
-  add_cluster_conditions(fit);
+  if (fit.clustered) {
+    add_cluster_conditions(fit.clusters, "no robust variance", fit.conditions, fit.rank);
+  }
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ Units units_of(const CompleteRows& rows) {
   return units;
 }
 
-void add_cluster_conditions(const Units& units, Conditions& conditions) {
+void add_unit_conditions(const Units& units, Conditions& conditions) {
   const auto none = [&](const char* detail) {
     conditions.push_back({ConditionKind::one_cluster, ConditionSeverity::warning, "", detail});
   };
@@ -176,7 +176,7 @@ JointAuc joint_auc(std::span<const Score> scores,
   }
   const Units units = units_of(rows);
   if (rows.clustered) {
-    add_cluster_conditions(units, common.conditions);
+    add_unit_conditions(units, common.conditions);
   }
   joint.markers.assign(scores.size(), common);
 

@@ -2,7 +2,6 @@
 
 #include <statistics/basics/compact_codes.hpp>
 #include <statistics/basics/few_clusters.hpp>
-#include <utility>
 #include <vector>
 
 namespace tcert::statistics {
@@ -16,16 +15,9 @@ std::size_t count_clusters(const table::Factor& cluster, std::span<const std::ui
   return count_codes(codes);
 }
 
-void add_cluster_conditions(std::size_t clusters,
-                            const std::string& group,
-                            Conditions& conditions) {
-  if (clusters == 1) {
-    const std::string of = group.empty() ? "" : group + ": ";
-    conditions.push_back(
-        {ConditionKind::one_cluster, ConditionSeverity::warning, "", of + "no robust variance"});
-  } else if (auto few = few_clusters(clusters, 0, group)) {
-    conditions.push_back(std::move(*few));
-  }
+void add_group_conditions(std::size_t clusters, const std::string& group, Conditions& conditions) {
+  const std::string of = group.empty() ? "" : group + ": ";
+  add_cluster_conditions(clusters, of + "no robust variance", conditions, 0, group);
 }
 
 }  // namespace tcert::statistics

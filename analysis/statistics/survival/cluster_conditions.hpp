@@ -16,6 +16,6 @@ namespace tcert::statistics {
                                          std::span<const std::uint32_t> rows);
 
 /// Adds one_cluster (a warning: no variance) or few_clusters (a note) where they hold.
-void add_cluster_conditions(std::size_t clusters, const std::string& group, Conditions& conditions);
+void add_group_conditions(std::size_t clusters, const std::string& group, Conditions& conditions);
 
 }  // namespace tcert::statistics

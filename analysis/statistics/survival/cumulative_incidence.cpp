@@ -297,7 +297,7 @@ std::vector<IncidenceCurves> cumulative_incidence(CompetingOutcome outcome,
     name_conditions(rows, curves);
     if (options.cluster != nullptr) {
       const std::size_t clusters = count_clusters(*options.cluster, rows.stops);
-      add_cluster_conditions(clusters, curves.group, curves.conditions);
+      add_group_conditions(clusters, curves.group, curves.conditions);
       if (clusters == 1) {
         forget_variances(curves);
       }

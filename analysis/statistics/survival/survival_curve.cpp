@@ -314,7 +314,7 @@ std::vector<SurvivalCurve> survival_curves(const SurvivalOutcome& outcome,
     name_conditions(curve);
     if (options.cluster != nullptr) {
       const std::size_t clusters = count_clusters(*options.cluster, rows.stops);
-      add_cluster_conditions(clusters, curve.group, curve.conditions);
+      add_group_conditions(clusters, curve.group, curve.conditions);
       if (clusters == 1) {
         forget_variances(curve);
       }

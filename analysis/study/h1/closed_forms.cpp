@@ -14,14 +14,6 @@
 namespace tcert::study {
 namespace {
 
-std::vector<statistics::Score> scores_of(const H1Data& data) {
-  std::vector<statistics::Score> scores;
-  for (std::size_t k = 0; k < data.predictors.size(); ++k) {
-    scores.push_back(data.score(k));
-  }
-  return scores;
-}
-
 std::vector<double> as_numbers(const std::vector<std::uint8_t>& success) {
   return {success.begin(), success.end()};
 }
@@ -32,7 +24,7 @@ statistics::JointAuc aucs(const H1Data& data, const H1Options& options, bool clu
   if (clustered) {
     auc_options.cluster = data.cluster.codes;
   }
-  return statistics::joint_auc(scores_of(data), as_numbers(data.success), auc_options);
+  return statistics::joint_auc(data.scores(), as_numbers(data.success), auc_options);
 }
 
 statistics::ConcordanceResult concordances(const H1Data& data,

@@ -9,14 +9,6 @@
 namespace tcert::study {
 namespace {
 
-std::vector<statistics::Score> scores_of_predictors(const H1Data& data) {
-  std::vector<statistics::Score> scores;
-  for (std::size_t k = 0; k < data.predictors.size(); ++k) {
-    scores.push_back(data.score(k));
-  }
-  return scores;
-}
-
 std::vector<statistics::Predictor> predictors_of(const H1Data& data) {
   std::vector<statistics::Predictor> predictors;
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
@@ -48,7 +40,7 @@ statistics::Statistic joint_statistic(const H1Data& data,
                                       const H1Layout& layout,
                                       const H1Models& models) {
   std::vector<statistics::Statistic> parts;
-  const std::vector<statistics::Score> scores = scores_of_predictors(data);
+  const std::vector<statistics::Score> scores = data.scores();
   parts.push_back(statistics::auc_statistic(scores, data.success));
   if (layout.models > 0) {
     parts.push_back(of_models(data, models, &H1Model::auc));

@@ -393,6 +393,14 @@ table::Factor each_its_own(std::size_t rows) {
 
 }  // namespace
 
+std::vector<statistics::Score> H1Data::scores() const {
+  std::vector<statistics::Score> all;
+  for (std::size_t k = 0; k < predictors.size(); ++k) {
+    all.push_back(score(k));
+  }
+  return all;
+}
+
 bool can_be_scored(H1Panel& panel) {
   if (panel.complete == 0) {
     panel.conditions.push_back(

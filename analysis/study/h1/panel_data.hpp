@@ -39,6 +39,8 @@ struct H1Data {
   [[nodiscard]] statistics::Score score(std::size_t predictor) const {
     return {predictors[predictor], higher[predictor]};
   }
+  /// Of every predictor.
+  [[nodiscard]] std::vector<statistics::Score> scores() const;
   /// Larger values go with a longer time where they speak for failure.
   [[nodiscard]] statistics::Predictor timed(std::size_t predictor) const {
     return {names[predictor],
