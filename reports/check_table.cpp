@@ -19,13 +19,11 @@ ColumnsOf<TrialCheck> accepted_columns() {
   return ColumnsOf<TrialCheck>()
       .integer("pose_rows", "pose rows", [](auto& r) { return r.pose.rows; })
       .part(rate_columns("pose"), [](auto& r) { return &r.pose; })
-      .integer("tactile_rows",
-               "tactile rows",
-               [](auto& r) { return r.merged ? std::nullopt : std::optional(r.tactile.rows); })
+      .integer(
+          "tactile_rows", "tactile rows", [](auto& r) { return when(!r.merged, r.tactile.rows); })
       .part(rate_columns("tactile"), [](auto& r) { return &r.tactile; })
-      .integer("control_rows",
-               "control rows",
-               [](auto& r) { return r.merged ? std::nullopt : std::optional(r.control.rows); })
+      .integer(
+          "control_rows", "control rows", [](auto& r) { return when(!r.merged, r.control.rows); })
       .part(rate_columns("control"), [](auto& r) { return &r.control; })
       .integer("ticks", "ticks", &TrialCheck::ticks)
       .integer("stale_ticks", "stale", &TrialCheck::stale_ticks)

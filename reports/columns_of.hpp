@@ -13,10 +13,11 @@
 /// behind an `if`.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <statistics/basics/interval.hpp>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "reports/column_doc.hpp"
@@ -45,94 +46,122 @@ struct Estimated {
   }
 };
 
-[[nodiscard]] inline TableCell cell_of(const Estimated& estimated) {
-  return estimate_cell(estimated.value, estimated.interval);
-}
+/// A row of a table that says more of something than it has: what points to a member of either is
+/// a value.
+template <class Of>
+struct RowOf {
+  const Of& of;
 
-template <class Row>
-class ColumnsOf {
+  const Of& operator*() const noexcept { return of; }
+};
+
+/// What is the same whatever the rows are, compiled once.
+class ColumnList {
  public:
-  /// How a row gives a value: a lambda, or a pointer to a member of the row or of what it points
-  /// to.
-  template <class Value>
-  using Get = std::function<Value(const Row&)>;
+  struct Cell {
+    virtual ~Cell() = default;
+    [[nodiscard]] virtual TableCell of(const void* row) const = 0;
+  };
+  struct One {
+    Column column;
+    std::shared_ptr<const Cell> cell;
+    std::string doc;
+  };
+  [[nodiscard]] const std::vector<One>& all() const noexcept { return columns_; }
+  [[nodiscard]] std::vector<ColumnDoc> docs() const;
+  void append_to(std::vector<Column>& columns) const;
 
-  ColumnsOf& add(Column column, Get<TableCell> cell) {
-    columns_.push_back({std::move(column), std::move(cell), ""});
+ protected:
+  void push(Column column, std::unique_ptr<const Cell> cell, const std::string& doc = "");
+  void push(Column (*column)(std::string name, std::string heading),
+            std::string_view name,
+            std::string_view heading,
+            std::unique_ptr<const Cell> cell);
+  void set_unit(std::string_view unit, int decimals);
+  [[nodiscard]] std::vector<TableCell> cells_of(const void* row) const;
+  [[nodiscard]] Table without_rows(std::string name, std::string title) const;
+
+  std::vector<One> columns_;
+};
+
+[[nodiscard]] TableCell estimated_cell(const Estimated& estimated);
+
+/// A value is got from a row by a lambda, or by a pointer to a member of the row or of what the row
+/// points to. A name and a heading stand before it, with a unit and decimals for print if need be.
+template <class Row>
+class ColumnsOf : public ColumnList {
+  using Text = std::string_view;
+
+ public:
+  template <class Get>
+  ColumnsOf& add(Column column, Get cell) {
+    push(std::move(column), std::make_unique<By<Get>>(std::move(cell)));
     return *this;
   }
-  ColumnsOf& text(std::string name, std::string heading, Get<std::optional<std::string>> value) {
-    return add(text_column(std::move(name), std::move(heading)), with(text_cell, value));
+  template <class Get>
+  ColumnsOf& text(Text name, Text heading, Get value) {
+    return add(text_column, name, heading, text_cell, value);
   }
-  ColumnsOf& integer(std::string name,
-                     std::string heading,
-                     Get<std::optional<std::int64_t>> value) {
-    return add(integer_column(std::move(name), std::move(heading)), with(integer_cell, value));
+  template <class Get>
+  ColumnsOf& yes_or_no(Text name, Text heading, Get value) {
+    return add(text_column, name, heading, yes_or_no_cell, value);
   }
-  ColumnsOf& integer(std::string name,
-                     std::string heading,
-                     std::string unit,
-                     Get<std::optional<std::int64_t>> value) {
-    integer(std::move(name), std::move(heading), std::move(value));
-    columns_.back().column.unit = std::move(unit);
+  template <class Get>
+  ColumnsOf& integer(Text name, Text heading, Get value) {
+    return add(integer_column, name, heading, integer_cell, value);
+  }
+  template <class Get>
+  ColumnsOf& number(Text name, Text heading, Get value) {
+    return add(number_column, name, heading, number_cell, value);
+  }
+  template <class Get>
+  ColumnsOf& time(Text name, Text heading, Get value) {
+    return add(time_column, name, heading, number_cell, value);
+  }
+  template <class Get>
+  ColumnsOf& p(Text name, Text heading, Get value) {
+    return add(p_column, name, heading, p_cell, value);
+  }
+  template <class Get>
+  ColumnsOf& fixed(Text name, Text heading, Get value) {
+    return add(fixed_column, name, heading, number_cell, value);
+  }
+  template <class Get>
+  ColumnsOf& fixed(Text name, Text heading, Text unit, int decimals, Get value) {
+    fixed(name, heading, value).set_unit(unit, decimals);
     return *this;
   }
-  ColumnsOf& number(std::string name, std::string heading, Get<std::optional<double>> value) {
-    return add(number_column(std::move(name), std::move(heading)), with(number_cell, value));
+  template <class Get>
+  ColumnsOf& estimate(Text name, Text heading, Get value) {
+    return add(estimate_column, name, heading, estimated_cell, value);
   }
-  ColumnsOf& time(std::string name, std::string heading, Get<std::optional<double>> value) {
-    return add(time_column(std::move(name), std::move(heading)), with(number_cell, value));
+  template <class Get>
+  ColumnsOf& estimate(Text name, Text heading, Text unit, int decimals, Get value) {
+    estimate(name, heading, value).set_unit(unit, decimals);
+    return *this;
   }
-  ColumnsOf& fixed(std::string name,
-                   std::string heading,
-                   std::string unit,
-                   int decimals,
-                   Get<std::optional<double>> value) {
-    return add(fixed_column(std::move(name), std::move(heading), std::move(unit), decimals),
-               with(number_cell, value));
-  }
-  ColumnsOf& fixed(std::string name, std::string heading, Get<std::optional<double>> value) {
-    return add(fixed_column(std::move(name), std::move(heading)), with(number_cell, value));
-  }
-  ColumnsOf& estimate(
-      std::string name, std::string heading, std::string unit, int decimals, Get<Estimated> value) {
-    return add(estimate_column(std::move(name), std::move(heading), std::move(unit), decimals),
-               with(cell_of, value));
-  }
-  ColumnsOf& estimate(std::string name, std::string heading, Get<Estimated> value) {
-    return add(estimate_column(std::move(name), std::move(heading)), with(cell_of, value));
-  }
-  ColumnsOf& p(std::string name, std::string heading, Get<std::optional<double>> value) {
-    return add(p_column(std::move(name), std::move(heading)), with(p_cell, value));
-  }
-  ColumnsOf& yes_or_no(std::string name, std::string heading, Get<std::optional<bool>> value) {
-    return add(text_column(std::move(name), std::move(heading)), with(yes_or_no_cell, value));
-  }
-  /// Two columns of numbers: both ends of an interval.
-  ColumnsOf& ends(std::pair<std::string, std::string> low,
-                  std::pair<std::string, std::string> high,
-                  Get<std::optional<statistics::Interval>> interval) {
-    add(number_column(std::move(low.first), std::move(low.second)), with(low_cell, interval));
-    return add(number_column(std::move(high.first), std::move(high.second)),
-               with(high_cell, interval));
+  /// Two columns of numbers, each a name and a heading: both ends of an interval.
+  template <class Get>
+  ColumnsOf& ends(std::pair<Text, Text> low, std::pair<Text, Text> high, Get interval) {
+    add(number_column, low.first, low.second, low_cell, interval);
+    return add(number_column, high.first, high.second, high_cell, interval);
   }
   /// The columns of a part of the row, missing where it has none: `find` gives a pointer to the
   /// part, or an optional.
   template <class Part, class Find>
   ColumnsOf& part(const ColumnsOf<Part>& columns, Find find) {
-    for (const auto& one : columns.all()) {
-      columns_.push_back({one.column,
-                          [find, cell = one.cell](const Row& row) {
-                            const auto& found = std::invoke(find, row);
-                            return found ? cell(*found) : TableCell{};
-                          },
-                          one.doc});
+    for (const One& one : columns.all()) {
+      const auto cell = [find, of_part = one.cell](const Row& row) {
+        const auto& found = std::invoke(find, row);
+        return found ? of_part->of(&*found) : TableCell{};
+      };
+      push(one.column, std::make_unique<By<decltype(cell)>>(cell), one.doc);
     }
     return *this;
   }
   /// What the last column means: one line, no full stop.
-  ColumnsOf& doc(std::string text) {
-    columns_.back().doc = std::move(text);
+  ColumnsOf& doc(Text text) {
+    columns_.back().doc = text;
     return *this;
   }
   /// Digits that people see of the last column.
@@ -141,52 +170,36 @@ class ColumnsOf {
     return *this;
   }
 
-  [[nodiscard]] std::vector<TableCell> row(const Row& row) const {
-    std::vector<TableCell> cells;
-    cells.reserve(columns_.size());
-    for (const One& one : columns_) {
-      cells.push_back(one.cell(row));
-    }
-    return cells;
-  }
+  [[nodiscard]] std::vector<TableCell> row(const Row& row) const { return cells_of(&row); }
   template <class Rows = std::vector<Row>>
   [[nodiscard]] Table table(std::string name, std::string title, const Rows& rows = {}) const {
-    Table table;
-    table.name = std::move(name);
-    table.title = std::move(title);
-    append_to(table.columns);
-    for (const auto& one : rows) {
-      table.add_row(row(one));
+    Table table = without_rows(std::move(name), std::move(title));
+    for (const Row& one : rows) {
+      table.add_row(cells_of(&one));
     }
     return table;
   }
-  void append_to(std::vector<Column>& columns) const {
-    for (const One& one : columns_) {
-      columns.push_back(one.column);
-    }
-  }
-  [[nodiscard]] std::vector<ColumnDoc> docs() const {
-    std::vector<ColumnDoc> docs;
-    for (const One& one : columns_) {
-      docs.push_back({one.column.name, one.column.unit, one.doc});
-    }
-    return docs;
-  }
-
-  struct One {
-    Column column;
-    Get<TableCell> cell;
-    std::string doc;
-  };
-  [[nodiscard]] const std::vector<One>& all() const noexcept { return columns_; }
 
  private:
-  template <class Cell, class Value>
-  static Get<TableCell> with(Cell* cell, const Get<Value>& value) {
-    return [cell, value](const Row& row) { return cell(value(row)); };
-  }
+  template <class Function>
+  struct By : Cell {
+    explicit By(Function f) : function(std::move(f)) {}
+    [[nodiscard]] TableCell of(const void* row) const override {
+      return function(*static_cast<const Row*>(row));
+    }
+    Function function;
+  };
 
-  std::vector<One> columns_;
+  template <class ToCell, class Get>
+  ColumnsOf& add(Column (*column)(std::string, std::string),
+                 Text name,
+                 Text heading,
+                 ToCell* to_cell,
+                 const Get& get) {
+    const auto cell = [to_cell, get](const Row& row) { return to_cell(std::invoke(get, row)); };
+    push(column, name, heading, std::make_unique<By<decltype(cell)>>(cell));
+    return *this;
+  }
 };
 
 }  // namespace tcert

@@ -23,9 +23,7 @@ ColumnsOf<Problem> problem_columns() {
             "severity",
             [](auto& r) { return kSeverities[static_cast<std::size_t>(r.of.severity)]; })
       .text("file", "file", [](auto& r) { return not_empty(r.of.file); })
-      .integer("line",
-               "line",
-               [](auto& r) { return r.of.line == 0 ? std::nullopt : std::optional(r.of.line); })
+      .integer("line", "line", [](auto& r) { return when(r.of.line != 0, r.of.line); })
       .text("column", "column", [](auto& r) { return not_empty(r.of.column); })
       .text("value", "found", [](auto& r) { return not_empty(r.of.value); })
       .text("expectation", "expected", [](auto& r) { return not_empty(r.of.expectation); })

@@ -1,6 +1,5 @@
 #include "reports/gate_report.hpp"
 
-#include <limits>
 #include <string>
 
 #include "reports/columns_of.hpp"
@@ -10,8 +9,6 @@ namespace {
 
 /// Of metres.
 constexpr int kDecimals = 4;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string words_of(study::ConfidenceSetKind kind) {
   switch (kind) {
@@ -27,56 +24,49 @@ std::string words_of(study::ConfidenceSetKind kind) {
   return "none";
 }
 
+/// A confidence set of the 50 % point.
 struct Method {
   std::string name;
-  const study::EvenChance& even;
+  std::optional<double> point;
   const study::ConfidenceSet& set;
-};
 
-/// The ends of what is not the whole line or nothing.
-struct Ends {
-  double low;
-  double high;
-  std::optional<double> width;  ///< Of a bounded set.
-};
-
-std::optional<Ends> ends_of(const Method& method) {
-  const study::ConfidenceSet& set = method.set;
-  switch (set.kind) {
-    case study::ConfidenceSetKind::bounded:
-      return Ends{set.low, set.high, set.high - set.low};
-    case study::ConfidenceSetKind::two_rays:
-      return Ends{set.low, set.high, {}};
-    case study::ConfidenceSetKind::whole_line:
-    case study::ConfidenceSetKind::unknown:
-      break;
+  [[nodiscard]] bool is(study::ConfidenceSetKind kind) const { return set.kind == kind; }
+  [[nodiscard]] bool is_bounded() const { return is(study::ConfidenceSetKind::bounded); }
+  [[nodiscard]] bool has_ends() const {
+    return is_bounded() || is(study::ConfidenceSetKind::two_rays);
   }
-  return std::nullopt;
-}
+  [[nodiscard]] bool is_known() const { return !is(study::ConfidenceSetKind::unknown); }
+};
 
 Table point_table(const study::GateStudy& study) {
   const study::EvenChance& even = study.even;
-  const auto ends = ColumnsOf<Ends>()
-                        .fixed("low_m", "low", "m", kDecimals, &Ends::low)
-                        .fixed("high_m", "high", "m", kDecimals, &Ends::high)
-                        .fixed("width_m", "width", "m", kDecimals, &Ends::width);
-  const auto columns =
+  std::vector<Method> methods{{"Fieller", even.point, even.fieller},
+                              {"profile", even.point, even.profile}};
+  if (study.options.replicates > 0) {
+    methods.push_back({"bootstrap percentile", even.point, even.percentile});
+    methods.push_back({"bootstrap BCa", even.point, even.bca});
+  }
+  Table table =
       ColumnsOf<Method>()
           .text("method", "method", &Method::name)
-          .fixed("point_m", "50 % point", "m", kDecimals, [](auto& r) { return r.even.point; })
+          .fixed("point_m", "50 % point", "m", kDecimals, &Method::point)
           .text("set", "set", [](auto& r) { return words_of(r.set.kind); })
-          .part(ends, ends_of)
-          .yes_or_no("covers_zero", "covers 0", [](auto& r) {
-            return r.set.kind == study::ConfidenceSetKind::unknown
-                       ? std::nullopt
-                       : std::optional(r.set.covers(0.0));
-          });
-  std::vector<Method> methods{{"Fieller", even, even.fieller}, {"profile", even, even.profile}};
-  if (study.options.replicates > 0) {
-    methods.push_back({"bootstrap percentile", even, even.percentile});
-    methods.push_back({"bootstrap BCa", even, even.bca});
-  }
-  Table table = columns.table("gate", "Margin of an even chance to pass: -alpha / beta", methods);
+          .fixed(
+              "low_m", "low", "m", kDecimals, [](auto& r) { return when(r.has_ends(), r.set.low); })
+          .fixed("high_m",
+                 "high",
+                 "m",
+                 kDecimals,
+                 [](auto& r) { return when(r.has_ends(), r.set.high); })
+          .fixed("width_m",
+                 "width",
+                 "m",
+                 kDecimals,
+                 [](auto& r) { return when(r.is_bounded(), r.set.high - r.set.low); })
+          .yes_or_no("covers_zero",
+                     "covers 0",
+                     [](auto& r) { return when(r.is_known(), r.set.covers(0.0)); })
+          .table("gate", "Margin of an even chance to pass: -alpha / beta", methods);
   table.n = static_cast<std::int64_t>(even.rows);
   table.footnotes = {
       "The margin is the smallest tick margin of the pass. Its distance from 0 is the "
@@ -171,10 +161,7 @@ Table pass_table(const study::GateStudy& study) {
              "certificate before",
              "m",
              kDecimals,
-             [](auto& row) {
-               const std::optional<double>& before = row.pass.before_m;
-               return before && *before > -kInfinity ? before : std::nullopt;
-             })
+             [](auto& row) { return row.pass.before_m; })
       .table("gate_passes", "The passes", study.rows);
 }
 

@@ -10,13 +10,10 @@ using statistics::ModelCalibration;
 
 /// A part of a curve of a panel.
 template <class Part>
-struct Named {
+struct Named : RowOf<Part> {
   std::string panel;
   std::string curve;
-  const Part& part;
   std::size_t number = 0;  ///< Within its curve, from 1.
-
-  const Part& operator*() const noexcept { return part; }
 };
 
 template <class Part>
@@ -37,7 +34,7 @@ Table h1_roc_table(const study::H1Table& h1) {
   Table table = columns.table("h1_roc", "ROC curves");
   for (const auto& roc : rows_of(h1, &study::H1Panel::roc)) {
     for (const Point& point : roc->curve.points) {
-      table.add_row(columns.row({roc.name, roc->name, point}));
+      table.add_row(columns.row({{point}, roc.name, roc->name}));
     }
   }
   table.footnotes = {
@@ -55,14 +52,14 @@ Table h1_calibration_table(const study::H1Table& h1) {
                            .integer("clusters", "clusters", &Bin::clusters)
                            .fixed("predicted", "predicted", &Bin::predicted)
                            .estimate("observed", "observed", [](auto& row) {
-                             return Estimated(row.part.observed, row.part.wilson);
+                             return Estimated(row.of.observed, row.of.wilson);
                            });
   Table table = columns.table("h1_calibration",
                               "Out-of-fold calibration: trials of like predicted probability");
   for (const auto& one : rows_of(h1, &study::H1Panel::calibration)) {
     std::size_t number = 0;
     for (const Bin& bin : one->calibration.bins) {
-      table.add_row(columns.row({one.name, one->name, bin, ++number}));
+      table.add_row(columns.row({{bin}, one.name, one->name, ++number}));
     }
   }
   table.footnotes = {

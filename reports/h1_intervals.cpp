@@ -51,19 +51,18 @@ Table score_interval_table(std::string name,
                            std::string row_name,
                            std::string row_heading,
                            const std::vector<NamedScore>& scores) {
-  const auto columns =
-      ColumnsOf<NamedScore>()
-          .text("panel", "panel", &NamedScore::panel)
-          .text(std::move(row_name), std::move(row_heading), &NamedScore::row)
-          .text("quantity", "of", &NamedScore::quantity)
-          .number("estimate", "estimate", &study::H1Score::value)
-          .part(bootstrap_columns(), [](auto& one) { return &one.score->intervals; });
+  const auto columns = ColumnsOf<NamedScore>()
+                           .text("panel", "panel", &NamedScore::panel)
+                           .text(std::move(row_name), std::move(row_heading), &NamedScore::row)
+                           .text("quantity", "of", &NamedScore::quantity)
+                           .number("estimate", "estimate", &study::H1Score::value)
+                           .part(bootstrap_columns(), [](auto& one) { return &one.of.intervals; });
   Table table =
       columns.table(std::move(name), "Bootstrap intervals of the same resamples by three methods");
   for (const NamedScore& one : scores) {
-    if (one.score->value) {
+    if (one.of.value) {
       table.add_row(columns.row(one));
-      add_no_bca(one.panel + ", " + one.row + ", " + one.quantity, one.score->intervals, table);
+      add_no_bca(one.panel + ", " + one.row + ", " + one.quantity, one.of.intervals, table);
     }
   }
   return table;
@@ -73,7 +72,7 @@ Table h1_interval_table(const study::H1Table& h1) {
   std::vector<NamedScore> scores;
   for (const auto& row : rows_of(h1, &study::H1Panel::rows)) {
     const auto add = [&](const char* quantity, const study::H1Score& score) {
-      scores.push_back({row.name, row->name, quantity, &score});
+      scores.push_back({{score}, row.name, row->name, quantity});
     };
     add("AUC", row->auc);
     add("gain of AUC", row->auc_gain);

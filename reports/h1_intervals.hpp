@@ -26,13 +26,10 @@ void add_no_bca(const std::string& of,
                 const statistics::BootstrapIntervals& intervals,
                 Table& table);
 
-struct NamedScore {
+struct NamedScore : RowOf<study::H1Score> {
   std::string panel;
   std::string row;  ///< Of the panel's table.
   std::string quantity;
-  const study::H1Score* score;
-
-  const study::H1Score& operator*() const noexcept { return *score; }
 };
 
 /// The scores that have a value, with their intervals by three methods; why BCa has none is a

@@ -49,9 +49,7 @@ Table h1_success_table(const study::H1Table& h1) {
       .integer("n", "n", [](auto& r) { return r.panel->complete; })
       .integer("events", "successes", [](auto& r) { return r.panel->successes; })
       .integer("clusters", "clusters", [](auto& r) { return r.panel->clusters; })
-      .integer("missing",
-               "missing",
-               [](auto& r) { return r->is_single() ? std::optional(r->missing) : std::nullopt; })
+      .integer("missing", "missing", [](auto& r) { return when(r->is_single(), r->missing); })
       .estimate("auc", "AUC [" + level + "]", &H1Row::auc)
       .estimate("auc_gain", "gain of AUC [" + level + "]", &H1Row::auc_gain)
       .p("p", "p", &H1Row::auc_p)

@@ -56,11 +56,8 @@ std::vector<std::string> notes(const study::H3Table& h3) {
   return notes;
 }
 
-struct LightingCase {
+struct LightingCase : RowOf<H3Case> {
   const H3Group& group;
-  const H3Case& one;
-
-  const H3Case& operator*() const noexcept { return one; }
 };
 
 Table case_table(const study::H3Table& h3) {
@@ -81,7 +78,7 @@ Table case_table(const study::H3Table& h3) {
           .yes_or_no("non_inferior", "non-inferior", &H3Case::non_inferior)
           .estimate("retained",
                     "retained",
-                    [](auto& r) { return Estimated(r.one.retained, r.one.retained_interval); })
+                    [](auto& r) { return Estimated(r.of.retained, r.of.retained_interval); })
           .integer("stalls", "stalls", &H3Case::stalls)
           .integer("stalled_trials", "trials with stalls", &H3Case::stalled_trials)
           .yes_or_no("on_front", "front", &H3Case::on_front);
@@ -89,7 +86,7 @@ Table case_table(const study::H3Table& h3) {
       columns.table("h3", "H3: speed gated by the margin, against '" + h3.options.baseline + "'");
   for (const H3Group& group : h3.groups) {
     for (const H3Case& one : group.cases) {
-      table.add_row(columns.row({group, one}));
+      table.add_row(columns.row({{one}, group}));
     }
   }
   table.n =

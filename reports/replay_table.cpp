@@ -75,9 +75,7 @@ ColumnsOf<study::ReplayRecord> replay_columns() {
       .part(times, [](auto& r) { return &r.replay; })
       .fixed("loop_latency_ms", "latency", "ms", 2, &Record::loop_latency_ms)
       .part(stalls, [](auto& r) { return &r.replay; })
-      .integer("kept",
-               "kept",
-               [](auto& r) { return r.trial.success ? std::optional(r.kept) : std::nullopt; })
+      .integer("kept", "kept", [](auto& r) { return when(r.trial.success.has_value(), r.kept); })
       .part(replan_columns(), &Record::replans);
 }
 

@@ -24,27 +24,30 @@ struct SeriesRow {
 
 using Number = double (*)(const SeriesRow&);
 using Words = void (*)(std::string& out, const SeriesRow&);
-using Certified = CertifiedTick;
+using C = CertifiedTick;
+using G = GuardedTick;
 
 struct SeriesColumn {
   std::string_view name;
   std::string_view unit;
   std::string_view doc;
-  std::
-      variant<double Certified::*, std::uint32_t Certified::*, double GuardedTick::*, Number, Words>
-          value;
+  std::variant<double C::*, std::uint32_t C::*, double G::*, Number, Words> value;
 };
+
+// A comma ends each cell; that of the last one makes room for the end of the line.
 
 void append_number(std::string& out, double value) {
   if (std::isfinite(value)) {
     table::append_number(out, value);
   }
+  out += ',';
 }
 
 void append_count(std::string& out, std::uint32_t value) {
   std::array<char, 10> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   out.append(digits.data(), end);
+  out += ',';
 }
 
 void append_flags(std::string& out, std::uint32_t flags) {
@@ -69,13 +72,14 @@ struct CellWriter {
   std::string& out;
   const SeriesRow& row;
 
-  void operator()(double Certified::*value) const { append_number(out, row.certified.*value); }
-  void operator()(std::uint32_t Certified::*value) const {
-    append_count(out, row.certified.*value);
-  }
-  void operator()(double GuardedTick::*value) const { append_number(out, row.guarded.*value); }
+  void operator()(double C::*value) const { append_number(out, row.certified.*value); }
+  void operator()(std::uint32_t C::*value) const { append_count(out, row.certified.*value); }
+  void operator()(double G::*value) const { append_number(out, row.guarded.*value); }
   void operator()(Number value) const { append_number(out, value(row)); }
-  void operator()(Words value) const { value(out, row); }
+  void operator()(Words value) const {
+    value(out, row);
+    out += ',';
+  }
 };
 
 using R = const SeriesRow&;
@@ -88,31 +92,25 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
     {"x_m", "m", "pose, in the frame of the log", [](R r) { return r.tick.pose.position.x_m; }},
     {"y_m", "m", "the same", [](R r) { return r.tick.pose.position.y_m; }},
     {"yaw_rad", "rad", "the same", [](R r) { return r.tick.pose.yaw_rad; }},
-    {"travel_m",
-     "m",
-     "signed way along the body axis, standing noise left out",
-     &Certified::travel_m},
-    {"left_m",
-     "m",
-     "free distance that the rays prove on the left of the path",
-     &Certified::left_m},
-    {"right_m", "m", "the same on the right", &Certified::right_m},
-    {"width_m", "m", "w_t: left and right together", &Certified::width_m},
-    {"turn_radius_m", "m", "rho_t: radius of the path's curvature", &Certified::turn_radius_m},
-    {"margin_m", "m", "m_t: the tick's margin, by width and turn radius", &Certified::margin_m},
+    {"travel_m", "m", "signed way along the body axis, standing noise left out", &C::travel_m},
+    {"left_m", "m", "free distance that the rays prove on the left of the path", &C::left_m},
+    {"right_m", "m", "the same on the right", &C::right_m},
+    {"width_m", "m", "w_t: left and right together", &C::width_m},
+    {"turn_radius_m", "m", "rho_t: radius of the path's curvature", &C::turn_radius_m},
+    {"margin_m", "m", "m_t: the tick's margin, by width and turn radius", &C::margin_m},
     {"edge_margin_m",
      "m",
      "least margin of the graph's edge that is being driven",
-     &Certified::edge_margin_m},
-    {"memory", "", "contact memory, 0 to 1", &Certified::memory},
+     &C::edge_margin_m},
+    {"memory", "", "contact memory, 0 to 1", &C::memory},
     {"corridor_value_m",
      "m",
      "V_t: bottleneck of the widest path from S to the present node",
-     &Certified::corridor_value_m},
+     &C::corridor_value_m},
     {"certificate_m",
      "m",
      "T_t: bottleneck of the widest path from S to G; empty without one",
-     &Certified::certificate_m},
+     &C::certificate_m},
     {"series_m",
      "m",
      "T_t where it is issued, before that V_t",
@@ -121,13 +119,10 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
      "m/s",
      "speed that the law allows at the margin",
      [](R r) { return gated(r.speed_law, r.certified.margin_m); }},
-    {"contacts", "", "rays in contact at the tick", &Certified::contacts},
-    {"new_contacts",
-     "",
-     "of them those that were free at the tick before",
-     &Certified::new_contacts},
-    {"nodes", "", "of the graph so far", &Certified::nodes},
-    {"edges", "", "of the graph so far", &Certified::edges},
+    {"contacts", "", "rays in contact at the tick", &C::contacts},
+    {"new_contacts", "", "of them those that were free at the tick before", &C::new_contacts},
+    {"nodes", "", "of the graph so far", &C::nodes},
+    {"edges", "", "of the graph so far", &C::edges},
     {"flags",
      "",
      "words with + between: stale, bad_input, missing_ray, break, capacity_exceeded, "
@@ -141,21 +136,19 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
 
 /// Those of `SeriesFormat::guards`.
 constexpr auto kGuardColumns = std::to_array<SeriesColumn>({
-    {"gated_speed_mps", "m/s", "", &GuardedTick::speed_mps},
+    {"gated_speed_mps", "m/s", "", &G::speed_mps},
     {"yaw_rate_cmd_rps", "rad/s", "", [](R r) { return r.yaw_rate_cmd_rps; }},
-    {"tracking_error_m", "m", "", &GuardedTick::tracking_error_m},
-    {"robust_margin_m", "m", "", &GuardedTick::robust_margin_m},
-    {"force_n", "N", "", &GuardedTick::force_n},
-    {"force_limit_n", "N", "", &GuardedTick::force_limit_n},
+    {"tracking_error_m", "m", "", &G::tracking_error_m},
+    {"robust_margin_m", "m", "", &G::robust_margin_m},
+    {"force_n", "N", "", &G::force_n},
+    {"force_limit_n", "N", "", &G::force_limit_n},
     {"triggers", "", "", [](std::string& out, R r) { out += trigger_words(r.guarded.triggers); }},
 });
 
-/// With commas between; what a column holds is known when this is compiled.
+/// What a column holds is known when this is compiled.
 template <const auto& columns, std::size_t... I>
 void append_cells(const CellWriter& cell, std::index_sequence<I...> /*all*/) {
-  ((I == 0 ? void() : cell.out.push_back(','),
-    cell(std::get<columns[I].value.index()>(columns[I].value))),
-   ...);
+  (cell(std::get<columns[I].value.index()>(columns[I].value)), ...);
 }
 
 template <const auto& columns>
@@ -171,28 +164,28 @@ std::vector<ColumnDoc> series_columns() {
     columns.push_back({std::string(one.name), std::string(one.unit), std::string(one.doc)});
   }
   columns.push_back({"<ray>_margin_m", "m", "margin of each ray, with --ray-margins"});
-  columns.push_back({"synthetic_seed", "", "seed of synthetic data; not in real data"});
+  columns.push_back(synthetic_seed_doc());
   return columns;
 }
 
 std::string series_header(const SeriesFormat& format, const Robot& robot) {
   std::string header;
   for (const SeriesColumn& column : kColumns) {
-    header += header.empty() ? "" : ",";
-    header += column.name;
+    (header += column.name) += ',';
   }
   if (format.ray_margins) {
     for (const Ray& ray : robot.rays) {
-      header += ',';
       table::append_text(header, ray.name + "_margin_m");
+      header += ',';
     }
   }
   if (format.guards) {
     for (const SeriesColumn& column : kGuardColumns) {
-      (header += ',') += column.name;
+      (header += column.name) += ',';
     }
   }
-  header += format.synthetic ? ",synthetic_seed\n" : "\n";
+  header += format.synthetic ? "synthetic_seed," : "";
+  header.back() = '\n';
   return header;
 }
 
@@ -207,19 +200,17 @@ void append_series_row(std::string& out,
   append_cells<kColumns>(out, row);
   if (format.ray_margins) {
     for (const double margin : ray_margins) {
-      out += ',';
       append_number(out, is_evidence(certified.flags) ? margin : kMissing);
     }
   }
   if (format.guards) {
-    out += ',';
     append_cells<kGuardColumns>(out, row);
   }
   if (format.synthetic) {
-    out += ',';
     out += format.synthetic->seed ? std::to_string(*format.synthetic->seed) : "";
+    out += ',';
   }
-  out += '\n';
+  out.back() = '\n';
 }
 
 std::string flag_words(std::uint32_t flags) {

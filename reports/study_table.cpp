@@ -30,8 +30,6 @@ ColumnsOf<StudyGroup> latency_columns() {
       "latency_ms", "latency", "ms", 2, [](auto& r) { return r.loop_latency_ms.median(); });
 }
 
-}  // namespace
-
 Table success_table(std::span<const StudyGroup> cells) {
   const auto columns =
       cell_columns()
@@ -51,34 +49,29 @@ Table success_table(std::span<const StudyGroup> cells) {
 }
 
 Table speed_table(std::span<const StudyGroup> algorithms, std::span<const StudyGroup> lightings) {
-  struct Row {
+  struct Row : RowOf<StudyGroup> {
     std::string grouped_by;
     const std::string& name;
-    const StudyGroup& group;
-
-    const StudyGroup& operator*() const noexcept { return group; }
   };
-  const auto columns = ColumnsOf<Row>()
-                           .text("grouped_by", "grouped by", &Row::grouped_by)
-                           .text("group", "group", [](auto& r) { return named(r.name); })
-                           .integer("trials", "trials", &StudyGroup::trials)
-                           .fixed("speed_mps",
-                                  "speed",
-                                  "m/s",
-                                  3,
-                                  [](auto& r) { return r.group.speed_cmd_mps.median(); })
-                           .fixed("published_speed_mps",
-                                  "published",
-                                  "m/s",
-                                  3,
-                                  [](auto& r) { return study::published_speed_mps(r.name); })
-                           .part(latency_columns(), [](auto& r) { return &r.group; });
+  const auto columns =
+      ColumnsOf<Row>()
+          .text("grouped_by", "grouped by", &Row::grouped_by)
+          .text("group", "group", [](auto& r) { return named(r.name); })
+          .integer("trials", "trials", &StudyGroup::trials)
+          .fixed(
+              "speed_mps", "speed", "m/s", 3, [](auto& r) { return r.of.speed_cmd_mps.median(); })
+          .fixed("published_speed_mps",
+                 "published",
+                 "m/s",
+                 3,
+                 [](auto& r) { return study::published_speed_mps(r.name); })
+          .part(latency_columns(), [](auto& r) { return &r.of; });
   Table table = columns.table("speed", "Median commanded speed and policy-loop latency");
   for (const StudyGroup& group : algorithms) {
-    table.add_row(columns.row({"algorithm", group.algorithm, group}));
+    table.add_row(columns.row({{group}, "algorithm", group.algorithm}));
   }
   for (const StudyGroup& group : lightings) {
-    table.add_row(columns.row({"lighting", group.lighting, group}));
+    table.add_row(columns.row({{group}, "lighting", group.lighting}));
   }
   table.n = sum_of_trials(algorithms);
   table.footnotes = {
@@ -103,6 +96,8 @@ Table latency_table(std::span<const StudyGroup> cells) {
   table.n = sum_of_trials(cells);
   return table;
 }
+
+}  // namespace
 
 std::vector<Table> study_tables(const study::StudyRecord& study) {
   const std::vector<StudyGroup> cells = study.by_cell();

@@ -11,17 +11,9 @@
 
 namespace tcert {
 
-/// Table 1: successes / trials (share) per algorithm and lighting, with sums.
-[[nodiscard]] Table success_table(std::span<const study::StudyGroup> cells);
-
-/// Median commanded speed by algorithm and by lighting beside the published one, and latency.
-[[nodiscard]] Table speed_table(std::span<const study::StudyGroup> algorithms,
-                                std::span<const study::StudyGroup> lightings);
-
-/// Median latency in every cell.
-[[nodiscard]] Table latency_table(std::span<const study::StudyGroup> cells);
-
-/// All of them: table1, speed, latency.
+/// Table 1: successes / trials (share) per algorithm and lighting, with sums; median commanded
+/// speed by algorithm and by lighting beside the published one, and latency; median latency in
+/// every cell.
 [[nodiscard]] std::vector<Table> study_tables(const study::StudyRecord& study);
 
 }  // namespace tcert

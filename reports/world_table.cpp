@@ -35,11 +35,7 @@ ColumnsOf<KnownWorld> world_columns() {
              "error at most",
              "m",
              kDecimals,
-             [](auto& r) {
-               const study::ClearanceValue& clearance = r.truth.clearance;
-               return r.is_connected() ? std::optional(clearance.upper_m - clearance.clearance_m)
-                                       : std::nullopt;
-             })
+             [](auto& r) { return r.truth.clearance.upper_m - r.truth.clearance.clearance_m; })
       .integer("connected", "connected", &KnownWorld::is_connected)
       .part(bottleneck, [](auto& r) { return r.truth.clearance.bottleneck; })
       .integer("obstacles", "obstacles", [](auto& r) { return r.world.obstacles.size(); });

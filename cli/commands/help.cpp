@@ -41,26 +41,10 @@ Example:
 Cost: none.
 )";
 
-constexpr std::array kCommands = {&kSimulate,
-                                  &kImport,
-                                  &kCheck,
-                                  &kCertify,
-                                  &kWorld,
-                                  &kFit,
-                                  &kHypotheses,
-                                  &kAblate,
-                                  &kSweep,
-                                  &kReplay,
-                                  &kExplore,
-                                  &kGate,
-                                  &kStudy,
-                                  &kReport,
-                                  &kReproduce,
-                                  &kFigures,
-                                  &kVerify,
-                                  &kLive,
-                                  &kHelp,
-                                  &kVersion};
+constexpr std::array kCommands = {&kSimulate, &kImport,     &kCheck,  &kCertify, &kWorld,
+                                  &kFit,      &kHypotheses, &kAblate, &kSweep,   &kReplay,
+                                  &kExplore,  &kGate,       &kStudy,  &kReport,  &kReproduce,
+                                  &kFigures,  &kVerify,     &kLive,   &kHelp,    &kVersion};
 
 std::string overview() {
   std::string text =

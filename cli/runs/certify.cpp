@@ -48,7 +48,7 @@ RunResult certify_to_text(const OpenedBundle& opened,
       });
   table.n = static_cast<std::int64_t>(summary.trials);
   failures.say(progress);
-  return {report(summary, opened, progress), render(table, request.output.table_format())};
+  return {conclude(summary, opened, progress), render(table, request.output.table_format())};
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ RunResult certify(const CertifyRequest& request, Progress& progress) {
   }
   folder.commit(manifest_of("certify", opened, written(request), summary));
   failures.say(progress);
-  return {report(summary, opened, progress), ""};
+  return {conclude(summary, opened, progress), ""};
 }
 
 }  // namespace tcert::cli

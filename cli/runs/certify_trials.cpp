@@ -177,7 +177,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
   return summary;
 }
 
-ExitCode report(const CertifySummary& summary, const OpenedBundle& opened, Progress& progress) {
+ExitCode conclude(const CertifySummary& summary, const OpenedBundle& opened, Progress& progress) {
   std::string line =
       "Certified " + std::to_string(summary.trials) + (summary.trials == 1 ? " trial" : " trials");
   for (const std::string& id : summary.rejected) {

@@ -50,9 +50,9 @@ using TrialExtra = std::function<std::function<void()>(const study::StudiedTrial
                                             const TrialExtra& extra = {});
 
 /// Says "Certified 658 trials; rejected: t3, t9."; the exit code that goes with it.
-[[nodiscard]] ExitCode report(const CertifySummary& summary,
-                              const OpenedBundle& opened,
-                              Progress& progress);
+[[nodiscard]] ExitCode conclude(const CertifySummary& summary,
+                                const OpenedBundle& opened,
+                                Progress& progress);
 
 /// The manifest of a command that certified a bundle.
 [[nodiscard]] Manifest manifest_of(std::string command,

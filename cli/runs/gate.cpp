@@ -53,7 +53,7 @@ RunResult gate(const GateRequest& request, Progress& progress) {
   manifest.seed = options.seed;
   const bool failed = statistics::has_error(result.conditions);
   std::string text = output.deliver(std::move(result), request.table, std::move(manifest));
-  return {failed ? exit_bad_data : report(summary, opened, progress), std::move(text)};
+  return {failed ? exit_bad_data : conclude(summary, opened, progress), std::move(text)};
 }
 
 }  // namespace tcert::cli

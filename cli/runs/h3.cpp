@@ -76,7 +76,7 @@ Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
   if (const auto input = tracking_error_input(request.laws.tracking_error)) {
     study.manifest.inputs.push_back(*input);
   }
-  study.code = report(summary, opened, progress);
+  study.code = conclude(summary, opened, progress);
   return study;
 }
 

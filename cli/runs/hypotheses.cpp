@@ -51,7 +51,7 @@ Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
   study.file.table = features.table();
   study.file.synthetic = synthetic_label(opened.bundle.info);
   study.manifest = manifest_of("hypotheses", opened, written(request), summary);
-  study.code = report(summary, opened, progress);
+  study.code = conclude(summary, opened, progress);
   return study;
 }
 

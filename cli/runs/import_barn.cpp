@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/runs/data_file.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/written_options.hpp"
 #include "datasets/import_barn.hpp"
@@ -33,17 +34,6 @@ table::TextTable table_of(const std::string& option, const std::string& file, Pr
   return std::move(*result.table);
 }
 
-std::vector<std::string> split(const std::string& names) {
-  std::vector<std::string> result;
-  std::size_t begin = 0;
-  while (begin <= names.size() && !names.empty()) {
-    const std::size_t end = std::min(names.find(',', begin), names.size());
-    result.push_back(names.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return result;
-}
-
 void require_known(const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
   if (!wanted.empty() && known.empty()) {
     throw UsageError("--planners: the trials have no column planner");
@@ -55,7 +45,7 @@ void require_known(const std::vector<std::string>& wanted, const std::vector<std
   }
 }
 
-void report(const BarnSummary& s, Progress& progress) {
+void sum_up(const BarnSummary& s, Progress& progress) {
   std::string groups;
   for (const auto& [name, rows] : s.groups) {
     groups += fmt::format("{}{} {}", groups.empty() ? "" : ", ", name, rows);
@@ -103,7 +93,7 @@ RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
   const table::TextTable trials = table_of("trials", request.trials, progress);
   const table::TextTable metrics = table_of("metrics", request.metrics, progress);
   BarnImportOptions barn;
-  barn.planners = split(request.planners);
+  barn.planners = words_of(request.planners);
   barn.other_ports = !request.same_port;
   require_known(barn.planners, planners_of(trials));
   if (request.same_port && planners_of(trials).empty()) {
@@ -112,7 +102,7 @@ RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
   const BarnImportResult result =
       tcert::import_barn(trials, request.trials, metrics, request.metrics, barn);
   progress.say(result.diagnostics);
-  report(result.summary, progress);
+  sum_up(result.summary, progress);
   if (!result.csv) {
     const bool measured = result.summary.unmeasured == 0;
     throw BadData(measured ? "'" + request.trials + "' holds no trial that can be used"

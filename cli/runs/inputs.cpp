@@ -4,27 +4,16 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "cli/runs/data_file.hpp"
 #include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
 namespace {
 
-std::vector<std::string> split(std::string_view list) {
-  std::vector<std::string> parts;
-  while (!list.empty()) {
-    const auto comma = std::min(list.find(','), list.size());
-    if (comma > 0) {
-      parts.emplace_back(list.substr(0, comma));
-    }
-    list.remove_prefix(std::min(comma + 1, list.size()));
-  }
-  return parts;
-}
-
 /// \throws UsageError for a pattern that chooses nothing.
 std::vector<std::size_t> choose(const Bundle& bundle, const std::string& list) {
   std::vector<std::size_t> chosen;
-  const std::vector<std::string> patterns = split(list);
+  const std::vector<std::string> patterns = words_of(list);
   std::vector<bool> used(patterns.size(), false);
   for (std::size_t t = 0; t < bundle.trials.size(); ++t) {
     bool wanted = patterns.empty();

@@ -185,7 +185,7 @@ RunResult replay(const ReplayRequest& request, Progress& progress) {
   table.synthetic = synthetic_label(opened.bundle.info);
   table.n = static_cast<std::int64_t>(summary.trials);
   if (!folder) {
-    return {report(summary, opened, progress), render(table, request.output.table_format())};
+    return {conclude(summary, opened, progress), render(table, request.output.table_format())};
   }
   files->close();
   folder->write("replay_totals.csv", render(table, TableFormat::csv));
@@ -194,7 +194,7 @@ RunResult replay(const ReplayRequest& request, Progress& progress) {
     manifest.inputs.push_back(*input);
   }
   folder->commit(std::move(manifest));
-  return {report(summary, opened, progress), ""};
+  return {conclude(summary, opened, progress), ""};
 }
 
 }  // namespace tcert::cli

@@ -37,9 +37,6 @@ std::optional<Figure> equivalence_figure(const Table& pairs, const Table& equali
   figure.data = figure_table(
       "equivalence", {"panel", "pair"}, {"difference", "difference_low", "difference_high"});
   for (const std::string& quantity : distinct(pairs, "quantity")) {
-    Panel one;
-    one.name = quantity;
-    one.x = axis("difference of " + quantity);
     Extent extent;
     std::vector<std::string> names;
     for (std::size_t row = 0; row < pairs.rows.size(); ++row) {
@@ -60,6 +57,9 @@ std::optional<Figure> equivalence_figure(const Table& pairs, const Table& equali
     if (names.empty()) {
       continue;
     }
+    Panel one = interval_panel("pair", "difference", "pair", names);
+    one.name = quantity;
+    one.x = axis("difference of " + quantity);
     one.references = {{true, 0.0, false}};
     if (const double margin = margin_of(equality, last, quantity); std::isfinite(margin)) {
       one.references.push_back({true, margin, true});
@@ -68,11 +68,6 @@ std::optional<Figure> equivalence_figure(const Table& pairs, const Table& equali
       extent.add(-margin);
     }
     extent.apply(one.x);
-    one.y.scale = AxisScale::categories;
-    one.y.categories.assign(names.rbegin(), names.rend());
-    Layer point = layer(Mark::point, "pair", "difference", "pair");
-    point.size = 1.4;
-    one.layers = {range_x("pair", "difference_low", "difference_high", "pair"), point};
     one.height = 0.5;
     figure.panels.push_back(std::move(one));
   }

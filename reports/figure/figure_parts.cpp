@@ -115,6 +115,19 @@ Axis share_axis(const std::string& title) {
   return one;
 }
 
+Panel interval_panel(const char* part,
+                     const std::string& value,
+                     const char* names,
+                     const std::vector<std::string>& from_the_top) {
+  Panel one;
+  one.y.scale = AxisScale::categories;
+  one.y.categories.assign(from_the_top.rbegin(), from_the_top.rend());
+  Layer point = layer(Mark::point, part, value.c_str(), names);
+  point.size = 1.4;
+  one.layers = {range_x(part, (value + "_low").c_str(), (value + "_high").c_str(), names), point};
+  return one;
+}
+
 std::string panel_title(const std::string& panel) {
   return panel == "paper"      ? "Paper: early window, all trials"
          : panel == "landmark" ? "Landmark: first seconds, trials still running"

@@ -39,6 +39,13 @@ struct Extent {
 /// From 0 to 1.
 [[nodiscard]] Axis share_axis(const std::string& title);
 
+/// Points with their intervals, one a name from the top: VALUE, VALUE_low and VALUE_high of the
+/// rows of `part`, by the texts of the column `names`.
+[[nodiscard]] Panel interval_panel(const char* part,
+                                   const std::string& value,
+                                   const char* names,
+                                   const std::vector<std::string>& from_the_top);
+
 /// The panels of H1 and H2 in words.
 [[nodiscard]] std::string panel_title(const std::string& panel);
 

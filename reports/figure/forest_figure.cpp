@@ -59,7 +59,7 @@ std::optional<Figure> forest_figure(const Table& h1_mixed, const Table& h1_time)
     if (shown.empty()) {
       continue;
     }
-    Panel one;
+    Panel one = interval_panel("effect", "ratio", "predictor", shown);
     one.title = ratio.title;
     one.name = ratio.title;
     one.x = axis("ratio per SD, log scale");
@@ -67,12 +67,7 @@ std::optional<Figure> forest_figure(const Table& h1_mixed, const Table& h1_time)
     one.x.low = low / 1.08;
     one.x.high = high * 1.08;
     one.x.ticks = ratio_ticks(*one.x.low, *one.x.high);
-    one.y.scale = AxisScale::categories;
-    one.y.categories.assign(shown.rbegin(), shown.rend());
     one.references = {{true, 1.0, true}};
-    Layer point = layer(Mark::point, "effect", "ratio", "predictor");
-    point.size = 1.4;
-    one.layers = {range_x("effect", "ratio_low", "ratio_high", "predictor"), point};
     one.height = 0.62;
     figure.panels.push_back(std::move(one));
   }

@@ -10,6 +10,7 @@
 #include "reports/figure/figure_table.hpp"
 #include "reports/figure/gnuplot_layout.hpp"
 #include "reports/figure/gnuplot_plot.hpp"
+#include "reports/figure/gnuplot_style.hpp"
 
 namespace tcert {
 namespace {

@@ -1,43 +1,19 @@
 #include "reports/figure/gnuplot_plot.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <map>
-#include <string_view>
-#include <table/csv_write.hpp>
 #include <vector>
 
 #include "reports/figure/figure_rows.hpp"
 #include "reports/figure/figure_table.hpp"
+#include "reports/figure/gnuplot_style.hpp"
 
 namespace tcert {
 namespace {
 
-constexpr std::array<std::string_view, 6> kDashes = {
-    "solid", "(16,7)", "(6,6)", "(18,6,5,6)", "(28,8)", "(10,5,4,5)"};
-constexpr std::array<int, 6> kFilled = {7, 5, 9, 13, 11, 15};
-constexpr std::array<int, 6> kHollow = {6, 4, 8, 12, 10, 14};
-
-std::string_view ink(Tone tone) {
-  switch (tone) {
-    case Tone::ink:
-      return "#222222";
-    case Tone::muted:
-      return "#888888";
-    case Tone::faint:
-      return "#d0d0d0";
-  }
-  return "#222222";
-}
-
 bool is_line(Mark mark) {
   return is_path(mark) || mark == Mark::segment || mark == Mark::range_x || mark == Mark::range_y;
-}
-
-std::string dash_of(const Layer& layer, std::size_t index) {
-  return " dt " + std::string(layer.guide ? kGuideDash : kDashes[index % kDashes.size()]);
 }
 
 std::size_t panel_index(const Figure& figure, const Panel& panel) {
@@ -53,40 +29,6 @@ std::string value_of(const std::string& column,
     return axis_name + std::to_string(panel) + "(strcol(" + quoted(column) + "))";
   }
   return "column(" + quoted(column) + ")";
-}
-
-/// How a class, or a layer without one, looks.
-struct Look {
-  std::string colour = "rgb '#222222'";
-  std::size_t index = 0;
-};
-
-std::string style_of(const Layer& layer, const Look& look) {
-  const std::string line = " lw " + number(layer.width) + " lc " + look.colour;
-  switch (layer.mark) {
-    case Mark::line:
-      return "with lines" + line + dash_of(layer, look.index);
-    case Mark::step:
-      return "with steps" + line + dash_of(layer, look.index);
-    case Mark::point: {
-      const auto& shapes = layer.hollow ? kHollow : kFilled;
-      return "with points pt " + std::to_string(shapes[look.index % shapes.size()]) + " ps " +
-             number(0.75 * layer.size) + line;
-    }
-    case Mark::segment:
-    case Mark::range_x:
-    case Mark::range_y:
-      return "with vectors nohead" + line;
-    case Mark::band:
-      return "with filledcurves lc " + look.colour + " fs transparent solid 0.18 noborder";
-    case Mark::text:
-      return "with labels" +
-             (layer.raise > 0.0 ? std::string(" left offset 0.6,") + number(layer.raise) : "") +
-             " textcolor " + look.colour;
-    case Mark::polygon:
-      break;
-  }
-  return "";
 }
 
 /// `strcol('part') eq 'x' && ...`
@@ -151,10 +93,6 @@ std::string clause(const Figure& figure,
          " notitle";
 }
 
-Look look_of_class(std::size_t index) {
-  return {"rgb '" + std::string(class_colour(index)) + "'", index};
-}
-
 std::size_t class_index(const Figure& figure, const std::string& name) {
   const auto& classes = figure.key.classes;
   return static_cast<std::size_t>(std::find(classes.begin(), classes.end(), name) -
@@ -200,23 +138,6 @@ struct Polygon {
 
 // gnuplot reads '' as a quote within quotes, but not '''x': quotes are strings of their own. Double
 // quotes round everything would let a back quote run a program.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) {
-    out += is_control(c) ? std::string(" ")
-           : c == '\''   ? std::string("'.\"'\".'")
-                         : std::string(1, c);
-  }
-  out += "'";
-  return text.find('\'') == std::string::npos ? out : "(" + out + ")";
-}
-
-std::string number(double value) {
-  std::string text;
-  table::append_number(text, value);
-  return text;
-}
-
 std::string class_functions(const Figure& figure) {
   std::string out;
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
@@ -287,7 +208,7 @@ std::string plot_command(const Figure& figure, const Panel& panel) {
         add(layer, figure.key.classes[i - 1], look_of_class(i - 1));
       }
     } else {
-      add(layer, "", {"rgb '" + std::string(ink(layer.tone)) + "'", 0});
+      add(layer, "", look_of(layer.tone));
     }
   }
   const bool empty = clauses.empty();

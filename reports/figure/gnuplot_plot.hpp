@@ -3,20 +3,10 @@
 /// The plot commands of a panel. Internal to reports/figure.
 
 #include <string>
-#include <string_view>
 
 #include "reports/figure/figure.hpp"
 
 namespace tcert {
-
-/// Of lines that are no data; gaps that the round ends of thin lines leave open in print.
-inline constexpr std::string_view kGuideDash = "(7,8)";
-
-/// As a gnuplot string.
-[[nodiscard]] std::string quoted(const std::string& text);
-
-/// In shortest round-trip form.
-[[nodiscard]] std::string number(double value);
 
 /// Functions that turn the categories of each panel's axes into positions.
 [[nodiscard]] std::string class_functions(const Figure& figure);

@@ -1,7 +1,9 @@
 #include "reports/fit/bootstrap_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "reports/columns_of.hpp"
 
@@ -10,15 +12,18 @@ namespace {
 
 using statistics::BootstrapMethod;
 
+/// Beside BCa.
+constexpr std::array kMethods{std::pair("expanded", BootstrapMethod::expanded),
+                              std::pair("percentile", BootstrapMethod::percentile),
+                              std::pair("basic", BootstrapMethod::basic),
+                              std::pair("normal", BootstrapMethod::normal)};
+
 struct Value {
   std::string name;
   const statistics::BootstrapResult& result;
   std::size_t value;
   statistics::BootstrapEstimate bca;
-  std::optional<statistics::Interval> expanded;
-  std::optional<statistics::Interval> percentile;
-  std::optional<statistics::Interval> basic;
-  std::optional<statistics::Interval> normal;
+  std::map<BootstrapMethod, std::optional<statistics::Interval>> intervals;
 };
 
 /// How many replicates gave a value.
@@ -28,21 +33,22 @@ std::size_t used(const Value& r) {
       replicates.begin(), replicates.end(), [](double one) { return std::isfinite(one); }));
 }
 
-ColumnsOf<Value> bootstrap_columns() {
-  return ColumnsOf<Value>()
-      .text("term", "predictor", &Value::name)
+ColumnsOf<Value> value_columns() {
+  ColumnsOf<Value> columns;
+  columns.text("term", "predictor", &Value::name)
       .number("estimate", "value", [](auto& r) { return r.bca.observed; })
       .number("bias", "bias", [](auto& r) { return r.bca.bias; })
       .number("std.error", "SE", [](auto& r) { return r.bca.standard_error; })
-      .ends({"conf.low", "BCa low"},
-            {"conf.high", "BCa high"},
-            [](auto& r) { return r.bca.interval; })
-      .ends({"expanded.low", "expanded low"}, {"expanded.high", "expanded high"}, &Value::expanded)
-      .ends({"percentile.low", "percentile low"},
-            {"percentile.high", "percentile high"},
-            &Value::percentile)
-      .ends({"basic.low", "basic low"}, {"basic.high", "basic high"}, &Value::basic)
-      .ends({"normal.low", "normal low"}, {"normal.high", "normal high"}, &Value::normal)
+      .ends({"conf.low", "BCa low"}, {"conf.high", "BCa high"}, [](auto& r) {
+        return r.bca.interval;
+      });
+  for (const auto& [word, method] : kMethods) {
+    const std::string name = word;
+    columns.ends({name + ".low", name + " low"},
+                 {name + ".high", name + " high"},
+                 [method = method](auto& r) { return r.intervals.at(method); });
+  }
+  return columns
       .number(
           "acceleration", "acceleration", [](auto& r) { return r.result.acceleration[r.value]; })
       .integer("replicates", "replicates used", used);
@@ -51,23 +57,17 @@ ColumnsOf<Value> bootstrap_columns() {
 }  // namespace
 
 BootstrapTable::BootstrapTable(double level)
-    : level_(level), table_(bootstrap_columns().table("bootstrap", "Bootstrap intervals")) {}
+    : level_(level), table_(value_columns().table("bootstrap", "Bootstrap intervals")) {}
 
 void BootstrapTable::add(const std::string& name,
                          const statistics::BootstrapResult& result,
                          std::size_t value) {
   const statistics::BootstrapEstimate bca = statistics::bootstrap_estimate(result, value, level_);
-  const auto interval_by = [&](BootstrapMethod method) {
-    return statistics::bootstrap_estimate(result, value, level_, method).interval;
-  };
-  table_.add_row(bootstrap_columns().row({name,
-                                          result,
-                                          value,
-                                          bca,
-                                          interval_by(BootstrapMethod::expanded),
-                                          interval_by(BootstrapMethod::percentile),
-                                          interval_by(BootstrapMethod::basic),
-                                          interval_by(BootstrapMethod::normal)}));
+  Value row{name, result, value, bca, {}};
+  for (const auto& [word, method] : kMethods) {
+    row.intervals[method] = statistics::bootstrap_estimate(result, value, level_, method).interval;
+  }
+  table_.add_row(value_columns().row(row));
   for (statistics::Condition condition : bca.conditions) {
     condition.column = name;
     conditions_.push_back(std::move(condition));

@@ -6,12 +6,9 @@
 namespace tcert {
 namespace {
 
-struct Part {
+struct Part : RowOf<statistics::CalibrationCoefficient> {
   std::string name;
-  const statistics::CalibrationCoefficient& one;
   double ideal;
-
-  const statistics::CalibrationCoefficient& operator*() const noexcept { return one; }
 };
 
 Table coefficient_table(const statistics::ModelCalibration& calibration, double level) {
@@ -25,16 +22,16 @@ Table coefficient_table(const statistics::ModelCalibration& calibration, double 
   if (clustered) {
     columns.part(t_columns(false), [&](auto& r) {
       return std::optional(statistics::by_cluster_t(
-          r.one.estimate, r.one.standard_error, {}, calibration.clusters, level));
+          r.of.estimate, r.of.standard_error, {}, calibration.clusters, level));
     });
   }
   columns.number("ideal", "ideal", &Part::ideal);
   Table table =
       columns.table("calibration",
                     "Calibration of predicted probabilities",
-                    std::vector<Part>{{"slope", calibration.slope, 1.0},
-                                      {"intercept", calibration.intercept, 0.0},
-                                      {"intercept, slope 1", calibration.in_the_large, 0.0}});
+                    std::vector<Part>{{{calibration.slope}, "slope", 1.0},
+                                      {{calibration.intercept}, "intercept", 0.0},
+                                      {{calibration.in_the_large}, "intercept, slope 1", 0.0}});
   table.n = static_cast<std::int64_t>(calibration.rows);
   table.footnotes = {
       "Slope and intercept: outcome on logit p, logistic. Below 1 the probabilities are too "
@@ -60,9 +57,7 @@ Table bin_table(const statistics::ModelCalibration& calibration) {
           .integer("events", "events", &Bin::events)
           .integer("clusters",
                    "clusters",
-                   [&](auto& bin) {
-                     return calibration.clusters > 0 ? std::optional(bin.clusters) : std::nullopt;
-                   })
+                   [&](auto& bin) { return when(calibration.clusters > 0, bin.clusters); })
           .number("predicted", "predicted", &Bin::predicted)
           .number("observed", "observed", &Bin::observed)
           .ends({"conf.low", "Wilson low"}, {"conf.high", "Wilson high"}, &Bin::wilson)

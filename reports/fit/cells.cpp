@@ -76,12 +76,16 @@ Column time_column(std::string name, std::string heading) {
   return column;
 }
 
+Column fixed_column(std::string name, std::string heading) {
+  return fixed_column(std::move(name), std::move(heading), "");
+}
+
 Column fixed_column(std::string name, std::string heading, std::string unit, int decimals) {
   return {std::move(name), std::move(heading), std::move(unit), ColumnKind::number, decimals};
 }
 
-Column estimate_column(std::string name, std::string heading, std::string unit, int decimals) {
-  return {std::move(name), std::move(heading), std::move(unit), ColumnKind::estimate, decimals};
+Column estimate_column(std::string name, std::string heading) {
+  return {std::move(name), std::move(heading), "", ColumnKind::estimate};
 }
 
 Column p_column(std::string name, std::string heading) {

@@ -28,6 +28,11 @@ inline constexpr int kShownDigits = 4;
                                       const std::optional<statistics::Interval>& interval);
 /// part / whole; missing of nothing.
 [[nodiscard]] std::optional<double> share(std::size_t part, std::size_t whole);
+/// Missing otherwise.
+template <class Value>
+[[nodiscard]] std::optional<Value> when(bool condition, const Value& value) {
+  return condition ? std::optional(value) : std::nullopt;
+}
 /// Missing if there are no words.
 [[nodiscard]] std::optional<std::string> not_empty(std::string text);
 
@@ -40,16 +45,15 @@ inline constexpr int kShownDigits = 4;
 [[nodiscard]] Column number_column(std::string name, std::string heading);
 /// Of times: printed with 15 significant digits, so that what is read off finds its step again.
 [[nodiscard]] Column time_column(std::string name, std::string heading);
-/// Printed with a fixed number of decimals: a value, a value with its interval.
+/// Printed with a fixed number of decimals, 3 unless another is said: a value, a value with its
+/// interval.
+[[nodiscard]] Column fixed_column(std::string name, std::string heading);
+[[nodiscard]] Column estimate_column(std::string name, std::string heading);
 [[nodiscard]] Column fixed_column(std::string name,
                                   std::string heading,
-                                  std::string unit = {},
+                                  std::string unit,
                                   int decimals = 3);
-[[nodiscard]] Column estimate_column(std::string name,
-                                     std::string heading,
-                                     std::string unit = {},
-                                     int decimals = 3);
-[[nodiscard]] Column p_column(std::string name = "p.value", std::string heading = "p");
+[[nodiscard]] Column p_column(std::string name, std::string heading);
 
 /// A table of one row, made column by column.
 class Record {

@@ -10,17 +10,14 @@
 namespace tcert {
 namespace {
 
-struct Coefficient {
-  const statistics::CoxCoefficient& one;
+struct CoxRow : RowOf<statistics::CoxCoefficient> {
   statistics::ClusterT by_t;
-
-  const statistics::CoxCoefficient& operator*() const noexcept { return one; }
 };
 
 Table coefficient_table(const statistics::CoxFit& fit) {
   using Cox = statistics::CoxCoefficient;
   const bool clustered = fit.clusters > 0;
-  ColumnsOf<Coefficient> columns;
+  ColumnsOf<CoxRow> columns;
   columns.text("term", "term", &Cox::column)
       .number("estimate", "estimate", &Cox::estimate)
       .number("std.error", "SE", &Cox::model_se)
@@ -32,13 +29,13 @@ Table coefficient_table(const statistics::CoxFit& fit) {
     columns.part(t_columns(), [](auto& r) { return &r.by_t; });
   }
   columns.part(ratio_columns(hazard_ratio_name(), clustered ? "t" : ""), [](auto& r) {
-    return std::optional(LogRatio{r.one.estimate, r.one.interval, limits_of(r.by_t.interval)});
+    return std::optional(LogRatio{r.of.estimate, r.of.interval, limits_of(r.by_t.interval)});
   });
   Table table = columns.table("coefficients", "Cox model: log hazard ratios");
   table.n = static_cast<std::int64_t>(fit.rows);
   for (const Cox& one : fit.coefficients) {
     table.add_row(columns.row(
-        {one,
+        {{one},
          statistics::by_cluster_t(one.estimate, one.robust_se, one.z, fit.clusters, fit.level)}));
   }
   if (clustered) {
@@ -171,13 +168,11 @@ struct Step {
 
 Table baseline_table(const std::vector<statistics::BaselineHazard>& hazards) {
   using Hazard = statistics::BaselineHazard;
-  const auto columns = ColumnsOf<Step<Hazard>>()
-                           .text("strata", "stratum", [](auto& r) { return r.curve.stratum; })
-                           .time("time", "time", [](auto& r) { return r.curve.time[r.at]; })
-                           .number("hazard", "hazard", [](auto& r) {
-                             const double hazard = r.curve.hazard[r.at];
-                             return std::isfinite(hazard) ? std::optional(hazard) : std::nullopt;
-                           });
+  const auto columns =
+      ColumnsOf<Step<Hazard>>()
+          .text("strata", "stratum", [](auto& r) { return r.curve.stratum; })
+          .time("time", "time", [](auto& r) { return r.curve.time[r.at]; })
+          .number("hazard", "hazard", [](auto& r) { return r.curve.hazard[r.at]; });
   Table table = columns.table("basehaz", "Cumulative baseline hazard, all covariates 0");
   for (const Hazard& one : hazards) {
     for (std::size_t i = 0; i < one.time.size(); ++i) {

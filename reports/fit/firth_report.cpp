@@ -8,15 +8,15 @@ namespace tcert {
 namespace {
 
 Table coefficient_table(const statistics::FirthFit& fit) {
-  using Coefficient = statistics::FirthCoefficient;
+  using Row = statistics::FirthCoefficient;
   Table table =
-      ColumnsOf<Coefficient>()
-          .text("term", "term", &Coefficient::column)
-          .number("estimate", "estimate", &Coefficient::estimate)
-          .number("std.error", "SE", &Coefficient::standard_error)
+      ColumnsOf<Row>()
+          .text("term", "term", &Row::column)
+          .number("estimate", "estimate", &Row::estimate)
+          .number("std.error", "SE", &Row::standard_error)
           .number("statistic", "chi-squared", [](auto& one) { return statistic_of(one.test); })
           .p("p.value", "p", [](auto& one) { return p_of(one.test); })
-          .ends({"conf.low", "Wald low"}, {"conf.high", "Wald high"}, &Coefficient::wald)
+          .ends({"conf.low", "Wald low"}, {"conf.high", "Wald high"}, &Row::wald)
           .part(profile_columns(), [](auto& one) { return std::optional(limits_of(one.profile)); })
           .part(ratio_columns(odds_ratio_name(), "profile"),
                 [](auto& one) {

@@ -11,18 +11,15 @@ bool is_robust(const statistics::LogisticFit& fit) {
   return fit.variance == statistics::CoefficientVariance::robust;
 }
 
-struct Coefficient {
-  const statistics::LogisticCoefficient& one;
+struct LogisticRow : RowOf<statistics::LogisticCoefficient> {
   statistics::ProfileLimits profile;
   statistics::ClusterT by_t;
-
-  const statistics::LogisticCoefficient& operator*() const noexcept { return one; }
 };
 
 Table coefficient_table(const statistics::LogisticFit& fit,
                         const std::vector<statistics::ProfileLimits>& profiles) {
   using Logistic = statistics::LogisticCoefficient;
-  ColumnsOf<Coefficient> columns;
+  ColumnsOf<LogisticRow> columns;
   columns.text("term", "term", &Logistic::column)
       .number("estimate", "estimate", &Logistic::estimate)
       .number("std.error", is_robust(fit) ? "robust SE" : "SE", &Logistic::standard_error)
@@ -41,15 +38,15 @@ Table coefficient_table(const statistics::LogisticFit& fit,
       .part(ratio_columns(odds_ratio_name(), other),
             [robust = is_robust(fit)](auto& r) {
               return std::optional(LogRatio{
-                  r.one.estimate, r.one.interval, robust ? limits_of(r.by_t.interval) : r.profile});
+                  r.of.estimate, r.of.interval, robust ? limits_of(r.by_t.interval) : r.profile});
             })
-      .text("kind", "", [](auto& r) { return std::string(reason_without_estimate(r.one.kind)); });
+      .text("kind", "", [](auto& r) { return std::string(reason_without_estimate(r.of.kind)); });
   Table table = columns.table("coefficients", "Logistic regression: log odds of success");
   table.n = static_cast<std::int64_t>(fit.rows);
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
     const Logistic& one = fit.coefficients[k];
     table.add_row(columns.row(
-        {one,
+        {{one},
          k < profiles.size() ? profiles[k] : statistics::ProfileLimits{},
          statistics::by_cluster_t(
              one.estimate, one.standard_error, one.z, fit.clusters, fit.options.level)}));

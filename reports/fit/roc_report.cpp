@@ -12,12 +12,9 @@ std::optional<double> root(const std::optional<double>& variance) {
   return variance ? std::optional(std::sqrt(*variance)) : std::nullopt;
 }
 
-struct Marker {
+struct Marker : RowOf<statistics::AucEstimate> {
   std::string name;
-  const statistics::AucEstimate& one;
   std::optional<statistics::PartialAuc> partial;
-
-  const statistics::AucEstimate& operator*() const noexcept { return one; }
 };
 
 Table auc_table(const std::vector<std::string>& names,
@@ -29,13 +26,13 @@ Table auc_table(const std::vector<std::string>& names,
   ColumnsOf<Marker> columns;
   columns.text("term", "predictor", &Marker::name)
       .number("estimate", "AUC", &AucEstimate::auc)
-      .number("std.error", "SE", [](auto& r) { return root(r.one.variance); })
+      .number("std.error", "SE", [](auto& r) { return root(r.of.variance); })
       .ends({"conf.low", "low"}, {"conf.high", "high"}, &AucEstimate::interval)
       .number("variance", "variance", &AucEstimate::variance);
   if (first.clusters > 0) {
     columns.part(t_columns(false), [&](auto& r) {
-      return std::optional(clipped(statistics::by_cluster_t(
-          r.one.auc, root(r.one.variance), {}, r.one.clusters, joint.level)));
+      return std::optional(clipped(
+          statistics::by_cluster_t(r.of.auc, root(r.of.variance), {}, r.of.clusters, joint.level)));
     });
   }
   if (partial) {
@@ -48,7 +45,7 @@ Table auc_table(const std::vector<std::string>& names,
   Table table = columns.table("auc", "AUC: Pr(a success has the larger value), ties one half");
   table.n = static_cast<std::int64_t>(first.successes + first.failures);
   for (std::size_t k = 0; k < names.size(); ++k) {
-    Marker row{names[k], joint.markers[k], {}};
+    Marker row{{joint.markers[k]}, names[k], {}};
     if (partial) {
       row.partial = statistics::partial_auc(curves[k], partial->low, partial->high, partial->focus);
     }
@@ -89,12 +86,9 @@ std::vector<Difference> differences_of(const std::vector<std::string>& names,
 
 /// A point of a predictor's curve, or a threshold on it.
 template <class Of>
-struct Named {
+struct Named : RowOf<Of> {
   std::string name;
-  const Of& one;
   std::string best_by = {};
-
-  const Of& operator*() const noexcept { return one; }
 };
 
 ColumnsOf<statistics::RocPoint> point_columns() {
@@ -112,7 +106,7 @@ Table threshold_table(const std::vector<std::string>& names,
   const auto columns = ColumnsOf<Row>()
                            .text("term", "predictor", &Row::name)
                            .text("best", "best by", &Row::best_by)
-                           .part(point_columns(), [](auto& r) { return &r.one.point; })
+                           .part(point_columns(), [](auto& r) { return &r.of.point; })
                            .number("accuracy", "accuracy", &Threshold::accuracy)
                            .number("ppv", "PPV", &Threshold::ppv)
                            .number("npv", "NPV", &Threshold::npv);
@@ -123,7 +117,7 @@ Table threshold_table(const std::vector<std::string>& names,
          {std::pair(statistics::BestBy::youden, "youden"),
           std::pair(statistics::BestBy::closest_topleft, "closest.topleft")}) {
       for (const Threshold& best : statistics::best_thresholds(curves[k], criterion)) {
-        table.add_row(columns.row({names[k], best, word}));
+        table.add_row(columns.row({{best}, names[k], word}));
       }
     }
   }
@@ -135,12 +129,12 @@ Table point_table(const std::vector<std::string>& names,
   using Row = Named<statistics::RocPoint>;
   const auto columns =
       ColumnsOf<Row>().text("term", "predictor", &Row::name).part(point_columns(), [](auto& r) {
-        return &r.one;
+        return &r.of;
       });
   Table table = columns.table("points", "ROC curve");
   for (std::size_t k = 0; k < names.size(); ++k) {
     for (const statistics::RocPoint& point : curves[k].points) {
-      table.add_row(columns.row({names[k], point}));
+      table.add_row(columns.row({{point}, names[k]}));
     }
   }
   return table;

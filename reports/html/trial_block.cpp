@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <type_traits>
 #include <variant>
 
 #include "reports/html/decimate.hpp"
@@ -17,60 +15,7 @@ namespace {
 
 using Json = OrderedJson;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSpeedWindowS = 1.0;
 constexpr double kMillimetre = 1000.0;
-
-table::NumberOptions series_options() {
-  table::NumberOptions options;
-  for (const std::string& name : page_series_columns()) {
-    const bool required = name != "gated_speed_mps" && name != "left_m" && name != "right_m";
-    options.columns.push_back({name, required, true});
-  }
-  return options;
-}
-
-double seconds(std::int64_t time_ns) { return static_cast<double>(time_ns) * 1e-9; }
-
-std::vector<double> column_of(const table::NumberTable& series, std::string_view name) {
-  std::vector<double> values(series.rows(), kNan);
-  for (std::size_t c = 0; c < page_series_columns().size(); ++c) {
-    if (page_series_columns()[c] == name && series.present[c] != 0) {
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = series.at(i, c);
-      }
-    }
-  }
-  return values;
-}
-
-std::vector<double> speeds(const table::NumberTable& series) {
-  const std::vector<double> travel = column_of(series, "travel_m");
-  std::vector<double> speed(series.rows(), kNan);
-  std::size_t from = 0;
-  for (std::size_t i = 0; i < speed.size(); ++i) {
-    while (seconds(series.time_ns[i] - series.time_ns[from]) > kSpeedWindowS) {
-      ++from;
-    }
-    const double span = seconds(series.time_ns[i] - series.time_ns[from]);
-    // A gap of more than the window leaves nothing to compare with.
-    if (span > kSpeedWindowS / 2.0) {
-      speed[i] = std::abs(travel[i] - travel[from]) / span;
-    }
-  }
-  return speed;
-}
-
-std::vector<double> page_column(const table::NumberTable& series, std::string_view name) {
-  if (name == "time_s") {
-    std::vector<double> values;
-    for (const std::int64_t time_ns : series.time_ns) {
-      values.push_back(seconds(time_ns - series.time_ns.front()));  // A log may count from 1970.
-    }
-    return values;
-  }
-  return name == "speed_mps" ? speeds(series) : column_of(series, name);
-}
 
 Json coded(const std::vector<double>& values, const std::vector<std::size_t>& kept, int scale) {
   Json steps = Json::array();
@@ -117,11 +62,11 @@ Json json_region(const std::optional<Region>& region) {
 
 /// Where the free width ends on either side of the robot, at the ticks that are shown.
 Json json_felt(const table::NumberTable& series, const std::vector<std::size_t>& kept) {
-  const std::vector<double> x = column_of(series, "x_m");
-  const std::vector<double> y = column_of(series, "y_m");
-  const std::vector<double> yaw = column_of(series, "yaw_rad");
-  const std::vector<double> left = column_of(series, "left_m");
-  const std::vector<double> right = column_of(series, "right_m");
+  const std::vector<double> x = series_column(series, "x_m");
+  const std::vector<double> y = series_column(series, "y_m");
+  const std::vector<double> yaw = series_column(series, "yaw_rad");
+  const std::vector<double> left = series_column(series, "left_m");
+  const std::vector<double> right = series_column(series, "right_m");
   Json points = Json::array();
   for (const std::size_t i : kept) {
     for (const double side : {left[i], -right[i]}) {
@@ -149,9 +94,9 @@ Json json_map(const TrialMap& map,
   }
   json["bottleneck"] = map.bottleneck ? json_point(*map.bottleneck) : Json();
   json["issued"] = nullptr;
-  const std::vector<double> issued = column_of(series, "issued");
-  const std::vector<double> x = column_of(series, "x_m");
-  const std::vector<double> y = column_of(series, "y_m");
+  const std::vector<double> issued = series_column(series, "issued");
+  const std::vector<double> x = series_column(series, "x_m");
+  const std::vector<double> y = series_column(series, "y_m");
   for (std::size_t i = 0; i < issued.size(); ++i) {
     if (issued[i] == 1.0) {
       if (std::isfinite(x[i]) && std::isfinite(y[i])) {
@@ -179,72 +124,11 @@ std::vector<std::size_t> changes(const std::vector<double>& values) {
 
 }  // namespace
 
-const std::vector<PageColumn>& page_columns() {
-  static const std::vector<PageColumn> columns = {
-      {"time_s", "time", "s", 2, 1000},
-      {"x_m", "x", "m", 3, 1000},
-      {"y_m", "y", "m", 3, 1000},
-      {"yaw_rad", "yaw", "rad", 2, 1000},
-      {"width_m", "width w_t", "m", 3, 1000},
-      {"certificate_m", "certificate T_t", "m", 4, 10'000, 0, true},
-      {"corridor_value_m", "corridor value V_t", "m", 4, 10'000, 0, true},
-      {"edge_margin_m", "edge margin", "m", 4, 10'000, 0},
-      {"margin_m", "tick margin m_t", "m", 4, 10'000, 0},
-      {"speed_law_mps", "speed law", "m/s", 3, 1000, 1},
-      {"speed_mps", "speed, mean of the last second", "m/s", 3, 1000, 1},
-      {"gated_speed_mps", "gated speed", "m/s", 3, 1000, 1},
-      {"contacts", "rays in contact", "", 0, 1, 2, true},
-      {"memory", "contact memory", "", 3, 1000},
-  };
-  return columns;
-}
-
-const std::vector<PagePanel>& page_panels() {
-  static const std::vector<PagePanel> panels = {
-      {"Margin", "m"}, {"Speed", "m/s"}, {"Rays in contact", ""}};
-  return panels;
-}
-
-const std::vector<std::string>& page_series_columns() {
-  static const std::vector<std::string> columns = {"x_m",
-                                                   "y_m",
-                                                   "yaw_rad",
-                                                   "width_m",
-                                                   "margin_m",
-                                                   "edge_margin_m",
-                                                   "corridor_value_m",
-                                                   "certificate_m",
-                                                   "speed_law_mps",
-                                                   "gated_speed_mps",
-                                                   "contacts",
-                                                   "memory",
-                                                   "travel_m",
-                                                   "issued",
-                                                   "left_m",
-                                                   "right_m"};
-  return columns;
-}
-
 std::string_view decimation_rule() noexcept {
   return "of each short stretch of time and each column, those with the smallest and the largest "
          "value, and every change of the certificate; values rounded to a millimetre, a "
          "millisecond, "
          "margins to a tenth of a millimetre. The CSV files have every tick in full precision.";
-}
-
-std::optional<table::NumberTable> read_page_series(const table::Bytes& bytes,
-                                                   const std::string& file,
-                                                   std::string& problem) {
-  table::CsvOptions csv;
-  csv.file = file;
-  table::DiagnosticGroups problems;
-  auto series = table::read_numbers(bytes, csv, series_options(), problems);
-  const std::vector<table::Diagnostic> found = problems.take();
-  if (!series || series->rows() == 0 || table::has_error(found)) {
-    problem = found.empty() ? file + ": no ticks" : table::to_string(found.front());
-    return std::nullopt;
-  }
-  return series;
 }
 
 std::string trial_block(const table::NumberTable& series,
@@ -259,7 +143,7 @@ std::string trial_block(const table::NumberTable& series,
   for (std::size_t c = 1; c < values.size(); ++c) {
     watched.emplace_back(values[c]);
   }
-  std::vector<std::size_t> always = changes(column_of(series, "certificate_m"));
+  std::vector<std::size_t> always = changes(series_column(series, "certificate_m"));
   if (always.size() > limit / 2) {
     always.clear();  // Its extremes stay like those of any other column.
   }

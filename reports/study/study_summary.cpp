@@ -1,5 +1,7 @@
 #include "reports/study/study_summary.hpp"
 
+#include <algorithm>
+
 #include "reports/fit/cells.hpp"
 
 namespace tcert {
@@ -12,16 +14,13 @@ FitReport study_report(std::string name, std::uint64_t seed) {
 }
 
 Table study_summary(const std::vector<std::pair<std::string, std::uint64_t>>& numbers) {
-  Table table;
-  table.name = "summary";
-  table.title = "Options";
-  std::vector<TableCell> row;
+  Record record("summary", "Options");
   for (const auto& [name, value] : numbers) {
-    table.columns.push_back(integer_column(name, name));
-    row.push_back(integer_cell(value));
+    std::string heading = name;
+    std::ranges::replace(heading, '_', ' ');
+    record.integer(name, heading, value);
   }
-  table.add_row(std::move(row));
-  return table;
+  return std::move(record).table();
 }
 
 }  // namespace tcert

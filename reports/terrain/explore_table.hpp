@@ -6,15 +6,15 @@
 #include <string>
 #include <terrain/explore.hpp>
 
-#include "reports/column_doc.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
 
-/// The columns of the series, in order.
-[[nodiscard]] std::vector<ColumnDoc> explore_columns();
-
-/// One row a step. The certificate is missing until start and goal are joined.
+/// One row a step, row 0 the state after the first batch: where was measured (x counts the lines of
+/// the terrain, y its columns) and what; |S_t| and |G_t|; the cell chosen next, empty if there is
+/// none, and u_t - l_t there; the widest path over S_t of l_t - h from start to goal, missing until
+/// they are joined; the Lipschitz constant in use; the way so far; cells of S_t whose true value is
+/// below the threshold, and steps onto such cells.
 [[nodiscard]] Table explore_table(const terrain::ExploreResult& result,
                                   const std::optional<SyntheticLabel>& synthetic);
 

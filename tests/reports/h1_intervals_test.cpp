@@ -17,14 +17,14 @@ TEST(IntervalTable, SaysWhyACellOfBcaIsMissing) {
                                                  "",
                                                  "no replicate below"};
   Table table = score_interval_table(
-      "h1_intervals", "predictor", "predictor", {{"paper", "tc_early", "AUC", &score}});
+      "h1_intervals", "predictor", "predictor", {{{score}, "paper", "tc_early", "AUC"}});
   ASSERT_EQ(table.rows.size(), 1U);
   ASSERT_EQ(table.footnotes.size(), 1U);
   EXPECT_EQ(table.footnotes[0],
             "paper, tc_early, AUC, no BCa interval: " + to_string(*score.intervals.no_bca) + ".");
   score.intervals.no_bca.reset();
   table = score_interval_table(
-      "h1_intervals", "predictor", "predictor", {{"paper", "dwell", "AUC", &score}});
+      "h1_intervals", "predictor", "predictor", {{{score}, "paper", "dwell", "AUC"}});
   EXPECT_TRUE(table.footnotes.empty());
 }
 

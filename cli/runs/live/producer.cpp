@@ -178,9 +178,9 @@ class UdpSocket : public Producer {
     auto* const generic = reinterpret_cast<sockaddr*>(&address);
     socklen_t size = sizeof address;
     constexpr int kOn = 1;
-    constexpr int kRoom = 1 << 20;
+    constexpr int kBuffer = 1 << 20;
     ::setsockopt(socket_.get(), SOL_SOCKET, SO_RXQ_OVFL, &kOn, sizeof kOn);
-    ::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &kRoom, sizeof kRoom);
+    ::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &kBuffer, sizeof kBuffer);
     if (::bind(socket_.get(), generic, size) != 0 ||
         ::getsockname(socket_.get(), generic, &size) != 0) {
       throw NoInput("cannot listen on 'udp:" + std::to_string(port) + "': " + reason());

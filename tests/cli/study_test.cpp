@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/workdir.hpp"
+
+namespace tcert {
+namespace {
+
+using nlohmann::json;
+using test_support::ProcessResult;
+using test_support::to_string;
+using test_support::Workdir;
+
+json rows_of(Workdir& work, std::vector<std::string> arguments, const std::string& table) {
+  arguments.insert(arguments.begin(), "study");
+  arguments.insert(arguments.end(), {"--quiet", "--format", "json", "--table", table});
+  const ProcessResult run = work.run(arguments);
+  EXPECT_EQ(run.exit_code, 0) << to_string(run);
+  return json::parse(run.out)["rows"];
+}
+
+TEST(StudyCommand, TheSweptReadingIsSoundAndFreeSpaceForUnknownIsNot) {
+  Workdir work(TCERT_BINARY);
+  const json rows = rows_of(work, {"soundness", "--worlds", "200", "--u-turns", "50"}, "soundness");
+  int swept = 0;
+  int free = 0;
+  for (const json& row : rows) {
+    const std::string method = row["method"];
+    EXPECT_LE(row["violating_worlds"], row["worlds"]) << row;
+    EXPECT_LE(row["issued_untraversable"], row["untraversable"]) << row;
+    EXPECT_GE(row["upper_95"], row["rate"]) << row;
+    EXPECT_EQ(row["violating_worlds"] == 0, row["largest_excess_m"] == 0.0) << row;
+    if (method == "swept") {
+      ++swept;
+      EXPECT_EQ(row["violating_worlds"], 0) << row;
+    } else if (method.starts_with("A2")) {
+      ++free;
+      EXPECT_GT(row["rate"], 0.9) << row;
+    }
+  }
+  EXPECT_GE(swept, 4);
+  EXPECT_GE(free, 2);
+}
+
+TEST(StudyCommand, IntervalsCoverMoreThanHalfTheTruthAndWidthsArePositive) {
+  Workdir work(TCERT_BINARY);
+  const json rows =
+      rows_of(work, {"coverage", "--data-sets", "12", "--replicates", "99"}, "coverage");
+  ASSERT_FALSE(rows.empty());
+  double covered = 0.0;
+  for (const json& row : rows) {
+    EXPECT_GE(row["coverage"], 0.0) << row;
+    EXPECT_LE(row["coverage"], 1.0) << row;
+    EXPECT_GT(row["mean_width"], 0.0) << row;
+    EXPECT_LE(std::abs(row["truth"].get<double>() - row["mean_estimate"].get<double>()), 0.1)
+        << row;
+    covered += row["coverage"].get<double>();
+  }
+  EXPECT_GT(covered / static_cast<double>(rows.size()), 0.7);
+}
+
+TEST(StudyCommand, OtherStudiesHaveTheirRows) {
+  Workdir work(TCERT_BINARY);
+  EXPECT_EQ(rows_of(work, {"equivalence", "--data-sets", "6"}, "equivalence").size(), 27U);
+  EXPECT_EQ(
+      rows_of(work, {"gate", "--data-sets", "4", "--replicates", "49"}, "gate_coverage").size(),
+      4U);
+  const json told = rows_of(work, {"terrain", "--terrains", "4"}, "terrain_soundness");
+  ASSERT_EQ(told.size(), 6U);
+  EXPECT_EQ(told[0]["with_unsafe_cells"], 0);
+  const json null = rows_of(work, {"null", "--data-sets", "1"}, "null_corpora");
+  ASSERT_EQ(null.size(), 2U);
+  for (const json& row : null) {
+    EXPECT_NEAR(row["auc"].get<double>(), 0.5, 0.2) << row;
+  }
+}
+
+TEST(StudyCommand, IsTheSameForAnyThreadsAndIsMadeAgain) {
+  Workdir work(TCERT_BINARY);
+  const std::vector<std::string> asked{"study", "soundness", "--worlds", "40", "--u-turns", "9"};
+  for (const std::string threads : {"1", "2"}) {
+    std::vector<std::string> all = asked;
+    all.insert(all.end(), {"--threads", threads, "--output", "of" + threads + "/", "--quiet"});
+    const ProcessResult run = work.run(all);
+    ASSERT_EQ(run.exit_code, 0) << to_string(run);
+  }
+  EXPECT_EQ(work.read("of1/report.json"), work.read("of2/report.json"));
+  EXPECT_EQ(work.read("of1/manifest.json"), work.read("of2/manifest.json"));
+  const ProcessResult verified = work.run({"verify", "of1"});
+  EXPECT_EQ(verified.exit_code, 0) << to_string(verified);
+}
+
+TEST(StudyCommand, RefusesWhatDoesNothing) {
+  Workdir work(TCERT_BINARY);
+  const ProcessResult option = work.run({"study", "null", "--worlds", "3"});
+  EXPECT_EQ(option.exit_code, 2);
+  EXPECT_NE(option.err.find("--worlds does nothing to 'study null'"), std::string::npos)
+      << to_string(option);
+  const ProcessResult name = work.run({"study", "soundnes"});
+  EXPECT_EQ(name.exit_code, 2);
+  EXPECT_NE(name.err.find("did you mean 'soundness'"), std::string::npos) << to_string(name);
+  work.write("small.csv", "a,b\n1,2\n3,4\n");
+  const ProcessResult small = work.run({"study", "terrain", "small.csv"});
+  EXPECT_EQ(small.exit_code, 65) << to_string(small);
+  EXPECT_NE(small.err.find("600 x 400"), std::string::npos) << to_string(small);
+}
+
+}  // namespace
+}  // namespace tcert
