@@ -12,7 +12,7 @@ namespace {
 
 using Json = OrderedJson;
 
-Json dash_of(std::size_t index) {
+Json dash_array_of(std::size_t index) {
   static const std::array<Json, 6> dashes = {Json::array({1, 0}),
                                              Json::array({7, 3}),
                                              Json::array({2, 2}),
@@ -110,7 +110,7 @@ void add_classes(const Figure& figure, const Layer& layer, Json& encoding) {
   encoding["color"] = std::move(colour);
   if (is_path(layer.mark)) {
     Json dash = channel;
-    dash["scale"] = scale_by(figure, dash_of);
+    dash["scale"] = scale_by(figure, dash_array_of);
     dash["legend"] = legend;
     encoding["strokeDash"] = std::move(dash);
   } else if (layer.mark == Mark::point) {
