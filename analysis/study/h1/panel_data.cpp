@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <statistics/basics/quantile.hpp>
+#include <statistics/model/factor_levels.hpp>
 #include <statistics/model/stray_text.hpp>
 #include <statistics/model/variable.hpp>
 #include <statistics/survival/failures_at_limit.hpp>
