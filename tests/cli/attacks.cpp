@@ -52,7 +52,7 @@ std::vector<std::string> hostile_ids() {
   return ids;
 }
 
-std::string quoted(const std::string& text) {
+std::string csv_quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
     out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -94,7 +94,7 @@ void Attacks::foreign_tree(const std::string& id) {
   for (const char* name : {"certificates.csv", "features.csv"}) {
     std::string text = shell->work().read(folder + name);
     for (auto at = text.find("t0000000"); at != std::string::npos; at = text.find("t0000000")) {
-      text.replace(at, 8, quoted(id));
+      text.replace(at, 8, csv_quoted(id));
     }
     shell->work().write(folder + name, text);
     for (auto& output : manifest["outputs"]) {

@@ -16,7 +16,7 @@ namespace tcert {
 [[nodiscard]] std::vector<std::string> hostile_ids();
 
 /// As a cell of CSV.
-[[nodiscard]] std::string quoted(const std::string& text);
+[[nodiscard]] std::string csv_quoted(const std::string& text);
 
 /// A corpus and its certificates in the folder `run`, and files of the user round it: in
 /// `canary`, in `run/canary`, and behind the link `run/link`.

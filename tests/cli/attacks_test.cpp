@@ -22,7 +22,7 @@ using test_support::ProcessResult;
 TEST_F(Attacks, TrialsOfABundleAreRejectedOneByOne) {
   std::string table = shell->work().read("run/tree/corpus/trials.csv");
   for (const std::string& id : hostile_ids()) {
-    table += quoted(id) + ",M1,Dark,D01,B01,1,20,3,goal,0.1\n";
+    table += csv_quoted(id) + ",M1,Dark,D01,B01,1,20,3,goal,0.1\n";
   }
   shell->work().write("trials.csv", table);
   ASSERT_EQ(shell
