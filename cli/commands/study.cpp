@@ -26,11 +26,11 @@ Usage: tcert study STUDY [TERRAIN] [options]
 
 Example:
   tcert study soundness --worlds 1000 --u-turns 100
-  tcert study null --data-sets 5 --format csv
+  tcert study null --data-sets 2 --format csv
   tcert study coverage --data-sets 200 --replicates 499 --output coverage/
 
-Cost: as they are, minutes (equivalence, gate) to hours (coverage, terrain) on two cores; in
-proportion to --worlds, --data-sets and --terrains.
+Cost in CPU time, as they are: soundness 12 minutes, coverage 17, equivalence 10, gate 6, null 5,
+terrain 20 s, but with TERRAIN an hour or more; in proportion to --worlds, --data-sets, --terrains.
 )";
 
 int run(Arguments arguments) { return run_command(kText, arguments, study); }

@@ -99,6 +99,10 @@ TEST(StudyCommand, RefusesWhatDoesNothing) {
   EXPECT_EQ(option.exit_code, 2);
   EXPECT_NE(option.err.find("--worlds does nothing to 'study null'"), std::string::npos)
       << to_string(option);
+  const ProcessResult table = work.run({"study", "soundness", "--table", "tightnes"});
+  EXPECT_EQ(table.exit_code, 2);
+  EXPECT_NE(table.err.find("expected one of summary soundness tightness"), std::string::npos)
+      << to_string(table);
   const ProcessResult name = work.run({"study", "soundnes"});
   EXPECT_EQ(name.exit_code, 2);
   EXPECT_NE(name.err.find("did you mean 'soundness'"), std::string::npos) << to_string(name);

@@ -14,16 +14,21 @@ namespace {
 
 struct Study {
   std::string_view name;
+  std::string_view tables;   ///< Blank between.
   std::string_view options;  ///< Beside those that all take; blank between.
   FitReport (*run)(const StudyRequest& request, Progress& progress);
 };
 
-constexpr std::array kStudies{Study{"soundness", "worlds u-turns", soundness_study},
-                              Study{"coverage", "data-sets replicates", coverage_study},
-                              Study{"equivalence", "data-sets", equivalence_study},
-                              Study{"gate", "data-sets replicates", gate_coverage_study},
-                              Study{"null", "data-sets", null_study},
-                              Study{"terrain", "terrains seeds", terrain_study}};
+constexpr std::array kStudies{
+    Study{"soundness", "soundness tightness", "worlds u-turns", soundness_study},
+    Study{"coverage", "coverage", "data-sets replicates", coverage_study},
+    Study{"equivalence", "equivalence", "data-sets", equivalence_study},
+    Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
+    Study{"null", "null null_corpora", "data-sets", null_study},
+    Study{"terrain",
+          "terrain_soundness terrain_trust scenarios baselines",
+          "terrains seeds",
+          terrain_study}};
 
 constexpr std::array kOfSome{"worlds", "u-turns", "data-sets", "replicates", "terrains", "seeds"};
 
@@ -35,6 +40,11 @@ std::vector<std::string> names() {
   return all;
 }
 
+/// True if `word` is among words with a blank between.
+bool lists(std::string_view words, const std::string& word) {
+  return (' ' + std::string(words) + ' ').find(' ' + word + ' ') != std::string::npos;
+}
+
 const Study& study_of(const StudyRequest& request) {
   const auto found = std::ranges::find(kStudies, request.study, &Study::name);
   if (found == kStudies.end()) {
@@ -42,11 +52,16 @@ const Study& study_of(const StudyRequest& request) {
                      "', expected soundness, coverage, equivalence, gate, null or terrain" +
                      did_you_mean(request.study, names()));
   }
-  const std::string taken = ' ' + std::string(found->options) + ' ';
-  for (const std::string option : kOfSome) {
-    if (is_given(request.given, option) && taken.find(' ' + option + ' ') == std::string::npos) {
-      throw UsageError("--" + option + " does nothing to 'study " + request.study + "'");
+  for (const char* const option : kOfSome) {
+    if (is_given(request.given, option) && !lists(found->options, option)) {
+      throw UsageError("--" + std::string(option) + " does nothing to 'study " + request.study +
+                       "'");
     }
+  }
+  if (!request.table.empty() && request.table != "summary" &&
+      !lists(found->tables, request.table)) {
+    throw UsageError("--table: found '" + request.table + "', expected one of summary " +
+                     std::string(found->tables));
   }
   if (!request.terrain.empty() && request.study != "terrain") {
     throw UsageError("unexpected argument '" + request.terrain + "'");
@@ -61,8 +76,12 @@ OptionTable options_of(StudyRequest& request) {
   table.argument({"STUDY", &request.study, true, OptionRole::shapes, names()});
   table.argument({"TERRAIN", &request.terrain, false, OptionRole::input});
   table.add("worlds", request.worlds, "N", "soundness: random worlds").within(1, 1e8);
-  table.add("u-turns", request.u_turns, "N", "soundness: worlds that ask for a turn by half")
-      .within(1, 1e8);
+  table
+      .add("u-turns",
+           request.u_turns,
+           "N",
+           "soundness: worlds that ask for a turn by half; 0 leaves them out")
+      .within(0, 1e8);
   table
       .add("data-sets",
            request.data_sets,
