@@ -152,10 +152,7 @@ void take_arguments(const OptionTable& table, const po::variables_map& values) {
 }
 
 void check_common(const OptionTable& table) {
-  require_ranges(table);
-  if (const Option* const format = table.find("format")) {
-    static_cast<void>(OutputOptions{"", text_of(format->value)}.table_format());
-  }
+  require_values(table);
   if (const Option* const output = table.find("output")) {
     table::require_output_place(text_of(output->value));
   }
@@ -170,7 +167,7 @@ std::string without_dashes(std::string name) {
 std::string invalid_value(const po::invalid_option_value& error,
                           const po::options_description& all) {
   const std::string option = error.get_option_name();
-  const std::string what = error.what();
+  std::string what = error.what();
   const auto begin = what.find("('");
   const auto end = what.find("')", begin);
   const po::option_description* const known = all.find_nothrow(without_dashes(option), false);

@@ -12,6 +12,9 @@
 
 namespace tcert::cli {
 void print(std::string_view text) {
+  if (text.empty()) {
+    return;
+  }
   std::string escaped;
   if (::isatty(STDOUT_FILENO) == 1) {
     escaped = table::printable_lines(text);

@@ -21,9 +21,7 @@ int run_command(std::string_view help,
   }
   TerminalProgress progress(manner.quiet);
   const RunResult result = run(request, progress);
-  if (!result.text.empty()) {
-    print(result.text);
-  }
+  print(result.text);
   return result.code;
 }
 

@@ -22,6 +22,8 @@ void TerminalProgress::sum_up(std::string_view lines) {
   }
 }
 
+void TerminalProgress::show(std::string_view text) { print(text); }
+
 void TerminalProgress::begin(std::string_view what, std::size_t total) {
   what_ = what;
   total_ = total;

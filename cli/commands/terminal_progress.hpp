@@ -18,6 +18,7 @@ class TerminalProgress : public Progress {
   using Progress::say;
   void say(std::string_view lines) override;
   void sum_up(std::string_view lines) override;
+  void show(std::string_view text) override;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -47,8 +47,9 @@ RunResult certify_to_text(const OpenedBundle& opened,
         failures.add(trial);
       });
   table.n = static_cast<std::int64_t>(summary.trials);
+  progress.show(render(table, request.output.table_format()));
   failures.say(progress);
-  return {conclude(summary, opened, progress), render(table, request.output.table_format())};
+  return {conclude(summary, opened, progress), ""};
 }
 
 }  // namespace

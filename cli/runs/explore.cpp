@@ -94,6 +94,7 @@ RunResult explore(const ExploreRequest& request, Progress& progress) {
   const ExploreResult result = explored(ground, setup, keep);
   std::string text = label ? to_string(*label) + "\n" : "";
   text += explore_summary(result, setup);
+  progress.show(text);
   if (folder) {
     folder->write("series.csv", render(explore_table(result, label), TableFormat::csv));
     folder->write("path.csv", render(path_table(result, label), TableFormat::csv));
@@ -116,7 +117,7 @@ RunResult explore(const ExploreRequest& request, Progress& progress) {
     manifest.inputs = std::move(inputs);
     folder->commit(std::move(manifest));
   }
-  return {exit_code_of(result.end), std::move(text)};
+  return {exit_code_of(result.end), ""};
 }
 
 }  // namespace tcert::cli

@@ -52,8 +52,8 @@ RunResult gate(const GateRequest& request, Progress& progress) {
   Manifest manifest = manifest_of("gate", opened, written(request), summary);
   manifest.seed = options.seed;
   const bool failed = statistics::has_error(result.conditions);
-  std::string text = output.deliver(std::move(result), request.table, std::move(manifest));
-  return {failed ? exit_bad_data : conclude(summary, opened, progress), std::move(text)};
+  progress.show(output.deliver(std::move(result), request.table, std::move(manifest)));
+  return {failed ? exit_bad_data : conclude(summary, opened, progress), ""};
 }
 
 }  // namespace tcert::cli

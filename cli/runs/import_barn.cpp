@@ -94,6 +94,9 @@ RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
   const table::TextTable metrics = table_of("metrics", request.metrics, progress);
   BarnImportOptions barn;
   barn.planners = words_of(request.planners);
+  if (!request.planners.empty() && (',' + request.planners + ',').find(",,") != std::string::npos) {
+    throw UsageError("--planners: found '" + request.planners + "', expected names, comma between");
+  }
   barn.other_ports = !request.same_port;
   require_known(barn.planners, planners_of(trials));
   if (request.same_port && planners_of(trials).empty()) {

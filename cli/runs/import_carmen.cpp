@@ -30,8 +30,9 @@ OptionTable options_of(ImportCarmenRequest& request) {
   OptionTable table(request.given);
   table.argument({"FORMAT", &request.format});
   table.argument({"LOG", &request.log, true, OptionRole::input});
-  table.add("goal-x", request.goal_x_m, "M", "centre of G in the frame of the log");
-  table.add("goal-y", request.goal_y_m, "M", "the same");
+  table.add("goal-x", request.goal_x_m, "M", "centre of G in the frame of the log")
+      .within(-1e9, 1e9);
+  table.add("goal-y", request.goal_y_m, "M", "the same").within(-1e9, 1e9);
   table.add("goal-radius", request.goal_radius_m, "M", "of G").within(1e-3, 1e3);
   table.add("start-radius", carmen.start_radius_m, "M", "of S, round the first pose")
       .within(1e-3, 1e3);

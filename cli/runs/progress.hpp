@@ -21,6 +21,8 @@ class Progress {
   void say(std::span<const table::Diagnostic> diagnostics);
   /// What was done, for those who like to hear it.
   virtual void sum_up(std::string_view lines) = 0;
+  /// What there is to be printed, before what may still fail or has to be said after it.
+  virtual void show(std::string_view text) = 0;
 
  protected:
   Progress() = default;
@@ -58,6 +60,7 @@ class OnlyWords : public Progress {
   using Progress::say;
   void say(std::string_view lines) override { to_.say(lines); }
   void sum_up(std::string_view /*lines*/) override {}
+  void show(std::string_view /*text*/) override {}
 
  private:
   void begin(std::string_view /*what*/, std::size_t /*total*/) override {}

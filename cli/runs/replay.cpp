@@ -185,7 +185,8 @@ RunResult replay(const ReplayRequest& request, Progress& progress) {
   table.synthetic = synthetic_label(opened.bundle.info);
   table.n = static_cast<std::int64_t>(summary.trials);
   if (!folder) {
-    return {conclude(summary, opened, progress), render(table, request.output.table_format())};
+    progress.show(render(table, request.output.table_format()));
+    return {conclude(summary, opened, progress), ""};
   }
   files->close();
   folder->write("replay_totals.csv", render(table, TableFormat::csv));

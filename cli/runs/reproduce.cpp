@@ -112,7 +112,8 @@ std::string corpus_in(const char* part,
   corpus.threads = request.threads;
   corpus.output.path = (fs::path(request.output.path) / part).string();
   if (!is_there(corpus)) {
-    static_cast<void>(simulate(corpus, progress));
+    OnlyWords words(progress);
+    static_cast<void>(simulate(corpus, words));
   }
   return corpus.output.path;
 }
@@ -282,10 +283,10 @@ RunResult reproduce(const ReproduceRequest& request, Progress& progress) {
     passes.bundle = corpus_in("gates", true, request, progress);
     steps.attempt("gate", "gate", gate, passes);
   }
-  std::string text = tables_of(output, request.output.table_format());
+  progress.show(tables_of(output, request.output.table_format()));
   progress.sum_up("Bundle:  " + bundle + "\nResults: " + output.string());
   write_page(request, progress);
-  return {steps.code(), std::move(text)};
+  return {steps.code(), ""};
 }
 
 }  // namespace tcert::cli

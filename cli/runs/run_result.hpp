@@ -10,7 +10,7 @@ namespace tcert::cli {
 
 struct RunResult {
   ExitCode code = exit_done;
-  std::string text;  ///< To be printed; empty if all went to the output.
+  std::string text;  ///< To be printed; empty if all went to the output, or was shown already.
 };
 
 }  // namespace tcert::cli

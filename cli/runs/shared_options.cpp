@@ -52,6 +52,13 @@ void add_decimal_comma(OptionTable& table, bool& decimal_comma) {
       "decimal-comma", decimal_comma, "numbers like 1,5 in files whose separator is the semicolon");
 }
 
+void require_values(const OptionTable& table) {
+  require_ranges(table);
+  if (const Option* const format = table.find("format")) {
+    static_cast<void>(OutputOptions{"", text_of(format->value)}.table_format());
+  }
+}
+
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
   const auto nearest = table::nearest_name(name, known);
   return nearest ? "; did you mean '" + *nearest + "'?" : "";

@@ -35,6 +35,9 @@ void add_threads(OptionTable& table, std::int64_t& threads);
 void add_logs(OptionTable& table, LogOptions& logs);
 void add_decimal_comma(OptionTable& table, bool& decimal_comma);
 
+/// \throws UsageError for a number out of the range of its option, or a format that is none.
+void require_values(const OptionTable& table);
+
 /// "; did you mean 'x'?" or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view name,
                                        const std::vector<std::string>& known);

@@ -132,7 +132,8 @@ void read_lines(const std::string& path,
       continue;
     }
     if (line.front() == '[' && line.back() == ']') {
-      section = std::string(line.substr(1, line.size() - 2)) + '.';
+      section = std::string(line.substr(1, line.size() - 2));
+      section += section.empty() || section.back() == '.' ? "" : ".";
     } else if (equals != std::string_view::npos) {
       take(section + std::string(trimmed(line.substr(0, equals))),
            std::string(trimmed(line.substr(equals + 1))));

@@ -112,7 +112,9 @@ FitReport null_report(const std::vector<NullAuc>& rows) {
   struct Sum {
     std::string panel;
     std::size_t corpora = 0;
+    std::size_t intervals = 0;
     std::size_t covered = 0;
+    std::size_t known = 0;
     double auc = 0.0;
   };
   std::map<std::string, Sum> sums;
@@ -121,7 +123,9 @@ FitReport null_report(const std::vector<NullAuc>& rows) {
     sum.panel = row.panel;
     ++sum.corpora;
     sum.covered += row.covers().value_or(false) ? 1 : 0;
-    sum.auc += row.auc.value_or(0.5);
+    sum.intervals += row.interval ? 1 : 0;
+    sum.known += row.auc ? 1 : 0;
+    sum.auc += row.auc.value_or(0.0);
   }
   std::vector<Sum> panels;
   for (const auto& [name, sum] : sums) {
@@ -130,9 +134,10 @@ FitReport null_report(const std::vector<NullAuc>& rows) {
   ColumnsOf<Sum> of_panels;
   of_panels.text("panel", "panel", &Sum::panel)
       .integer("corpora", "corpora", &Sum::corpora)
+      .integer("intervals", "with an interval", &Sum::intervals)
       .integer("covered", "intervals that hold 0.5", &Sum::covered)
       .fixed("mean_auc", "mean AUC", "", 3, [](const Sum& sum) {
-        return sum.auc / static_cast<double>(sum.corpora);
+        return sum.auc / static_cast<double>(sum.known);
       });
   ColumnsOf<NullAuc> of_corpora;
   of_corpora.integer("seed", "seed", &NullAuc::seed)

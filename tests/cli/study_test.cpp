@@ -107,6 +107,10 @@ TEST(StudyCommand, RefusesWhatDoesNothing) {
   EXPECT_EQ(name.exit_code, 2);
   EXPECT_NE(name.err.find("did you mean 'soundness'"), std::string::npos) << to_string(name);
   work.write("small.csv", "a,b\n1,2\n3,4\n");
+  const ProcessResult seeds = work.run({"study", "terrain", "--seeds", "3"});
+  EXPECT_EQ(seeds.exit_code, 2) << to_string(seeds);
+  const ProcessResult last = work.run({"study", "null", "--seed", "9223372036854775807"});
+  EXPECT_EQ(last.exit_code, 2) << to_string(last);
   const ProcessResult small = work.run({"study", "terrain", "small.csv"});
   EXPECT_EQ(small.exit_code, 65) << to_string(small);
   EXPECT_NE(small.err.find("600 x 400"), std::string::npos) << to_string(small);

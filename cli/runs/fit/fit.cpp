@@ -212,11 +212,12 @@ RunResult fit(const FitRequest& request, Progress& progress) {
       write_with_manifest(request.output.path, text, manifest_of("fit", file, written(request)));
       text.clear();
     }
+    progress.show(text);
     if (!failed && !has_estimate(report)) {
       progress.say(kind.has_coefficients ? "tcert fit: no coefficient has an estimate"
                                          : "tcert fit: nothing has an estimate");
     }
-    return {failed || !has_estimate(report) ? exit_bad_data : exit_done, std::move(text)};
+    return {failed || !has_estimate(report) ? exit_bad_data : exit_done, ""};
   } catch (const statistics::FormulaError& error) {
     throw UnfitData(error.what());
   }

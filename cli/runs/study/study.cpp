@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <limits>
 
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/result_folder.hpp"
@@ -25,10 +27,12 @@ constexpr std::array kStudies{
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
     Study{"null", "null null_corpora", "data-sets", null_study},
-    Study{"terrain",
-          "terrain_soundness terrain_trust scenarios baselines",
-          "terrains seeds",
-          terrain_study}};
+    Study{"terrain", "terrain_soundness terrain_trust", "terrains", terrain_study}};
+
+/// `study terrain` with a file.
+constexpr Study kScenarios{"terrain TERRAIN", "scenarios baselines", "seeds", terrain_study};
+
+constexpr std::int64_t kMostDataSets = 1000000;
 
 constexpr std::array kOfSome{"worlds", "u-turns", "data-sets", "replicates", "terrains", "seeds"};
 
@@ -52,21 +56,25 @@ const Study& study_of(const StudyRequest& request) {
                      "', expected soundness, coverage, equivalence, gate, null or terrain" +
                      did_you_mean(request.study, names()));
   }
+  const Study& one = request.study == "terrain" && !request.terrain.empty() ? kScenarios : *found;
   for (const char* const option : kOfSome) {
-    if (is_given(request.given, option) && !lists(found->options, option)) {
-      throw UsageError("--" + std::string(option) + " does nothing to 'study " + request.study +
-                       "'");
+    if (is_given(request.given, option) && !lists(one.options, option)) {
+      throw UsageError("--" + std::string(option) + " does nothing to 'study " +
+                       std::string(one.name) + "'");
     }
   }
-  if (!request.table.empty() && request.table != "summary" &&
-      !lists(found->tables, request.table)) {
+  if (!request.table.empty() && request.table != "summary" && !lists(one.tables, request.table)) {
     throw UsageError("--table: found '" + request.table + "', expected one of summary " +
-                     std::string(found->tables));
+                     std::string(one.tables));
   }
   if (!request.terrain.empty() && request.study != "terrain") {
     throw UsageError("unexpected argument '" + request.terrain + "'");
   }
-  return *found;
+  if (request.study == "null" &&
+      request.seed > std::numeric_limits<std::int64_t>::max() - kMostDataSets) {
+    throw UsageError("--seed: too large for the seeds that follow it");
+  }
+  return one;
 }
 
 }  // namespace
@@ -105,6 +113,9 @@ OptionTable options_of(StudyRequest& request) {
 
 RunResult study(const StudyRequest& request, Progress& progress) {
   const Study& one = study_of(request);
+  if (!request.terrain.empty() && !std::filesystem::exists(request.terrain)) {
+    throw NoInput("cannot read the terrain '" + request.terrain + "': there is no such file");
+  }
   if (!request.terrain.empty() && !request.output.path.empty()) {
     require_apart(request.terrain, request.output.path);
   }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "cli/runs/study/studies.hpp"
 #include "cli/runs/terrain_input.hpp"
 #include "reports/study/terrain_report.hpp"
@@ -27,16 +29,22 @@ FitReport scenarios_of(const StudyRequest& request, Progress& progress) {
                       scenario.name));
     }
   }
-  const auto seeds = static_cast<std::size_t>(request.seeds);
-  std::optional<Stage> stage;
-  const auto runs =
-      terrain::study::run_scenarios(ground, seeds, [&](std::size_t done, std::size_t total) {
-        if (!stage) {
-          stage.emplace(progress, "runs", total);
-        }
-        stage->reach(done);
-      });
-  return scenario_report(runs, terrain::study::run_baselines(ground, seeds), label);
+  try {
+    const auto seeds = static_cast<std::size_t>(request.seeds);
+    std::optional<Stage> stage;
+    const auto runs =
+        terrain::study::run_scenarios(ground, seeds, [&](std::size_t done, std::size_t total) {
+          if (!stage) {
+            stage.emplace(progress, "runs", total);
+          }
+          stage->reach(done);
+        });
+    return scenario_report(runs, terrain::study::run_baselines(ground, seeds), label);
+  } catch (const std::invalid_argument& error) {
+    throw BadData("'" + request.terrain + "': " + error.what());
+  } catch (const std::domain_error& error) {
+    throw BadData("'" + request.terrain + "': " + error.what());
+  }
 }
 
 }  // namespace

@@ -47,6 +47,15 @@ class Reader {
         take_word(word.text);
       }
     }
+    for (const Argument& one : table_.arguments()) {
+      const bool is_input = one.role == OptionRole::input;
+      std::size_t& taken = is_input ? inputs_ : words_;
+      if (taken > 0) {
+        --taken;
+      } else if (one.required) {
+        refuse("no " + one.name);
+      }
+    }
   }
 
  private:
@@ -114,6 +123,10 @@ class Reader {
         (option->role != OptionRole::shapes && option->role != OptionRole::input)) {
       refuse("the option '--" + name + "'");
     }
+    const bool is_list = std::holds_alternative<std::vector<std::string>*>(option->value);
+    if (!is_list && is_given(table_.given(), name)) {
+      refuse("the option '--" + name + "' twice");
+    }
     table_.given().push_back(name);
     if (const auto* const flag = std::get_if<bool*>(&option->value)) {
       **flag = true;
@@ -179,7 +192,7 @@ Rerun again(const std::string& command, Words words, const FindInput& find) {
   Reader(command, table, find).take(words);
   return [request](const std::string& output, Progress& progress) {
     Request now = request;
-    require_ranges(options_of(now));
+    require_values(options_of(now));
     now.output.path = output;
     keep_nothing(now);
     static_cast<void>(run(now, progress));
