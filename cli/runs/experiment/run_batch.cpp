@@ -89,7 +89,7 @@ BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const study::PlannedCell& cell = cells[c];
     if (cell.refused()) {
-      const std::string& reason = std::get<std::string>(cell.parameters);
+      const auto& reason = std::get<std::string>(cell.parameters);
       progress.say("cell '" + cell.cell.name + "' is refused: " + reason);
       for (Table* const table : tables.all()) {
         add_cell(cell.cell, "refused: " + reason, {}, *table);

@@ -147,6 +147,7 @@ std::string tables_in_words(std::string_view kind) {
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
+  names.reserve(kTakes.size());
   for (const KindTakes& one : kTakes) {
     names.emplace_back(one.kind);
   }
