@@ -116,7 +116,7 @@ Table column_listing() {
 struct HelpRequest {
   std::string topic;
   std::string kind;
-  OutputOptions output;
+  OutputFormat output;
   std::vector<std::string> given;
 };
 
@@ -124,8 +124,7 @@ OptionTable options_of(HelpRequest& request) {
   OptionTable table(request.given);
   table.argument({"COMMAND", &request.topic, false});
   table.argument({"KIND", &request.kind, false});
-  table.common();
-  add_format(table, request.output);
+  add_common(table, request);
   return table;
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 /// \file
-/// From the words of a command line to an exit code: parse, run, print.
+/// From the words of a command line to an exit code.
 
 #include "cli/commands/command_line.hpp"
-#include "cli/commands/output.hpp"
 #include "cli/commands/terminal_progress.hpp"
-#include "cli/runs/run_result.hpp"
+#include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
 
@@ -13,16 +12,14 @@ namespace tcert::cli {
 template <class Request>
 int run_command(std::string_view help,
                 Arguments arguments,
-                RunResult (*run)(const Request&, Progress&)) {
+                ExitCode (*run)(const Request&, Progress&)) {
   Request request;
   Manner manner;
   if (!parse(help, options_of(request), manner, arguments)) {
     return exit_done;
   }
   TerminalProgress progress(manner.quiet);
-  const RunResult result = run(request, progress);
-  print(result.text);
-  return result.code;
+  return run(request, progress);
 }
 
 }  // namespace tcert::cli

@@ -36,9 +36,9 @@ class Failures {
   std::vector<study::TrialRecord> trials_;
 };
 
-RunResult certify_to_text(const OpenedBundle& opened,
-                          const CertifyRequest& request,
-                          Progress& progress) {
+ExitCode certify_to_text(const OpenedBundle& opened,
+                         const CertifyRequest& request,
+                         Progress& progress) {
   Failures failures(request.truth);
   Table table = features_table(opened.bundle);
   const CertifySummary summary = certify_trials(
@@ -49,7 +49,7 @@ RunResult certify_to_text(const OpenedBundle& opened,
   table.n = static_cast<std::int64_t>(summary.trials);
   progress.show(render(table, request.output.table_format()));
   failures.say(progress);
-  return {conclude(summary, opened, progress), ""};
+  return conclude(summary, opened, progress);
 }
 
 }  // namespace
@@ -68,15 +68,11 @@ OptionTable options_of(CertifyRequest& request) {
             request.truth,
             "two more columns in the features: T of each trial's known world, at least and at most "
             "(truth_lower_m, truth_upper_m); failed trials with a certificate are listed");
-  table.common();
-  add_output_path(table, request.output);
-  add_format(table, request.output);
-  add_threads(table, request.threads);
-  add_logs(table, request.logs);
+  add_common(table, request);
   return table;
 }
 
-RunResult certify(const CertifyRequest& request, Progress& progress) {
+ExitCode certify(const CertifyRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   if (output.empty() && (request.ticks || request.no_series || request.ray_margins)) {
     throw UsageError("--ticks, --no-series and --ray-margins need --output");
@@ -108,7 +104,7 @@ RunResult certify(const CertifyRequest& request, Progress& progress) {
   }
   folder.commit(manifest_of("certify", opened, written(request), summary));
   failures.say(progress);
-  return {conclude(summary, opened, progress), ""};
+  return conclude(summary, opened, progress);
 }
 
 }  // namespace tcert::cli

@@ -2,8 +2,8 @@
 /// \file
 /// `certify`: the certificate at every tick of a bundle's trials, and each trial's features.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -24,6 +24,6 @@ struct CertifyRequest {
 
 /// Into the folder of results, or the features as text.
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult certify(const CertifyRequest& request, Progress& progress);
+[[nodiscard]] ExitCode certify(const CertifyRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

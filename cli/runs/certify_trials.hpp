@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "analysis/study/trials/study_tables.hpp"
+#include "cli/runs/errors.hpp"
 #include "cli/runs/inputs.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/result_folder.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/written_options.hpp"
 #include "reports/manifest.hpp"
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kBatch = 64;
 
 /// The tables one after another; a blank line between them where people read them.
-RunResult shown(const Table& found, const Table& problems, TableFormat format) {
+ExitCode show(const Table& found, const Table& problems, TableFormat format, Progress& progress) {
   std::string text = render(found, format) + "\n" + render(problems, format);
   if (format == TableFormat::json) {
     std::string first = render(found, format);
@@ -32,10 +32,11 @@ RunResult shown(const Table& found, const Table& problems, TableFormat format) {
   const auto is_problem = [](const std::vector<TableCell>& row) {
     return std::get<std::string>(row[1]) != "note";
   };
-  return {std::ranges::any_of(problems.rows, is_problem) ? exit_differences : exit_done, text};
+  progress.show(text);
+  return std::ranges::any_of(problems.rows, is_problem) ? exit_differences : exit_done;
 }
 
-RunResult check_file(const CheckRequest& request, Progress& progress) {
+ExitCode check_file(const CheckRequest& request, Progress& progress) {
   table::CsvOptions csv;
   csv.decimal_comma = request.logs.decimal_comma;
   const table::CsvCheckResult result = table::check_csv_file(request.path, 1.0, csv);
@@ -47,11 +48,13 @@ RunResult check_file(const CheckRequest& request, Progress& progress) {
   for (const table::Diagnostic& diagnostic : result.diagnostics) {
     problems.add_row(diagnostics_row("", diagnostic));
   }
-  return shown(
-      csv_check_table(*result.check, request.path), problems, request.output.table_format());
+  return show(csv_check_table(*result.check, request.path),
+              problems,
+              request.output.table_format(),
+              progress);
 }
 
-RunResult check_bundle(const CheckRequest& request, Progress& progress) {
+ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
   const OpenedBundle opened = open_for(request.path, request.logs, progress, SayDiagnostics::no);
   const auto label = synthetic_label(opened.bundle.info);
   Table trials = trial_check_table(label);
@@ -79,7 +82,7 @@ RunResult check_bundle(const CheckRequest& request, Progress& progress) {
     }
   }
   trials.n = static_cast<std::int64_t>(opened.trials.size());
-  return shown(trials, problems, request.output.table_format());
+  return show(trials, problems, request.output.table_format(), progress);
 }
 
 }  // namespace
@@ -87,14 +90,11 @@ RunResult check_bundle(const CheckRequest& request, Progress& progress) {
 OptionTable options_of(CheckRequest& request) {
   OptionTable table(request.given);
   table.argument({"BUNDLE|FILE", &request.path});
-  table.common();
-  add_format(table, request.output);
-  add_threads(table, request.threads);
-  add_logs(table, request.logs);
+  add_common(table, request);
   return table;
 }
 
-RunResult check(const CheckRequest& request, Progress& progress) {
+ExitCode check(const CheckRequest& request, Progress& progress) {
   if (!std::filesystem::exists(request.path)) {
     throw NoInput("there is nothing at " + request.path);
   }

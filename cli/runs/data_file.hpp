@@ -8,8 +8,8 @@
 #include <table/data_table.hpp>
 #include <vector>
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 #include "cli/runs/written_options.hpp"
 #include "reports/fit/fit_report.hpp"

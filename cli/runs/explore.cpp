@@ -55,7 +55,7 @@ std::vector<ManifestFile> inputs_of(const ExploreRequest& options) {
 
 }  // namespace
 
-RunResult explore(const ExploreRequest& request, Progress& progress) {
+ExitCode explore(const ExploreRequest& request, Progress& progress) {
   ExploreRequest options = request;
   apply_config(options, progress);
   settle_beta(options, progress);
@@ -117,7 +117,7 @@ RunResult explore(const ExploreRequest& request, Progress& progress) {
     manifest.inputs = std::move(inputs);
     folder->commit(std::move(manifest));
   }
-  return {exit_code_of(result.end), ""};
+  return exit_code_of(result.end);
 }
 
 }  // namespace tcert::cli

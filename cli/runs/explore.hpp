@@ -2,8 +2,8 @@
 /// \file
 /// `explore`: a terrain that is felt one cell at a time.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -39,7 +39,7 @@ struct ExploreRequest {
   std::string obstacles;
   std::int64_t max_steps = 2000;
   std::int64_t frames = 9;
-  OutputOptions output;
+  OutputPath output;
   std::int64_t seed = 1;
   std::vector<std::string> given;  ///< Those go before the config file.
 };
@@ -48,6 +48,6 @@ struct ExploreRequest {
 
 /// The summary as text; with an output also the folder of results. The code says how it ended.
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult explore(const ExploreRequest& request, Progress& progress);
+[[nodiscard]] ExitCode explore(const ExploreRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

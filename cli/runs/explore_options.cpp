@@ -94,9 +94,7 @@ OptionTable options_of(ExploreRequest& request) {
       "second layer, a terrain file of the same size: cells that are not 0, or gaps, are blocked");
   table.add("max-steps", request.max_steps, "N", "measurements at most");
   table.add("frames", request.frames, "N", "pictures, evenly spaced over the run");
-  table.common();
-  add_output_path(table, request.output);
-  add_seed(table, request.seed);
+  add_common(table, request);
   return table;
 }
 

@@ -18,16 +18,11 @@ OptionTable options_of(GateRequest& request) {
   table.add("replicates", request.replicates, "R", "of the bootstrap; 0 leaves it out")
       .within(0, 1e6);
   table.add("table", request.table, "NAME", "print only this table; a wrong name lists them");
-  table.common();
-  add_output_path(table, request.output);
-  add_format(table, request.output);
-  add_seed(table, request.seed);
-  add_threads(table, request.threads);
-  add_logs(table, request.logs);
+  add_common(table, request);
   return table;
 }
 
-RunResult gate(const GateRequest& request, Progress& progress) {
+ExitCode gate(const GateRequest& request, Progress& progress) {
   const OpenedBundle opened = open_for(request.bundle, request.logs, progress);
   if (!request.output.path.empty()) {
     require_apart(request.bundle, request.output.path);
@@ -53,7 +48,7 @@ RunResult gate(const GateRequest& request, Progress& progress) {
   manifest.seed = options.seed;
   const bool failed = statistics::has_error(result.conditions);
   progress.show(output.deliver(std::move(result), request.table, std::move(manifest)));
-  return {failed ? exit_bad_data : conclude(summary, opened, progress), ""};
+  return failed ? exit_bad_data : conclude(summary, opened, progress);
 }
 
 }  // namespace tcert::cli

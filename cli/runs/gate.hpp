@@ -2,8 +2,8 @@
 /// \file
 /// `gate`: the bottleneck micro-study.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -23,6 +23,6 @@ struct GateRequest {
 [[nodiscard]] OptionTable options_of(GateRequest& request);
 
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult gate(const GateRequest& request, Progress& progress);
+[[nodiscard]] ExitCode gate(const GateRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

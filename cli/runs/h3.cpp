@@ -82,7 +82,7 @@ Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
 
 }  // namespace
 
-RunResult hypothesis_3(const HypothesesRequest& request, Progress& progress) {
+ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
   if (request.bundle.empty() == request.replays.empty()) {
     throw UsageError("h3 needs either BUNDLE or --replays FILE");
   }
@@ -109,7 +109,8 @@ RunResult hypothesis_3(const HypothesesRequest& request, Progress& progress) {
   report.synthetic = study.synthetic;
   study.manifest.seed = h3.seed;
   const ExitCode code = statistics::has_error(report.conditions) ? exit_bad_data : study.code;
-  return {code, output.deliver(std::move(report), request.table, std::move(study.manifest))};
+  progress.show(output.deliver(std::move(report), request.table, std::move(study.manifest)));
+  return code;
 }
 
 }  // namespace tcert::cli

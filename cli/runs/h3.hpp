@@ -7,6 +7,6 @@
 namespace tcert::cli {
 
 /// \throws UsageError, BadData, NoInput, WriteError.
-[[nodiscard]] RunResult hypothesis_3(const HypothesesRequest& request, Progress& progress);
+[[nodiscard]] ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

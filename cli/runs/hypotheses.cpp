@@ -138,7 +138,7 @@ void require_inputs_apart(const HypothesesRequest& request) {
 
 }  // namespace
 
-RunResult hypotheses(const HypothesesRequest& request, Progress& progress) {
+ExitCode hypotheses(const HypothesesRequest& request, Progress& progress) {
   require_inputs_apart(request);
   if (request.hypothesis == "h3") {
     require_h3_options(request);
@@ -168,7 +168,8 @@ RunResult hypotheses(const HypothesesRequest& request, Progress& progress) {
   report.synthetic = study.file.synthetic;
   study.manifest.seed = static_cast<std::uint64_t>(request.seed);
   const ExitCode code = statistics::has_error(report.conditions) ? exit_bad_data : study.code;
-  return {code, output.deliver(std::move(report), request.table, std::move(study.manifest))};
+  progress.show(output.deliver(std::move(report), request.table, std::move(study.manifest)));
+  return code;
 }
 
 }  // namespace tcert::cli

@@ -2,9 +2,9 @@
 /// \file
 /// `hypotheses`: H1, H2 or H3 on a bundle or on a table of trials.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/replay_options.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -49,6 +49,6 @@ struct HypothesesRequest {
 [[nodiscard]] OptionTable options_of(HypothesesRequest& request);
 
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult hypotheses(const HypothesesRequest& request, Progress& progress);
+[[nodiscard]] ExitCode hypotheses(const HypothesesRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -82,12 +82,7 @@ OptionTable options_of(HypothesesRequest& request) {
   table.add("loss-margin", request.loss_margin, "P", "h3: share of trials that may be lost")
       .within(1e-9, 1.0 - 1e-9);
   add_replay_law_options(table, request.laws);
-  table.common();
-  add_output_path(table, request.output);
-  add_format(table, request.output);
-  add_seed(table, request.seed);
-  add_threads(table, request.threads);
-  add_logs(table, request.logs);
+  add_common(table, request);
   return table;
 }
 

@@ -78,13 +78,12 @@ OptionTable options_of(ImportBarnRequest& request) {
   table.add(
       "planners", request.planners, "NAMES", "keep these, comma between; all if it is not given");
   table.add("same-port", request.same_port, "leave out ros2_maity and mppi_ros2");
-  table.common();
-  add_output_path(table, request.output);
+  add_common(table, request);
   table.config_file();
   return table;
 }
 
-RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
+ExitCode import_barn(const ImportBarnRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   if (output.empty()) {
     throw UsageError("needs --output FILE");
@@ -118,7 +117,7 @@ RunResult import_barn(const ImportBarnRequest& request, Progress& progress) {
   manifest.inputs = {{name_of(request.trials), digest_file(request.trials)},
                      {name_of(request.metrics), digest_file(request.metrics)}};
   write_with_manifest(output, *result.csv, std::move(manifest));
-  return {table::has_error(result.diagnostics) ? exit_rejected : exit_done, ""};
+  return table::has_error(result.diagnostics) ? exit_rejected : exit_done;
 }
 
 }  // namespace tcert::cli

@@ -2,8 +2,8 @@
 /// \file
 /// `import barn`: public outcomes of the BARN challenge become a feature table.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -14,13 +14,13 @@ struct ImportBarnRequest {
   std::string metrics;
   std::string planners;
   bool same_port = false;
-  OutputOptions output;
+  OutputPath output;
   std::vector<std::string> given;
 };
 
 [[nodiscard]] OptionTable options_of(ImportBarnRequest& request);
 
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult import_barn(const ImportBarnRequest& request, Progress& progress);
+[[nodiscard]] ExitCode import_barn(const ImportBarnRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -44,13 +44,12 @@ OptionTable options_of(ImportCarmenRequest& request) {
            "longest clearance that a beam is trusted with; longer ones are clamped")
       .within(1e-3, 1e4);
   table.add("trial-id", carmen.trial_id, "ID", "name of the one trial");
-  table.common();
-  add_output_path(table, request.output);
+  add_common(table, request);
   table.config_file();
   return table;
 }
 
-RunResult import_carmen(const ImportCarmenRequest& request, Progress& progress) {
+ExitCode import_carmen(const ImportCarmenRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   if (output.empty()) {
     throw UsageError("needs --output DIR");
@@ -77,7 +76,7 @@ RunResult import_carmen(const ImportCarmenRequest& request, Progress& progress) 
                   made.clamped_readings,
                   request.carmen.reach_m,
                   output));
-  return {};
+  return exit_done;
 }
 
 }  // namespace tcert::cli

@@ -2,8 +2,8 @@
 /// \file
 /// `import carmen`: a Carnegie Mellon log becomes a bundle of one trial.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 #include "datasets/import_carmen.hpp"
 
@@ -16,13 +16,13 @@ struct ImportCarmenRequest {
   std::optional<double> goal_y_m;
   double goal_radius_m = 1.0;
   CarmenImportOptions carmen;
-  OutputOptions output;
+  OutputPath output;
   std::vector<std::string> given;
 };
 
 [[nodiscard]] OptionTable options_of(ImportCarmenRequest& request);
 
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult import_carmen(const ImportCarmenRequest& request, Progress& progress);
+[[nodiscard]] ExitCode import_carmen(const ImportCarmenRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

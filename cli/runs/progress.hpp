@@ -21,7 +21,7 @@ class Progress {
   void say(std::span<const table::Diagnostic> diagnostics);
   /// What was done, for those who like to hear it.
   virtual void sum_up(std::string_view lines) = 0;
-  /// What there is to be printed, before what may still fail or has to be said after it.
+  /// What was found and goes to no file; empty text is nothing.
   virtual void show(std::string_view text) = 0;
 
  protected:

@@ -132,15 +132,11 @@ OptionTable options_of(ReplayRequest& request) {
             "ask for a new route by D* Lite whenever a guard begins to trip; counts replans, route "
             "changes and expansions, and those of a search from scratch");
   table.add("series", request.series, "also write margins and speeds, tick by tick");
-  table.common();
-  add_output_path(table, request.output);
-  add_format(table, request.output);
-  add_threads(table, request.threads);
-  add_logs(table, request.logs);
+  add_common(table, request);
   return table;
 }
 
-RunResult replay(const ReplayRequest& request, Progress& progress) {
+ExitCode replay(const ReplayRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   if (output.empty() && request.series) {
     throw UsageError("--series needs --output");
@@ -186,7 +182,7 @@ RunResult replay(const ReplayRequest& request, Progress& progress) {
   table.n = static_cast<std::int64_t>(summary.trials);
   if (!folder) {
     progress.show(render(table, request.output.table_format()));
-    return {conclude(summary, opened, progress), ""};
+    return conclude(summary, opened, progress);
   }
   files->close();
   folder->write("replay_totals.csv", render(table, TableFormat::csv));
@@ -195,7 +191,7 @@ RunResult replay(const ReplayRequest& request, Progress& progress) {
     manifest.inputs.push_back(*input);
   }
   folder->commit(std::move(manifest));
-  return {conclude(summary, opened, progress), ""};
+  return conclude(summary, opened, progress);
 }
 
 }  // namespace tcert::cli

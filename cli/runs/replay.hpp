@@ -2,9 +2,9 @@
 /// \file
 /// `replay`: logged trials driven again at gated speed.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/replay_options.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -24,6 +24,6 @@ struct ReplayRequest {
 
 /// Into the folder of results, or the totals as text.
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult replay(const ReplayRequest& request, Progress& progress);
+[[nodiscard]] ExitCode replay(const ReplayRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

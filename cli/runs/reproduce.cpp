@@ -55,8 +55,8 @@ class Steps {
 
   /// Must go well.
   template <class Request>
-  void require(RunResult (*run)(const Request&, Progress&), const Request& request) {
-    const ExitCode code = run(request, progress_).code;
+  void require(ExitCode (*run)(const Request&, Progress&), const Request& request) {
+    const ExitCode code = run(request, progress_);
     if (code != exit_done && code != exit_rejected) {
       throw BadData("'" + request.output.path + "' could not be made");
     }
@@ -68,14 +68,14 @@ class Steps {
   template <class Request>
   void attempt(const char* part,
                const char* command,
-               RunResult (*run)(const Request&, Progress&),
+               ExitCode (*run)(const Request&, Progress&),
                const Request& request) {
     const auto leave_out = [&](const std::exception& error) {
       remove_own_folder(folder_ / part, command);
       progress_.say(std::string(part) + " is left out: " + error.what());
     };
     try {
-      const ExitCode code = run(request, progress_).code;
+      const ExitCode code = run(request, progress_);
       if (code == exit_bad_data) {
         progress_.say(std::string(part) + ": conditions were met, see " +
                       (folder_ / part).string());
@@ -232,16 +232,11 @@ OptionTable options_of(ReproduceRequest& request) {
   table.add("sensitivity",
             request.sensitivity,
             "also run under every choice that the paper leaves open, one at a time");
-  table.common();
-  add_output_path(table, request.output);
-  add_format(table, request.output);
-  add_seed(table, request.seed);
-  add_threads(table, request.threads);
-  add_logs(table, request.logs);
+  add_common(table, request);
   return table;
 }
 
-RunResult reproduce(const ReproduceRequest& request, Progress& progress) {
+ExitCode reproduce(const ReproduceRequest& request, Progress& progress) {
   const fs::path output = request.output.path;
   if (output.empty()) {
     throw UsageError("needs --output DIR");
@@ -286,7 +281,7 @@ RunResult reproduce(const ReproduceRequest& request, Progress& progress) {
   progress.show(tables_of(output, request.output.table_format()));
   progress.sum_up("Bundle:  " + bundle + "\nResults: " + output.string());
   write_page(request, progress);
-  return {steps.code(), ""};
+  return steps.code();
 }
 
 }  // namespace tcert::cli

@@ -2,8 +2,8 @@
 /// \file
 /// `reproduce`: from logs to every table of the paper.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -24,6 +24,6 @@ struct ReproduceRequest {
 
 /// The tables that people read, as text; all results in the output.
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult reproduce(const ReproduceRequest& request, Progress& progress);
+[[nodiscard]] ExitCode reproduce(const ReproduceRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

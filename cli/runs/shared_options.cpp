@@ -6,7 +6,7 @@
 
 namespace tcert::cli {
 
-TableFormat OutputOptions::table_format() const {
+TableFormat OutputFormat::table_format() const {
   if (const auto known = table_format_from(format)) {
     return *known;
   }
@@ -14,11 +14,11 @@ TableFormat OutputOptions::table_format() const {
                    did_you_mean(format, {"text", "md", "csv", "json", "jsonl", "tex"}));
 }
 
-void add_output_path(OptionTable& table, OutputOptions& output) {
+void add_output_path(OptionTable& table, OutputPath& output) {
   table.add_output("output", output.path, "PATH", "where to write; appears only when it is whole");
 }
 
-void add_format(OptionTable& table, OutputOptions& output) {
+void add_format(OptionTable& table, OutputFormat& output) {
   table.add(
       "format", output.format, "WORD", "of what is printed: text, md, csv, json, jsonl or tex");
 }
@@ -55,7 +55,7 @@ void add_decimal_comma(OptionTable& table, bool& decimal_comma) {
 void require_values(const OptionTable& table) {
   require_ranges(table);
   if (const Option* const format = table.find("format")) {
-    static_cast<void>(OutputOptions{"", text_of(format->value)}.table_format());
+    static_cast<void>(OutputFormat{text_of(format->value)}.table_format());
   }
 }
 

@@ -18,22 +18,50 @@ struct LogOptions {
   ParameterChanges parameters;
 };
 
-struct OutputOptions {
-  std::string path;             ///< Empty: there is text to print instead.
-  std::string format = "text";  ///< Of that text, or of one file.
+struct OutputPath {
+  std::string path;  ///< Empty: what is found is shown instead, if the run can.
+};
+
+struct OutputFormat {
+  std::string format = "text";  ///< Of what is shown, or of one file.
 
   /// \throws UsageError for a word that is no format.
   [[nodiscard]] TableFormat table_format() const;
 };
 
-// The order of these calls is that of the help and of manifests: output, format, seed, threads,
-// logs. `OptionTable::common()` comes before them.
-void add_output_path(OptionTable& table, OutputOptions& output);
-void add_format(OptionTable& table, OutputOptions& output);
+struct OutputOptions : OutputPath, OutputFormat {};
+
+void add_output_path(OptionTable& table, OutputPath& output);
+void add_format(OptionTable& table, OutputFormat& output);
 void add_seed(OptionTable& table, std::int64_t& seed);
 void add_threads(OptionTable& table, std::int64_t& threads);
 void add_logs(OptionTable& table, LogOptions& logs);
 void add_decimal_comma(OptionTable& table, bool& decimal_comma);
+
+/// The options of the members that a request shares with others by their names, in the order of the
+/// help and of manifests: output, seed, threads, logs, decimal_comma.
+template <class Request>
+void add_common(OptionTable& table, Request& request) {
+  table.common();
+  if constexpr (requires { request.output.path; }) {
+    add_output_path(table, request.output);
+  }
+  if constexpr (requires { request.output.format; }) {
+    add_format(table, request.output);
+  }
+  if constexpr (requires { request.seed; }) {
+    add_seed(table, request.seed);
+  }
+  if constexpr (requires { request.threads; }) {
+    add_threads(table, request.threads);
+  }
+  if constexpr (requires { request.logs; }) {
+    add_logs(table, request.logs);
+  }
+  if constexpr (requires { request.decimal_comma; }) {
+    add_decimal_comma(table, request.decimal_comma);
+  }
+}
 
 /// \throws UsageError for a number out of the range of its option, or a format that is none.
 void require_values(const OptionTable& table);

@@ -69,15 +69,12 @@ OptionTable options_of(SimulateRequest& request) {
   table.add("micro-study",
             request.micro_study,
             "the 60 passes through gates about as wide as the body instead of the corpus");
-  table.common();
-  add_output_path(table, request.output);
-  add_seed(table, request.seed);
-  add_threads(table, request.threads);
+  add_common(table, request);
   table.config_file();
   return table;
 }
 
-RunResult simulate(const SimulateRequest& request, Progress& progress) {
+ExitCode simulate(const SimulateRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   if (output.empty()) {
     throw UsageError("needs --output DIR");
@@ -103,7 +100,7 @@ RunResult simulate(const SimulateRequest& request, Progress& progress) {
   result.commit(manifest_of(request));
   progress.sum_up(to_string(SyntheticLabel{seed_of(request)}) + " " +
                   std::to_string(trials_of(request)) + " trials in " + output + ".");
-  return {};
+  return exit_done;
 }
 
 bool is_there(const SimulateRequest& request) {

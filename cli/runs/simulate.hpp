@@ -2,8 +2,8 @@
 /// \file
 /// `simulate`: the synthetic corpus with its manifest, and knowing it again.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -13,7 +13,7 @@ struct SimulateRequest {
   double effect = 1.0;
   bool native_rates = false;
   bool micro_study = false;  ///< The 60 gate passes; only the seed counts beside it.
-  OutputOptions output;
+  OutputPath output;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
   std::vector<std::string> given;
@@ -22,7 +22,7 @@ struct SimulateRequest {
 [[nodiscard]] OptionTable options_of(SimulateRequest& request);
 
 /// Writes the bundle and its manifest.json whole or not at all. \throws UsageError, WriteError.
-[[nodiscard]] RunResult simulate(const SimulateRequest& request, Progress& progress);
+[[nodiscard]] ExitCode simulate(const SimulateRequest& request, Progress& progress);
 
 /// True if the output is this corpus as this build makes it, every file with its bytes.
 [[nodiscard]] bool is_there(const SimulateRequest& request);

@@ -12,14 +12,12 @@ OptionTable options_of(SimulateTerrainRequest& request) {
   table.add("mean", request.mean, "V", "of the values").within(-1e12, 1e12);
   table.add("length-scale", request.length_scale, "CELLS", "of the covariance").within(0.1, 1e6);
   table.add("lipschitz", request.lipschitz, "L", "steepest slope, per cell").within(1e-12, 1e12);
-  table.common();
-  add_output_path(table, request.output);
-  add_seed(table, request.seed);
+  add_common(table, request);
   table.config_file();
   return table;
 }
 
-RunResult simulate_terrain(const SimulateTerrainRequest& request, Progress& progress) {
+ExitCode simulate_terrain(const SimulateTerrainRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   if (output.empty()) {
     throw UsageError("needs --output FILE");
@@ -44,7 +42,7 @@ RunResult simulate_terrain(const SimulateTerrainRequest& request, Progress& prog
   write_with_manifest(output, terrain_text(terrain), std::move(manifest));
   progress.sum_up(to_string(label) + " " + std::to_string(field.rows) + " x " +
                   std::to_string(field.columns) + " cells in " + output + ".");
-  return {};
+  return exit_done;
 }
 
 }  // namespace tcert::cli

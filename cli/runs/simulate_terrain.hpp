@@ -2,8 +2,8 @@
 /// \file
 /// `simulate terrain`: random fields with a stated Lipschitz constant.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
 
@@ -15,7 +15,7 @@ struct SimulateTerrainRequest {
   double mean = TerrainFieldOptions().mean;
   double length_scale = TerrainFieldOptions().length_scale;
   double lipschitz = TerrainFieldOptions().lipschitz;
-  OutputOptions output;
+  OutputPath output;
   std::int64_t seed = 1;
   std::vector<std::string> given;
 };
@@ -23,6 +23,6 @@ struct SimulateTerrainRequest {
 [[nodiscard]] OptionTable options_of(SimulateTerrainRequest& request);
 
 /// \throws UsageError, WriteError.
-[[nodiscard]] RunResult simulate_terrain(const SimulateTerrainRequest& request, Progress& progress);
+[[nodiscard]] ExitCode simulate_terrain(const SimulateTerrainRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

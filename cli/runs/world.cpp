@@ -168,15 +168,12 @@ OptionTable options_of(WorldRequest& request) {
                    request.picture,
                    "DIR",
                    "also draw each world, its widest path and its bottleneck: DIR/<world>.svg");
-  table.common();
-  add_output_path(table, request.output);
-  add_format(table, request.output);
-  add_threads(table, request.threads);
+  add_common(table, request);
   table.config_file();
   return table;
 }
 
-RunResult world(const WorldRequest& request, Progress& progress) {
+ExitCode world(const WorldRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   require_own_file(output);
   const study::TruthOptions truth = truth_options(request);
@@ -229,12 +226,13 @@ RunResult world(const WorldRequest& request, Progress& progress) {
     }
     pictures->commit(manifest);
   }
-  std::string text = render(table, request.output.table_format());
-  if (!output.empty()) {
+  const std::string text = render(table, request.output.table_format());
+  if (output.empty()) {
+    progress.show(text);
+  } else {
     write_with_manifest(output, text, std::move(manifest));
-    text.clear();
   }
-  return {read.rejected ? exit_rejected : exit_done, std::move(text)};
+  return read.rejected ? exit_rejected : exit_done;
 }
 
 }  // namespace tcert::cli

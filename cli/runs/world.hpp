@@ -2,8 +2,8 @@
 /// \file
 /// `world`: the truth of known worlds.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -30,6 +30,6 @@ struct WorldRequest {
 
 /// A world that cannot be used is said, the others go on. \throws UsageError, NoInput, BadData,
 /// WriteError.
-[[nodiscard]] RunResult world(const WorldRequest& request, Progress& progress);
+[[nodiscard]] ExitCode world(const WorldRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

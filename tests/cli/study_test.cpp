@@ -62,12 +62,57 @@ TEST(StudyCommand, IntervalsCoverMoreThanHalfTheTruthAndWidthsArePositive) {
   EXPECT_GT(covered / static_cast<double>(rows.size()), 0.7);
 }
 
-TEST(StudyCommand, OtherStudiesHaveTheirRows) {
+/// True of a share, and of a missing one.
+bool is_share(const json& cell) { return cell.is_null() || (cell >= 0.0 && cell <= 1.0); }
+
+TEST(StudyCommand, EquivalenceIsFoundLessOftenTheFurtherLightingsLieApart) {
   Workdir work(TCERT_BINARY);
-  EXPECT_EQ(rows_of(work, {"equivalence", "--data-sets", "6"}, "equivalence").size(), 27U);
-  EXPECT_EQ(
-      rows_of(work, {"gate", "--data-sets", "4", "--replicates", "49"}, "gate_coverage").size(),
-      4U);
+  const json rows = rows_of(work, {"equivalence", "--data-sets", "12"}, "equivalence");
+  ASSERT_EQ(rows.size(), 27U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const json& row = rows[i];
+    EXPECT_TRUE(is_share(row["equivalent"]) && is_share(row["different"])) << row;
+    EXPECT_LE(row["equivalent"], row["pair_equivalent"]) << row;  // all pairs are harder than one
+    EXPECT_LE(row["difference"], row["margin"]) << row;
+    EXPECT_GT(row["mean_se"], 0.01) << row;
+    EXPECT_LT(row["mean_se"], 0.3) << row;
+    EXPECT_GT(row["margin_80"], row["mean_se"]) << row;
+    if (i % 3 == 2) {  // a margin apart, against alike
+      EXPECT_LE(row["equivalent"], rows[i - 2]["equivalent"]) << row;
+    }
+  }
+}
+
+TEST(StudyCommand, SetsOfTheEvenChanceLieInMillimetresBelowZero) {
+  Workdir work(TCERT_BINARY);
+  const json rows =
+      rows_of(work, {"gate", "--data-sets", "6", "--replicates", "99"}, "gate_coverage");
+  ASSERT_EQ(rows.size(), 4U);
+  for (const json& row : rows) {
+    EXPECT_LE(row["sets"], 6) << row;
+    EXPECT_TRUE(is_share(row["coverage"]) && is_share(row["unbounded_share"])) << row;
+    EXPECT_LE(row["covers_zero"], 0.5) << row;  // the felt margin is too small, so 0 lies above
+    EXPECT_GT(row["median_width_m"], 0.002) << row;
+    EXPECT_LT(row["median_width_m"], 0.05) << row;
+  }
+}
+
+TEST(StudyCommand, TrustingLessHoldsNoMoreUnsafeGroundSafe) {
+  Workdir work(TCERT_BINARY);
+  const json rows = rows_of(work, {"terrain", "--terrains", "40"}, "terrain_trust");
+  ASSERT_EQ(rows.size(), 5U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_LE(rows[i]["with_unsafe_visits"], rows[i]["with_unsafe_cells"]) << rows[i];
+    EXPECT_LE(rows[i]["with_unsafe_cells"], rows[i]["terrains"]) << rows[i];
+    if (i > 0) {  // a wider band
+      EXPECT_LE(rows[i]["with_unsafe_cells"], rows[i - 1]["with_unsafe_cells"]) << rows[i];
+      EXPECT_GE(rows[i]["mean_samples"], rows[i - 1]["mean_samples"]) << rows[i];
+    }
+  }
+}
+
+TEST(StudyCommand, NothingIsFoundWhereThereIsNothing) {
+  Workdir work(TCERT_BINARY);
   const json told = rows_of(work, {"terrain", "--terrains", "4"}, "terrain_soundness");
   ASSERT_EQ(told.size(), 6U);
   EXPECT_EQ(told[0]["with_unsafe_cells"], 0);

@@ -29,12 +29,7 @@ void add_batch_options(OptionTable& table, BatchRequest& o) {
             o.table,
             "NAME",
             "what is printed without --output: cells (unless given), issuance or speed");
-  table.common();
-  add_output_path(table, o.output);
-  add_format(table, o.output);
-  add_seed(table, o.seed);
-  add_threads(table, o.threads);
-  add_logs(table, o.logs);
+  add_common(table, o);
 }
 
 }  // namespace
@@ -45,7 +40,7 @@ OptionTable options_of(AblateRequest& request) {
   return table;
 }
 
-RunResult ablate(const AblateRequest& request, Progress& progress) {
+ExitCode ablate(const AblateRequest& request, Progress& progress) {
   return run_batch(
       {"ablate", request, written(request)},
       request.cells.empty() ? study::ablation_cells() : cells_of_file(request, progress),
@@ -62,7 +57,7 @@ OptionTable options_of(SweepRequest& request) {
   return table;
 }
 
-RunResult sweep(const SweepRequest& request, Progress& progress) {
+ExitCode sweep(const SweepRequest& request, Progress& progress) {
   const int sources = (request.grid.empty() ? 0 : 1) + (request.cells.empty() ? 0 : 1) +
                       (request.sensitivity ? 1 : 0);
   if (sources != 1) {

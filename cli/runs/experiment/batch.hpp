@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -42,7 +42,7 @@ struct SweepRequest : BatchRequest {
 /// The full method, then the cells. A cell with impossible parameters is refused, the others run;
 /// the exit code is 3 if a cell was refused or a trial rejected.
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult ablate(const AblateRequest& request, Progress& progress);
-[[nodiscard]] RunResult sweep(const SweepRequest& request, Progress& progress);
+[[nodiscard]] ExitCode ablate(const AblateRequest& request, Progress& progress);
+[[nodiscard]] ExitCode sweep(const SweepRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

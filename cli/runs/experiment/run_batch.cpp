@@ -185,7 +185,7 @@ void write_folder(Batch batch,
 
 }  // namespace
 
-RunResult run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progress) {
+ExitCode run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progress) {
   const BatchRequest& options = batch.options;
   if (!options.table.empty() && options.table != "cells" && options.table != "issuance" &&
       options.table != "speed") {
@@ -227,12 +227,13 @@ RunResult run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progr
   const ExitCode code = refused || bad_rows || !files.rejected.empty() ? exit_rejected : exit_done;
   if (folder) {
     write_folder(std::move(batch), opened, planned_cells, files, tables, *folder);
-    return {code, ""};
+    return code;
   }
   const Table& shown = options.table == "issuance" ? tables.issuance
                        : options.table == "speed"  ? tables.speed
                                                    : tables.cells;
-  return {code, render(shown, options.output.table_format())};
+  progress.show(render(shown, options.output.table_format()));
+  return code;
 }
 
 }  // namespace tcert::cli

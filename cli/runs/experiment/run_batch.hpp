@@ -16,6 +16,6 @@ struct Batch {
 };
 
 /// The full method, then `cells`. \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progress);
+[[nodiscard]] ExitCode run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progress);
 
 }  // namespace tcert::cli

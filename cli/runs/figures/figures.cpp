@@ -15,12 +15,11 @@ OptionTable options_of(FiguresRequest& request) {
             "IDS",
             "trials whose series and map are drawn, comma between; unless given a middling one, "
             "the tightest and the first failure");
-  table.common();
-  add_output_path(table, request.output);
+  add_common(table, request);
   return table;
 }
 
-RunResult figures(const FiguresRequest& request, Progress& progress) {
+ExitCode figures(const FiguresRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   if (output.empty()) {
     throw UsageError("needs --output DIR");
@@ -58,7 +57,7 @@ RunResult figures(const FiguresRequest& request, Progress& progress) {
     progress.say("No SVG and PDF: gnuplot is not installed (Debian's package is gnuplot-nox).");
   }
   progress.sum_up(std::to_string(files.figures) + " figures in " + output);
-  return {};
+  return exit_done;
 }
 
 }  // namespace tcert::cli

@@ -185,7 +185,7 @@ void require_references(const statistics::FrameOptions& frame,
 
 }  // namespace
 
-RunResult fit(const FitRequest& request, Progress& progress) {
+ExitCode fit(const FitRequest& request, Progress& progress) {
   const Kind& kind = kind_of(request.kind);
   check(request);
   if (!request.output.path.empty()) {
@@ -204,7 +204,7 @@ RunResult fit(const FitRequest& request, Progress& progress) {
     }
     const bool failed = statistics::has_error(report.conditions);
     if (failed && !request.table.empty() && report.find(request.table) == nullptr) {
-      return {exit_bad_data, ""};  // what was asked for is missing because of the error
+      return exit_bad_data;  // what was asked for is missing because of the error
     }
     require_table(report, request.table);
     std::string text = render(report, request.output.table_format(), request.table);
@@ -217,7 +217,7 @@ RunResult fit(const FitRequest& request, Progress& progress) {
       progress.say(kind.has_coefficients ? "tcert fit: no coefficient has an estimate"
                                          : "tcert fit: nothing has an estimate");
     }
-    return {failed || !has_estimate(report) ? exit_bad_data : exit_done, ""};
+    return failed || !has_estimate(report) ? exit_bad_data : exit_done;
   } catch (const statistics::FormulaError& error) {
     throw UnfitData(error.what());
   }

@@ -2,8 +2,8 @@
 /// \file
 /// `fit`: a model on any table.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -58,6 +58,6 @@ struct FitRequest {
 [[nodiscard]] OptionTable options_of(FitRequest& request);
 
 /// \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult fit(const FitRequest& request, Progress& progress);
+[[nodiscard]] ExitCode fit(const FitRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

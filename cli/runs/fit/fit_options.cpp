@@ -85,12 +85,7 @@ OptionTable options_of(FitRequest& request) {
            "R",
            "roc, concordance: BCa intervals from R resamples of rows, or of clusters")
       .within(0, 1e6);
-  table.common();
-  add_output_path(table, request.output);
-  add_format(table, request.output);
-  add_seed(table, request.seed);
-  add_threads(table, request.threads);
-  add_decimal_comma(table, request.decimal_comma);
+  add_common(table, request);
   table.config_file();
   return table;
 }

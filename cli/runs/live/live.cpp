@@ -199,7 +199,7 @@ OptionTable options_of(LiveRequest& request) {
   return table;
 }
 
-RunResult live(const LiveRequest& options, Progress& progress) {
+ExitCode live(const LiveRequest& options, Progress& progress) {
   require_known(options);
   const BundleInfo info = describe(options.bundle, progress);
   const study::ParameterSet parameters =
@@ -276,9 +276,9 @@ RunResult live(const LiveRequest& options, Progress& progress) {
   report(source, *producer, rows, status, has_reader);
   const bool written = rows.disk_error() == 0 || rows.dropped() == 0;
   if (!recorded || !audited || !written) {
-    return {exit_cannot_write, ""};
+    return exit_cannot_write;
   }
-  return {source.bad_lines() > 0 ? exit_rejected : exit_done, ""};
+  return source.bad_lines() > 0 ? exit_rejected : exit_done;
 }
 
 }  // namespace tcert::cli

@@ -2,8 +2,8 @@
 /// \file
 /// `live`: ticks certified as they arrive.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -27,6 +27,6 @@ struct LiveRequest {
 
 /// Reads stdin or a socket, writes rows to stdout and its status to stderr, and never waits for
 /// whoever reads the latter. \throws UsageError, NoInput, BadData, WriteError, std::system_error.
-[[nodiscard]] RunResult live(const LiveRequest& request, Progress& progress);
+[[nodiscard]] ExitCode live(const LiveRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -120,14 +120,12 @@ OptionTable options_of(ReportRequest& request) {
                    request.figures,
                    "DIR",
                    "also write the figures there for a paper, as 'tcert figures' does");
-  table.common();
-  add_output_path(table, request.output);
-  add_threads(table, request.threads);
+  add_common(table, request);
   table.config_file();
   return table;
 }
 
-RunResult report(const ReportRequest& request, Progress& progress) {
+ExitCode report(const ReportRequest& request, Progress& progress) {
   if (request.ticks != 0) {
     require_range("ticks", static_cast<double>(request.ticks), kFewestTicks, 1e6);
   }
@@ -158,7 +156,7 @@ RunResult report(const ReportRequest& request, Progress& progress) {
   write_with_manifest(output, tcert::page(assets, page), manifest_of(results, request));
   progress.sum_up("Report: " + output);
   if (request.figures.empty()) {
-    return {};
+    return exit_done;
   }
   FiguresRequest drawn;
   drawn.results = request.results;

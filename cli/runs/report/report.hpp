@@ -2,8 +2,8 @@
 /// \file
 /// `report`: one page of a tree of results.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -14,7 +14,7 @@ struct ReportRequest {
   std::string title = "Traversability certificates";
   std::int64_t ticks = 0;
   std::string figures;
-  OutputOptions output;
+  OutputPath output;
   std::int64_t threads = 0;
   std::vector<std::string> given;
 };
@@ -22,6 +22,6 @@ struct ReportRequest {
 [[nodiscard]] OptionTable options_of(ReportRequest& request);
 
 /// \throws UsageError, NoInput (also if this build has no page), BadData, WriteError.
-[[nodiscard]] RunResult report(const ReportRequest& request, Progress& progress);
+[[nodiscard]] ExitCode report(const ReportRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -102,16 +102,12 @@ OptionTable options_of(StudyRequest& request) {
   table.add("seeds", request.seeds, "N", "terrain, with TERRAIN: runs of rules that draw")
       .within(1, 1e4);
   table.add("table", request.table, "NAME", "print only this table; a wrong name lists them");
-  table.common();
-  add_output_path(table, request.output);
-  add_format(table, request.output);
-  add_seed(table, request.seed);
-  add_threads(table, request.threads);
+  add_common(table, request);
   table.config_file();
   return table;
 }
 
-RunResult study(const StudyRequest& request, Progress& progress) {
+ExitCode study(const StudyRequest& request, Progress& progress) {
   const Study& one = study_of(request);
   if (!request.terrain.empty() && !std::filesystem::exists(request.terrain)) {
     throw NoInput("cannot read the terrain '" + request.terrain + "': there is no such file");
@@ -130,7 +126,8 @@ RunResult study(const StudyRequest& request, Progress& progress) {
   }
   FitReport report = one.run(request, progress);
   manifest.synthetic = report.synthetic;
-  return {exit_done, output.deliver(std::move(report), request.table, std::move(manifest))};
+  progress.show(output.deliver(std::move(report), request.table, std::move(manifest)));
+  return exit_done;
 }
 
 }  // namespace tcert::cli

@@ -2,8 +2,8 @@
 /// \file
 /// `study`: how often the tool itself is right, on data whose truth is known.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -27,6 +27,6 @@ struct StudyRequest {
 [[nodiscard]] OptionTable options_of(StudyRequest& request);
 
 /// The same bytes for any number of threads. \throws UsageError, NoInput, BadData, WriteError.
-[[nodiscard]] RunResult study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] ExitCode study(const StudyRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

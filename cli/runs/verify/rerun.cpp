@@ -185,7 +185,7 @@ void keep_nothing(Request& request) {
   }
 }
 
-template <class Request, RunResult (*run)(const Request&, Progress&)>
+template <class Request, ExitCode (*run)(const Request&, Progress&)>
 Rerun again(const std::string& command, Words words, const FindInput& find) {
   Request request;
   const OptionTable table = options_of(request);

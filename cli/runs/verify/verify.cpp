@@ -93,13 +93,11 @@ OptionTable options_of(VerifyRequest& request) {
   table.add("files-only",
             request.files_only,
             "only compare the files with their digests, make nothing again");
-  table.common();
-  add_format(table, request.output);
-  add_threads(table, request.threads);
+  add_common(table, request);
   return table;
 }
 
-RunResult verify(const VerifyRequest& request, Progress& progress) {
+ExitCode verify(const VerifyRequest& request, Progress& progress) {
   VerifyTree tree;
   try {
     tree = verify_tree(request.results);
@@ -124,10 +122,8 @@ RunResult verify(const VerifyRequest& request, Progress& progress) {
   for (const std::string& name : tree.uncovered) {
     progress.say("'" + name + "' is no result: no manifest covers it");
   }
-  return {differs   ? exit_differences
-          : missing ? exit_no_input
-                    : exit_done,
-          render(table, request.output.table_format())};
+  progress.show(render(table, request.output.table_format()));
+  return differs ? exit_differences : missing ? exit_no_input : exit_done;
 }
 
 }  // namespace tcert::cli

@@ -2,8 +2,8 @@
 /// \file
 /// `verify`: results made again and every byte compared.
 
+#include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
-#include "cli/runs/run_result.hpp"
 #include "cli/runs/shared_options.hpp"
 
 namespace tcert::cli {
@@ -12,7 +12,7 @@ struct VerifyRequest {
   std::string results;
   std::vector<std::string> inputs;
   bool files_only = false;
-  OutputOptions output;  ///< Of which only the format counts.
+  OutputFormat output;
   std::int64_t threads = 0;
   std::vector<std::string> given;
 };
@@ -21,6 +21,6 @@ struct VerifyRequest {
 
 /// exit_differences if something does not stand, exit_no_input if something cannot be made again.
 /// \throws UsageError, NoInput, BadData, WriteError, OutOfResources.
-[[nodiscard]] RunResult verify(const VerifyRequest& request, Progress& progress);
+[[nodiscard]] ExitCode verify(const VerifyRequest& request, Progress& progress);
 
 }  // namespace tcert::cli
