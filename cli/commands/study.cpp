@@ -30,7 +30,7 @@ Example:
   tcert study coverage --data-sets 200 --replicates 499 --output coverage/
 
 Cost in CPU time, as they are: soundness 12 minutes, coverage 17, equivalence 10, gate 6, null 5,
-terrain 20 s, but with TERRAIN an hour or more; in proportion to --worlds, --data-sets, --terrains.
+terrain 40 s, but with TERRAIN an hour or more; in proportion to --worlds, --data-sets, --terrains.
 )";
 
 int run(Arguments arguments) { return run_command(kText, arguments, study); }
