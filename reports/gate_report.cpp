@@ -3,6 +3,7 @@
 #include <string>
 
 #include "reports/columns_of.hpp"
+#include "reports/findings.hpp"
 
 namespace tcert {
 namespace {
@@ -78,10 +79,33 @@ Table point_table(const study::GateStudy& study) {
     table.footnotes.push_back(std::to_string(study.incomplete) +
                               " passes without outcome or margin are left out.");
   }
-  for (const statistics::Condition& condition : even.conditions) {
-    table.footnotes.push_back(statistics::to_string(condition) + ".");
-  }
   return table;
+}
+
+/// Whether margin 0 is where the chance to pass is even.
+Table findings_of(const study::GateStudy& study) {
+  using study::ConfidenceSetKind;
+  const char* const kAbout = "Gate, margin 0 is an even chance to pass";
+  const study::EvenChance& even = study.even;
+  const study::ConfidenceSet& set = even.profile;
+  const std::string level = significant(100.0 * study.options.level, 3) + " %";
+  if (!even.point || set.kind != ConfidenceSetKind::bounded) {
+    return findings_table(
+        {{kAbout,
+          "not decided",
+          std::to_string(even.rows) + " passes, " + std::to_string(even.successes) +
+              " of them successes, do not say where the chance to pass is even."}});
+  }
+  return findings_table(
+      {{kAbout,
+        set.covers(0.0) ? "not decided" : "contradicted",
+        "The chance to pass is even at a margin of " +
+            in_words(even.point,
+                     statistics::Interval{set.low, set.high, study.options.level},
+                     kDecimals) +
+            " m, " + (set.covers(0.0) ? "which covers 0." : "which does not cover 0.")}},
+      {"Rule of the gate: contradicted if the " + level +
+       " profile set does not cover 0; a set that covers it does not prove it."});
 }
 
 Table slope_table(const study::EvenChance& even) {
@@ -141,9 +165,6 @@ Table model_table(const statistics::LogisticFit& fit) {
                            "With the least certificate before the gate as second predictor",
                            fit.coefficients);
   table.footnotes = {std::to_string(fit.rows) + " passes; Wald intervals; per metre."};
-  for (const statistics::Condition& condition : fit.conditions) {
-    table.footnotes.push_back(statistics::to_string(condition) + ".");
-  }
   return table;
 }
 
@@ -195,6 +216,17 @@ FitReport gate_report(const study::GateStudy& study) {
   }
   report.details = {pass_table(study), curve_table(study)};
   report.conditions = study.even.conditions;
+  if (study.both) {
+    for (statistics::Condition condition : study.both->conditions) {
+      condition.detail = "with the certificate before the gate" +
+                         (condition.detail.empty() ? "" : ": " + condition.detail);
+      if (condition.severity == statistics::ConditionSeverity::error) {
+        condition.severity = statistics::ConditionSeverity::warning;  // The point stands.
+      }
+      report.conditions.push_back(std::move(condition));
+    }
+  }
+  report.findings = findings_of(study);
   return report;
 }
 

@@ -44,39 +44,6 @@ std::string model_note(std::string_view p) {
       p);
 }
 
-/// What several rows of a panel have, or one row of several folds, is one line.
-void add_row_conditions(const study::H1Table& h1,
-                        const study::H1Panel& panel,
-                        std::vector<std::string>& notes) {
-  std::vector<statistics::OwnedCondition> owned;
-  for (const study::H1Row& row : panel.rows) {
-    for (statistics::Condition condition : row.conditions) {
-      if (condition.column == row.name) {
-        condition.column.clear();  // The line names the row.
-      }
-      owned.push_back({row.name, statistics::subject_of(condition.detail), condition});
-    }
-  }
-  for (statistics::SharedCondition& shared : statistics::shared_conditions(owned)) {
-    if (!shared.same_detail) {
-      shared.condition.detail +=
-          shared.owners.size() > 1 ? " in " + shared.owners.front() : " and the like";
-    }
-    notes.push_back(panel_name(h1, panel) + " panel, " +
-                    fmt::format("{}", fmt::join(shared.owners, ", ")) + ": " +
-                    statistics::to_string(shared.condition) + ".");
-  }
-}
-
-void add_conditions(const study::H1Table& h1, std::vector<std::string>& notes) {
-  for (const study::H1Panel& panel : h1.panels) {
-    for (const statistics::Condition& condition : panel.conditions) {
-      notes.push_back(panel_name(h1, panel) + " panel: " + statistics::to_string(condition) + ".");
-    }
-    add_row_conditions(h1, panel, notes);
-  }
-}
-
 /// What the features of a landmark panel are of.
 std::string window_words(const study::H1Panel& panel) {
   if (panel.not_of_window.empty()) {
@@ -149,7 +116,6 @@ std::vector<std::string> h1_success_notes(const study::H1Table& h1) {
     notes.push_back(std::to_string(h1.outcome_missing) +
                     " trials without an outcome are left out.");
   }
-  add_conditions(h1, notes);
   return notes;
 }
 
@@ -182,7 +148,7 @@ std::vector<std::string> h1_time_notes(const study::H1Table& h1) {
           limits + ". " + strata,
       model_note("For C the model is a Cox model; its p is made as that of success. The HR of "
                  "'rivals + ...' is the predictor's, rivals held fixed."),
-      "Clusters, panels and conditions: see the table of success."};
+      "Clusters and panels: see the table of success."};
 }
 
 }  // namespace tcert

@@ -5,6 +5,8 @@
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/h1_within_table.hpp"
+#include "reports/hypothesis_conditions.hpp"
+#include "reports/hypothesis_findings.hpp"
 #include "reports/panel_rows.hpp"
 
 namespace tcert {
@@ -143,12 +145,8 @@ FitReport h1_report(const study::H1Table& h1) {
     report.details.push_back(h1_within_closed_form_table(h1));
   }
   report.details.push_back(fold_table(h1));
-  for (const study::H1Panel& panel : h1.panels) {
-    report.add(panel.conditions);
-    for (const study::H1Row& row : panel.rows) {
-      report.add(row.conditions);
-    }
-  }
+  report.conditions = conditions_of(h1);
+  report.findings = h1_findings(h1);
   return report;
 }
 

@@ -45,16 +45,16 @@ std::string h1_subject(const study::H1Table& h1) {
 Table h1_success_table(const study::H1Table& h1) {
   const std::string level = h1_interval_text(h1.options);
   auto columns = predictor_columns();
-  columns.text("better", "better if", [](auto& r) { return better_if(*r); })
-      .integer("n", "n", [](auto& r) { return r.panel->complete; })
-      .integer("events", "successes", [](auto& r) { return r.panel->successes; })
-      .integer("clusters", "clusters", [](auto& r) { return r.panel->clusters; })
-      .integer("missing", "missing", [](auto& r) { return when(r->is_single(), r->missing); })
-      .estimate("auc", "AUC [" + level + "]", &H1Row::auc)
+  columns.estimate("auc", "AUC [" + level + "]", &H1Row::auc)
       .estimate("auc_gain", "gain of AUC [" + level + "]", &H1Row::auc_gain)
       .p("p", "p", &H1Row::auc_p)
       .p("p_holm", "p Holm", &H1Row::auc_holm)
-      .fixed("auc_out_of_fold", "out of fold", &H1Row::auc_out_of_fold);
+      .fixed("auc_out_of_fold", "out of fold", &H1Row::auc_out_of_fold)
+      .text("better", "better if", [](auto& r) { return better_if(*r); })
+      .integer("n", "n", [](auto& r) { return r.panel->complete; })
+      .integer("events", "successes", [](auto& r) { return r.panel->successes; })
+      .integer("clusters", "clusters", [](auto& r) { return r.panel->clusters; })
+      .integer("missing", "missing", [](auto& r) { return when(r->is_single(), r->missing); });
   Table table =
       columns.table("h1", "H1, success: " + h1_subject(h1), rows_of(h1, &study::H1Panel::rows));
   table.n = static_cast<std::int64_t>(h1.trials);

@@ -22,64 +22,6 @@ std::string cluster_note(const study::H1Options& options) {
                    " of them intervals tend to be too narrow, and tests reject too often.";
 }
 
-/// Those of the groups; what several groups have is one line.
-void add_level_conditions(const study::H2Panel& panel,
-                          const std::string& name,
-                          std::vector<std::string>& notes) {
-  std::vector<statistics::OwnedCondition> owned;
-  for (const study::H2Level& level : panel.levels) {
-    for (const statistics::Condition& condition : level.conditions) {
-      owned.push_back({level.name, statistics::subject_of(condition.detail), condition});
-    }
-  }
-  for (statistics::SharedCondition& shared : statistics::shared_conditions(owned)) {
-    if (!shared.same_detail) {
-      shared.condition.detail += " in " + shared.owners.front();
-    }
-    notes.push_back(name + " panel, " + statistics::some_of(shared.owners) + ": " +
-                    statistics::to_string(shared.condition) + ".");
-  }
-}
-
-/// "lighting" of the column "Dark" of an interaction, "tc:lighting" of "tc:Dark".
-std::string factor_of(const study::H2Table& h2,
-                      const study::H2Panel& panel,
-                      const std::string& column) {
-  const std::string product = panel.predictor + ":";
-  const bool is_product = column.starts_with(product);
-  const std::string level = is_product ? column.substr(product.size()) : column;
-  const bool is_level = std::any_of(panel.levels.begin(),
-                                    panel.levels.end(),
-                                    [&](const study::H2Level& one) { return one.name == level; });
-  return is_level ? (is_product ? product : "") + h2.options.trials.group : "";
-}
-
-void add_conditions(const study::H2Table& h2, std::vector<std::string>& notes) {
-  for (const study::H2Panel& panel : h2.panels) {
-    const std::string name = panel_name(h2, panel);
-    const auto add = [&](const statistics::Conditions& conditions, const std::string& where) {
-      for (const statistics::Condition& condition : conditions) {
-        notes.push_back(name + " panel" + where + ": " + statistics::to_string(condition) + ".");
-      }
-    };
-    const auto add_interaction = [&](const study::H2Interaction& one) {
-      add(statistics::one_per_factor(
-              one.conditions,
-              [&](const std::string& column) { return factor_of(h2, panel, column); }),
-          ", interaction, " + one.model);
-    };
-    add(panel.trials.conditions, "");
-    add(panel.conditions, "");
-    add_level_conditions(panel, name, notes);
-    for (const study::H2Interaction& one : panel.interactions) {
-      add_interaction(one);
-    }
-    if (panel.mixed_interaction) {
-      add_interaction(*panel.mixed_interaction);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> h2_level_notes(const study::H2Table& h2) {
@@ -115,7 +57,6 @@ std::vector<std::string> h2_level_notes(const study::H2Table& h2) {
     notes.push_back(std::to_string(h2.outcome_missing) +
                     " trials without an outcome are left out.");
   }
-  add_conditions(h2, notes);
   return notes;
 }
 

@@ -7,6 +7,8 @@
 #include "reports/h1_within_table.hpp"
 #include "reports/h2_equality.hpp"
 #include "reports/h2_notes.hpp"
+#include "reports/hypothesis_conditions.hpp"
+#include "reports/hypothesis_findings.hpp"
 #include "reports/panel_rows.hpp"
 
 namespace tcert {
@@ -77,23 +79,6 @@ Table closed_form_table(const study::H2Table& h2) {
       .table("h2_closed_form", "Closed forms by cluster", rows_of(h2, &H2Panel::levels));
 }
 
-void add_conditions(const study::H2Table& h2, FitReport& report) {
-  for (const H2Panel& panel : h2.panels) {
-    report.add(panel.trials.conditions);
-    report.add(panel.conditions);
-    for (const H2Level& level : panel.levels) {
-      for (statistics::Condition condition : level.conditions) {
-        // One group without an estimate leaves those of the others.
-        if (condition.severity == statistics::ConditionSeverity::error) {
-          condition.severity = statistics::ConditionSeverity::warning;
-        }
-        condition.detail = level.name + (condition.detail.empty() ? "" : ": " + condition.detail);
-        report.conditions.push_back(std::move(condition));
-      }
-    }
-  }
-}
-
 /// AUC, C, odds and hazard ratios of each group.
 Table level_table(const study::H2Table& h2) {
   Table table = level_columns(h2.options.trials.group)
@@ -146,7 +131,8 @@ FitReport h2_report(const study::H2Table& h2) {
   report.tables.insert(report.tables.end(),
                        {h2_equality_table(h2), h2_pair_table(h2), h2_interaction_table(h2)});
   report.details = {interval_table(h2), closed_form_table(h2), h2_covariance_table(h2)};
-  add_conditions(h2, report);
+  report.conditions = conditions_of(h2);
+  report.findings = h2_findings(h2);
   return report;
 }
 

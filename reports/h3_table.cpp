@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "reports/h1_intervals.hpp"
+#include "reports/hypothesis_conditions.hpp"
+#include "reports/hypothesis_findings.hpp"
 
 namespace tcert {
 namespace {
@@ -48,9 +50,6 @@ std::vector<std::string> notes(const study::H3Table& h3) {
     if (group.baseline.value && group.ungated.value && !group.gap.value) {
       notes.push_back(group.lighting + ": no gap, for '" + o.baseline +
                       "' has no success under a lighting in which '" + o.gated + "' has one.");
-    }
-    for (const statistics::Condition& condition : group.conditions) {
-      notes.push_back(group.lighting + ": " + statistics::to_string(condition) + ".");
     }
   }
   return notes;
@@ -198,10 +197,8 @@ FitReport h3_report(const study::H3Table& h3) {
   report.summary = std::move(summary).table();
   report.tables = {case_table(h3), baseline_table(h3)};
   report.details = {interval_table(h3)};
-  report.conditions = h3.conditions;
-  for (const H3Group& group : h3.groups) {
-    report.add(group.conditions);
-  }
+  report.conditions = conditions_of(h3);
+  report.findings = h3_findings(h3);
   return report;
 }
 

@@ -1,8 +1,11 @@
 #include "reports/replay_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "reports/columns_of.hpp"
+#include "reports/findings.hpp"
 
 namespace tcert {
 namespace {
@@ -141,6 +144,23 @@ Table ReplayTotals::table() const {
       "margin, G2, G3: times that the speed law, the force guard and the replan guard began to "
       "trip; they halt or are only stated, as the parameter 'guard_mode' says."};
   return table;
+}
+
+Table ReplayTotals::findings() const {
+  std::vector<Finding> findings;
+  for (const Total& total : totals_) {
+    findings.push_back(
+        {fmt::format("{} of beta {:g} 1/m", study::to_string(total.law.kind), total.law.beta_per_m),
+         "",
+         fmt::format(
+             "{} of {} successes kept; {} m/min, as logged {}.",
+             total.kept,
+             total.successes,
+             in_words(study::rate_of_advance(total.sum.length_m, total.sum.gated_time_s), {}, 2),
+             in_words(study::rate_of_advance(total.sum.length_m, total.sum.time_s), {}, 2))});
+  }
+  return findings_table(findings,
+                        {"All trials together; 'hypotheses h3' compares successes alone."});
 }
 
 }  // namespace tcert

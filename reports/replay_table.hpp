@@ -19,6 +19,8 @@ class ReplayTotals {
  public:
   void add(const study::ReplayRecord& record);
   [[nodiscard]] Table table() const;
+  /// The same in sentences, a law and beta each.
+  [[nodiscard]] Table findings() const;
 
  private:
   struct Total {

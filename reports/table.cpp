@@ -105,10 +105,10 @@ std::optional<TableFormat> table_format_from(std::string_view word) noexcept {
   return std::nullopt;
 }
 
-std::string render(const Table& table, TableFormat format) {
+std::string render(const Table& table, TableFormat format, std::size_t width) {
   switch (format) {
     case TableFormat::text:
-      return render_text(table);
+      return render_text(table, width);
     case TableFormat::markdown:
       return render_markdown(table);
     case TableFormat::csv:

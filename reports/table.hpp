@@ -2,6 +2,7 @@
 /// \file
 /// The one table model: every format prints the same cells, rounded only where people read them.
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -84,8 +85,10 @@ enum class TableFormat { text, markdown, csv, json, jsonl, latex };
 [[nodiscard]] std::optional<TableFormat> table_format_from(std::string_view word) noexcept;
 
 /// The whole table, ended by a newline. CSV is RFC 4180 with \n line ends and no title; a synthetic
-/// table has a last column `synthetic_seed`, so that the label survives merging and cutting.
-[[nodiscard]] std::string render(const Table& table, TableFormat format);
+/// table has a last column `synthetic_seed`, so that the label survives merging and cutting. Text
+/// is laid out for a terminal of `width` characters if that is above 0: headings are broken, notes
+/// too, and columns from the right are named instead of shown.
+[[nodiscard]] std::string render(const Table& table, TableFormat format, std::size_t width = 0);
 
 /// The table that render(table, TableFormat::json) was made of: every format of it is the same
 /// again. \throws std::invalid_argument if the text is nothing of the kind.

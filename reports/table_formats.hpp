@@ -8,7 +8,7 @@
 
 namespace tcert {
 
-[[nodiscard]] std::string render_text(const Table& table);
+[[nodiscard]] std::string render_text(const Table& table, std::size_t width);
 [[nodiscard]] std::string render_markdown(const Table& table);
 [[nodiscard]] std::string render_latex(const Table& table);
 [[nodiscard]] std::string render_csv(const Table& table);

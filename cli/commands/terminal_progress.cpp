@@ -1,8 +1,12 @@
 #include "cli/commands/terminal_progress.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 
 #include "cli/commands/output.hpp"
 #include "reports/table.hpp"
@@ -11,6 +15,25 @@ namespace tcert::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kRedraw{100};
+
+/// A narrower terminal is written to as if it were this wide.
+constexpr std::size_t kNarrowest = 40;
+
+std::size_t columns_of_environment() {
+  const char* const text = std::getenv("COLUMNS");  // NOLINT(concurrency-mt-unsafe): none sets it.
+  std::size_t columns = 0;
+  if (text != nullptr) {
+    const std::string_view digits(text);
+    std::from_chars(digits.data(), digits.data() + digits.size(), columns);
+  }
+  return columns;
+}
+
+std::size_t columns_of_terminal() {
+  winsize size{};
+  const bool known = ::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0;
+  return known ? size.ws_col : 0;
+}
 
 }  // namespace
 
@@ -23,6 +46,12 @@ void TerminalProgress::sum_up(std::string_view lines) {
 }
 
 void TerminalProgress::show(std::string_view text) { print(text); }
+
+std::size_t TerminalProgress::width() const {
+  const std::size_t told = columns_of_environment();
+  const std::size_t columns = told > 0 ? told : columns_of_terminal();
+  return columns > 0 ? std::max(columns, kNarrowest) : 0;
+}
 
 void TerminalProgress::begin(std::string_view what, std::size_t total) {
   what_ = what;

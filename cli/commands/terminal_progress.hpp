@@ -19,6 +19,8 @@ class TerminalProgress : public Progress {
   void say(std::string_view lines) override;
   void sum_up(std::string_view lines) override;
   void show(std::string_view text) override;
+  /// That of the environment's COLUMNS, else of the terminal.
+  [[nodiscard]] std::size_t width() const override;
 
  private:
   using Clock = std::chrono::steady_clock;

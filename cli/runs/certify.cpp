@@ -9,6 +9,7 @@
 #include "cli/runs/progress.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/shared_options.hpp"
+#include "reports/certify_findings.hpp"
 #include "reports/features_table.hpp"
 #include "reports/study_table.hpp"
 
@@ -41,14 +42,17 @@ ExitCode certify_to_text(const OpenedBundle& opened,
                          Progress& progress) {
   Failures failures(request.truth);
   Table table = features_table(opened.bundle);
+  study::StudyRecord study;
   const CertifySummary summary = certify_trials(
       opened, request.threads, progress, nullptr, {}, [&](study::TrialRecord&& trial) {
         table.add_row(features_row(trial));
         failures.add(trial);
+        study.add(std::move(trial));
       });
   table.n = static_cast<std::int64_t>(summary.trials);
-  progress.show(render(table, request.output.table_format()));
+  progress.show(shown(table, request.output, progress));
   failures.say(progress);
+  sum_up(certify_findings(study.rows()), progress);
   return conclude(summary, opened, progress);
 }
 
@@ -98,12 +102,16 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
                        failures.add(trial);
                        study.add(std::move(trial));
                      });
-  for (Table& table : study_tables(study)) {
+  std::vector<Table> tables = study_tables(study);
+  const Table findings = certify_findings(study.rows());
+  tables.push_back(findings);
+  for (Table& table : tables) {
     table.synthetic = synthetic_label(opened.bundle.info);
     write_table(table, folder);
   }
   folder.commit(manifest_of("certify", opened, written(request), summary));
   failures.say(progress);
+  sum_up(findings, progress);
   return conclude(summary, opened, progress);
 }
 

@@ -1,9 +1,12 @@
 #include "cli/runs/check.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <string_view>
 #include <table/check_csv.hpp>
 
 #include "cli/runs/inputs.hpp"
@@ -18,22 +21,46 @@ namespace {
 /// Trials that are read before their rows are added, in order.
 constexpr std::size_t kBatch = 64;
 
-/// The tables one after another; a blank line between them where people read them.
-ExitCode show(const Table& found, const Table& problems, TableFormat format, Progress& progress) {
-  std::string text = render(found, format) + "\n" + render(problems, format);
-  if (format == TableFormat::json) {
-    std::string first = render(found, format);
-    std::string second = render(problems, format);
-    for (std::string* const one : {&first, &second}) {
-      one->erase(one->find_last_not_of('\n') + 1);
-    }
-    text = "[" + first + ",\n" + second + "]\n";
+/// The tables one after another, a blank line between them; where people read them, without one
+/// that is empty. In JSON a list of both.
+std::string text_of(const Table& found,
+                    const Table& problems,
+                    const OutputFormat& output,
+                    const Progress& progress) {
+  std::string first = shown(found, output, progress);
+  std::string second = shown(problems, output, progress);
+  switch (output.table_format()) {
+    case TableFormat::json:
+      for (std::string* const one : {&first, &second}) {
+        one->erase(one->find_last_not_of('\n') + 1);
+      }
+      return "[" + first + ",\n" + second + "]\n";
+    case TableFormat::csv:
+    case TableFormat::jsonl:
+      return first + '\n' + second;
+    default:
+      return problems.rows.empty() ? first : first + '\n' + second;
   }
-  const auto is_problem = [](const std::vector<TableCell>& row) {
-    return std::get<std::string>(row[1]) != "note";
-  };
-  progress.show(text);
-  return std::ranges::any_of(problems.rows, is_problem) ? exit_differences : exit_done;
+}
+
+/// `what` was checked: "trials".
+ExitCode show(const Table& found,
+              const Table& problems,
+              const char* what,
+              const OutputFormat& output,
+              Progress& progress) {
+  progress.show(text_of(found, problems, output, progress));
+  std::map<std::string_view, std::size_t> count;
+  for (const std::vector<TableCell>& row : problems.rows) {
+    ++count[std::get<std::string>(row[1])];
+  }
+  progress.sum_up(fmt::format("{} {} checked: {} errors, {} warnings, {} notes.",
+                              found.rows.size(),
+                              what,
+                              count["error"],
+                              count["warning"],
+                              count["note"]));
+  return count["error"] + count["warning"] > 0 ? exit_differences : exit_done;
 }
 
 ExitCode check_file(const CheckRequest& request, Progress& progress) {
@@ -48,10 +75,8 @@ ExitCode check_file(const CheckRequest& request, Progress& progress) {
   for (const table::Diagnostic& diagnostic : result.diagnostics) {
     problems.add_row(diagnostics_row("", diagnostic));
   }
-  return show(csv_check_table(*result.check, request.path),
-              problems,
-              request.output.table_format(),
-              progress);
+  return show(
+      csv_check_table(*result.check, request.path), problems, "columns", request.output, progress);
 }
 
 ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
@@ -82,7 +107,7 @@ ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
     }
   }
   trials.n = static_cast<std::int64_t>(opened.trials.size());
-  return show(trials, problems, request.output.table_format(), progress);
+  return show(trials, problems, "trials", request.output, progress);
 }
 
 }  // namespace

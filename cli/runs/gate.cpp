@@ -47,7 +47,7 @@ ExitCode gate(const GateRequest& request, Progress& progress) {
   Manifest manifest = manifest_of("gate", opened, written(request), summary);
   manifest.seed = options.seed;
   const bool failed = statistics::has_error(result.conditions);
-  progress.show(output.deliver(std::move(result), request.table, std::move(manifest)));
+  output.deliver(std::move(result), request.table, std::move(manifest), progress);
   return failed ? exit_bad_data : conclude(summary, opened, progress);
 }
 

@@ -109,7 +109,7 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
   report.synthetic = study.synthetic;
   study.manifest.seed = h3.seed;
   const ExitCode code = statistics::has_error(report.conditions) ? exit_bad_data : study.code;
-  progress.show(output.deliver(std::move(report), request.table, std::move(study.manifest)));
+  output.deliver(std::move(report), request.table, std::move(study.manifest), progress);
   return code;
 }
 

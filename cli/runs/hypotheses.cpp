@@ -55,28 +55,17 @@ Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
   return study;
 }
 
-void say_conditions(const std::vector<study::H1Panel>& panels, Progress& progress) {
-  for (const study::H1Panel& panel : panels) {
-    for (const statistics::Condition& condition : panel.conditions) {
-      progress.say("tcert hypotheses: " + std::string(study::to_string(panel.kind)) +
-                   " panel: " + statistics::to_string(condition));
-    }
-  }
-}
-
 /// What a hypothesis reads of a table, and what it says of it.
 struct Hypothesis {
   std::vector<std::string> columns;
   std::function<FitReport(const table::DataTable&)> test;
 };
 
-Hypothesis hypothesis_of(const HypothesesRequest& request, Progress& progress) {
+Hypothesis hypothesis_of(const HypothesesRequest& request) {
   if (request.hypothesis == "h1") {
     const study::H1Options h1 = h1_options(request);
-    return {study::columns_of(h1), [h1, &progress](const table::DataTable& table) {
-              const study::H1Table tested = study::hypothesis_h1(table, h1);
-              say_conditions(tested.panels, progress);
-              return h1_report(tested);
+    return {study::columns_of(h1), [h1](const table::DataTable& table) {
+              return h1_report(study::hypothesis_h1(table, h1));
             }};
   }
   if (request.hypothesis == "h2") {
@@ -144,7 +133,7 @@ ExitCode hypotheses(const HypothesesRequest& request, Progress& progress) {
     require_h3_options(request);
     return hypothesis_3(request, progress);
   }
-  const Hypothesis hypothesis = hypothesis_of(request, progress);
+  const Hypothesis hypothesis = hypothesis_of(request);
   if (request.bundle.empty() == request.features.empty()) {
     throw UsageError("needs either BUNDLE or --features FILE");
   }
@@ -168,7 +157,7 @@ ExitCode hypotheses(const HypothesesRequest& request, Progress& progress) {
   report.synthetic = study.file.synthetic;
   study.manifest.seed = static_cast<std::uint64_t>(request.seed);
   const ExitCode code = statistics::has_error(report.conditions) ? exit_bad_data : study.code;
-  progress.show(output.deliver(std::move(report), request.table, std::move(study.manifest)));
+  output.deliver(std::move(report), request.table, std::move(study.manifest), progress);
   return code;
 }
 

@@ -23,12 +23,15 @@ class Progress {
   virtual void sum_up(std::string_view lines) = 0;
   /// What was found and goes to no file; empty text is nothing.
   virtual void show(std::string_view text) = 0;
+  /// Characters in a line of where it is shown; 0 if there is no end to it.
+  [[nodiscard]] virtual std::size_t width() const { return 0; }
 
  protected:
   Progress() = default;
 
  private:
   friend class Stage;
+  friend class WithoutSums;
   virtual void begin(std::string_view what, std::size_t total) = 0;
   virtual void reach(std::size_t done) = 0;
   virtual void end() = 0;
@@ -68,6 +71,20 @@ class OnlyWords : public Progress {
   void end() override {}
 
   Progress& to_;
+};
+
+/// Passes on what is to be said and how far it is, not what was found: of a run that shows that
+/// itself.
+class WithoutSums : public OnlyWords {
+ public:
+  explicit WithoutSums(Progress& to) : OnlyWords(to), whole_(to) {}
+
+ private:
+  void begin(std::string_view what, std::size_t total) override { whole_.begin(what, total); }
+  void reach(std::size_t done) override { whole_.reach(done); }
+  void end() override { whole_.end(); }
+
+  Progress& whole_;
 };
 
 }  // namespace tcert::cli

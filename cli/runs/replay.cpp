@@ -8,6 +8,7 @@
 #include "cli/runs/errors.hpp"
 #include "cli/runs/guard_options.hpp"
 #include "cli/runs/inputs.hpp"
+#include "cli/runs/report_output.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "reports/audit.hpp"
 #include "reports/features_table.hpp"
@@ -181,7 +182,8 @@ ExitCode replay(const ReplayRequest& request, Progress& progress) {
   table.synthetic = synthetic_label(opened.bundle.info);
   table.n = static_cast<std::int64_t>(summary.trials);
   if (!folder) {
-    progress.show(render(table, request.output.table_format()));
+    progress.show(shown(table, request.output, progress));
+    sum_up(totals.findings(), progress);
     return conclude(summary, opened, progress);
   }
   files->close();
@@ -191,6 +193,7 @@ ExitCode replay(const ReplayRequest& request, Progress& progress) {
     manifest.inputs.push_back(*input);
   }
   folder->commit(std::move(manifest));
+  sum_up(totals.findings(), progress);
   return conclude(summary, opened, progress);
 }
 

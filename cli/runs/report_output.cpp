@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cli/runs/data_file.hpp"
-#include "cli/runs/progress.hpp"
+#include "reports/findings.hpp"
 
 namespace tcert::cli {
 
@@ -31,31 +31,56 @@ ReportOutput::ReportOutput(const OutputOptions& output, const std::string& comma
   }
 }
 
-std::string ReportOutput::deliver(FitReport report, const std::string& table, Manifest manifest) {
+void ReportOutput::deliver(FitReport report,
+                           const std::string& table,
+                           Manifest manifest,
+                           Progress& progress) {
   require_table(report, table);
-  if (!folder_) {
-    std::string text = render(report, output_.table_format(), table);
-    if (!output_.path.empty()) {
-      write_with_manifest(output_.path, text, std::move(manifest));
-      text.clear();
-    }
-    return text;
+  const TableFormat format = output_.table_format();
+  const Table findings = report.findings;
+  if (folder_) {
+    write_folder(std::move(report), std::move(manifest));
+  } else if (!output_.path.empty()) {
+    write_with_manifest(output_.path, render(report, format, table), std::move(manifest));
+  } else {
+    progress.show(render(report, format, table, width_of(output_, progress)));
   }
+  const bool shown = !folder_ && output_.path.empty() && table.empty() &&
+                     (format == TableFormat::text || format == TableFormat::markdown);
+  if (!shown) {
+    sum_up(findings, progress);
+  }
+}
+
+void ReportOutput::write_folder(FitReport report, Manifest manifest) {
   folder_->write("report.json", render(report, TableFormat::json));
   const auto labelled = [&](Table& one) -> const Table& {
     one.synthetic = report.synthetic;
     return one;
   };
+  if (!report.findings.rows.empty()) {
+    report.tables.push_back(report.findings);
+  }
   for (Table& one : report.tables) {
     write_table(labelled(one), *folder_);
   }
   report.details.push_back(report.summary);
+  if (!report.conditions.empty()) {
+    report.details.push_back(conditions_table(report.conditions));
+  }
   for (Table& one : report.details) {
     folder_->write(one.name + ".csv", render(labelled(one), TableFormat::csv));
     folder_->write(one.name + ".json", render(one, TableFormat::json));
   }
   folder_->commit(std::move(manifest));
-  return "";
+}
+
+void sum_up(const Table& findings, Progress& progress) {
+  std::string lines = findings_text(findings, progress.width());
+  if (!lines.empty()) {
+    lines.pop_back();
+    progress.sum_up(lines);
+  }
 }
 
 }  // namespace tcert::cli

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/runs/progress.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/shared_options.hpp"
 #include "reports/fit/fit_report.hpp"
@@ -15,6 +16,9 @@ namespace tcert::cli {
 /// True if --output names a folder: it ends with '/', or is one.
 [[nodiscard]] bool names_folder(const std::string& output);
 
+/// Says the findings.
+void sum_up(const Table& findings, Progress& progress);
+
 /// <name>.csv, .json, .txt, .md and .tex of a table. \throws WriteError.
 void write_table(const Table& table, const ResultFolder& folder);
 
@@ -23,12 +27,15 @@ class ReportOutput {
   /// \throws WriteError if a folder is asked for and may not be replaced.
   ReportOutput(const OutputOptions& output, const std::string& command);
 
-  /// The report in the format, or only its table `table`: returned to be printed, or with a
-  /// manifest beside the file; or the folder: every table in every format, details as CSV and JSON,
-  /// the whole in report.json. \throws UsageError if there is no such table; WriteError.
-  [[nodiscard]] std::string deliver(FitReport report, const std::string& table, Manifest manifest);
+  /// The report in the format, or only its table `table`: shown, or with a manifest beside the
+  /// file; or the folder: every table in every format, details as CSV and JSON, the whole in
+  /// report.json. What was found is said too where it is not in what is shown. \throws UsageError
+  /// if there is no such table; WriteError.
+  void deliver(FitReport report, const std::string& table, Manifest manifest, Progress& progress);
 
  private:
+  void write_folder(FitReport report, Manifest manifest);
+
   const OutputOptions& output_;
   std::optional<ResultFolder> folder_;
 };

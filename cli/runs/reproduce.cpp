@@ -1,6 +1,7 @@
 #include "cli/runs/reproduce.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <table/csv_write.hpp>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/simulate.hpp"
 #include "datasets/corpus/tentacles.hpp"
+#include "reports/findings.hpp"
 #include "reports/results/results.hpp"
 
 namespace tcert::cli {
@@ -27,7 +29,7 @@ namespace fs = std::filesystem;
 class Steps {
  public:
   Steps(const ReproduceRequest& request, Progress& progress)
-      : request_(request), progress_(progress), folder_(request.output.path) {}
+      : request_(request), progress_(progress), parts_(progress), folder_(request.output.path) {}
 
   [[nodiscard]] fs::path at(const char* part) const { return folder_ / part; }
 
@@ -56,7 +58,7 @@ class Steps {
   /// Must go well.
   template <class Request>
   void require(ExitCode (*run)(const Request&, Progress&), const Request& request) {
-    const ExitCode code = run(request, progress_);
+    const ExitCode code = run(request, parts_);
     if (code != exit_done && code != exit_rejected) {
       throw BadData("'" + request.output.path + "' could not be made");
     }
@@ -75,7 +77,7 @@ class Steps {
       progress_.say(std::string(part) + " is left out: " + error.what());
     };
     try {
-      const ExitCode code = run(request, progress_);
+      const ExitCode code = run(request, parts_);
       if (code == exit_bad_data) {
         progress_.say(std::string(part) + ": conditions were met, see " +
                       (folder_ / part).string());
@@ -96,6 +98,7 @@ class Steps {
 
   const ReproduceRequest& request_;
   Progress& progress_;
+  WithoutSums parts_;
   fs::path folder_;
   ExitCode code_ = exit_done;
 };
@@ -179,23 +182,27 @@ void require_readable(const ReproduceRequest& request, Progress& progress) {
   }
 }
 
-/// The tables that people read, in the order of the paper.
-std::string tables_of(const fs::path& folder, TableFormat format) {
+/// What each part found, in the order of the paper; the tables are in their files.
+std::string page_of(const Results& results, const OutputFormat& output, const Progress& progress) {
+  constexpr std::array kParts = {ResultKind::certificates,
+                                 ResultKind::h1,
+                                 ResultKind::h2,
+                                 ResultKind::h3,
+                                 ResultKind::ablation,
+                                 ResultKind::sweep,
+                                 ResultKind::gate};
+  const bool is_text = output.table_format() == TableFormat::text;
   std::string text;
-  const std::pair<ResultKind, std::vector<const char*>> shown[] = {
-      {ResultKind::certificates, {"table1", "speed", "latency"}},
-      {ResultKind::h1,
-       {"issued", "tc_early", "h1", "h1_within", "h1_time", "h1_time_within", "h1_mixed"}},
-      {ResultKind::h2, {"h2", "h2_within", "h2_equality"}},
-      {ResultKind::h3, {"h3", "h3_baseline"}},
-      {ResultKind::gate, {"gate"}}};
-  const Results results = read_results(folder);
-  for (const auto& [kind, names] : shown) {
+  if (is_text && results.synthetic) {
+    text += to_string(*results.synthetic) + "\n\n";
+  }
+  for (const ResultKind kind : kParts) {
     const Result* const result = results.find(kind);
-    for (const char* const name : names) {
-      if (const auto table = result != nullptr ? result_table(*result, name) : std::nullopt) {
-        text += render(*table, format) + '\n';
-      }
+    const auto findings = result != nullptr ? result_table(*result, "findings") : std::nullopt;
+    if (findings) {
+      text += (is_text ? findings_text(*findings, width_of(output, progress))
+                       : shown(*findings, output, progress)) +
+              '\n';
     }
   }
   return text;
@@ -278,7 +285,7 @@ ExitCode reproduce(const ReproduceRequest& request, Progress& progress) {
     passes.bundle = corpus_in("gates", true, request, progress);
     steps.attempt("gate", "gate", gate, passes);
   }
-  progress.show(tables_of(output, request.output.table_format()));
+  progress.show(page_of(read_results(output), request.output, progress));
   progress.sum_up("Bundle:  " + bundle + "\nResults: " + output.string());
   write_page(request, progress);
   return steps.code();

@@ -14,6 +14,14 @@ TableFormat OutputFormat::table_format() const {
                    did_you_mean(format, {"text", "md", "csv", "json", "jsonl", "tex"}));
 }
 
+std::string shown(const Table& table, const OutputFormat& output, const Progress& progress) {
+  return render(table, output.table_format(), width_of(output, progress));
+}
+
+std::size_t width_of(const OutputFormat& output, const Progress& progress) {
+  return output.wide ? 0 : progress.width();
+}
+
 void add_output_path(OptionTable& table, OutputPath& output) {
   table.add_output("output", output.path, "PATH", "where to write; appears only when it is whole");
 }
@@ -21,6 +29,7 @@ void add_output_path(OptionTable& table, OutputPath& output) {
 void add_format(OptionTable& table, OutputFormat& output) {
   table.add(
       "format", output.format, "WORD", "of what is printed: text, md, csv, json, jsonl or tex");
+  table.add_process("wide", output.wide, "", "whole tables, wider than the terminal if need be");
 }
 
 void add_seed(OptionTable& table, std::int64_t& seed) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/runs/option_table.hpp"
+#include "cli/runs/progress.hpp"
 #include "reports/table.hpp"
 
 namespace tcert::cli {
@@ -24,12 +25,20 @@ struct OutputPath {
 
 struct OutputFormat {
   std::string format = "text";  ///< Of what is shown, or of one file.
+  bool wide = false;            ///< Whole tables, however wide what they are shown on is.
 
   /// \throws UsageError for a word that is no format.
   [[nodiscard]] TableFormat table_format() const;
 };
 
 struct OutputOptions : OutputPath, OutputFormat {};
+
+/// The table in the format, laid out for where it is shown.
+[[nodiscard]] std::string shown(const Table& table,
+                                const OutputFormat& output,
+                                const Progress& progress);
+/// Characters in a line of that, 0 for no end.
+[[nodiscard]] std::size_t width_of(const OutputFormat& output, const Progress& progress);
 
 void add_output_path(OptionTable& table, OutputPath& output);
 void add_format(OptionTable& table, OutputFormat& output);

@@ -226,11 +226,10 @@ ExitCode world(const WorldRequest& request, Progress& progress) {
     }
     pictures->commit(manifest);
   }
-  const std::string text = render(table, request.output.table_format());
   if (output.empty()) {
-    progress.show(text);
+    progress.show(shown(table, request.output, progress));
   } else {
-    write_with_manifest(output, text, std::move(manifest));
+    write_with_manifest(output, render(table, request.output.table_format()), std::move(manifest));
   }
   return read.rejected ? exit_rejected : exit_done;
 }

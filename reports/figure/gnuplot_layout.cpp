@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "reports/figure/figure_rows.hpp"
+#include "reports/text_width.hpp"
 
 namespace tcert {
 namespace {
@@ -14,16 +15,10 @@ constexpr double kFigureWidth = 720.0;
 constexpr double kPanelHeight = 300.0;
 constexpr double kMargin = 14.0;
 
-std::size_t characters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  }));
-}
-
 std::size_t longest(const std::vector<std::string>& texts) {
   std::size_t length = 0;
   for (const std::string& text : texts) {
-    length = std::max(length, characters(text));
+    length = std::max(length, width_of(text));
   }
   return length;
 }
@@ -67,32 +62,13 @@ double key_height(const Figure& figure, FigureLayout& layout) {
 
 }  // namespace
 
-std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
-  std::vector<std::string> lines;
-  std::string line;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && characters(line) + 1 + characters(word) > width) {
-      lines.push_back(std::move(line));
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-    begin = end + 1;
-  }
-  if (!line.empty()) {
-    lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
 FigureLayout gnuplot_layout(const Figure& figure) {
   FigureLayout layout;
   const std::size_t columns = columns_of(figure);
   layout.width = kFigureWidth + (columns > 1 ? 160.0 : 0.0);
   if (figure.synthetic) {
     layout.subtitles =
-        wrapped(to_string(*figure.synthetic), static_cast<std::size_t>(layout.width / kCharacter));
+        broken(to_string(*figure.synthetic), static_cast<std::size_t>(layout.width / kCharacter));
   }
   // From the left: the widest labels of each column of panels.
   double gutter = 0.0;

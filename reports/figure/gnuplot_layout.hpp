@@ -33,7 +33,4 @@ inline constexpr double kLineHeight = 17.0;
 /// overlaps.
 [[nodiscard]] FigureLayout gnuplot_layout(const Figure& figure);
 
-/// `text` in lines of at most `width` characters, broken at spaces.
-[[nodiscard]] std::vector<std::string> wrapped(const std::string& text, std::size_t width);
-
 }  // namespace tcert

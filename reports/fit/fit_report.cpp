@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reports/columns_of.hpp"
+#include "reports/findings.hpp"
 #include "reports/table_json.hpp"
 
 namespace tcert {
@@ -26,17 +26,6 @@ Table name_and_value(const Table& record) {
     }
   }
   return table;
-}
-
-Table conditions_table(const statistics::Conditions& conditions) {
-  using statistics::Condition;
-  return ColumnsOf<Condition>()
-      .text("severity", "", [](auto& one) { return std::string(to_string(one.severity)); })
-      .text("condition", "condition", [](auto& one) { return std::string(words(one.kind)); })
-      .text("column", "column", &Condition::column)
-      .text("detail", "found", &Condition::detail)
-      .text("advice", "what to do", [](auto& one) { return std::string(advice(one)); })
-      .table("conditions", "Conditions", conditions);
 }
 
 Json json_of(const statistics::Conditions& conditions) {
@@ -80,7 +69,8 @@ std::string json_document(const FitReport& report) {
   json["summary"] = report.summary.rows.empty()
                         ? Json::object()
                         : json_row(report.summary, report.summary.rows.front());
-  for (const auto* list : {&report.tables, &report.details}) {
+  const std::vector<Table> findings(report.findings.rows.empty() ? 0 : 1, report.findings);
+  for (const auto* list : {&findings, &report.tables, &report.details}) {
     for (const Table& table : *list) {
       Json rows = Json::array();
       for (const auto& cells : table.rows) {
@@ -96,8 +86,10 @@ std::string json_document(const FitReport& report) {
 }  // namespace
 
 const Table* FitReport::find(std::string_view table) const noexcept {
-  if (summary.name == table) {
-    return &summary;
+  for (const Table* const one : {&summary, &findings}) {
+    if (one->name == table) {
+      return one;
+    }
   }
   for (const auto* list : {&tables, &details}) {
     for (const Table& one : *list) {
@@ -111,6 +103,9 @@ const Table* FitReport::find(std::string_view table) const noexcept {
 
 std::vector<std::string> FitReport::table_names() const {
   std::vector<std::string> names{summary.name};
+  if (!findings.rows.empty()) {
+    names.push_back(findings.name);
+  }
   for (const auto* list : {&tables, &details}) {
     for (const Table& one : *list) {
       names.push_back(one.name);
@@ -154,10 +149,13 @@ bool has_estimate(const FitReport& report) {
          });
 }
 
-std::string render(const FitReport& report, TableFormat format, std::string_view table) {
+std::string render(const FitReport& report,
+                   TableFormat format,
+                   std::string_view table,
+                   std::size_t width) {
   const auto labelled = [&](Table one) {
     one.synthetic = report.synthetic;
-    return render(one, format);
+    return render(one, format, width);
   };
   if (!table.empty()) {
     const Table* const chosen = report.find(table);
@@ -175,13 +173,29 @@ std::string render(const FitReport& report, TableFormat format, std::string_view
   if (statistics::has_error(report.conditions) && !has_number(report)) {
     return labelled(conditions_table(report.conditions));
   }
+  // A document says once that its data were made; LaTeX tables each, for they go apart.
+  const bool once = format != TableFormat::latex;
+  const auto part = [&](const Table& one) {
+    return once ? render(one, format, width) : labelled(one);
+  };
   std::string out;
-  for (const Table& one : report.tables) {
-    out += labelled(one) + '\n';
+  if (once && report.synthetic) {
+    const std::string label = to_string(*report.synthetic);
+    out += (format == TableFormat::markdown ? "**" + label + "**" : label) + "\n\n";
   }
-  out += labelled(name_and_value(report.summary));
-  if (!report.conditions.empty()) {
-    out += '\n' + labelled(conditions_table(report.conditions));
+  if (format == TableFormat::text && !report.findings.rows.empty()) {
+    out += findings_text(report.findings, width) + '\n';
+  } else if (format == TableFormat::markdown && !report.findings.rows.empty()) {
+    out += part(report.findings) + '\n';
+  }
+  for (const Table& one : report.tables) {
+    out += part(one) + '\n';
+  }
+  out += part(name_and_value(report.summary));
+  if (!report.conditions.empty() && format == TableFormat::text) {
+    out += "\nConditions\n\n" + conditions_text(report.conditions, width);
+  } else if (!report.conditions.empty() && format == TableFormat::markdown) {
+    out += '\n' + part(conditions_table(report.conditions));
   }
   return out;
 }

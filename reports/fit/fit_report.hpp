@@ -2,6 +2,7 @@
 /// \file
 /// What a fit gives, in every format: its summary, its tables, the conditions it met.
 
+#include <cstddef>
 #include <optional>
 #include <statistics/basics/condition.hpp>
 #include <string>
@@ -16,6 +17,7 @@ namespace tcert {
 struct FitReport {
   std::string model;           ///< "cox".
   Settings settings;           ///< Formula, data, options; in this order.
+  Table findings;              ///< See findings.hpp; without rows if nothing is to be said.
   Table summary;               ///< One row: n, events, tests of the whole model, how the fit ended.
   std::vector<Table> tables;   ///< For people and programs; the first one is the main table.
   std::vector<Table> details;  ///< For programs: covariances, residuals, curves.
@@ -34,13 +36,21 @@ struct FitReport {
 /// without a row: a model without coefficients lacks none.
 [[nodiscard]] bool has_estimate(const FitReport& report);
 
-/// Text, Markdown and LaTeX: the summary and `tables`. JSON: one document with everything; the
-/// summary is an object, every table a list of objects, each condition an object with name,
-/// severity, column, detail. CSV and JSON Lines: the main table. With `table` only the table of
-/// that name, in any format; it is to be there. After an error without a single number in the main
-/// table, text, Markdown and LaTeX have the conditions alone.
+/// Those that people read: a line a kind, however many columns have it.
+[[nodiscard]] Table conditions_table(const statistics::Conditions& conditions);
+[[nodiscard]] std::string conditions_text(const statistics::Conditions& conditions,
+                                          std::size_t width = 0);
+
+/// Text: the findings as lines, `tables`, the summary and the conditions, for a terminal of `width`
+/// as a table is. Markdown: likewise, the findings as a table. LaTeX: `tables` and the summary, for
+/// a text has words of its own. JSON: one document with everything; the summary is an object, every
+/// table a list of objects, each condition an object with name, severity, column, detail. CSV and
+/// JSON Lines: the main table. With `table` only the table of that name, in any format; it is to be
+/// there. After an error without a single number in the main table, text, Markdown and LaTeX have
+/// the conditions alone.
 [[nodiscard]] std::string render(const FitReport& report,
                                  TableFormat format,
-                                 std::string_view table = {});
+                                 std::string_view table = {},
+                                 std::size_t width = 0);
 
 }  // namespace tcert

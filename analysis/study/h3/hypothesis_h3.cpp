@@ -234,6 +234,8 @@ class Group {
     }
     if (group_.trials > 0 && group_.withheld.empty()) {
       out.lost_upper = statistics::clopper_pearson_upper(out.lost, group_.trials, options_.level);
+      out.lost_lower = 1.0 - *statistics::clopper_pearson_upper(
+                                 group_.trials - out.lost, group_.trials, options_.level);
       out.non_inferior = *out.lost_upper < options_.loss_margin;
     }
     if (group_.successes > 0) {

@@ -50,7 +50,8 @@ struct H3Case {
   std::size_t kept = 0;                 ///< Successes that the replay keeps.
   std::size_t lost = 0;
   std::optional<double> lost_share;                       ///< lost / trials.
-  std::optional<double> lost_upper;                       ///< Clopper-Pearson, one-sided.
+  std::optional<double> lost_lower;                       ///< Clopper-Pearson, one-sided.
+  std::optional<double> lost_upper;                       ///< Likewise.
   std::optional<bool> non_inferior;                       ///< lost_upper < loss_margin.
   std::optional<double> retained;                         ///< kept / successes.
   std::optional<statistics::Interval> retained_interval;  ///< Wilson.

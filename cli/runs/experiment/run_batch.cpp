@@ -16,6 +16,7 @@
 #include "cli/runs/inputs.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/thread_limit.hpp"
+#include "reports/experiment/cell_findings.hpp"
 #include "reports/experiment/cells_table.hpp"
 #include "reports/features_table.hpp"
 
@@ -73,8 +74,9 @@ struct BatchTables {
   Table cells;
   Table issuance;
   Table speed;
+  Table findings;
 
-  [[nodiscard]] std::array<Table*, 3> all() { return {&cells, &issuance, &speed}; }
+  [[nodiscard]] std::array<Table*, 4> all() { return {&cells, &issuance, &speed, &findings}; }
 };
 
 BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
@@ -82,7 +84,7 @@ BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
                       Progress& progress) {
   const BatchNotes notes{
       scoring.h1.level, scoring.h1.replicates, scoring.h1.cluster, scoring.h1.interval};
-  BatchTables tables{cells_table(notes), cell_issuance_table(), cell_speed_table(notes)};
+  BatchTables tables{cells_table(notes), cell_issuance_table(), cell_speed_table(notes), {}};
   FeatureScorer features(scoring);
   SpeedScorer speeds(scoring);
   Stage stage(progress, "cells", cells.size());
@@ -91,7 +93,7 @@ BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
     if (cell.refused()) {
       const auto& reason = std::get<std::string>(cell.parameters);
       progress.say("cell '" + cell.cell.name + "' is refused: " + reason);
-      for (Table* const table : tables.all()) {
+      for (Table* const table : {&tables.cells, &tables.issuance, &tables.speed}) {
         add_cell(cell.cell, "refused: " + reason, {}, *table);
       }
     } else {
@@ -106,6 +108,7 @@ BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
     }
     stage.advance();
   }
+  tables.findings = cell_findings(tables.cells, tables.issuance);
   return tables;
 }
 
@@ -159,7 +162,8 @@ void write_folder(Batch batch,
                   const CellFiles& files,
                   const BatchTables& tables,
                   ResultFolder& folder) {
-  for (const Table* const table : {&tables.cells, &tables.issuance, &tables.speed}) {
+  for (const Table* const table :
+       {&tables.findings, &tables.cells, &tables.issuance, &tables.speed}) {
     write_table(*table, folder);
   }
   const auto label = synthetic_label(opened.bundle.info);
@@ -227,12 +231,14 @@ ExitCode run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progre
   const ExitCode code = refused || bad_rows || !files.rejected.empty() ? exit_rejected : exit_done;
   if (folder) {
     write_folder(std::move(batch), opened, planned_cells, files, tables, *folder);
+    sum_up(tables.findings, progress);
     return code;
   }
   const Table& shown = options.table == "issuance" ? tables.issuance
                        : options.table == "speed"  ? tables.speed
                                                    : tables.cells;
-  progress.show(render(shown, options.output.table_format()));
+  progress.show(tcert::cli::shown(shown, options.output, progress));
+  sum_up(tables.findings, progress);
   return code;
 }
 

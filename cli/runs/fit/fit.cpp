@@ -207,12 +207,16 @@ ExitCode fit(const FitRequest& request, Progress& progress) {
       return exit_bad_data;  // what was asked for is missing because of the error
     }
     require_table(report, request.table);
-    std::string text = render(report, request.output.table_format(), request.table);
-    if (!request.output.path.empty()) {
+    const bool is_file = !request.output.path.empty();
+    const std::string text = render(report,
+                                    request.output.table_format(),
+                                    request.table,
+                                    is_file ? 0 : width_of(request.output, progress));
+    if (is_file) {
       write_with_manifest(request.output.path, text, manifest_of("fit", file, written(request)));
-      text.clear();
+    } else {
+      progress.show(text);
     }
-    progress.show(text);
     if (!failed && !has_estimate(report)) {
       progress.say(kind.has_coefficients ? "tcert fit: no coefficient has an estimate"
                                          : "tcert fit: nothing has an estimate");

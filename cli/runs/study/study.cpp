@@ -126,7 +126,7 @@ ExitCode study(const StudyRequest& request, Progress& progress) {
   }
   FitReport report = one.run(request, progress);
   manifest.synthetic = report.synthetic;
-  progress.show(output.deliver(std::move(report), request.table, std::move(manifest)));
+  output.deliver(std::move(report), request.table, std::move(manifest), progress);
   return exit_done;
 }
 

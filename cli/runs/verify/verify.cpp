@@ -122,7 +122,7 @@ ExitCode verify(const VerifyRequest& request, Progress& progress) {
   for (const std::string& name : tree.uncovered) {
     progress.say("'" + name + "' is no result: no manifest covers it");
   }
-  progress.show(render(table, request.output.table_format()));
+  progress.show(shown(table, request.output, progress));
   return differs ? exit_differences : missing ? exit_no_input : exit_done;
 }
 

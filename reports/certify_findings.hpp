@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// What certifying a study found, in sentences.
+
+#include <span>
+
+#include "analysis/study/trials/feature_table.hpp"
+#include "reports/table.hpp"
+
+namespace tcert {
+
+/// In how many successes and failures a certificate was issued, why not in the others, and where
+/// the early certificate lies; of a few trials, each by itself.
+[[nodiscard]] Table certify_findings(std::span<const study::FeatureRow> rows);
+
+}  // namespace tcert

@@ -1,0 +1,45 @@
+#include "reports/findings.hpp"
+
+#include <utility>
+
+#include "reports/columns_of.hpp"
+#include "reports/text_width.hpp"
+
+namespace tcert {
+
+Table findings_table(const std::vector<Finding>& findings, std::vector<std::string> rules) {
+  const auto columns =
+      ColumnsOf<Finding>()
+          .text("about", "about", &Finding::about)
+          .text("verdict", "verdict", [](auto& one) { return not_empty(one.verdict); })
+          .text("evidence", "evidence", &Finding::evidence);
+  Table table = columns.table("findings", "What was found", findings);
+  table.footnotes = std::move(rules);
+  return table;
+}
+
+std::string findings_text(const Table& findings, std::size_t width) {
+  std::string text;
+  for (const std::vector<TableCell>& row : findings.rows) {
+    const auto* const verdict = std::get_if<std::string>(&row[1]);
+    text += std::get<std::string>(row[0]) + ": " + (verdict != nullptr ? *verdict + ". " : "") +
+            std::get<std::string>(row[2]) + '\n';
+  }
+  for (const std::string& rule : findings.footnotes) {
+    text += rule + '\n';
+  }
+  return wrapped(text, width);
+}
+
+std::string in_words(const std::optional<double>& value,
+                     const std::optional<statistics::Interval>& interval,
+                     int decimals) {
+  if (!value || !interval) {
+    return value ? fixed(*value, decimals) : "NA";
+  }
+  Column column = estimate_column("", "");
+  column.decimals = decimals;
+  return printed(estimate_cell(value, interval), column);
+}
+
+}  // namespace tcert

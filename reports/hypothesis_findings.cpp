@@ -1,0 +1,236 @@
+#include "reports/hypothesis_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/study/verdict.hpp"
+#include "reports/findings.hpp"
+#include "reports/h1_intervals.hpp"
+#include "reports/h1_within_table.hpp"
+#include "reports/panel_rows.hpp"
+
+namespace tcert {
+namespace {
+
+using study::H1Row;
+using study::H1Score;
+
+std::string words(study::Verdict verdict) { return std::string(study::to_string(verdict)); }
+
+std::string score_words(const H1Score& score) { return in_words(score.value, score.interval); }
+
+/// A score of H1, and the gain in it over a rival.
+struct Comparison {
+  const char* of;    ///< "success".
+  const char* name;  ///< "AUC".
+  const H1Score& (*score)(const H1Row&);
+  const H1Score& (*gain)(const H1Row&);
+  bool within;
+};
+
+constexpr Comparison kQuantities[] = {
+    {"success",
+     "AUC",
+     [](const H1Row& row) -> const H1Score& { return row.auc; },
+     [](const H1Row& row) -> const H1Score& { return row.auc_gain; },
+     false},
+    {"success",
+     "AUC",
+     [](const H1Row& row) -> const H1Score& { return row.within.auc; },
+     [](const H1Row& row) -> const H1Score& { return row.within.auc_gain; },
+     true},
+    {"time",
+     "C",
+     [](const H1Row& row) -> const H1Score& { return row.c; },
+     [](const H1Row& row) -> const H1Score& { return row.c_gain; },
+     false},
+    {"time",
+     "C",
+     [](const H1Row& row) -> const H1Score& { return row.within.c; },
+     [](const H1Row& row) -> const H1Score& { return row.within.c_gain; },
+     true},
+};
+
+std::string h1_evidence(const study::H1Panel& panel,
+                        const Comparison& comparison,
+                        const study::H1Verdict& found) {
+  if (found.gain == nullptr) {
+    return panel.withheld.empty() ? "There is no gain to read." : panel.withheld + ".";
+  }
+  const H1Row& tested = panel.rows.front();
+  std::string text = fmt::format("{} of {} {}; the least gain {}, over {}.",
+                                 comparison.name,
+                                 tested.name,
+                                 score_words(comparison.score(tested)),
+                                 score_words(*found.gain),
+                                 found.rival->name);
+  return panel.withheld.empty() ? text : text + " Intervals are withheld: " + panel.withheld + ".";
+}
+
+/// The panel that conclusions are drawn from first.
+template <class Panel, class Kind>
+std::vector<const Panel*> in_order(const std::vector<Panel>& panels, const Kind& kind_of) {
+  std::vector<const Panel*> order;
+  for (const bool landmark : {true, false}) {
+    for (const Panel& panel : panels) {
+      if ((kind_of(panel) == study::H1PanelKind::landmark) == landmark) {
+        order.push_back(&panel);
+      }
+    }
+  }
+  return order;
+}
+
+/// The pair of groups that differ most.
+std::string h2_evidence(const char* name, const study::H2Equality& equality) {
+  const statistics::EquivalencePair* widest = nullptr;
+  for (const statistics::EquivalencePair& pair : equality.tests.pairs) {
+    if (widest == nullptr || pair.smallest_margin > widest->smallest_margin) {
+      widest = &pair;
+    }
+  }
+  if (widest == nullptr) {
+    return "There are no two groups to compare.";
+  }
+  const auto& names = equality.groups.names;
+  std::string text = fmt::format("{} of {} less that of {}: {}; the margin is {}",
+                                 name,
+                                 names[widest->first],
+                                 names[widest->second],
+                                 in_words(widest->difference, widest->interval),
+                                 significant(equality.tests.options.margin, 3));
+  if (equality.tests.smallest_margin) {
+    text += ", the smallest that would do " + fixed(*equality.tests.smallest_margin, 3);
+  }
+  return text + ".";
+}
+
+/// Cases of one law under all lightings together that have the same verdict.
+Finding h3_finding(const study::H3Group& all,
+                   const std::vector<const study::H3Case*>& cases,
+                   study::Verdict verdict) {
+  std::string betas;
+  std::string gains;
+  const study::H3Case* worst = cases.front();
+  for (const study::H3Case* const one : cases) {
+    betas += (betas.empty() ? "" : ", ") + significant(one->beta_per_m, 3);
+    gains += (gains.empty() ? "" : ", ") + in_words(one->gain.value, one->gain.interval, 2);
+    worst = one->lost > worst->lost ? one : worst;
+  }
+  std::string evidence =
+      fmt::format("Gain in rate of advance {} m/min on {}; {}{} of {} successes lost",
+                  gains,
+                  in_words(all.ungated.value, {}, 2),
+                  cases.size() > 1 && worst->lost > 0 ? "at most " : "",
+                  worst->lost,
+                  all.successes);
+  if (worst->lost_upper) {
+    evidence += fmt::format(", {} % of the trials (bound {} %)",
+                            fixed(100.0 * worst->lost_share.value_or(kMissing), 1),
+                            fixed(100.0 * *worst->lost_upper, 1));
+  }
+  return {fmt::format("H3, {} at beta {} 1/m", cases.front()->law, betas),
+          words(verdict),
+          evidence + "."};
+}
+
+}  // namespace
+
+Table h1_findings(const study::H1Table& h1) {
+  std::vector<Finding> findings;
+  bool has_landmark = false;
+  for (const study::H1Panel* const one :
+       in_order(h1.panels, [](const study::H1Panel& panel) { return panel.kind; })) {
+    const study::H1Panel& panel = *one;
+    has_landmark = has_landmark || panel.kind == study::H1PanelKind::landmark;
+    const std::string columns = h1_within_columns(panel);
+    for (const Comparison& comparison : kQuantities) {
+      if ((comparison.within && columns.empty()) ||
+          (comparison.name[0] == 'C' && !panel.has_time)) {
+        continue;
+      }
+      const study::H1Verdict found = study::h1_verdict(panel, comparison.gain);
+      findings.push_back({fmt::format("H1, {}{}, {} panel",
+                                      comparison.of,
+                                      comparison.within ? " within " + columns : "",
+                                      panel_name(h1, panel)),
+                          words(found.verdict),
+                          h1_evidence(panel, comparison, found)});
+    }
+  }
+  return findings_table(
+      findings,
+      {"Rule of H1: supported if the interval (" + h1_interval_text(h1.options) +
+       ") of the gain over every single rival lies above 0, contradicted if that over one of them "
+       "lies below 0, else not decided." +
+       (has_landmark ? " Conclusions are drawn from the landmark panel: in the other one the early "
+                       "window may contain the outcome."
+                     : "")});
+}
+
+Table h2_findings(const study::H2Table& h2) {
+  std::vector<Finding> findings;
+  for (const study::H2Panel* const one :
+       in_order(h2.panels, [](const study::H2Panel& panel) { return panel.trials.kind; })) {
+    const study::H2Panel& panel = *one;
+    const auto add = [&](const char* name, const std::optional<study::H2Equality>& equality) {
+      const std::string about = fmt::format("H2, {}, {} panel", name, panel_name(h2, panel));
+      if (equality) {
+        findings.push_back(
+            {about, words(study::h2_verdict(panel, *equality)), h2_evidence(name, *equality)});
+      } else {
+        findings.push_back({about,
+                            words(study::Verdict::not_decided),
+                            fmt::format("Not every group has a {} with a variance.", name)});
+      }
+    };
+    add("AUC", panel.auc);
+    if (panel.trials.has_time) {
+      add("C", panel.c);
+    }
+  }
+  return findings_table(
+      findings,
+      {"Rule of H2: supported if the 90 % interval of every pair's difference lies within the "
+       "margin (two one-sided tests at 5 %), contradicted if that of one pair lies outside of it, "
+       "else not decided."});
+}
+
+Table h3_findings(const study::H3Table& h3) {
+  std::vector<Finding> findings;
+  if (!h3.groups.empty()) {
+    const study::H3Group& all = h3.groups.front();
+    // Cases of one law and verdict, in the order of the table.
+    std::vector<std::pair<std::string, study::Verdict>> kinds;
+    for (const study::H3Case& one : all.cases) {
+      const std::pair kind(one.law, study::h3_verdict(one, h3.options.loss_margin));
+      if (std::ranges::find(kinds, kind) == kinds.end()) {
+        kinds.push_back(kind);
+      }
+    }
+    for (const auto& [law, verdict] : kinds) {
+      std::vector<const study::H3Case*> cases;
+      for (const study::H3Case& one : all.cases) {
+        if (one.law == law && study::h3_verdict(one, h3.options.loss_margin) == verdict) {
+          cases.push_back(&one);
+        }
+      }
+      findings.push_back(h3_finding(all, cases, verdict));
+    }
+  }
+  const std::string level = significant(100.0 * h3.options.level, 3) + " %";
+  return findings_table(
+      findings,
+      {"Rule of H3: supported if the " + level +
+       " interval of the gain lies above 0 and the one-sided bound of the loss is below " +
+       significant(100.0 * h3.options.loss_margin, 3) +
+       " % of the trials, contradicted if the interval lies below 0 or the loss is above that "
+       "margin with the same confidence, else not decided. No law is chosen by the data; of many "
+       "some may pass by chance."});
+}
+
+}  // namespace tcert
