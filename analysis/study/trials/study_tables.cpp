@@ -11,6 +11,9 @@ namespace {
 constexpr std::array<std::string_view, 9> kPaperOrder = {
     "CB-V", "M1", "M2", "M3", "TD*Lite", "TVFH", "Dark", "Indoor", "Outdoor"};
 
+/// The names at the front of kPaperOrder; lightings follow.
+constexpr std::size_t kPaperAlgorithms = 6;
+
 struct PublishedSpeed {
   std::string_view name;
   double speed_mps = 0.0;
@@ -29,6 +32,15 @@ constexpr std::array kPublishedSpeeds = {PublishedSpeed{"CB-V", 0.19},
 std::size_t rank_of(std::string_view name) noexcept {
   return static_cast<std::size_t>(std::find(kPaperOrder.begin(), kPaperOrder.end(), name) -
                                   kPaperOrder.begin());
+}
+
+/// Adds the trials of one group to another.
+void add_group(const StudyGroup& part, StudyGroup& whole) {
+  whole.trials += part.trials;
+  whole.known += part.known;
+  whole.successes += part.successes;
+  whole.speed_cmd_mps.add(part.speed_cmd_mps);
+  whole.loop_latency_ms.add(part.loop_latency_ms);
 }
 
 bool before(const std::string& a, const std::string& b) noexcept {
@@ -114,6 +126,20 @@ std::vector<StudyGroup> StudyRecord::by_cell() const {
   return groups;
 }
 
+StudyGroup StudyRecord::all() const {
+  StudyGroup all;
+  for (const auto& [key, cell] : cells_) {
+    add_group(cell, all);
+  }
+  return all;
+}
+
+bool StudyRecord::is_of_paper() const {
+  return !cells_.empty() && std::all_of(cells_.begin(), cells_.end(), [](const auto& cell) {
+    return is_paper_algorithm(cell.second.algorithm);
+  });
+}
+
 std::vector<StudyGroup> StudyRecord::by_algorithm() const { return merged(true); }
 std::vector<StudyGroup> StudyRecord::by_lighting() const { return merged(false); }
 
@@ -124,11 +150,7 @@ std::vector<StudyGroup> StudyRecord::merged(bool by_algorithm) const {
     StudyGroup& group = merged[wider];
     group.algorithm = wider.first;
     group.lighting = wider.second;
-    group.trials += cell.trials;
-    group.known += cell.known;
-    group.successes += cell.successes;
-    group.speed_cmd_mps.add(cell.speed_cmd_mps);
-    group.loop_latency_ms.add(cell.loop_latency_ms);
+    add_group(cell, group);
   }
   std::vector<StudyGroup> groups;
   for (auto& [key, group] : merged) {
@@ -136,6 +158,8 @@ std::vector<StudyGroup> StudyRecord::merged(bool by_algorithm) const {
   }
   return groups;
 }
+
+bool is_paper_algorithm(std::string_view name) noexcept { return rank_of(name) < kPaperAlgorithms; }
 
 std::optional<double> published_speed_mps(std::string_view name) noexcept {
   const auto* const found = std::find_if(

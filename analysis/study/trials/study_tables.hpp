@@ -72,6 +72,13 @@ class StudyRecord {
   [[nodiscard]] std::vector<StudyGroup> by_algorithm() const;
   [[nodiscard]] std::vector<StudyGroup> by_lighting() const;
 
+  /// All trials as one group; both names are empty.
+  [[nodiscard]] StudyGroup all() const;
+
+  /// True if there is a trial and every algorithm is one of the paper's: what it prints may stand
+  /// beside the data.
+  [[nodiscard]] bool is_of_paper() const;
+
  private:
   using Key = std::pair<std::string, std::string>;  // algorithm, lighting
   struct PaperOrder {
@@ -84,6 +91,9 @@ class StudyRecord {
   std::vector<FeatureRow> rows_;
   Groups cells_;
 };
+
+/// True for the six algorithms of the paper's trials.
+[[nodiscard]] bool is_paper_algorithm(std::string_view name) noexcept;
 
 /// A median that the paper prints (section 4.1), for an algorithm or for a lighting; "0.17-0.18"
 /// and "0.13-0.14" by their middles. Empty for any other name.

@@ -89,6 +89,19 @@ TEST(StudyRecord, ListsThePapersGroupsFirst) {
   EXPECT_EQ(study.by_cell().size(), 10U);
 }
 
+TEST(StudyRecord, IsOfThePaperOnlyWithThePapersAlgorithmsAlone) {
+  StudyRecord study;
+  EXPECT_FALSE(study.is_of_paper());
+  study.add(trial("M3", "Dark", true, {}));
+  study.add(trial("CB-V", "a tunnel", true, {}));
+  EXPECT_TRUE(study.is_of_paper());
+  study.add(trial("ours", "Dark", true, {}));
+  EXPECT_FALSE(study.is_of_paper()) << "somebody else's robot among them";
+  EXPECT_FALSE(is_paper_algorithm("Dark")) << "a lighting";
+  EXPECT_FALSE(is_paper_algorithm(""));
+  EXPECT_EQ(study.all().trials, 3U);
+}
+
 TEST(PublishedSpeed, IsKnownForThePapersNamesOnly) {
   EXPECT_EQ(published_speed_mps("M2"), 0.12);
   EXPECT_FALSE(published_speed_mps("").has_value());
