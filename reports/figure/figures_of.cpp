@@ -1,11 +1,15 @@
 #include "reports/figure/figures_of.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <statistics/model/formula.hpp>
 #include <table/bytes.hpp>
 #include <table/path_name.hpp>
 #include <utility>
 
+#include "reports/figure/early_figures.hpp"
 #include "reports/figure/figure_table.hpp"
 #include "reports/figure/h1_figures.hpp"
 #include "reports/figure/set_figures.hpp"
@@ -94,14 +98,66 @@ std::optional<World> world_of(const Results& results, const std::string& trial_i
   }
 }
 
+/// When the time window of the features closes; as H1 has it if the manifest does not say.
+double landmark_of(const Result& certificates) {
+  double landmark_s = study::H1Options().landmark_s;
+  for (const auto& [key, value] : certificates.manifest.parameters) {
+    if (key == "early_time_s") {
+      std::from_chars(value.data(), value.data() + value.size(), landmark_s);
+    }
+  }
+  return landmark_s;
+}
+
+/// Figures of TC_early and the outcome, from features.csv.
+void add_early_figures(const Results& results,
+                       const std::optional<table::DataTable>& features,
+                       Collection& all) {
+  using Draw =
+      std::optional<Figure> (*)(const study::EarlyTrials&, const std::optional<SyntheticLabel>&);
+  const std::array<std::pair<const char*, Draw>, 4> figures = {
+      {{"success_by_quantile", success_by_quantile_figure},
+       {"early_by_outcome", early_by_outcome_figure},
+       {"operating_point", operating_point_figure},
+       {"auc_by_day", auc_by_day_figure}}};
+  std::string reason = "no result of 'tcert certify', or without its features.csv";
+  std::optional<study::EarlyTrials> trials;
+  if (features) {
+    reason = "no trial whose outcome and TC_early are both known";
+    try {
+      trials = study::early_trials(*features, landmark_of(*results.find(ResultKind::certificates)));
+    } catch (const statistics::FormulaError& problem) {
+      reason = problem.what();
+    }
+  }
+  for (const auto& [name, figure] : figures) {
+    all.add(name,
+            trials ? figure(*trials, results.synthetic) : std::nullopt,
+            !trials ? reason
+            : figure == auc_by_day_figure
+                ? "it needs both outcomes, and a column day of 80 days at most in features.csv"
+                : "it needs both outcomes, and values that differ");
+  }
+}
+
 }  // namespace
 
 StudyFigures study_figures(const Results& results) {
   Collection all(results);
+  const Result* const certificates = results.find(ResultKind::certificates);
+  const std::optional<table::DataTable> features =
+      certificates != nullptr ? result_data(*certificates, "features.csv") : std::nullopt;
+  add_early_figures(results, features, all);
   const std::string no_h1 = all.without(ResultKind::h1, "hypotheses h1");
   const std::vector<std::string> predictors =
       distinct(all.table(ResultKind::h1, "h1"), "predictor");
   all.add("roc", roc_figure(all.table(ResultKind::h1, "h1_roc")), no_h1);
+  all.add("within_strata",
+          within_figure(all.table(ResultKind::h1, "h1"),
+                        all.table(ResultKind::h1, "h1_within"),
+                        all.table(ResultKind::h1, "h1_time"),
+                        all.table(ResultKind::h1, "h1_time_within")),
+          no_h1);
   all.add("incidence",
           incidence_figure(all.table(ResultKind::h1, "h1_incidence_curve"),
                            predictors.empty() ? "" : predictors.front()),
@@ -126,9 +182,6 @@ StudyFigures study_figures(const Results& results) {
                       all.table(ResultKind::gate, "gate_curve"),
                       all.table(ResultKind::gate, "gate_calibration")),
           all.without(ResultKind::gate, "gate"));
-  const Result* const certificates = results.find(ResultKind::certificates);
-  const std::optional<table::DataTable> features =
-      certificates != nullptr ? result_data(*certificates, "features.csv") : std::nullopt;
   const Table speed = all.table(ResultKind::certificates, "speed");
   for (const char* const grouped_by : {"algorithm", "lighting"}) {
     all.add(std::string("speed_by_") + grouped_by,

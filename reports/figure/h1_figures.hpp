@@ -26,4 +26,11 @@ namespace tcert {
 /// where there is one), from h1_mixed and h1_time.
 [[nodiscard]] std::optional<Figure> forest_figure(const Table& h1_mixed, const Table& h1_time);
 
+/// AUC and C over all pairs of trials beside those within strata, of every predictor, of the last
+/// panel: from h1, h1_within, h1_time and h1_time_within.
+[[nodiscard]] std::optional<Figure> within_figure(const Table& h1,
+                                                  const Table& h1_within,
+                                                  const Table& h1_time,
+                                                  const Table& h1_time_within);
+
 }  // namespace tcert

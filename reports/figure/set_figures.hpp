@@ -31,6 +31,10 @@ namespace tcert {
                                                 const Table& gate_curve,
                                                 const Table& gate_calibration);
 
+/// True if the table `speed` has what the paper prints beside every algorithm: the algorithms are
+/// the paper's. Tables of older versions have values beside single names that happen to be.
+[[nodiscard]] bool has_published_speeds(const Table& speed);
+
 /// Commanded speed by algorithm or by lighting (Figures 1 and 2 of the paper): pooled medians and
 /// what the paper prints from `speed`, the trials' own medians from features.csv.
 [[nodiscard]] std::optional<Figure> speed_figure(const Table& speed,

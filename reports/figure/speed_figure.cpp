@@ -7,6 +7,7 @@
 
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_table.hpp"
+#include "reports/paper_names.hpp"
 
 namespace tcert {
 namespace {
@@ -28,15 +29,31 @@ std::vector<double> values_of_group(const table::DataTable& features,
 
 }  // namespace
 
+bool has_published_speeds(const Table& speed) {
+  bool any = false;
+  for (std::size_t row = 0; row < speed.rows.size(); ++row) {
+    if (text_at(speed, row, "grouped_by") == "algorithm") {
+      if (!std::isfinite(number_at(speed, row, "published_speed_mps"))) {
+        return false;
+      }
+      any = true;
+    }
+  }
+  return any;
+}
+
 std::optional<Figure> speed_figure(const Table& speed,
                                    const table::DataTable& features,
                                    const std::string& grouped_by) {
   Figure figure =
       named("speed_by_" + grouped_by, "Commanded speed by " + grouped_by, speed.synthetic);
+  const bool is_of_paper = has_published_speeds(speed);
   figure.caption =
       "Thick: middle half of the trials' medians; thin: from 5 to 95 %. Median of all control "
-      "samples "
-      "pooled, beside the one that the paper prints for its own trials.";
+      "samples pooled" +
+      std::string(is_of_paper ? ", beside the one that the paper prints for its own trials."
+                              : ".") +
+      (is_of_paper && grouped_by == "algorithm" ? " " + paper_names_text() : "");
   figure.key = {"", {"pooled median", "published"}};
   figure.data = figure_table(
       figure.name, {"group"}, {"speed_mps", "p05_mps", "p25_mps", "p75_mps", "p95_mps", "trials"});
@@ -60,7 +77,8 @@ std::optional<Figure> speed_figure(const Table& speed,
     };
     const double pooled = number_at(speed, row, "speed_mps");
     measured = measured || std::isfinite(pooled) || !values.empty();
-    for (const double value : {pooled, at(0.95), number_at(speed, row, "published_speed_mps")}) {
+    const double in_paper = is_of_paper ? number_at(speed, row, "published_speed_mps") : kNaN;
+    for (const double value : {pooled, at(0.95), in_paper}) {
       extent.add(value);
     }
     add_figure_row(figure.data,
@@ -68,10 +86,7 @@ std::optional<Figure> speed_figure(const Table& speed,
                    {group},
                    {kNaN, at(0.05), at(0.25), at(0.75), at(0.95), number_at(speed, row, "trials")});
     add_figure_row(figure.data, "pooled", {group}, {pooled, kNaN, kNaN, kNaN, kNaN, kNaN});
-    add_figure_row(figure.data,
-                   "published",
-                   {group},
-                   {number_at(speed, row, "published_speed_mps"), kNaN, kNaN, kNaN, kNaN, kNaN});
+    add_figure_row(figure.data, "published", {group}, {in_paper, kNaN, kNaN, kNaN, kNaN, kNaN});
   }
   if (!measured) {
     return std::nullopt;

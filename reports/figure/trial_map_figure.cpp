@@ -1,6 +1,7 @@
 #include "reports/figure/trial_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -13,6 +14,7 @@ namespace tcert {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* kContact = "new contact";
 constexpr int kDiscCorners = 36;
 constexpr double kGradientHigh = 0.3;  // Metres; wider edges are as bright.
 
@@ -76,8 +78,8 @@ void add_world(const World& world, MapData& data) {
       data.add("wall", "wall " + std::to_string(i + 1), p);
     }
   }
-  const std::pair<const char*, const std::optional<Region>&> regions[] = {{"S", world.start},
-                                                                          {"G", world.goal}};
+  const std::array<std::pair<const char*, const std::optional<Region>&>, 2> regions = {
+      {{"S", world.start}, {"G", world.goal}}};
   for (const auto& [name, region] : regions) {
     if (!region) {
       continue;
@@ -129,6 +131,21 @@ void add_path(const TrialPicture& trial, MapData& data) {
   }
 }
 
+/// Where the robot was when a ray touched something that it had not touched the tick before.
+void add_contacts(const table::DataTable& series, MapData& data) {
+  const std::vector<double> times = trial_times(series);
+  for (std::size_t row = 0; row < series.rows; ++row) {
+    if (number_at(series, row, "new_contacts") > 0.0) {
+      data.add("contact",
+               "",
+               {number_at(series, row, "x_m"), number_at(series, row, "y_m")},
+               {kNaN, kNaN},
+               kNaN,
+               times[row]);
+    }
+  }
+}
+
 void add_edges(const table::DataTable& edges, MapData& data) {
   for (std::size_t row = 0; row < edges.rows; ++row) {
     data.add("edge",
@@ -162,6 +179,9 @@ std::vector<Layer> map_layers(bool walls) {
   edge.width = 5.0;
   Layer path = layer(Mark::line, "path", "x_m", "y_m");
   path.width = 1.2;
+  Layer contact = layer(Mark::point, "contact", "x_m", "y_m");
+  contact.label = kContact;
+  contact.size = 1.4;
   Layer bottleneck = layer(Mark::point, "bottleneck", "x_m", "y_m");
   bottleneck.label = "bottleneck of T_t";
   bottleneck.size = 3.0;
@@ -170,7 +190,7 @@ std::vector<Layer> map_layers(bool walls) {
   Layer issued = layer(Mark::point, "issued", "x_m", "y_m");
   issued.label = "issued here";
   issued.size = 2.2;
-  layers.insert(layers.end(), {edge, path, bottleneck, issued});
+  layers.insert(layers.end(), {edge, path, contact, bottleneck, issued});
   return layers;
 }
 
@@ -182,8 +202,8 @@ std::optional<Figure> trial_map_figure(const TrialPicture& trial) {
   figure.caption = std::string(trial.world ? "Walls of the known world"
                                            : "What the rays prove free on both sides") +
                    ", odometry (thin line), and the corridor graph by the margin of its edges. The "
-                   "hollow mark is "
-                   "the bottleneck that decides T_t.";
+                   "hollow mark is the bottleneck that decides T_t; triangles are where the robot "
+                   "was when a ray touched something anew.";
   MapData data;
   if (trial.world) {
     add_world(*trial.world, data);
@@ -197,7 +217,8 @@ std::optional<Figure> trial_map_figure(const TrialPicture& trial) {
   if (trial.bottleneck_x_m && trial.bottleneck_y_m) {
     data.add("bottleneck", "", {*trial.bottleneck_x_m, *trial.bottleneck_y_m});
   }
-  figure.key.classes = {"issued here", "bottleneck of T_t"};
+  add_contacts(trial.series, data);
+  figure.key.classes = {"issued here", "bottleneck of T_t", kContact};
   figure.gradient = Gradient{"edge margin", "m", 0.0, kGradientHigh, {}};
   Panel map;
   map.x = axis("x", "m");

@@ -131,7 +131,12 @@ TEST_F(FigurePixels, HaveInkWhereTheNumbersAre) {
       }
     }
   }
-  for (const char* const name : {"roc",
+  for (const char* const name : {"success_by_quantile",
+                                 "early_by_outcome",
+                                 "operating_point",
+                                 "auc_by_day",
+                                 "roc",
+                                 "within_strata",
                                  "incidence",
                                  "calibration",
                                  "forest",
@@ -145,7 +150,7 @@ TEST_F(FigurePixels, HaveInkWhereTheNumbersAre) {
                                  "truth"}) {
     EXPECT_TRUE(names.contains(name)) << name << " is not drawn at all";
   }
-  EXPECT_GE(figures.size(), 16U) << "series and map of two trials at least";
+  EXPECT_GE(figures.size(), 21U) << "series and map of two trials at least";
 }
 
 /// The curves of incidence and their bands, a row of one after a row of the other: gnuplot draws no
