@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "analysis/study/trials/parameters.hpp"
+#include "reports/figure/set_figures.hpp"
 #include "reports/figure/vega_lite.hpp"
+#include "reports/html/findings_json.hpp"
+#include "reports/html/glossary.hpp"
 #include "reports/html/trial_block.hpp"
 #include "reports/table_json.hpp"
 #include "reports/version.hpp"
@@ -30,6 +33,7 @@ Json json_table(const PageTable& page_table, std::size_t id) {
   json["name"] = table.name;
   json["title"] = table.title;
   json["source"] = page_table.source;
+  json["group"] = page_table.group.empty() ? page_table.source : page_table.group;
   json["main"] = page_table.is_main;
   json["n"] = table.n ? Json(*table.n) : Json();
   json["columns"] = Json::array();
@@ -146,21 +150,16 @@ std::vector<std::string> methods_text(const PageContents& contents) {
   std::vector<std::string> text = {
       "At every tick the robot's rays prove a free width across the path and the path has a turn "
       "radius; the tick's margin m_t is the smaller of what both leave to the body. Ticks are "
-      "gathered "
-      "into edges of the corridor graph, each with the least margin on it.",
+      "gathered into edges of the corridor graph, each with the least margin on it.",
       "The on-policy corridor value V_t is the bottleneck of the widest path through that graph "
-      "from "
-      "the start S to the node where the robot is; the certificate T_t is that from S to the goal "
-      "G. It "
-      "never falls, and is issued when it is first above 0. While unknown space counts as occupied "
-      "it "
-      "is meant as a lower bound on the best margin that any way through the place has.",
+      "from the start S to the node where the robot is; the certificate T_t is that from S to the "
+      "goal G. It never falls, and is issued when it is first above 0. While unknown space counts "
+      "as occupied it is meant as a lower bound on T(E; A), the best margin that any way through "
+      "the place E has for the robot A.",
       "TC_early, the feature of a trial, is the 10th percentile of the series over the early "
-      "window, by "
-      "time and by way, the worse of the two.",
+      "window, by time and by way, the worse of the two.",
       "Missing values are NA, never 0. Tables round in print only: their CSV has every digit. What "
-      "each "
-      "table and figure does with intervals, clusters and ties stands below it.",
+      "each table and figure does with intervals, clusters and ties stands below it.",
   };
   text.push_back("In the viewer a long trial shows fewer ticks than it has: " +
                  std::string(decimation_rule()));
@@ -201,6 +200,31 @@ Json json_series() {
   return json;
 }
 
+/// Of what stands in findings, tables, captions and methods.
+Json json_glossary(const Json& json, const PageContents& contents) {
+  std::string text = json["findings"].dump(-1, ' ', false, Json::error_handler_t::replace);
+  for (const Json& table : json["tables"]) {
+    text += table["columns"].dump(-1, ' ', false, Json::error_handler_t::replace) +
+            table["rows"].dump(-1, ' ', false, Json::error_handler_t::replace) +
+            table["footnotes"].dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  for (const Figure& figure : contents.figures) {
+    text += figure.title + ' ' + figure.caption + ' ';
+  }
+  for (const std::string& paragraph : methods_text(contents)) {
+    text += paragraph + ' ';
+  }
+  const bool of_paper =
+      std::any_of(contents.tables.begin(), contents.tables.end(), [](const PageTable& one) {
+        return one.table.name == "speed" && has_published_speeds(one.table);
+      });
+  Json entries = Json::array();
+  for (const GlossaryEntry& entry : glossary_of(text, of_paper)) {
+    entries.push_back(Json::array({entry.term, entry.meaning}));
+  }
+  return entries;
+}
+
 Json json_frames(const PageFrames& set, std::size_t id) {
   Json json = {{"id", id}, {"title", set.title}, {"frames", Json::array()}};
   for (const PageFrames::Frame& frame : set.frames) {
@@ -217,6 +241,7 @@ std::string report_json(const PageContents& contents) {
   json["lead"] = contents.lead;
   json["tool"] = tool_words(tool_version(), tool_commit());
   json["synthetic"] = contents.synthetic ? Json(to_string(*contents.synthetic)) : Json();
+  json["findings"] = findings_json(contents.findings);
   json["tables"] = Json::array();
   for (std::size_t i = 0; i < contents.tables.size(); ++i) {
     json["tables"].push_back(json_table(contents.tables[i], i));
@@ -225,6 +250,7 @@ std::string report_json(const PageContents& contents) {
   for (std::size_t i = 0; i < contents.figures.size(); ++i) {
     json["figures"].push_back(json_figure(contents.figures[i], i));
   }
+  json["glossary"] = json_glossary(json, contents);
   json["series"] = json_series();
   json["frames"] = Json::array();
   for (std::size_t i = 0; i < contents.frames.size(); ++i) {

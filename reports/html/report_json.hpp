@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reports/figure/figure.hpp"
+#include "reports/html/findings_json.hpp"
 #include "reports/results/results.hpp"
 #include "reports/table.hpp"
 
@@ -17,6 +18,7 @@ struct PageTable {
   std::string source;    ///< The result that holds it.
   bool is_main = false;  ///< To be read first; else shown on demand.
   Table table;
+  std::string group = {};  ///< result_title() of the result that holds it.
 };
 
 /// Pictures that a result holds step by step; `frames` of PageData has their bytes.
@@ -34,6 +36,7 @@ struct PageContents {
   std::string title;
   std::string lead;  ///< One sentence below it.
   std::optional<SyntheticLabel> synthetic;
+  std::vector<PageFindings> findings;
   std::vector<PageTable> tables;
   std::vector<Figure> figures;
   std::vector<Result> results;

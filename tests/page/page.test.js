@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { drawn, launch, opened } from './browser.js';
 import { inkOf } from './ink.js';
-import { addFrames, attempt, csv, filesOf, hostile, records, run, smallStudy, study } from './results.js';
+import { addFrames, attempt, csv, filesOf, hostile, records, run, smallStudy, study, withoutFindings } from './results.js';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 const work = process.cwd();
@@ -52,6 +52,71 @@ describe('the page of a study', () => {
     const policy = await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', 'content');
     assert.match(policy, /^default-src 'none'; script-src 'sha256-[^']+'; style-src 'sha256-[^']+'/);
     assert.doesNotMatch(policy, /unsafe/);
+    await close();
+  });
+
+  test('begins with the answer, and ends with how it was made', async () => {
+    const { page, close } = await opened(browser, report);
+    const sections = await page.$$eval('main > section', (all) => all.map((one) => one.id));
+    assert.deepEqual(sections, ['summary', 'figures', 'trials-section', 'tables', 'left-out', 'provenance', 'methods']);
+    for (const part of ['h1', 'h2', 'h3']) {
+      const { rows, footnotes } = JSON.parse(readFileSync(join(results, part, 'findings.json'), 'utf8'));
+      const title = part.toUpperCase();
+      const card = page.locator('#summary .finding', { has: page.locator('h3', { hasText: new RegExp(`^${title}: `) }) });
+      const shown = await card.locator('.findings li').evaluateAll((all) => all.map((one) => [...one.children].map((part) =>
+        [...part.childNodes].map((node) => node.textContent)).flat()));
+      assert.deepEqual(shown.map(([verdict, , evidence]) => [verdict, evidence]).sort(), rows.map((row) => [row.verdict, row.evidence]).sort());
+      assert.ok(shown.every(([, about]) => rows.some((row) => row.about === `${title}, ${about}`)), `${shown}`);
+      assert.deepEqual(await card.locator('.rule').allTextContents(), footnotes);
+      assert.equal(await card.locator('.verdict').first().isVisible(), true);
+    }
+    // The verdicts are on the first screen; hypotheses stand before what only describes.
+    assert.ok((await page.locator('.verdict').first().boundingBox()).y < 500);
+    assert.match(await page.locator('#summary h3').first().textContent(), /^H1: /);
+    assert.equal(await page.locator('#tables').getByText('What was found').count(), 0);
+    const words = await page.$$eval('.glossary dt', (all) => all.map((one) => one.textContent));
+    for (const word of ['T_t', 'V_t', 'm_t', 'S, G', 'TC_early', 'AUC', 'C', 'M3', 'CB-V']) assert.ok(words.includes(word), word);
+    await close();
+  });
+
+  test('has the paper\'s Table 1, and its cells as numbers', async () => {
+    const { page, close } = await opened(browser, report);
+    const { tables } = carried(report);
+    const one = tables.find((table) => table.name === 'table1');
+    const rows = await page.$$eval(`#table-${one.id} tbody tr`, (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    assert.equal(rows.length, 7);
+    const cells = records(join(certificates, 'study_cells.csv'));
+    assert.equal(cells.length, 19);
+    const lightings = one.columns.map((heading) => heading.heading);
+    for (const cell of cells) {
+      const shown = rows.find((row) => row[0] === cell.algorithm)[lightings.indexOf(cell.lighting)];
+      assert.equal(shown, `${cell.successes}/${cell.known_outcomes} (${(100 * Number(cell.share)).toFixed(1)} %)`);
+    }
+    assert.equal(await page.locator('#tables').getByText(/^Policy-loop latency: median/).count(), 1);
+    await close();
+  });
+
+  test('has the score beside the row\'s name on a narrow screen', async () => {
+    const { page, close } = await opened(browser, report, { width: 390 });
+    assert.equal(await page.isVisible('.glossary dl'), false);
+    await page.click('#summary a[href="#words"]');
+    assert.equal(await page.isVisible('.glossary dl'), true);
+    const { tables } = carried(report);
+    for (const [name, first, score] of [['h1', 'predictor', 'AUC'], ['h2', 'lighting', 'AUC'], ['h1_time', 'predictor', 'C']]) {
+      const { id, rows } = tables.find((table) => table.name === name);
+      const headings = () => page.$$eval(`#table-${id} thead th`, (all) => all.map((cell) => cell.textContent));
+      const narrow = await headings();
+      assert.equal(narrow[0], first);
+      assert.ok(narrow[1].startsWith(score), narrow[1]);
+      assert.equal(narrow[2], 'panel');
+      const box = await page.locator(`#table-${id} thead th:nth-child(2)`).boundingBox();
+      assert.ok(box.x + box.width <= 390, `${name}: the score ends at ${box.x + box.width}`);
+      const row = await page.$$eval(`#table-${id} tbody tr:first-child > *`, (all) => all.map((cell) => cell.textContent));
+      assert.deepEqual([...row].sort(), [...rows[0]].sort());
+      await page.setViewportSize({ width: 1280, height: 900 });
+      await page.waitForFunction((table) => document.querySelector(`#table-${table} thead th`).textContent === 'panel', id);
+      await page.setViewportSize({ width: 390, height: 900 });
+    }
     await close();
   });
 
@@ -203,10 +268,10 @@ describe('the page of a study', () => {
       const [line] = document.querySelectorAll('.u-cursor-x');
       return line && Math.abs(line.getBoundingClientRect().x - x) > 5;
     }, before);
-    assert.ok((await cursors()).every((x) => x > 500));
+    await page.waitForFunction(() => [...document.querySelectorAll('.u-cursor-x')].every((line) => line.getBoundingClientRect().x > 500));
     await page.setViewportSize({ width: 1280, height: 900 });
     await page.waitForTimeout(300);
-    for (const part of ['.map .wall', '.map .odometry', '.map .edge', '.map .bottleneck', '.map .issued', '.map .start', '.map .goal']) {
+    for (const part of ['.map .contact', '.map .wall', '.map .odometry', '.map .edge', '.map .bottleneck', '.map .issued', '.map .start', '.map .goal']) {
       assert.ok(await page.locator(part).count() > 0, part);
     }
     // Pointing at a plot moves the robot; pointing at the map moves the cursor of the plots.
@@ -334,6 +399,22 @@ describe('the page of data that it cannot trust', () => {
     await page.keyboard.press('ArrowRight');
     await page.waitForFunction(() => document.querySelector('.frame').alt.endsWith('step_001'));
     await page.waitForFunction(() => document.querySelector('.frame').naturalWidth === 200);
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+
+  test('shows results of a version without findings, one folder under a title', async () => {
+    const small = smallStudy(join(results, 'corpus'), join(work, 'older'));
+    withoutFindings(small.results);
+    const file = join(work, 'older.html');
+    run('report', small.results, '--quiet', '--output', file);
+    const { page, complaints, close } = await opened(browser, file);
+    await drawn(page);
+    assert.match(await page.textContent('#summary'), /hold no findings/);
+    assert.equal(await page.textContent('#tables h3.group'), 'Certificates');
+    // Somebody else's algorithm: nothing of the paper stands beside it.
+    assert.equal(await page.locator('main').getByText(/[Pp]ublished/).count(), 0);
+    assert.ok(!(await page.$$eval('.glossary dt', (all) => all.map((one) => one.textContent))).includes('M3'));
     assert.deepEqual(complaints, []);
     await close();
   });

@@ -43,6 +43,15 @@ export function smallStudy(corpus, folder) {
   return { bundle, results: join(folder, 'results') };
 }
 
+// The result as a version made it that wrote no findings.
+export function withoutFindings(result) {
+  for (const name of filesOf(result, '')) if (name.startsWith('findings.')) rmSync(join(result, name));
+  const path = join(result, 'manifest.json');
+  const manifest = JSON.parse(readFileSync(path, 'utf8'));
+  manifest.outputs = manifest.outputs.filter((output) => !output.path.startsWith('findings.'));
+  writeFileSync(path, `${JSON.stringify(manifest, null, 2)}\n`);
+}
+
 // Gives a result step-by-step pictures, listed in its manifest like everything else in it.
 export function addFrames(result, count) {
   const folder = join(result, 'frames');

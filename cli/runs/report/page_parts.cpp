@@ -20,12 +20,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostRows = 200;
 
 /// Tables to be read first, in this order, whatever result they are of.
-constexpr std::array<std::string_view, 21> kMainTables = {
-    "table1",      "speed",     "latency",     "issuance",       "tc_early",
-    "h1",          "h1_within", "h1_time",     "h1_time_within", "h1_mixed",
-    "h2",          "h2_within", "h2_equality", "h2_interaction", "h3",
-    "h3_baseline", "gate",      "gate_slope",  "cells",          "ablation",
-    "sweep"};
+constexpr std::array<std::string_view, 20> kMainTables = {
+    "table1",    "speed",       "issuance",       "tc_early", "h1",
+    "h1_within", "h1_time",     "h1_time_within", "h1_mixed", "h2",
+    "h2_within", "h2_equality", "h2_interaction", "h3",       "h3_baseline",
+    "gate",      "gate_slope",  "cells",          "ablation", "sweep"};
 
 std::size_t rank_of(const std::string& name) {
   return static_cast<std::size_t>(std::find(kMainTables.begin(), kMainTables.end(), name) -
@@ -79,10 +78,14 @@ std::vector<PageTable> page_tables(const Results& results, std::vector<std::stri
         continue;
       }
       std::optional<Table> table = result_table(result, path.stem().string());
+      if (table && path.stem() == "findings" && is_findings_table(*table)) {
+        continue;  // In the summary.
+      }
       if (table && table->rows.size() <= kMostRows) {
         tables.push_back({result.name == "." ? "results" : result.name,
                           rank_of(path.stem().string()) < kMainTables.size(),
-                          std::move(*table)});
+                          std::move(*table),
+                          result_title(result)});
       } else if (table) {
         left_out.push_back("The table '" + table->title + "' has " +
                            std::to_string(table->rows.size()) + " rows: it is in " + result.name +
@@ -91,6 +94,17 @@ std::vector<PageTable> page_tables(const Results& results, std::vector<std::stri
     }
   }
   return tables;
+}
+
+std::vector<PageFindings> page_findings(const Results& results) {
+  std::vector<PageFindings> findings;
+  for (const Result& result : results.all) {
+    std::optional<Table> table = result_table(result, "findings");
+    if (table && !table->rows.empty() && is_findings_table(*table)) {
+      findings.push_back({result_title(result), result_question(result), std::move(*table)});
+    }
+  }
+  return findings;
 }
 
 std::vector<PageFrames> page_frames(const Results& results, PageData& page) {

@@ -11,8 +11,11 @@
 
 namespace tcert::cli {
 
-/// Every table that a result holds as <name>.json, by result: those that a paper prints first.
-/// Tables of more than 200 rows are named in `left_out` and stay in their files.
+/// What each result found: its table `findings`. Results of older versions have none.
+[[nodiscard]] std::vector<PageFindings> page_findings(const Results& results);
+
+/// Every other table that a result holds as <name>.json, by result: those that a paper prints
+/// first. Tables of more than 200 rows are named in `left_out` and stay in their files.
 [[nodiscard]] std::vector<PageTable> page_tables(const Results& results,
                                                  std::vector<std::string>& left_out);
 

@@ -91,11 +91,27 @@ Manifest manifest_of(const Results& results, const ReportRequest& request) {
   return manifest;
 }
 
+/// The map of a typical trial, as an example of a course and of what was touched on it.
+std::optional<Figure> course_figure(const Results& results) {
+  for (const std::string& trial : typical_trials(results)) {
+    if (const std::optional<TrialPicture> picture = trial_picture(results, trial)) {
+      if (std::optional<Figure> map = trial_map_figure(*picture)) {
+        map->title = "The course of one trial, " + trial + ", and its contacts";
+        return map;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 void add_figures(const Results& results, PageContents& contents) {
   StudyFigures study = study_figures(results);
   contents.figures = std::move(study.figures);
   for (const MissingFigure& missing : study.missing) {
     contents.left_out.push_back("No figure '" + missing.name + "': " + missing.reason);
+  }
+  if (std::optional<Figure> course = course_figure(results)) {
+    contents.figures.push_back(std::move(*course));
   }
 }
 
@@ -141,6 +157,7 @@ ExitCode report(const ReportRequest& request, Progress& progress) {
   contents.synthetic = results.synthetic;
   contents.results = results.all;
   contents.packages = assets.packages;
+  contents.findings = page_findings(results);
   contents.tables = page_tables(results, contents.left_out);
   contents.frames = page_frames(results, page);
   add_figures(results, contents);

@@ -73,8 +73,12 @@ function fitted(spec, width) {
     }
     copy.autosize = { type: 'pad' };
   } else if (typeof copy.width === 'number' && typeof copy.height === 'number') {
-    // Both scales are one: a map.
-    const room = Math.min(width - 70, 1.6 * copy.width);
+    // Both scales are one: a map. The legend of its colours stands below it where there is no room beside it.
+    const beside = width > 480;
+    for (const layer of copy.layer) {
+      if (layer.encoding.stroke?.legend && !beside) layer.encoding.stroke.legend.orient = 'bottom';
+    }
+    const room = Math.min(width - (beside ? 170 : 60), 1.6 * copy.width);
     copy.height *= room / copy.width;
     copy.width = room;
     copy.autosize = { type: 'pad' };

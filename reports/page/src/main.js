@@ -3,6 +3,7 @@ import { el } from './dom.js';
 import { figures } from './figures.js';
 import { frames } from './frames.js';
 import { methods, provenance } from './methods.js';
+import { summary } from './summary.js';
 import { tables } from './tables.js';
 import { trials } from './trials.js';
 
@@ -19,6 +20,10 @@ function section(id, title, content) {
   return el('section', { id, 'aria-labelledby': `${id}-title` }, el('h2', { id: `${id}-title` }, title), content);
 }
 
+function leftOut(report) {
+  return el('ul', {}, report.left_out.map((words) => el('li', {}, words)));
+}
+
 function licences() {
   const text = el('pre', { class: 'scroll', tabindex: 0 });
   const details = el('details', {}, el('summary', {}, 'Licences of the scripts in this page'), text);
@@ -32,19 +37,18 @@ async function main() {
   const report = readJson('report');
   const drawn = figures(report);
   const parts = [
-    ['tables', 'Tables', () => tables(report)],
+    ['summary', 'Summary', () => summary(report)],
     ['figures', 'Figures', () => drawn.content],
     ['trials-section', 'Trials', () => trials(report)],
     ...(report.frames.length ? [['frames-section', 'Frames', () => frames(report, readLines('frames'))]] : []),
-    ['methods', 'Methods', () => methods(report)],
+    ['tables', 'Tables', () => tables(report)],
+    ...(report.left_out.length ? [['left-out', 'Left out', () => leftOut(report)]] : []),
     ['provenance', 'Provenance', () => provenance(report)],
+    ['methods', 'Methods', () => methods(report)],
   ];
   header(report, parts);
   const page = document.getElementById('main');
   for (const [id, title, content] of parts) page.append(section(id, title, await content()));
-  if (report.left_out.length) {
-    page.append(section('left-out', 'Left out', el('ul', {}, report.left_out.map((words) => el('li', {}, words)))));
-  }
   document.getElementById('bottom').append(
     el('p', {}, `Written by ${report.tool}. This page carries everything it shows; it asks nothing of any network.`),
     licences());

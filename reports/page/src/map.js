@@ -1,4 +1,4 @@
-// The map of a trial: course, odometry, corridor graph, bottleneck, place of issuance, the robot now.
+// The map of a trial: course, odometry, corridor graph, contacts, bottleneck, place of issuance, the robot now.
 
 import { el, svg } from './dom.js';
 import { gradientColour } from './gradient.js';
@@ -63,6 +63,9 @@ function key(map, range) {
   if (map.bottleneck) {
     items.push(item('', svg('circle', { class: 'bottleneck', cx: 12, cy: 6, r: 5 }), 'bottleneck'));
   }
+  if (map.touched.length) {
+    items.push(item('', svg('path', { class: 'contact', d: 'M12 2L17 10H7Z' }), 'rays in contact'));
+  }
   if (map.issued) {
     items.push(item('', svg('path', { class: 'issued', d: 'M12 1L17 6L12 11L7 6Z' }), 'issued here'));
   }
@@ -95,7 +98,7 @@ export class TrialMap {
     this.drawing = svg('svg', {
       class: 'map', role: 'img', preserveAspectRatio: 'xMidYMid meet',
       viewBox: `${x0 - margin} ${-y1 - margin} ${width} ${height}`,
-      'aria-label': 'Map of the trial: course, odometry, corridor graph by edge margin, bottleneck, place of issuance',
+      'aria-label': 'Map of the trial: course, odometry, corridor graph by edge margin, contacts, bottleneck, place of issuance',
     },
     map.bounds ? svg('rect', { class: 'bounds', x: map.bounds[0], y: -map.bounds[3],
       width: map.bounds[2] - map.bounds[0], height: map.bounds[3] - map.bounds[1] }) : null,
@@ -109,6 +112,8 @@ export class TrialMap {
       class: 'edge', x1: ax, y1: -ay, x2: bx, y2: -by,
       stroke: value === null ? 'gray' : gradientColour(value, range[0], range[1]),
     })),
+    map.touched.map(([x, y]) => svg('path', { class: 'contact',
+      d: `M${x} ${-y - 0.8 * cross}l${0.8 * cross} ${1.4 * cross}h${-1.6 * cross}Z` })),
     map.issued ? svg('path', { class: 'issued',
       d: `M${map.issued.x} ${-map.issued.y - 1.6 * cross}l${cross * 1.3} ${cross * 1.6}l${-cross * 1.3} ${cross * 1.6}l${-cross * 1.3} ${-cross * 1.6}Z` }) : null,
     map.bottleneck ? svg('circle', { class: 'bottleneck', cx: map.bottleneck.x, cy: -map.bottleneck.y, r: 10 * this.unit }) : null,

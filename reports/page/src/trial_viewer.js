@@ -14,6 +14,12 @@ function shown(value, column) {
   return value.toFixed(column.decimals) + (column.unit ? ` ${column.unit}` : '');
 }
 
+// Where the robot was at the first of each run of ticks with a ray in contact.
+function touched(contacts, xs, ys) {
+  return contacts.flatMap((count, i) =>
+    (count > 0 && !(contacts[i - 1] > 0) && xs[i] !== null && ys[i] !== null ? [[xs[i], ys[i]]] : []));
+}
+
 export class TrialViewer {
   constructor(report, lines) {
     this.report = report;
@@ -38,11 +44,12 @@ export class TrialViewer {
     this.tick = 0;
     this.last = series.time_s.length - 1;
     const pick = (tick) => this.show(tick);
-    const map = {
-      polygons: [], discs: [], beams: [], bounds: null, start: null, goal: null, ...(world ?? {}), ...trial.map,
-    };
     // A column without any value is not sent.
     const column = (name) => series[name] ?? series.time_s.map(() => null);
+    const map = {
+      touched: touched(column('contacts'), column('x_m'), column('y_m')),
+      polygons: [], discs: [], beams: [], bounds: null, start: null, goal: null, ...(world ?? {}), ...trial.map,
+    };
     this.map = new TrialMap(map, column('x_m'), column('y_m'), column('yaw_rad'), pick);
     const panels = this.report.series.panels.map((panel) => ({
       ...panel, columns: panel.columns.filter((column) => series[column.name]?.some((value) => value !== null)),
