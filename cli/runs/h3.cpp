@@ -25,6 +25,18 @@ struct Study {
   ExitCode code = exit_done;
 };
 
+/// The names in the column, each once.
+std::string algorithms_of(const table::DataTable& table) {
+  std::string names;
+  const table::DataColumn* const column = table.find("algorithm");
+  if (column != nullptr && column->is_text) {
+    for (const std::string& name : column->text.levels) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  }
+  return names.empty() ? "none" : names;
+}
+
 Study study_of_table(const HypothesesRequest& request,
                      const study::H3Options& h3,
                      Progress& progress) {
@@ -102,7 +114,14 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
                                         : study_of_table(request, h3, progress);
   FitReport report;
   try {
-    report = h3_report(study::hypothesis_h3(study.table, h3));
+    const study::H3Table tested = study::hypothesis_h3(study.table, h3);
+    if (tested.groups.empty()) {
+      throw UnfitData("no trial of '" + h3.gated + "' or '" + h3.baseline +
+                      "', which --gated and "
+                      "--lead name; algorithms of the table: " +
+                      algorithms_of(study.table));
+    }
+    report = h3_report(tested);
   } catch (const std::invalid_argument& error) {
     throw BadData(error.what());
   }

@@ -129,7 +129,7 @@ TEST_F(FitTimes, AHypothesisSaysNearTimesThatItKeepsApart) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     const ProcessResult run = work_.run(arguments);
     EXPECT_EQ(run.exit_code, 0) << to_string(run);
-    return run.err;
+    return run.out;
   };
   EXPECT_EQ(said({}).find("R's timefix"), std::string::npos);
   EXPECT_NE(said({"--no-time-rounding"}).find("R's timefix"), std::string::npos);
