@@ -77,9 +77,7 @@ void ReportOutput::deliver(FitReport report,
   } else {
     progress.show(render(report, format, table, width_of(output_, progress)));
   }
-  const bool shown = !folder_ && output_.path.empty() && table.empty() &&
-                     (format == TableFormat::text || format == TableFormat::markdown);
-  if (!shown) {
+  if (!shows_whole_report(output_, table)) {
     say_conditions(conditions, progress);
     sum_up(findings, progress);
   }
@@ -106,6 +104,12 @@ void ReportOutput::write_folder(FitReport report, Manifest manifest) {
     folder_->write(one.name + ".json", render(one, TableFormat::json));
   }
   folder_->commit(std::move(manifest));
+}
+
+bool shows_whole_report(const OutputOptions& output, const std::string& table) {
+  const TableFormat format = output.table_format();
+  return output.path.empty() && table.empty() &&
+         (format == TableFormat::text || format == TableFormat::markdown);
 }
 
 void sum_up(const Table& findings, Progress& progress) {

@@ -16,6 +16,9 @@ namespace tcert::cli {
 /// True if --output names a folder: it ends with '/', or is one.
 [[nodiscard]] bool names_folder(const std::string& output);
 
+/// True if the whole report is shown to people, with what was found and the conditions.
+[[nodiscard]] bool shows_whole_report(const OutputOptions& output, const std::string& table);
+
 /// Says the findings.
 void sum_up(const Table& findings, Progress& progress);
 
