@@ -14,7 +14,7 @@ std::string_view to_string(Motion motion) noexcept {
 }
 
 std::optional<Motion> motion_from(std::string_view word) noexcept {
-  const auto found = std::find(kMotions.begin(), kMotions.end(), word);
+  const auto* const found = std::find(kMotions.begin(), kMotions.end(), word);
   if (found == kMotions.end()) {
     return std::nullopt;
   }
