@@ -164,9 +164,7 @@ OutcomeCoding code_outcome(const table::DataTable& table,
   for (std::size_t row = 0; row < table.rows; ++row) {
     const double x = data.numbers[row];
     if (!std::isnan(x) && x != 0.0 && x != 1.0) {
-      std::string found;
-      table::append_number(found, x);
-      refuse(table, column, row, found, expectation);
+      refuse(table, column, row, table::number_text(x), expectation);
     }
   }
   return {data.numbers, "", ""};
