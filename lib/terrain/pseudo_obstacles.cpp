@@ -8,6 +8,7 @@ namespace {
 
 [[nodiscard]] std::vector<Position> positions_of(const std::vector<Cell>& ring) {
   std::vector<Position> positions;
+  positions.reserve(ring.size());
   for (const Cell c : ring) {
     positions.push_back(position(c));
   }
@@ -62,6 +63,7 @@ namespace {
     return x.first < y.first;
   });
   std::vector<Position> result;
+  result.reserve(between.size());
   for (const auto& [s, corner] : between) {
     result.push_back(corner);
   }

@@ -14,7 +14,7 @@ namespace tcert {
 // The last members of ABI version 1. What comes later is appended behind them.
 #define TCERT_FIRST_SIZE(type, last) \
   template <>                        \
-  inline constexpr std::size_t kFirstSize<type> = offsetof(type, last) + sizeof(type::last)
+  inline constexpr std::size_t kFirstSize<type> = (offsetof(type, last) + sizeof(type::last))
 TCERT_FIRST_SIZE(tcert_robot, curvature_buffer_per_m);
 TCERT_FIRST_SIZE(tcert_course, goal);
 TCERT_FIRST_SIZE(tcert_parameters, tracking_radius_m);
