@@ -11,6 +11,7 @@
 #include "cli/runs/h1_options.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/thread_limit.hpp"
+#include "cli/runs/watched_stages.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h3_table.hpp"
 #include "reports/replay_table.hpp"
@@ -102,7 +103,8 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
                                         : study_of_table(request, h3, progress);
   FitReport report;
   try {
-    report = h3_report(study::hypothesis_h3(study.table, h3));
+    WatchedStages stages(progress);
+    report = h3_report(study::hypothesis_h3(study.table, h3, stages.watch()));
   } catch (const std::invalid_argument& error) {
     throw BadData(error.what());
   }

@@ -17,6 +17,7 @@
 #include "cli/runs/outcome_column.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/thread_limit.hpp"
+#include "cli/runs/watched_stages.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/h2_table.hpp"
@@ -74,15 +75,18 @@ Hypothesis hypothesis_of(const HypothesesRequest& request, Progress& progress) {
   if (request.hypothesis == "h1") {
     const study::H1Options h1 = h1_options(request);
     return {study::columns_of(h1), [h1, &progress](const table::DataTable& table) {
-              const study::H1Table tested = study::hypothesis_h1(table, h1);
+              WatchedStages stages(progress);
+              const study::H1Table tested = study::hypothesis_h1(table, h1, stages.watch());
+              stages.end();
               say_conditions(tested.panels, progress);
               return h1_report(tested);
             }};
   }
   if (request.hypothesis == "h2") {
     const study::H2Options h2 = h2_options(request);
-    return {study::columns_of(h2), [h2](const table::DataTable& table) {
-              return h2_report(study::hypothesis_h2(table, h2));
+    return {study::columns_of(h2), [h2, &progress](const table::DataTable& table) {
+              WatchedStages stages(progress);
+              return h2_report(study::hypothesis_h2(table, h2, stages.watch()));
             }};
   }
   throw UsageError("unknown hypothesis '" + request.hypothesis + "', expected h1, h2 or h3");

@@ -32,8 +32,13 @@ class Group {
   Group(const ReplayRows& rows,
         const std::vector<H3Trial>& trials,
         const std::set<CaseKey>& cases,
-        const H3Options& options)
-      : rows_(rows), trials_(trials), cases_(cases.begin(), cases.end()), options_(options) {}
+        const H3Options& options,
+        const Watch& watch)
+      : rows_(rows),
+        trials_(trials),
+        cases_(cases.begin(), cases.end()),
+        options_(options),
+        watch_(watch) {}
 
   H3Group result(std::string lighting) {
     group_.lighting = std::move(lighting);
@@ -120,9 +125,11 @@ class Group {
         rates(*data, multiplicity, values);
       };
     };
-    bootstrap_ = statistics::bootstrap(statistic,
-                                       statistics::ResamplingPlan::of_clusters(cluster),
-                                       {options_.replicates, options_.seed, kH3Stream});
+    watch_.begin("lighting " + group_.lighting + ", resamples", options_.replicates);
+    bootstrap_ =
+        statistics::bootstrap(statistic,
+                              statistics::ResamplingPlan::of_clusters(cluster),
+                              {options_.replicates, options_.seed, kH3Stream, watch_.on_advance});
     group_.ungated = estimate(value_ungated);
     group_.baseline = estimate(value_baseline);
     group_.baseline_standardised = estimate(value_standardised);
@@ -261,6 +268,7 @@ class Group {
   const std::vector<H3Trial>& trials_;
   std::vector<CaseKey> cases_;
   const H3Options& options_;
+  const Watch& watch_;
   std::size_t gated_clusters_ = 0;     ///< Among the successes of the gated algorithm.
   std::size_t baseline_clusters_ = 0;  ///< Among those of the other.
   bool few_gated_ = false;
@@ -278,7 +286,9 @@ void require(const H3Options& options) {
 
 }  // namespace
 
-H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options) {
+H3Table hypothesis_h3(const table::DataTable& replays,
+                      const H3Options& options,
+                      const Watch& watch) {
   require(options);
   H3Table table;
   table.options = options;
@@ -297,10 +307,10 @@ H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options)
          "no trial of '" + options.gated + "' or '" + options.baseline + "'"});
     return table;
   }
-  table.groups.push_back(Group(rows, all, trials.cases, options).result(kAllLightings));
+  table.groups.push_back(Group(rows, all, trials.cases, options, watch).result(kAllLightings));
   if (trials.by_lighting.size() > 1) {
     for (const auto& [lighting, some] : trials.by_lighting) {
-      table.groups.push_back(Group(rows, some, trials.cases, options).result(lighting));
+      table.groups.push_back(Group(rows, some, trials.cases, options, watch).result(lighting));
     }
   }
   return table;
