@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/runs/progress.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/shared_options.hpp"
 #include "reports/fit/fit_report.hpp"
@@ -14,6 +15,10 @@ namespace tcert::cli {
 
 /// True if --output names a folder: it ends with '/', or is one.
 [[nodiscard]] bool names_folder(const std::string& output);
+
+/// Says which one file was written and how a folder is asked for; of a folder and of stdout
+/// nothing.
+void say_one_file(const OutputOptions& output, Progress& progress);
 
 /// <name>.csv, .json, .txt, .md and .tex of a table. \throws WriteError.
 void write_table(const Table& table, const ResultFolder& folder);
