@@ -11,6 +11,7 @@
 #include "cli/runs/h1_options.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/thread_limit.hpp"
+#include "cli/runs/watched_stages.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h3_table.hpp"
 #include "reports/replay_table.hpp"
@@ -114,11 +115,11 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
                                         : study_of_table(request, h3, progress);
   FitReport report;
   try {
-    const study::H3Table tested = study::hypothesis_h3(study.table, h3);
+    WatchedStages stages(progress);
+    const study::H3Table tested = study::hypothesis_h3(study.table, h3, stages.watch());
     if (tested.groups.empty()) {
       throw UnfitData("no trial of '" + h3.gated + "' or '" + h3.baseline +
-                      "', which --gated and "
-                      "--lead name; algorithms of the table: " +
+                      "', which --gated and --lead name; algorithms of the table: " +
                       algorithms_of(study.table));
     }
     report = h3_report(tested);

@@ -15,6 +15,13 @@ bool names_folder(const std::string& output) {
   return !output.empty() && (output.back() == '/' || std::filesystem::is_directory(output, error));
 }
 
+void say_one_file(const OutputOptions& output, Progress& progress) {
+  if (!output.path.empty() && !names_folder(output.path)) {
+    progress.sum_up("'" + output.path + "' is one file, in the format " + output.format + "; '" +
+                    output.path + "/' would be a folder with every table in every format.");
+  }
+}
+
 void write_table(const Table& table, const ResultFolder& folder) {
   folder.write(table.name + ".txt", render(table, TableFormat::text));
   folder.write(table.name + ".md", render(table, TableFormat::markdown));

@@ -21,6 +21,9 @@ namespace tcert::cli {
 
 /// Says the findings.
 void sum_up(const Table& findings, Progress& progress);
+/// Says which one file was written and how a folder is asked for; of a folder and of stdout
+/// nothing.
+void say_one_file(const OutputOptions& output, Progress& progress);
 
 /// <name>.csv, .json, .txt, .md and .tex of a table. \throws WriteError.
 void write_table(const Table& table, const ResultFolder& folder);

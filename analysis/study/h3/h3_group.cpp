@@ -29,8 +29,13 @@ class Group {
   Group(const ReplayRows& rows,
         const std::vector<H3Trial>& trials,
         const std::set<CaseKey>& cases,
-        const H3Options& options)
-      : rows_(rows), trials_(trials), cases_(cases.begin(), cases.end()), options_(options) {}
+        const H3Options& options,
+        const Watch& watch)
+      : rows_(rows),
+        trials_(trials),
+        cases_(cases.begin(), cases.end()),
+        options_(options),
+        watch_(watch) {}
 
   H3Group result(std::string lighting) {
     group_.lighting = std::move(lighting);
@@ -117,9 +122,11 @@ class Group {
         rates(*data, multiplicity, values);
       };
     };
-    bootstrap_ = statistics::bootstrap(statistic,
-                                       statistics::ResamplingPlan::of_clusters(cluster),
-                                       {options_.replicates, options_.seed, kH3Stream});
+    watch_.begin("lighting " + group_.lighting + ", resamples", options_.replicates);
+    bootstrap_ =
+        statistics::bootstrap(statistic,
+                              statistics::ResamplingPlan::of_clusters(cluster),
+                              {options_.replicates, options_.seed, kH3Stream, watch_.on_advance});
     group_.ungated = estimate(value_ungated);
     group_.baseline = estimate(value_baseline);
     group_.baseline_standardised = estimate(value_standardised);
@@ -260,6 +267,7 @@ class Group {
   const std::vector<H3Trial>& trials_;
   std::vector<CaseKey> cases_;
   const H3Options& options_;
+  const Watch& watch_;
   std::size_t gated_clusters_ = 0;     ///< Among the successes of the gated algorithm.
   std::size_t baseline_clusters_ = 0;  ///< Among those of the other.
   bool few_gated_ = false;
@@ -274,8 +282,9 @@ H3Group group_of(const ReplayRows& rows,
                  const std::vector<H3Trial>& trials,
                  const std::set<CaseKey>& cases,
                  const H3Options& options,
+                 const Watch& watch,
                  const std::string& lighting) {
-  return Group(rows, trials, cases, options).result(lighting);
+  return Group(rows, trials, cases, options, watch).result(lighting);
 }
 
 }  // namespace tcert::study

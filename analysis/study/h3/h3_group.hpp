@@ -17,6 +17,7 @@ namespace tcert::study {
                                const std::vector<H3Trial>& trials,
                                const std::set<CaseKey>& cases,
                                const H3Options& options,
+                               const Watch& watch,
                                const std::string& lighting);
 
 }  // namespace tcert::study

@@ -20,7 +20,9 @@ void require(const H3Options& options) {
 
 }  // namespace
 
-H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options) {
+H3Table hypothesis_h3(const table::DataTable& replays,
+                      const H3Options& options,
+                      const Watch& watch) {
   require(options);
   H3Table table;
   table.options = options;
@@ -39,10 +41,10 @@ H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options)
          "no trial of '" + options.gated + "' or '" + options.baseline + "'"});
     return table;
   }
-  table.groups.push_back(group_of(rows, all, trials.cases, options, kAllLightings));
+  table.groups.push_back(group_of(rows, all, trials.cases, options, watch, kAllLightings));
   if (trials.by_lighting.size() > 1) {
     for (const auto& [lighting, some] : trials.by_lighting) {
-      table.groups.push_back(group_of(rows, some, trials.cases, options, lighting));
+      table.groups.push_back(group_of(rows, some, trials.cases, options, watch, lighting));
     }
   }
   return table;
