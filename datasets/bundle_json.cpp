@@ -4,6 +4,7 @@
 #include <table/json_object.hpp>
 #include <utility>
 
+#include "datasets/bundle_fields.hpp"
 #include "datasets/robot_json.hpp"
 
 namespace tcert {
@@ -119,19 +120,7 @@ std::optional<BundleInfo> parse_bundle_json(std::string_view text,
   if (!document) {
     return std::nullopt;
   }
-  const std::vector<std::string> keys{"format",
-                                      "version",
-                                      "synthetic",
-                                      "seed",
-                                      "provenance",
-                                      "robot",
-                                      "rays",
-                                      "course",
-                                      "lighting",
-                                      "trial_limit_s",
-                                      "max_gap_s",
-                                      "columns",
-                                      "parameters"};
+  const std::vector<std::string> keys = names_at("bundle.json", bundle_fields());
   BundleInfo info = read_info(table::JsonObject(*document, "", keys, "bundle.json", problems));
   if (problems.has_error()) {
     return std::nullopt;

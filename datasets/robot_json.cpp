@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "datasets/bundle_fields.hpp"
+
 namespace tcert {
 
 namespace {
@@ -40,7 +42,8 @@ Calibration read_calibration(const table::JsonObject& ray) {
   if (value == nullptr) {
     return {};
   }
-  const table::JsonObject from = ray.child("calibration", *value, {"bend_rad", "clearance_m"});
+  const table::JsonObject from =
+      ray.child("calibration", *value, names_at("calibration", bundle_fields()));
   return {read_numbers(from, "bend_rad"), read_numbers(from, "clearance_m")};
 }
 
@@ -84,9 +87,7 @@ void read_rays(const table::JsonObject& bundle, Robot& robot) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < rays->size(); ++i) {
     const table::JsonObject from = bundle.child(
-        "rays[" + std::to_string(i) + "]",
-        (*rays)[i],
-        {"name", "mount_x_m", "mount_y_m", "bearing_rad", "reach_m", "kind", "calibration"});
+        "rays[" + std::to_string(i) + "]", (*rays)[i], names_at("ray", bundle_fields()));
     robot.rays.push_back(read_ray(from));
     const std::string& name = robot.rays.back().name;
     if (!names.insert(table::case_folded(name)).second) {
@@ -96,7 +97,7 @@ void read_rays(const table::JsonObject& bundle, Robot& robot) {
 }
 
 std::optional<Region> read_disc(const table::JsonObject& region, const json& value) {
-  const table::JsonObject from = region.child("disc", value, {"x_m", "y_m", "radius_m"});
+  const table::JsonObject from = region.child("disc", value, names_at("disc", bundle_fields()));
   const auto x = from.required_number("x_m");
   const auto y = from.required_number("y_m");
   const auto radius = from.required_number("radius_m");
@@ -127,7 +128,7 @@ std::optional<Region> read_region(const table::JsonObject& course, const std::st
   if (value == nullptr) {
     return std::nullopt;
   }
-  const table::JsonObject from = course.child(key, *value, {"disc", "polygon"});
+  const table::JsonObject from = course.child(key, *value, names_at("region", bundle_fields()));
   const json* disc = from.find("disc");
   const json* polygon = from.find("polygon");
   if ((disc == nullptr) == (polygon == nullptr)) {
@@ -146,10 +147,8 @@ void read_if_given(const table::JsonObject& from, const std::string& key, double
 Robot read_robot(const table::JsonObject& bundle) {
   Robot robot;
   if (const json* value = bundle.require("robot")) {
-    const table::JsonObject from = bundle.child(
-        "robot",
-        *value,
-        {"body_width_m", "min_turn_radius_m", "tracking_buffer_m", "curvature_buffer_per_m"});
+    const table::JsonObject from =
+        bundle.child("robot", *value, names_at("robot", bundle_fields()));
     read_if_given(from, "body_width_m", robot.body_width_m);
     read_if_given(from, "min_turn_radius_m", robot.min_turn_radius_m);
     read_if_given(from, "tracking_buffer_m", robot.tracking_buffer_m);
@@ -175,7 +174,8 @@ Robot read_robot(const table::JsonObject& bundle) {
 Course read_course(const table::JsonObject& bundle) {
   Course course;
   if (const json* value = bundle.find("course")) {
-    const table::JsonObject from = bundle.child("course", *value, {"start", "goal"});
+    const table::JsonObject from =
+        bundle.child("course", *value, names_at("course", bundle_fields()));
     course.start = read_region(from, "start");
     course.goal = read_region(from, "goal");
   }

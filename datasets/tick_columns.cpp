@@ -1,6 +1,10 @@
 #include "datasets/tick_columns.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
+
+#include "datasets/bundle_fields.hpp"
 
 namespace tcert {
 
@@ -9,10 +13,30 @@ namespace {
 constexpr std::size_t kPoseColumns = 3;
 constexpr std::size_t kColumnsPerRay = 2;
 
+std::string_view value_name(const Ray& ray) {
+  return ray.kind == RayKind::bend ? kBendColumn : kRangeColumn;
+}
+
+void append_fields(const std::string& file, table::NumberOptions& options) {
+  for (const FileField& field : fields_at(file, bundle_fields())) {
+    if (field.name != options.time_column) {
+      options.columns.push_back(number_column(field, std::string(field.name)));
+    }
+  }
+}
+
+/// "<ray>_fsr_n" of a ray.
+std::string ray_column(const Ray& ray, std::string_view name) {
+  return ray.name + std::string(name.substr(kRayMark.size()));
+}
+
 void add_ray_columns(const Robot& robot, table::NumberOptions& options) {
+  const std::vector<FileField> fields = fields_at("tactile.csv", bundle_fields());
   for (const Ray& ray : robot.rays) {
-    options.columns.push_back({value_column(ray), true, true});
-    options.columns.push_back({force_column(ray), false, true});
+    for (const std::string_view name : {value_name(ray), kForceColumn}) {
+      const auto field = std::ranges::find(fields, name, &FileField::name);
+      options.columns.push_back(number_column(*field, ray_column(ray, name)));
+    }
   }
 }
 
@@ -24,11 +48,15 @@ bool interpret_flag(double value, bool& flag) noexcept {
 
 }  // namespace
 
-std::string value_column(const Ray& ray) {
-  return ray.name + (ray.kind == RayKind::bend ? "_bend_rad" : "_range_m");
-}
+std::string value_column(const Ray& ray) { return ray_column(ray, value_name(ray)); }
 
-std::string force_column(const Ray& ray) { return ray.name + "_fsr_n"; }
+std::string force_column(const Ray& ray) { return ray_column(ray, kForceColumn); }
+
+table::NumberOptions stream_columns(const std::string& file) {
+  table::NumberOptions options;
+  append_fields(file, options);
+  return options;
+}
 
 table::NumberOptions tactile_columns(const Robot& robot) {
   table::NumberOptions options;
@@ -37,15 +65,9 @@ table::NumberOptions tactile_columns(const Robot& robot) {
 }
 
 table::NumberOptions tick_columns(const Robot& robot) {
-  table::NumberOptions options;
-  options.columns = {{"x_m"}, {"y_m"}, {"yaw_rad"}};
+  table::NumberOptions options = stream_columns("pose.csv");
   add_ray_columns(robot, options);
-  for (const char* name : {"speed_cmd_mps", "yaw_rate_cmd_rps"}) {
-    options.columns.push_back({name, false, true});
-  }
-  for (const char* name : {"stale", "segment_start"}) {
-    options.columns.push_back({name, false, true, true});
-  }
+  append_fields("ticks.csv", options);
   return options;
 }
 

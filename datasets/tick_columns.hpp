@@ -20,6 +20,9 @@ namespace tcert {
 /// "<ray>_fsr_n".
 [[nodiscard]] std::string force_column(const Ray& ray);
 
+/// pose.csv or control.csv.
+[[nodiscard]] table::NumberOptions stream_columns(const std::string& file);
+
 /// tactile.csv: per ray its value, required, and its force, optional; either may be empty.
 [[nodiscard]] table::NumberOptions tactile_columns(const Robot& robot);
 

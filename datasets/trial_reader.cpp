@@ -121,18 +121,6 @@ class StreamReader {
   std::size_t bytes_ = 0;
 };
 
-table::NumberOptions pose_columns() {
-  table::NumberOptions options;
-  options.columns = {{"x_m"}, {"y_m"}, {"yaw_rad"}};
-  return options;
-}
-
-table::NumberOptions control_columns() {
-  table::NumberOptions options;
-  options.columns = {{"speed_cmd_mps"}, {"yaw_rate_cmd_rps"}, {"loop_latency_ms", false, true}};
-  return options;
-}
-
 PoseStream to_pose_stream(table::NumberTable table) {
   PoseStream pose;
   pose.poses.reserve(table.rows());
@@ -198,14 +186,14 @@ void compare_ends(const Stream& pose,
 }
 
 void read_streams(StreamReader& reader, const Bundle& bundle, TrialLog& log) {
-  auto pose =
-      reader.read("pose.csv", pose_columns(), Presence::required, EqualTimes::in_file_order);
+  auto pose = reader.read(
+      "pose.csv", stream_columns("pose.csv"), Presence::required, EqualTimes::in_file_order);
   auto tactile = reader.read("tactile.csv",
                              tactile_columns(bundle.info.robot),
                              Presence::required,
                              EqualTimes::in_file_order);
-  auto control =
-      reader.read("control.csv", control_columns(), Presence::optional, EqualTimes::in_file_order);
+  auto control = reader.read(
+      "control.csv", stream_columns("control.csv"), Presence::optional, EqualTimes::in_file_order);
   if (reader.has_error()) {
     return;
   }

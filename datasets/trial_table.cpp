@@ -14,6 +14,8 @@
 #include <tcert/tick.hpp>
 #include <utility>
 
+#include "datasets/bundle_fields.hpp"
+
 namespace tcert {
 
 namespace {
@@ -33,7 +35,7 @@ class TrialRowReader {
   [[nodiscard]] std::vector<std::string> extra_columns() const {
     std::vector<std::string> extra;
     for (const std::string& name : table_.columns) {
-      if (std::ranges::find(kColumns, name) == kColumns.end()) {
+      if (!is_ours(name)) {
         extra.push_back(name);
       }
     }
@@ -58,7 +60,7 @@ class TrialRowReader {
     trial.end_reason = read_end_reason();
     warn_of_odd_values(trial);
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
-      if (std::ranges::find(kColumns, table_.columns[i]) == kColumns.end()) {
+      if (!is_ours(table_.columns[i])) {
         trial.extra.push_back(table_.at(row, i));
       }
     }
@@ -66,15 +68,9 @@ class TrialRowReader {
   }
 
  private:
-  static constexpr std::array<std::string_view, 9> kColumns{"trial_id",
-                                                            "algorithm",
-                                                            "lighting",
-                                                            "day",
-                                                            "batch",
-                                                            "success",
-                                                            "time_s",
-                                                            "distance_m",
-                                                            "end_reason"};
+  [[nodiscard]] bool is_ours(const std::string& name) const {
+    return std::ranges::find(ours_, name) != ours_.end();
+  }
 
   [[nodiscard]] std::string cell(std::string_view name) const {
     const auto column = table_.find(name);
@@ -158,6 +154,7 @@ class TrialRowReader {
   const table::TextTable& table_;
   const Bundle& bundle_;
   table::DiagnosticGroups& problems_;
+  const std::vector<std::string> ours_ = names_at("trials.csv", bundle_fields());
   std::size_t row_ = 0;
   bool good_ = true;
 };
@@ -190,8 +187,13 @@ void read_trial_table(const table::Bytes& bytes,
       renames != bundle.info.columns.end()) {
     csv.rename = renames->second;
   }
-  const auto table =
-      table::read_text_table(bytes, csv, {"trial_id", "success", "time_s"}, problems);
+  std::vector<std::string> required;
+  for (const FileField& field : fields_at(csv.file, bundle_fields())) {
+    if (field.need != FieldNeed::optional) {
+      required.emplace_back(field.name);
+    }
+  }
+  const auto table = table::read_text_table(bytes, csv, required, problems);
   if (!table) {
     return;
   }

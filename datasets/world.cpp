@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <table/json_shape.hpp>
 
 #include "datasets/robot_json.hpp"
+#include "datasets/world_fields.hpp"
 
 namespace tcert {
 namespace {
@@ -20,14 +20,13 @@ Json point_json(Point p) { return Json::array({p.x_m, p.y_m}); }
   throw WorldFormatError(where + ": expected " + expected);
 }
 
-void check_keys(const Json& json,
-                const std::string& where,
-                std::initializer_list<std::string_view> known) {
+void check_keys(const Json& json, const std::string& where, std::string_view place) {
   if (!json.is_object()) {
     fail(where, "an object");
   }
+  const std::vector<std::string> known = names_at(place, world_fields());
   for (const auto& item : json.items()) {
-    if (std::find(known.begin(), known.end(), item.key()) == known.end()) {
+    if (std::ranges::find(known, item.key()) == known.end()) {
       fail(where, "no key '" + item.key() + "'");
     }
   }
@@ -56,7 +55,7 @@ Point read_point(const Json& json, const std::string& where) {
 }
 
 Disc read_disc(const Json& json, const std::string& where) {
-  check_keys(json, where, {"x_m", "y_m", "radius_m"});
+  check_keys(json, where, "disc");
   const Disc disc{
       {number(member(json, where, "x_m"), where), number(member(json, where, "y_m"), where)},
       number(member(json, where, "radius_m"), where)};
@@ -67,7 +66,7 @@ Disc read_disc(const Json& json, const std::string& where) {
 }
 
 Region read_region(const Json& json, const std::string& where) {
-  check_keys(json, where, {"disc", "polygon"});
+  check_keys(json, where, "region");
   if (json.size() != 1) {
     fail(where, "either a disc or a polygon");
   }
@@ -88,7 +87,7 @@ Region read_region(const Json& json, const std::string& where) {
 
 Bounds read_bounds(const Json& json) {
   const std::string where = "bounds";
-  check_keys(json, where, {"low", "high"});
+  check_keys(json, where, "bounds");
   const Bounds bounds{read_point(member(json, where, "low"), where),
                       read_point(member(json, where, "high"), where)};
   if (!(bounds.low.x_m < bounds.high.x_m && bounds.low.y_m < bounds.high.y_m)) {
@@ -98,10 +97,7 @@ Bounds read_bounds(const Json& json) {
 }
 
 void check_format(const Json& json) {
-  check_keys(
-      json,
-      "world",
-      {"synthetic", "seed", "format", "version", "name", "bounds", "start", "goal", "obstacles"});
+  check_keys(json, "world", "world");
   if (member(json, "world", "format") != "tcert-world") {
     fail("format", "\"tcert-world\"");
   }

@@ -70,7 +70,7 @@ Finding issued_finding(std::span<const OutcomeGroup> groups) {
   }
   if (without > 0) {
     evidence += fmt::format(
-        "; of the {} without, S and G were never connected in {}, and the "
+        "; of the {} without one, S and G were never connected in {}, and the "
         "margin on the way was not above 0 in {}",
         without,
         unconnected,

@@ -46,7 +46,7 @@ ColumnsOf<TrialRow> trial_columns() {
       .doc("as in trials.csv")
       .part(success_columns(), whole)
       .add(fixed_column("time_s", "time", "s", 1), [](auto& r) { return short_cell(r.time_s); })
-      .doc("to egress, or to the end of a failed trial")
+      .doc("how long the trial took: to egress, or to the end of a failed trial; no clock")
       .add(fixed_column("distance_m", "distance", "m", 2),
            [](auto& r) { return short_cell(r.distance_m); })
       .doc("driven, as in trials.csv")
@@ -116,15 +116,15 @@ ColumnsOf<CertifiedTrial> certificate_columns() {
       .part(name_columns(), [](auto& r) { return r.trial.row; })
       .part(success_columns(), [](auto& r) { return r.trial.row; })
       .integer("issued", "issued", [](auto& r) { return r.last().issued; })
-      .doc("1 if a certificate was issued, else 0")
+      .doc("1 if T_t was above 0 at any tick, else 0")
       .add(fixed_column("issued_s", "issued at", "s", 1),
            [](auto& r) { return short_cell(r.trial.features.issued_s); })
       .doc("when it was issued, seconds since the first tick")
       .add(fixed_column("certificate_m", "T_t", "m"),
            [](auto& r) { return short_cell(r.trial.features.certificate_m); })
-      .doc("bottleneck margin of the widest path from S to G at the last tick")
+      .doc("T_t at the last tick; empty if no path joined S and G")
       .fixed("corridor_value_m", "V_t", "m", 3, [](auto& r) { return r.last().corridor_value_m; })
-      .doc("bottleneck margin of the widest path from S to the last node")
+      .doc("V_t at the last tick; empty without a path from S")
       .part(bottleneck_columns(), [](auto& r) { return r.trial.series.bottleneck; })
       .integer("ticks", "ticks", [](auto& r) { return r.trial.series.ticks.size(); })
       .doc("of the log")

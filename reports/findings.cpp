@@ -34,9 +34,6 @@ std::string findings_text(const Table& findings, std::size_t width) {
 std::string in_words(const std::optional<double>& value,
                      const std::optional<statistics::Interval>& interval,
                      int decimals) {
-  if (!value || !interval) {
-    return value ? fixed(*value, decimals) : "NA";
-  }
   Column column = estimate_column("", "");
   column.decimals = decimals;
   return printed(estimate_cell(value, interval), column);

@@ -32,7 +32,7 @@ struct Comparison {
   bool within;
 };
 
-constexpr Comparison kQuantities[] = {
+constexpr Comparison kComparisons[] = {
     {"success",
      "AUC",
      [](const H1Row& row) -> const H1Score& { return row.auc; },
@@ -59,16 +59,32 @@ std::string h1_evidence(const study::H1Panel& panel,
                         const Comparison& comparison,
                         const study::H1Verdict& found) {
   if (found.gain == nullptr) {
-    return panel.withheld.empty() ? "There is no gain to read." : panel.withheld + ".";
+    const auto error = std::ranges::find(
+        panel.conditions, statistics::ConditionSeverity::error, &statistics::Condition::severity);
+    return error != panel.conditions.end() ? "No estimate: " + statistics::to_string(*error) + "."
+                                           : "There is no gain to read.";
   }
   const H1Row& tested = panel.rows.front();
-  std::string text = fmt::format("{} of {} {}; the least gain {}, over {}.",
-                                 comparison.name,
-                                 tested.name,
-                                 score_words(comparison.score(tested)),
-                                 score_words(*found.gain),
-                                 found.rival->name);
-  return panel.withheld.empty() ? text : text + " Intervals are withheld: " + panel.withheld + ".";
+  return fmt::format("{} of {} {}; the least gain {}, over {}.",
+                     comparison.name,
+                     tested.name,
+                     score_words(comparison.score(tested)),
+                     score_words(*found.gain),
+                     found.rival->name);
+}
+
+/// Without intervals there is one thing to say of a panel.
+Finding withheld_finding(const study::H1Table& h1, const study::H1Panel& panel) {
+  std::string evidence = "Intervals are withheld: " + panel.withheld + ".";
+  for (const Comparison& comparison : kComparisons) {
+    const study::H1Verdict found = study::h1_verdict(panel, comparison.gain);
+    if (!comparison.within && found.gain != nullptr) {
+      evidence += " " + h1_evidence(panel, comparison, found);
+    }
+  }
+  return {fmt::format("H1, {} panel", panel_name(h1, panel)),
+          words(study::Verdict::not_decided),
+          evidence};
 }
 
 /// The panel that conclusions are drawn from first.
@@ -86,7 +102,9 @@ std::vector<const Panel*> in_order(const std::vector<Panel>& panels, const Kind&
 }
 
 /// The pair of groups that differ most.
-std::string h2_evidence(const char* name, const study::H2Equality& equality) {
+std::string h2_evidence(const char* name,
+                        const study::H2Panel& panel,
+                        const study::H2Equality& equality) {
   const statistics::EquivalencePair* widest = nullptr;
   for (const statistics::EquivalencePair& pair : equality.tests.pairs) {
     if (widest == nullptr || pair.smallest_margin > widest->smallest_margin) {
@@ -97,16 +115,22 @@ std::string h2_evidence(const char* name, const study::H2Equality& equality) {
     return "There are no two groups to compare.";
   }
   const auto& names = equality.groups.names;
-  std::string text = fmt::format("{} of {} less that of {}: {}; the margin is {}",
-                                 name,
-                                 names[widest->first],
-                                 names[widest->second],
-                                 in_words(widest->difference, widest->interval),
-                                 significant(equality.tests.options.margin, 3));
+  const std::string& withheld = panel.levels[widest->first].withheld.empty()
+                                    ? panel.levels[widest->second].withheld
+                                    : panel.levels[widest->first].withheld;
+  std::string text =
+      fmt::format("{} of {} less that of {}: {}; the margin is {}",
+                  name,
+                  names[widest->first],
+                  names[widest->second],
+                  in_words(widest->difference,
+                           withheld.empty() ? std::optional(widest->interval) : std::nullopt),
+                  significant(equality.tests.options.margin, 3));
   if (equality.tests.smallest_margin) {
     text += ", the smallest that would do " + fixed(*equality.tests.smallest_margin, 3);
   }
-  return text + ".";
+  text += ".";
+  return withheld.empty() ? text : text + " The interval is withheld: " + withheld + ".";
 }
 
 /// Cases of one law under all lightings together that have the same verdict.
@@ -147,8 +171,12 @@ Table h1_findings(const study::H1Table& h1) {
        in_order(h1.panels, [](const study::H1Panel& panel) { return panel.kind; })) {
     const study::H1Panel& panel = *one;
     has_landmark = has_landmark || panel.kind == study::H1PanelKind::landmark;
+    if (!panel.withheld.empty()) {
+      findings.push_back(withheld_finding(h1, panel));
+      continue;
+    }
     const std::string columns = h1_within_columns(panel);
-    for (const Comparison& comparison : kQuantities) {
+    for (const Comparison& comparison : kComparisons) {
       if ((comparison.within && columns.empty()) ||
           (comparison.name[0] == 'C' && !panel.has_time)) {
         continue;
@@ -180,12 +208,13 @@ Table h2_findings(const study::H2Table& h2) {
     const auto add = [&](const char* name, const std::optional<study::H2Equality>& equality) {
       const std::string about = fmt::format("H2, {}, {} panel", name, panel_name(h2, panel));
       if (equality) {
-        findings.push_back(
-            {about, words(study::h2_verdict(panel, *equality)), h2_evidence(name, *equality)});
+        findings.push_back({about,
+                            words(study::h2_verdict(panel, *equality)),
+                            h2_evidence(name, panel, *equality)});
       } else {
         findings.push_back({about,
                             words(study::Verdict::not_decided),
-                            fmt::format("Not every group has a {} with a variance.", name)});
+                            fmt::format("Not every group has a variance of its {}.", name)});
       }
     };
     add("AUC", panel.auc);

@@ -87,12 +87,15 @@ using R = const SeriesRow&;
 constexpr auto kColumns = std::to_array<SeriesColumn>({
     {"time_s",
      "s",
-     "of the tick, as the log counts it",
+     "of the tick, by the clock of the log, which need not begin at 0",
      [](std::string& out, R r) { table::append_seconds(out, r.tick.time_ns); }},
     {"x_m", "m", "pose, in the frame of the log", [](R r) { return r.tick.pose.position.x_m; }},
     {"y_m", "m", "the same", [](R r) { return r.tick.pose.position.y_m; }},
     {"yaw_rad", "rad", "the same", [](R r) { return r.tick.pose.yaw_rad; }},
-    {"travel_m", "m", "signed way along the body axis, standing noise left out", &C::travel_m},
+    {"travel_m",
+     "m",
+     "way driven so far, forwards or backwards, in steps of travel_deadband_m or more; never falls",
+     &C::travel_m},
     {"left_m", "m", "free distance that the rays prove on the left of the path", &C::left_m},
     {"right_m", "m", "the same on the right", &C::right_m},
     {"width_m", "m", "w_t: left and right together", &C::width_m},
@@ -109,11 +112,11 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
      &C::corridor_value_m},
     {"certificate_m",
      "m",
-     "T_t: bottleneck of the widest path from S to G; empty without one",
+     "T_t: bottleneck of the widest path from S to G; empty until a path joins them",
      &C::certificate_m},
     {"series_m",
      "m",
-     "T_t where it is issued, before that V_t",
+     "T_t as soon as there is one, though it be 0 or less; before that V_t",
      [](R r) { return series_value(r.certified); }},
     {"speed_law_mps",
      "m/s",
@@ -130,19 +133,31 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
      [](std::string& out, R r) { append_flags(out, r.certified.flags); }},
     {"issued",
      "",
-     "1 once a certificate is issued, else 0",
+     "1 from the first tick on at which T_t is above 0, else 0",
      [](std::string& out, R r) { out += r.certified.issued ? '1' : '0'; }},
 });
 
 /// Those of `SeriesFormat::guards`.
 constexpr auto kGuardColumns = std::to_array<SeriesColumn>({
-    {"gated_speed_mps", "m/s", "", &G::speed_mps},
-    {"yaw_rate_cmd_rps", "rad/s", "", [](R r) { return r.yaw_rate_cmd_rps; }},
-    {"tracking_error_m", "m", "", &G::tracking_error_m},
-    {"robust_margin_m", "m", "", &G::robust_margin_m},
-    {"force_n", "N", "", &G::force_n},
-    {"force_limit_n", "N", "", &G::force_limit_n},
-    {"triggers", "", "", [](std::string& out, R r) { out += trigger_words(r.guarded.triggers); }},
+    {"gated_speed_mps", "m/s", "v_t: speed that law and guards allow; 0 is a halt", &G::speed_mps},
+    {"yaw_rate_cmd_rps",
+     "rad/s",
+     "commanded, as the log has it",
+     [](R r) { return r.yaw_rate_cmd_rps; }},
+    {"tracking_error_m",
+     "m",
+     "r_TE: bound on the error at the speed commanded before",
+     &G::tracking_error_m},
+    {"robust_margin_m", "m", "V_t less r_TE; empty without a corridor", &G::robust_margin_m},
+    {"force_n", "N", "largest force of any ray; empty if none states one", &G::force_n},
+    {"force_limit_n",
+     "N",
+     "the largest force that is allowed at the robust margin",
+     &G::force_limit_n},
+    {"triggers",
+     "",
+     "guards that trip, words with + between",
+     [](std::string& out, R r) { out += trigger_words(r.guarded.triggers); }},
 });
 
 /// What a column holds is known when this is compiled.
@@ -164,6 +179,11 @@ std::vector<ColumnDoc> series_columns() {
     columns.push_back({std::string(one.name), std::string(one.unit), std::string(one.doc)});
   }
   columns.push_back({"<ray>_margin_m", "m", "margin of each ray, with --ray-margins"});
+  for (const SeriesColumn& one : kGuardColumns) {
+    columns.push_back({std::string(one.name),
+                       std::string(one.unit),
+                       std::string(one.doc) + " (live --guards, replay --series)"});
+  }
   columns.push_back(synthetic_seed_doc());
   return columns;
 }

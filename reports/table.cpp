@@ -34,10 +34,15 @@ bool fits(const TableCell& cell, ColumnKind kind) {
   return false;
 }
 
-/// As the cell says, else as its column does.
+/// As the cell says, else as its column does; a number of more digits than anybody reads by its
+/// first ones.
 std::string rounded(double value, int own_decimals, const Column& column) {
+  constexpr double kUnreadable = 1e9;
   if (own_decimals == kColumnDecimals && column.significant > 0) {
     return significant(value, column.significant);
+  }
+  if (std::abs(value) >= kUnreadable) {
+    return significant(value, 4);
   }
   return fixed(value, own_decimals == kColumnDecimals ? column.decimals : own_decimals);
 }
@@ -55,8 +60,11 @@ struct Printer {
     if (!std::isfinite(estimate.value)) {
       return "NA";
     }
-    return rounded(estimate.value, estimate.decimals, column) + " [" +
-           rounded(estimate.low, estimate.decimals, column) + ", " +
+    const std::string value = rounded(estimate.value, estimate.decimals, column);
+    if (std::isnan(estimate.low) && std::isnan(estimate.high)) {
+      return value;
+    }
+    return value + " [" + rounded(estimate.low, estimate.decimals, column) + ", " +
            rounded(estimate.high, estimate.decimals, column) + "]";
   }
   std::string operator()(const PValue& p) const {

@@ -28,8 +28,11 @@ about a second a cell.
 
 int run(Arguments arguments) { return run_command(kText, arguments, ablate); }
 
+std::vector<CommandForm> forms() { return {form_for<AblateRequest>(kText)}; }
+
 }  // namespace
 
-const Command kAblate = {"ablate", "leave parts of the method out, beside the full one", run};
+const Command kAblate = {
+    "ablate", "leave parts of the method out, beside the full one", run, forms};
 
 }  // namespace tcert::cli

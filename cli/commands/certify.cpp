@@ -13,6 +13,9 @@ edge of the corridor graph), DIR/features.csv and DIR/certificates.csv (one row 
 of the study (table1, speed, latency) in every format, DIR/diagnostics.csv, DIR/manifest.json.
 Without it: the features on stdout.
 
+The ticks of synthetic logs (--ticks) begin with a line '# ...' that says so. pandas reads them by
+read_csv(FILE, comment='#'). R reads them by read.csv(FILE, comment.char = '#').
+
 Usage: tcert certify BUNDLE [options]
 
 Example:
@@ -25,8 +28,10 @@ as logs at 20 Hz (--no-series leaves them out).
 
 int run(Arguments arguments) { return run_command(kText, arguments, certify); }
 
+std::vector<CommandForm> forms() { return {form_for<CertifyRequest>(kText)}; }
+
 }  // namespace
 
-const Command kCertify = {"certify", "certify the trials of a bundle, tick by tick", run};
+const Command kCertify = {"certify", "certify the trials of a bundle, tick by tick", run, forms};
 
 }  // namespace tcert::cli

@@ -26,8 +26,10 @@ Cost: one pass over the logs.
 
 int run(Arguments arguments) { return run_command(kText, arguments, check); }
 
+std::vector<CommandForm> forms() { return {form_for<CheckRequest>(kText)}; }
+
 }  // namespace
 
-const Command kCheck = {"check", "look at logs before anything is computed from them", run};
+const Command kCheck = {"check", "look at logs before anything is computed from them", run, forms};
 
 }  // namespace tcert::cli

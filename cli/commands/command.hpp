@@ -5,6 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "cli/commands/command_form.hpp"
 
 namespace tcert::cli {
 
@@ -15,6 +18,8 @@ struct Command {
   std::string_view summary;  ///< One line.
   /// Arguments without the command's name. Returns the exit code; throws the errors of errors.hpp.
   int (*run)(Arguments arguments);
+  /// Itself, then what it is with a word behind it.
+  std::vector<CommandForm> (*forms)();
 };
 
 extern const Command kSimulate;

@@ -196,7 +196,46 @@ void print_help(std::string_view help,
   print(text.str());
 }
 
+/// The option as Boost was told of it: "FILE (=text)" is the name of a value and its default.
+OptionForm form_of(const po::option_description& option, const OptionTable& table) {
+  OptionForm form{option.long_name(), "", "", option.description(), {}, false};
+  if (option.semantic()->max_tokens() > 0) {
+    const std::string value = option.semantic()->name();
+    const auto usual = value.find(" (=");
+    form.shown = value.substr(0, usual);
+    if (usual != std::string::npos) {
+      form.usual = value.substr(usual + 3, value.size() - usual - 4);
+    }
+    form.repeats = option.semantic()->is_composing();
+  }
+  if (const Option* const known = table.find(form.name)) {
+    form.words = known->words;
+  }
+  return form;
+}
+
 }  // namespace
+
+CommandForm form_of(std::string_view help, const OptionTable& table, std::string word) {
+  CommandForm form;
+  form.word = std::move(word);
+  form.help = help;
+  Manner manner;
+  Told told{"", manner};
+  const po::options_description own = description_of(table.heading(), table, 0, table.own());
+  const po::options_description common = common_description(table, told);
+  form.own = own.options().size();
+  for (const po::options_description* const part : {&own, &common}) {
+    for (const auto& option : part->options()) {
+      form.options.push_back(form_of(*option, table));
+    }
+  }
+  for (const Argument& argument : table.arguments()) {
+    form.arguments.push_back({argument.name, argument.words});
+  }
+  form.takes_parameters = table.parameters() != nullptr;
+  return form;
+}
 
 bool parse(std::string_view help, const OptionTable& table, Manner& manner, Arguments arguments) {
   Told told{"", manner};

@@ -47,8 +47,11 @@ Cost: 5 to 30 ms a step at 240,000 cells, and 60 MB at 500 measurements.
 
 int run(Arguments arguments) { return run_command(kText, arguments, explore); }
 
+std::vector<CommandForm> forms() { return {form_for<ExploreRequest>(kText)}; }
+
 }  // namespace
 
-const Command kExplore = {"explore", "explore a terrain that is felt one cell at a time", run};
+const Command kExplore = {
+    "explore", "explore a terrain that is felt one cell at a time", run, forms};
 
 }  // namespace tcert::cli

@@ -24,8 +24,10 @@ Cost: a few seconds.
 
 int run(Arguments arguments) { return run_command(kText, arguments, figures); }
 
+std::vector<CommandForm> forms() { return {form_for<FiguresRequest>(kText)}; }
+
 }  // namespace
 
-const Command kFigures = {"figures", "draw the figures of results for a paper", run};
+const Command kFigures = {"figures", "draw the figures of results for a paper", run, forms};
 
 }  // namespace tcert::cli

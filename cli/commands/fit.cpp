@@ -94,9 +94,13 @@ int run(Arguments arguments) {
   return prints_help_of_kind(arguments) ? exit_done : run_command(help_of(""), arguments, fit);
 }
 
+std::vector<CommandForm> forms() { return {form_for<FitRequest>(help_of(""))}; }
+
 }  // namespace
 
-const Command kFit = {
-    "fit", "fit a model to any table: glm, glmm, calibration, cox, km, roc, concordance", run};
+const Command kFit = {"fit",
+                      "fit a model to any table: glm, glmm, calibration, cox, km, roc, concordance",
+                      run,
+                      forms};
 
 }  // namespace tcert::cli

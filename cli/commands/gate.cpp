@@ -13,7 +13,8 @@ smallest margin felt in the pass. Prints the slope with Wald and profile interva
 -alpha / beta with Fieller's, the profile and the bootstrap set, each bounded or named unbounded, and
 whether it covers 0; the calibration; and the least certificate before the gate as second predictor.
 
-With --output DIR/ (it ends with /, or is a folder): every table in every format, and the curve.
+With --output DIR/ (it ends with /, or is a folder): every table in every format, and the curve. Another
+PATH, though it had no ending, is one file of what would be printed, in --format.
 json has every number; csv has the table of the 50 % point, or that of --table: gate_slope,
 gate_calibration, gate_model, gate_passes, gate_curve.
 
@@ -28,8 +29,11 @@ Cost: a second for 60 passes.
 
 int run(Arguments arguments) { return run_command(kText, arguments, gate); }
 
+std::vector<CommandForm> forms() { return {form_for<GateRequest>(kText)}; }
+
 }  // namespace
 
-const Command kGate = {"gate", "the bottleneck micro-study: the margin of an even chance", run};
+const Command kGate = {
+    "gate", "the bottleneck micro-study: the margin of an even chance", run, forms};
 
 }  // namespace tcert::cli

@@ -2,31 +2,46 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/study/trials/parameters.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/command_line.hpp"
+#include "cli/commands/completion.hpp"
+#include "cli/commands/generated_file.hpp"
+#include "cli/commands/help_topics.hpp"
+#include "cli/commands/manual.hpp"
 #include "cli/commands/output.hpp"
+#include "cli/commands/overview.hpp"
+#include "cli/commands/run_command.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/fit/kind_options.hpp"
 #include "cli/runs/shared_options.hpp"
-#include "reports/edges_table.hpp"
-#include "reports/features_table.hpp"
-#include "reports/series.hpp"
-#include "reports/table.hpp"
 #include "reports/version.hpp"
 
 namespace tcert::cli {
 namespace {
 
 constexpr std::string_view kText =
-    R"(Print help: of the tool, of one command or kind, of the parameters, or of the results' columns.
+    R"(Print help: of the tool, of one command or kind, or of a topic.
 
-Usage: tcert help [COMMAND [KIND] | parameters | columns]
+TOPIC is one of
+  parameters  every parameter with its unit, default and bounds
+  columns     every column of the results of each tick and trial
+  bundle      the files of a log bundle: columns, units, what is required, frames
+  man         a page of the manual, that of PAGE (certify, import-carmen, parameters); with --output DIR
+              all pages, as DIR/man1/tcert.1 and so on
+  completion  completion of commands and options for SHELL: bash, zsh or fish; with --output a file
+
+Packages install the manual and the completions. The world file is described by 'tcert help world'.
+
+Usage: tcert help [COMMAND [KIND]]
+       tcert help (parameters | columns | bundle) [--format WORD]
+       tcert help man [PAGE] [--output DIR]
+       tcert help completion SHELL [--output FILE]
 
 Example:
   tcert help certify
   tcert help fit cox
   tcert help parameters --format md > parameters.md
-  tcert help columns
+  tcert help man certify | man -l -
+  source <(tcert help completion bash)
 
 Cost: none.
 )";
@@ -46,86 +61,78 @@ constexpr std::array kCommands = {&kSimulate, &kImport,     &kCheck,  &kCertify,
                                   &kExplore,  &kGate,       &kStudy,  &kReport,  &kReproduce,
                                   &kFigures,  &kVerify,     &kLive,   &kHelp,    &kVersion};
 
-std::string overview() {
-  std::string text =
-      "tcert: traversability certificates from what a robot felt, per tick, and what they "
-      "predict.\n\n"
-      "Usage: tcert COMMAND [options]\n\n"
-      "Example:\n"
-      "  tcert reproduce --output results\n\n"
-      "Commands:\n";
-  for (const Command* command : commands()) {
-    const std::string name(command->name);
-    text += "  " + name + std::string(12 - name.size(), ' ') + std::string(command->summary) + '\n';
-  }
-  return text +
-         "\nExit codes: 0 done; 1 a check found something; 2 wrong usage; 3 done, but some trials, "
-         "cells or\nlines were rejected; 4 to 8 ends of 'explore'; 65 bad data; 66 no such input; "
-         "70 a "
-         "fault of this tool;\n71 the system has too little of something (memory, descriptors, "
-         "threads); 73 cannot write.\n"
-         "\n'tcert COMMAND --help' describes one command, 'tcert help parameters' every "
-         "parameter, 'tcert help columns' every column of the results.\n";
-}
-
-Table parameter_listing() {
-  Table table;
-  table.name = "parameters";
-  table.title = "Parameters: in config files, as flags (--KEY VALUE) and with --set KEY=VALUE";
-  table.columns = {{"key", "key", "", ColumnKind::text},
-                   {"default", "default", "", ColumnKind::text},
-                   {"unit", "unit", "", ColumnKind::text},
-                   {"stage", "changes from", "", ColumnKind::text},
-                   {"accepts", "accepts", "", ColumnKind::text},
-                   {"doc", "what, and when to change it", "", ColumnKind::text}};
-  const study::ParameterSet defaults;
-  for (const study::ParameterInfo& parameter : study::parameter_table()) {
-    table.add_row({std::string(parameter.key),
-                   parameter.get(defaults),
-                   std::string(parameter.unit),
-                   std::string(study::to_string(parameter.stage)),
-                   parameter.accepts,
-                   std::string(parameter.doc)});
-  }
-  table.footnotes = {
-      "Precedence: these defaults, then the bundle's own parameters, then --config, then flags."};
-  return table;
-}
-
-Table column_listing() {
-  Table table;
-  table.name = "columns";
-  table.title = "Columns of the files that 'tcert certify' writes";
-  table.columns = {{"file", "file", "", ColumnKind::text},
-                   {"column", "column", "", ColumnKind::text},
-                   {"unit", "unit", "", ColumnKind::text},
-                   {"doc", "what", "", ColumnKind::text}};
-  const auto append = [&](const char* file, const std::vector<ColumnDoc>& columns) {
-    for (const ColumnDoc& column : columns) {
-      table.add_row({std::string(file), column.name, column.unit, column.doc});
-    }
-  };
-  append("series/<trial_id>.csv", series_columns());
-  append("edges/<trial_id>.csv", edge_column_docs());
-  append("features.csv", feature_column_docs());
-  append("certificates.csv", certificate_column_docs());
-  table.footnotes = {"An empty cell is a value that is not known."};
-  return table;
-}
-
 struct HelpRequest {
   std::string topic;
   std::string kind;
-  OutputFormat output;
+  OutputOptions output;
   std::vector<std::string> given;
 };
 
+/// What help can be asked for.
+std::vector<std::string> topics() {
+  std::vector<std::string> all;
+  for (const HelpTopic& topic : help_topics()) {
+    all.emplace_back(topic.name);
+  }
+  all.insert(all.end(), {"man", "completion"});
+  for (const Command* const command : commands()) {
+    all.emplace_back(command->name);
+  }
+  return all;
+}
+
+std::vector<std::string> kinds() {
+  std::vector<std::string> all = kind_names();
+  for (const CompletionShell& shell : completion_shells()) {
+    all.push_back(shell.name);
+  }
+  return all;
+}
+
 OptionTable options_of(HelpRequest& request) {
   OptionTable table(request.given);
-  table.argument({"COMMAND", &request.topic, false});
-  table.argument({"KIND", &request.kind, false});
+  table.argument({"COMMAND", &request.topic, false, OptionRole::shapes, topics()});
+  table.argument({"KIND", &request.kind, false, OptionRole::shapes, kinds()});
   add_common(table, request);
   return table;
+}
+
+void show_manual(const HelpRequest& request) {
+  const std::vector<ManualPage> pages = manual();
+  if (!request.output.path.empty()) {
+    if (!request.kind.empty()) {
+      throw UsageError("--output writes all pages; leave out '" + request.kind + "'");
+    }
+    for (const ManualPage& page : pages) {
+      write_generated(request.output.path + '/' + page.path(), page.text, kManualMark);
+    }
+    return;
+  }
+  const std::string wanted = request.kind.empty() ? "tcert" : "tcert-" + request.kind;
+  std::vector<std::string> names;
+  for (const ManualPage& page : pages) {
+    if (page.name == wanted || page.name == request.kind) {
+      print(page.text);
+      return;
+    }
+    names.push_back(page.name);
+  }
+  throw UsageError("no page '" + wanted + "'" + did_you_mean(wanted, names));
+}
+
+void show_completion(const HelpRequest& request) {
+  for (const CompletionShell& shell : completion_shells()) {
+    if (shell.name == request.kind) {
+      const std::string script = shell.script(all_forms());
+      if (request.output.path.empty()) {
+        print(script);
+      } else {
+        write_generated(request.output.path, script, completion_mark(shell.name));
+      }
+      return;
+    }
+  }
+  throw UsageError("completion: found '" + request.kind + "', expected bash, zsh or fish");
 }
 
 int run_help(Arguments arguments) {
@@ -135,19 +142,27 @@ int run_help(Arguments arguments) {
     return exit_done;
   }
   const auto& [topic, kind, output, given] = request;
+  if (topic == "man") {
+    show_manual(request);
+    return exit_done;
+  }
+  if (topic == "completion") {
+    show_completion(request);
+    return exit_done;
+  }
+  if (!output.path.empty()) {
+    throw UsageError("--output is for 'help man' and 'help completion'");
+  }
   if (topic.empty()) {
     print(overview());
     return exit_done;
   }
-  if (topic == "parameters") {
-    print(render(parameter_listing(), output.table_format()));
-    return exit_done;
+  for (const HelpTopic& one : help_topics()) {
+    if (one.name == topic) {
+      print(render(one.table(), output.table_format()));
+      return exit_done;
+    }
   }
-  if (topic == "columns") {
-    print(render(column_listing(), output.table_format()));
-    return exit_done;
-  }
-  std::vector<std::string> known = {"parameters", "columns"};
   for (const Command* command : commands()) {
     if (command->name == topic) {
       std::vector<std::string> help;
@@ -157,9 +172,8 @@ int run_help(Arguments arguments) {
       help.emplace_back("--help");
       return command->run(help);
     }
-    known.emplace_back(command->name);
   }
-  throw UsageError("no help on '" + topic + "'" + did_you_mean(topic, known));
+  throw UsageError("no help on '" + topic + "'" + did_you_mean(topic, topics()));
 }
 
 int run_version(Arguments arguments) {
@@ -171,10 +185,17 @@ int run_version(Arguments arguments) {
   return exit_done;
 }
 
+std::vector<CommandForm> help_forms() { return {form_for<HelpRequest>(kText)}; }
+
+std::vector<CommandForm> version_forms() {
+  std::vector<std::string> given;
+  return {form_of(kVersionText, OptionTable(given).common())};
+}
+
 }  // namespace
 
-const Command kHelp = {"help", "explain a command or the parameters", run_help};
-const Command kVersion = {"version", "print the version of this build", run_version};
+const Command kHelp = {"help", "explain a command, the parameters or a file", run_help, help_forms};
+const Command kVersion = {"version", "print the version of this build", run_version, version_forms};
 
 std::span<const Command* const> commands() { return kCommands; }
 

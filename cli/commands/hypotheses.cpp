@@ -35,7 +35,8 @@ gap (the baseline's lead at one mix of lightings), successes lost and retained, 
 front; by lighting.
 
 With --output DIR/ (it ends with /, or is a folder): every table as CSV, JSON, text, Markdown and
-LaTeX, the curves behind the figures as CSV and JSON, report.json, manifest.json.
+LaTeX, the curves behind the figures as CSV and JSON, report.json, manifest.json. Another PATH, though it
+had no ending, is one file of what would be printed, in --format.
 text and md have the main tables, json every number; csv has the first table, or that of --table: h1, h1_within,
 h1_time, h1_time_within, h1_mixed, h1_intervals, h1_case_level, h1_incidence, h1_incidence_curve, h1_roc,
 h1_calibration, h1_recalibration, h1_closed_form, h1_within_closed_form, h1_folds; h2, h2_within,
@@ -60,8 +61,11 @@ Cost: that of 'tcert certify' for a bundle; some seconds per 1,000 trials and 2,
 
 int run(Arguments arguments) { return run_command(kText, arguments, hypotheses); }
 
+std::vector<CommandForm> forms() { return {form_for<HypothesesRequest>(kText)}; }
+
 }  // namespace
 
-const Command kHypotheses = {"hypotheses", "test a hypothesis of the paper: h1, h2, h3", run};
+const Command kHypotheses = {
+    "hypotheses", "test a hypothesis of the paper: h1, h2, h3", run, forms};
 
 }  // namespace tcert::cli

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "cli/commands/command_line.hpp"
+#include "cli/commands/run_command.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/shared_options.hpp"
 
@@ -28,6 +28,18 @@ Example:
 Cost: one pass over the files.
 )";
 
+/// Of an import without a format that is known.
+struct ImportRequest {
+  std::string format;
+  std::vector<std::string> given;
+};
+
+OptionTable options_of(ImportRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"FORMAT", &request.format, true, OptionRole::shapes, {"barn", "carmen"}});
+  return table;
+}
+
 int run(Arguments arguments) {
   const auto names = [&](const char* format) {
     return std::find(arguments.begin(), arguments.end(), format);
@@ -40,21 +52,22 @@ int run(Arguments arguments) {
   if (barn < carmen) {
     return import_barn_command(arguments);
   }
-  std::string format;
-  std::vector<std::string> given;
-  OptionTable table(given);
-  table.argument({"FORMAT", &format});
+  ImportRequest request;
   Manner manner;
-  if (parse(kText, table, manner, arguments)) {
-    throw UsageError("unknown format '" + format + "', expected barn or carmen" +
-                     did_you_mean(format, {"barn", "carmen"}));
+  if (parse(kText, options_of(request), manner, arguments)) {
+    throw UsageError("unknown format '" + request.format + "', expected barn or carmen" +
+                     did_you_mean(request.format, {"barn", "carmen"}));
   }
   return exit_done;
+}
+
+std::vector<CommandForm> forms() {
+  return {form_for<ImportRequest>(kText), import_carmen_form(), import_barn_form()};
 }
 
 }  // namespace
 
 const Command kImport = {
-    "import", "make a bundle or a feature table from data in a foreign format", run};
+    "import", "make a bundle or a feature table from data in a foreign format", run, forms};
 
 }  // namespace tcert::cli

@@ -11,4 +11,8 @@ namespace tcert::cli {
 int import_barn_command(Arguments arguments);
 int import_carmen_command(Arguments arguments);
 
+/// What they take.
+[[nodiscard]] CommandForm import_barn_form();
+[[nodiscard]] CommandForm import_carmen_form();
+
 }  // namespace tcert::cli

@@ -28,6 +28,8 @@ Cost: one pass over the files.
 
 }  // namespace
 
+CommandForm import_barn_form() { return form_for<ImportBarnRequest>(kText, "barn"); }
+
 int import_barn_command(Arguments arguments) { return run_command(kText, arguments, import_barn); }
 
 }  // namespace tcert::cli

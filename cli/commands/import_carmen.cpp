@@ -26,6 +26,8 @@ Cost: one pass over the log.
 
 }  // namespace
 
+CommandForm import_carmen_form() { return form_for<ImportCarmenRequest>(kText, "carmen"); }
+
 int import_carmen_command(Arguments arguments) {
   return run_command(kText, arguments, import_carmen);
 }

@@ -40,8 +40,10 @@ Cost: about a microsecond of certifying per tick; memory does not grow with the 
 
 int run(Arguments arguments) { return run_command(kText, arguments, live); }
 
+std::vector<CommandForm> forms() { return {form_for<LiveRequest>(kText)}; }
+
 }  // namespace
 
-const Command kLive = {"live", "certify ticks as they arrive", run};
+const Command kLive = {"live", "certify ticks as they arrive", run, forms};
 
 }  // namespace tcert::cli

@@ -39,7 +39,7 @@ int run(const std::vector<std::string>& arguments) {
   if (first == "--help" || first == "-h") {
     return kHelp.run({});
   }
-  if (first == "--version") {
+  if (first == "--version" || first == "-V") {
     return kVersion.run({});
   }
   return command_of(first).run(Arguments(arguments).subspan(1));

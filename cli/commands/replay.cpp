@@ -28,8 +28,10 @@ Cost: that of 'tcert certify', and about as much again with --replan.
 
 int run(Arguments arguments) { return run_command(kText, arguments, replay); }
 
+std::vector<CommandForm> forms() { return {form_for<ReplayRequest>(kText)}; }
+
 }  // namespace
 
-const Command kReplay = {"replay", "drive logged trials again at gated speed", run};
+const Command kReplay = {"replay", "drive logged trials again at gated speed", run, forms};
 
 }  // namespace tcert::cli

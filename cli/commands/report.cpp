@@ -26,8 +26,11 @@ Cost: two seconds and 6 MB of page for 660 trials.
 
 int run(Arguments arguments) { return run_command(kText, arguments, report); }
 
+std::vector<CommandForm> forms() { return {form_for<ReportRequest>(kText)}; }
+
 }  // namespace
 
-const Command kReport = {"report", "one page of a tree of results, to look at and to send", run};
+const Command kReport = {
+    "report", "one page of a tree of results, to look at and to send", run, forms};
 
 }  // namespace tcert::cli

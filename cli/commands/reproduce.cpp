@@ -31,8 +31,11 @@ Cost: a quarter of a minute and about 200 MB for the 660 trials; a minute more w
 
 int run(Arguments arguments) { return run_command(kText, arguments, reproduce); }
 
+std::vector<CommandForm> forms() { return {form_for<ReproduceRequest>(kText)}; }
+
 }  // namespace
 
-const Command kReproduce = {"reproduce", "from logs to the tables of the paper, end to end", run};
+const Command kReproduce = {
+    "reproduce", "from logs to the tables of the paper, end to end", run, forms};
 
 }  // namespace tcert::cli

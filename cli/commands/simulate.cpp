@@ -10,6 +10,9 @@ constexpr std::string_view kText =
     R"(Make the synthetic corpus: a bundle with everything that the paper publishes about its 660 trials
 built in, and everything else declared. It tests and shows the tool; it says nothing about a robot.
 
+The CSV files begin with a line '# ...' that says that they are synthetic. pandas reads them by
+read_csv(FILE, comment='#'). R reads them by read.csv(FILE, comment.char = '#').
+
 Usage: tcert simulate --output DIR [options]
        tcert simulate terrain --output FILE [options]   (see 'tcert simulate terrain --help')
 
@@ -41,8 +44,13 @@ int run(Arguments arguments) {
   return run_command(kText, arguments, simulate);
 }
 
+std::vector<CommandForm> forms() {
+  return {form_for<SimulateRequest>(kText),
+          form_for<SimulateTerrainRequest>(kTerrainText, "terrain")};
+}
+
 }  // namespace
 
-const Command kSimulate = {"simulate", "make the synthetic corpus", run};
+const Command kSimulate = {"simulate", "make the synthetic corpus", run, forms};
 
 }  // namespace tcert::cli

@@ -18,8 +18,9 @@ STUDY is one of
                thesis' own (600 x 400 numbers, its first line dropped): the scenarios of the thesis
                under every rule set, and baselines
 
-With --output DIR/ (it ends with /, or is a folder): every table in every format. csv has the first
-table, or that of --table: soundness, tightness; coverage; equivalence; gate_coverage; null,
+With --output DIR/ (it ends with /, or is a folder): every table in every format. Another PATH, though
+it had no ending, is one file of what would be printed, in --format. csv has the first table, or that
+of --table: soundness, tightness; coverage; equivalence; gate_coverage; null,
 null_corpora; terrain_soundness, terrain_trust; scenarios, baselines.
 
 Usage: tcert study STUDY [TERRAIN] [options]
@@ -35,9 +36,11 @@ terrain 40 s, but with TERRAIN an hour or more; in proportion to --worlds, --dat
 
 int run(Arguments arguments) { return run_command(kText, arguments, study); }
 
+std::vector<CommandForm> forms() { return {form_for<StudyRequest>(kText)}; }
+
 }  // namespace
 
 const Command kStudy = {
-    "study", "how often the tool itself is right, where the truth is known", run};
+    "study", "how often the tool itself is right, where the truth is known", run, forms};
 
 }  // namespace tcert::cli

@@ -11,10 +11,12 @@ constexpr std::string_view kText =
 --grid KEY=V1,V2,... gives a parameter several values; several --grid give every combination. --cells
 takes any list of cells from a CSV file. --sensitivity takes every choice that the paper leaves open,
 one at a time, at other values that one could defend: how H1 moves is its specification curve.
+The whole grid is checked before anything is run or written: a value that its parameter does not
+take, or with which no combination is possible, is an error, and so are more than 10,000 combinations.
 
 With --output DIR: DIR/cells.*, DIR/issuance.*, DIR/speed.* (H3; CSV, JSON, text, Markdown, LaTeX), DIR/features/*.csv and
 DIR/replays/*.csv (DIR/files.csv says which cell has which), DIR/manifest.json. Without it: the table on stdout. A cell whose parameters are impossible
-is refused with the reason, the others run; the exit code is then 3.
+together, or any such cell of a file, is refused with the reason, the others run; the exit code is then 3.
 
 Usage: tcert sweep BUNDLE (--grid KEY=VALUES ... | --cells FILE | --sensitivity) [options]
 
@@ -28,8 +30,10 @@ a run that was stopped goes on where it was.
 
 int run(Arguments arguments) { return run_command(kText, arguments, sweep); }
 
+std::vector<CommandForm> forms() { return {form_for<SweepRequest>(kText)}; }
+
 }  // namespace
 
-const Command kSweep = {"sweep", "run under many parameter values", run};
+const Command kSweep = {"sweep", "run under many parameter values", run, forms};
 
 }  // namespace tcert::cli

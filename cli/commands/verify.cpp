@@ -33,8 +33,10 @@ Cost: that of the commands; without making anything again, of reading the files 
 
 int run(Arguments arguments) { return run_command(kText, arguments, verify); }
 
+std::vector<CommandForm> forms() { return {form_for<VerifyRequest>(kText)}; }
+
 }  // namespace
 
-const Command kVerify = {"verify", "make results again and compare every byte", run};
+const Command kVerify = {"verify", "make results again and compare every byte", run, forms};
 
 }  // namespace tcert::cli

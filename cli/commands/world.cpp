@@ -1,6 +1,8 @@
 #include "cli/runs/world.hpp"
 
+#include "cli/commands/field_listing.hpp"
 #include "cli/commands/run_command.hpp"
+#include "datasets/world_fields.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -28,10 +30,24 @@ Cost: about a millisecond a world of 300 discs without curvature, some 0.2 s wit
 million cells of a grid.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, world); }
+/// With the file of our own format, key by key, which no other text has.
+std::string help() {
+  std::string text(kText);
+  text +=
+      "\nThe world file, version 1, is a JSON object (* is required; another key is an error):\n";
+  return text + fields_in_words(world_fields()) +
+         "Lengths are in metres, in one frame for the whole world, x and y at right angles. No "
+         "path "
+         "leaves the\nbounds; a polygon is simple, and closed by itself.\n";
+}
+
+int run(Arguments arguments) { return run_command(help(), arguments, world); }
+
+std::vector<CommandForm> forms() { return {form_for<WorldRequest>(help())}; }
 
 }  // namespace
 
-const Command kWorld = {"world", "the truth of known worlds: the best margin a path has", run};
+const Command kWorld = {
+    "world", "the truth of known worlds: the best margin a path has", run, forms};
 
 }  // namespace tcert::cli

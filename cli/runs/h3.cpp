@@ -11,6 +11,7 @@
 #include "cli/runs/h1_options.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/thread_limit.hpp"
+#include "cli/runs/watched_stages.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h3_table.hpp"
 #include "reports/replay_table.hpp"
@@ -24,6 +25,18 @@ struct Study {
   Manifest manifest;
   ExitCode code = exit_done;
 };
+
+/// The names in the column, each once.
+std::string algorithms_of(const table::DataTable& table) {
+  std::string names;
+  const table::DataColumn* const column = table.find("algorithm");
+  if (column != nullptr && column->is_text) {
+    for (const std::string& name : column->text.levels) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  }
+  return names.empty() ? "none" : names;
+}
 
 Study study_of_table(const HypothesesRequest& request,
                      const study::H3Options& h3,
@@ -102,7 +115,14 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
                                         : study_of_table(request, h3, progress);
   FitReport report;
   try {
-    report = h3_report(study::hypothesis_h3(study.table, h3));
+    WatchedStages stages(progress);
+    const study::H3Table tested = study::hypothesis_h3(study.table, h3, stages.watch());
+    if (tested.groups.empty()) {
+      throw UnfitData("no trial of '" + h3.gated + "' or '" + h3.baseline +
+                      "', which --gated and --lead name; algorithms of the table: " +
+                      algorithms_of(study.table));
+    }
+    report = h3_report(tested);
   } catch (const std::invalid_argument& error) {
     throw BadData(error.what());
   }

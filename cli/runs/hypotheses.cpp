@@ -17,6 +17,7 @@
 #include "cli/runs/outcome_column.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/thread_limit.hpp"
+#include "cli/runs/watched_stages.hpp"
 #include "reports/features_table.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/h2_table.hpp"
@@ -61,17 +62,19 @@ struct Hypothesis {
   std::function<FitReport(const table::DataTable&)> test;
 };
 
-Hypothesis hypothesis_of(const HypothesesRequest& request) {
+Hypothesis hypothesis_of(const HypothesesRequest& request, Progress& progress) {
   if (request.hypothesis == "h1") {
     const study::H1Options h1 = h1_options(request);
-    return {study::columns_of(h1), [h1](const table::DataTable& table) {
-              return h1_report(study::hypothesis_h1(table, h1));
+    return {study::columns_of(h1), [h1, &progress](const table::DataTable& table) {
+              WatchedStages stages(progress);
+              return h1_report(study::hypothesis_h1(table, h1, stages.watch()));
             }};
   }
   if (request.hypothesis == "h2") {
     const study::H2Options h2 = h2_options(request);
-    return {study::columns_of(h2), [h2](const table::DataTable& table) {
-              return h2_report(study::hypothesis_h2(table, h2));
+    return {study::columns_of(h2), [h2, &progress](const table::DataTable& table) {
+              WatchedStages stages(progress);
+              return h2_report(study::hypothesis_h2(table, h2, stages.watch()));
             }};
   }
   throw UsageError("unknown hypothesis '" + request.hypothesis + "', expected h1, h2 or h3");
@@ -133,7 +136,7 @@ ExitCode hypotheses(const HypothesesRequest& request, Progress& progress) {
     require_h3_options(request);
     return hypothesis_3(request, progress);
   }
-  const Hypothesis hypothesis = hypothesis_of(request);
+  const Hypothesis hypothesis = hypothesis_of(request, progress);
   if (request.bundle.empty() == request.features.empty()) {
     throw UsageError("needs either BUNDLE or --features FILE");
   }

@@ -69,6 +69,11 @@ OptionTable& OptionTable::within(double low, double high) {
   return *this;
 }
 
+OptionTable& OptionTable::one_of(std::vector<std::string> words) {
+  options_.back().words = std::move(words);
+  return *this;
+}
+
 OptionTable& OptionTable::argument(Argument one) {
   arguments_.push_back(std::move(one));
   return *this;

@@ -41,6 +41,7 @@ struct Option {
   OptionValue value;
   OptionRole role = OptionRole::shapes;
   std::optional<std::pair<double, double>> range = {};  ///< Of a number, both ends included.
+  std::vector<std::string> words = {};                  ///< Those that it may be, for completion.
 };
 
 /// The value as text; several are apart by blanks.
@@ -89,6 +90,9 @@ class OptionTable {
 
   /// The numbers that the option that was declared last may have.
   OptionTable& within(double low, double high);
+
+  /// The words that the option that was declared last may be.
+  OptionTable& one_of(std::vector<std::string> words);
 
   OptionTable& argument(Argument one);
   /// Takes all arguments after those, which are inputs.

@@ -6,12 +6,20 @@
 
 #include "cli/runs/data_file.hpp"
 #include "reports/findings.hpp"
+#include "reports/text_width.hpp"
 
 namespace tcert::cli {
 
 bool names_folder(const std::string& output) {
   std::error_code error;
   return !output.empty() && (output.back() == '/' || std::filesystem::is_directory(output, error));
+}
+
+void say_one_file(const OutputOptions& output, Progress& progress) {
+  if (!output.path.empty() && !names_folder(output.path)) {
+    progress.sum_up("'" + output.path + "' is one file, in the format " + output.format + "; '" +
+                    output.path + "/' would be a folder with every table in every format.");
+  }
 }
 
 void write_table(const Table& table, const ResultFolder& folder) {
@@ -21,6 +29,36 @@ void write_table(const Table& table, const ResultFolder& folder) {
   folder.write(table.name + ".csv", render(table, TableFormat::csv));
   folder.write(table.name + ".json", render(table, TableFormat::json));
 }
+
+namespace {
+
+/// What takes numbers away, for those who do not see the report: in full if it takes them all, else
+/// by its name.
+void say_conditions(const statistics::Conditions& conditions, Progress& progress) {
+  statistics::Conditions whole;
+  std::string names;
+  for (const statistics::Condition& one : conditions) {
+    const std::string name(words(one.kind));
+    if (one.severity == statistics::ConditionSeverity::error ||
+        one.kind == statistics::ConditionKind::withheld) {
+      whole.push_back(one);
+    } else if (one.severity == statistics::ConditionSeverity::warning &&
+               names.find(name) == std::string::npos) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  }
+  std::string lines = conditions_text(whole, progress.width());
+  if (!names.empty()) {
+    lines += wrapped("warning: " + names + "; the conditions, in the text or in JSON, say where.\n",
+                     progress.width());
+  }
+  if (!lines.empty()) {
+    lines.pop_back();  // The last line feed.
+    progress.say(lines);
+  }
+}
+
+}  // namespace
 
 ReportOutput::ReportOutput(const OutputOptions& output, const std::string& command)
     : output_(output) {
@@ -38,6 +76,7 @@ void ReportOutput::deliver(FitReport report,
   require_table(report, table);
   const TableFormat format = output_.table_format();
   const Table findings = report.findings;
+  const statistics::Conditions conditions = report.conditions;
   if (folder_) {
     write_folder(std::move(report), std::move(manifest));
   } else if (!output_.path.empty()) {
@@ -45,9 +84,8 @@ void ReportOutput::deliver(FitReport report,
   } else {
     progress.show(render(report, format, table, width_of(output_, progress)));
   }
-  const bool shown = !folder_ && output_.path.empty() && table.empty() &&
-                     (format == TableFormat::text || format == TableFormat::markdown);
-  if (!shown) {
+  if (!shows_whole_report(output_, table)) {
+    say_conditions(conditions, progress);
     sum_up(findings, progress);
   }
 }
@@ -75,10 +113,16 @@ void ReportOutput::write_folder(FitReport report, Manifest manifest) {
   folder_->commit(std::move(manifest));
 }
 
+bool shows_whole_report(const OutputOptions& output, const std::string& table) {
+  const TableFormat format = output.table_format();
+  return output.path.empty() && table.empty() &&
+         (format == TableFormat::text || format == TableFormat::markdown);
+}
+
 void sum_up(const Table& findings, Progress& progress) {
   std::string lines = findings_text(findings, progress.width());
   if (!lines.empty()) {
-    lines.pop_back();
+    lines.pop_back();  // The last line feed.
     progress.sum_up(lines);
   }
 }

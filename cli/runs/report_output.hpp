@@ -16,8 +16,14 @@ namespace tcert::cli {
 /// True if --output names a folder: it ends with '/', or is one.
 [[nodiscard]] bool names_folder(const std::string& output);
 
+/// True if the whole report is shown to people, with what was found and the conditions.
+[[nodiscard]] bool shows_whole_report(const OutputOptions& output, const std::string& table);
+
 /// Says the findings.
 void sum_up(const Table& findings, Progress& progress);
+/// Says which one file was written and how a folder is asked for; of a folder and of stdout
+/// nothing.
+void say_one_file(const OutputOptions& output, Progress& progress);
 
 /// <name>.csv, .json, .txt, .md and .tex of a table. \throws WriteError.
 void write_table(const Table& table, const ResultFolder& folder);

@@ -79,7 +79,8 @@ class Steps {
     try {
       const ExitCode code = run(request, parts_);
       if (code == exit_bad_data) {
-        progress_.say(std::string(part) + ": conditions were met, see " +
+        progress_.say(std::string(part) +
+                      " has no estimate, as said above; what there is stands in " +
                       (folder_ / part).string());
       } else {
         note(code);

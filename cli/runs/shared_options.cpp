@@ -5,13 +5,29 @@
 #include "cli/runs/errors.hpp"
 
 namespace tcert::cli {
+namespace {
+
+std::vector<std::string> format_words() {
+  std::vector<std::string> words;
+  for (const TableFormat format : {TableFormat::text,
+                                   TableFormat::markdown,
+                                   TableFormat::csv,
+                                   TableFormat::json,
+                                   TableFormat::jsonl,
+                                   TableFormat::latex}) {
+    words.emplace_back(to_string(format));
+  }
+  return words;
+}
+
+}  // namespace
 
 TableFormat OutputFormat::table_format() const {
   if (const auto known = table_format_from(format)) {
     return *known;
   }
   throw UsageError("--format: found '" + format + "', expected text, md, csv, json, jsonl or tex" +
-                   did_you_mean(format, {"text", "md", "csv", "json", "jsonl", "tex"}));
+                   did_you_mean(format, format_words()));
 }
 
 std::string shown(const Table& table, const OutputFormat& output, const Progress& progress) {
@@ -27,8 +43,9 @@ void add_output_path(OptionTable& table, OutputPath& output) {
 }
 
 void add_format(OptionTable& table, OutputFormat& output) {
-  table.add(
-      "format", output.format, "WORD", "of what is printed: text, md, csv, json, jsonl or tex");
+  table
+      .add("format", output.format, "WORD", "of what is printed: text, md, csv, json, jsonl or tex")
+      .one_of(format_words());
   table.add_process("wide", output.wide, "", "whole tables, wider than the terminal if need be");
 }
 

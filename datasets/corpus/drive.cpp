@@ -1,18 +1,16 @@
 #include "datasets/corpus/drive.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <tcert/elementary.hpp>
 
+#include "datasets/corpus/path_pursuit.hpp"
 #include "datasets/corpus/tentacles.hpp"
 
 namespace tcert {
 namespace {
 
-constexpr double kLookahead = 0.30;
-constexpr double kMostCurvature = 1.0 / 0.42;
 constexpr double kSpeedLag = 0.25;        // s
 constexpr double kSpeedWanderSd = 0.05;   // of the logarithm
 constexpr double kSpeedWanderTime = 2.0;  // s
@@ -42,47 +40,6 @@ class Wander {
   double keep_;
   double add_;
   double value_ = 0.0;
-};
-
-/// Curvature that leads from `pose` to a point, on a circle that starts along the heading.
-double pursuit_curvature(const Pose& pose, Point target) noexcept {
-  const Point d = target - pose.position;
-  const double squared = std::max(dot(d, d), 1e-4);
-  const double lateral = cross(direction(pose.yaw_rad), d);
-  return std::clamp(2.0 * lateral / squared, -kMostCurvature, kMostCurvature);
-}
-
-/// How far a leg has been followed.
-class Progress {
- public:
-  void restart() noexcept { nearest_ = 0; }
-
-  /// The point a lookahead beyond the nearest, searched forward only: paths cross themselves.
-  Point target(const std::vector<Point>& path, Point p) noexcept {
-    const std::size_t end = std::min(nearest_ + kWindow, path.size());
-    for (std::size_t i = nearest_; i < end; ++i) {
-      if (distance(path[i], p) <= distance(path[nearest_], p)) {
-        nearest_ = i;
-      }
-    }
-    std::size_t ahead = nearest_;
-    while (ahead + 1 < path.size() && distance(path[ahead], p) < kLookahead) {
-      ++ahead;
-    }
-    if (distance(path[ahead], p) < kLookahead && path.size() > 1) {
-      const Point u = path.back() - path[path.size() - 2];
-      return path.back() + (kLookahead / norm(u)) * u;
-    }
-    return path[ahead];
-  }
-
-  [[nodiscard]] bool finished(const std::vector<Point>& path) const noexcept {
-    return nearest_ + 2 >= path.size();
-  }
-
- private:
-  static constexpr std::size_t kWindow = 30;
-  std::size_t nearest_ = 0;
 };
 
 class Driver {
@@ -155,7 +112,7 @@ class Driver {
       facing.yaw_rad += std::numbers::pi;
     }
     const auto& path = backing_ ? back_path_ : plan_.legs[leg_].path;
-    Progress& progress = backing_ ? back_progress_ : progress_;
+    PathProgress& progress = backing_ ? back_progress_ : progress_;
     return pursuit_curvature(facing, progress.target(path, pose_.position));
   }
 
@@ -280,10 +237,10 @@ class Driver {
   Wander heading_wander_{kHeadingTime};
 
   std::size_t leg_ = 0;
-  Progress progress_;
+  PathProgress progress_;
   bool backing_ = false;
   std::vector<Point> back_path_;
-  Progress back_progress_;
+  PathProgress back_progress_;
   double backing_until_ = 0.0;
 
   bool touching_ = false;

@@ -1,11 +1,12 @@
 #include <table/check_csv.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <table/bytes.hpp>
 #include <table/cell_reading.hpp>
+#include <table/clock_watch.hpp>
+#include <table/column_roles.hpp>
+#include <table/control_bytes.hpp>
 #include <table/csv_write.hpp>
 #include <table/mixture_check.hpp>
 #include <table/unlike_times.hpp>
@@ -15,58 +16,11 @@ namespace tcert::table {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kClockNames = {
-    "time", "time_s", "t", "t_s", "timestamp", "stamp"};
-
-/// Columns that only a table of trials has: its times do not follow one another.
-constexpr std::array<std::string_view, 8> kTrialNames = {
-    "success", "status", "event", "outcome", "trial_id", "collided", "timeout", "end_reason"};
-
-/// Parts of the names of a sensor's columns.
-constexpr std::array<std::string_view, 7> kStreamParts = {
-    "x_m", "y_m", "yaw", "bend", "force", "fsr", "range"};
-
-/// Parts of the names of a table's columns of times, beside those of a clock.
-constexpr std::array<std::string_view, 4> kTimeParts = {"time", "stamp", "duration", "elapsed"};
-
-/// Times whose range is a smaller share of them are stamps: a day of seconds since 1970.
-
-/// In a file of unknown columns: the share of steps that may go back before its times are no clock.
-constexpr double kMostStepsBack = 0.1;
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return lower;
-}
-
-std::string number_text(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
-}
-
-bool is_clock_name(const std::string& lower) {
-  return std::ranges::find(kClockNames, lower) != kClockNames.end();
-}
-
-bool is_time_name(const std::string& lower) {
-  return is_clock_name(lower) || std::ranges::any_of(kTimeParts, [&](std::string_view part) {
-           return lower.find(part) != std::string::npos;
-         });
-}
-
-double share_of_sorted(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
-
 /// Goes through the rows once.
 class CsvChecker {
  public:
   CsvChecker(std::string file, const CsvHeader& header, double max_gap_s)
-      : file_(std::move(file)), dialect_(header.dialect), max_gap_s_(max_gap_s) {
+      : file_(std::move(file)), dialect_(header.dialect), roles_(column_roles(header.names)) {
     check_.dialect = header.dialect;
     check_.preamble_records = header.preamble_records;
     check_.header_line = header.line;
@@ -74,21 +28,12 @@ class CsvChecker {
       check_.columns.push_back({name, 0, 0, 0, 0, {}, {}});
     }
     mixtures_.resize(header.names.size());
-    const auto is_clock = [](const ColumnCheck& column) {
-      return is_clock_name(lower_case(column.name));
-    };
-    for (std::size_t i = 0; i < check_.columns.size(); ++i) {
-      const std::string name = lower_case(check_.columns[i].name);
-      if (is_time_name(name)) {
-        times_.push_back({i, {}, {}});
-      }
-      of_trials_ = of_trials_ || std::ranges::find(kTrialNames, name) != kTrialNames.end();
-      of_stream_ = of_stream_ || std::ranges::any_of(kStreamParts, [&](std::string_view part) {
-                     return name.find(part) != std::string::npos;
-                   });
+    for (const std::size_t column : roles_.times) {
+      times_.push_back({column, {}, {}});
     }
-    const auto clock = std::ranges::find_if(check_.columns, is_clock);
-    clock_ = static_cast<std::size_t>(clock - check_.columns.begin());
+    if (roles_.clock < header.names.size()) {
+      clock_.emplace(file_, header.names[roles_.clock], max_gap_s);
+    }
   }
 
   void take(const std::vector<std::string>& fields, std::size_t line, DiagnosticGroups& problems) {
@@ -133,11 +78,8 @@ class CsvChecker {
                       1});
       }
     }
-    if (clock_ < check_.columns.size() && is_stream()) {
-      finish_clock();
-      for (Diagnostic& problem : clock_problems_.take()) {
-        problems.add(std::move(problem));
-      }
+    if (clock_ && is_stream()) {
+      check_.clock = clock_->finish(problems);
     } else {
       for (const TimesOfColumn& times : times_) {
         check_times_of_trials(times, problems);
@@ -203,8 +145,8 @@ class CsvChecker {
       column.largest = column.largest ? std::max(*column.largest, value) : value;
       if (std::isinf(value)) {
         warn(shortened(cell), "a finite number");
-      } else if (i == clock_) {
-        take_time(column.name, value, line);
+      } else if (i == roles_.clock) {
+        clock_->take(value, line);
       }
     } else if (reading.meaning == CellMeaning::missing) {
       ++column.missing;
@@ -212,107 +154,19 @@ class CsvChecker {
     }
   }
 
-  /// Its problems count if the file turns out to be a stream.
-  void take_time(const std::string& name, double time_s, std::size_t line) {
-    if (last_time_s_) {
-      const double step_s = time_s - *last_time_s_;
-      ++steps_;
-      steps_back_ += step_s < 0.0 ? 1U : 0U;
-      if (!(step_s > 0.0)) {
-        clock_problems_.add({Severity::error,
-                             file_,
-                             line,
-                             name,
-                             number_text(time_s) + " after " + number_text(*last_time_s_),
-                             "times that increase",
-                             1});
-      } else {
-        steps_s_.push_back(step_s);
-      }
-      if (step_s > max_gap_s_) {
-        clock_problems_.add({Severity::warning,
-                             file_,
-                             line,
-                             name,
-                             "a gap of " + number_text(step_s) + " s",
-                             "steps of at most " + number_text(max_gap_s_) + " s",
-                             1});
-      }
-    } else {
-      first_time_s_ = time_s;
-    }
-    last_time_s_ = time_s;
-  }
-
   [[nodiscard]] bool is_stream() const {
-    if (of_trials_ || of_stream_) {
-      return of_stream_;
-    }
-    return static_cast<double>(steps_back_) <= kMostStepsBack * static_cast<double>(steps_);
-  }
-
-  void finish_clock() {
-    if (steps_s_.empty()) {
-      return;
-    }
-    std::ranges::sort(steps_s_);
-    check_.clock = ClockCheck{check_.columns[clock_].name,
-                              first_time_s_,
-                              *last_time_s_,
-                              1.0 / share_of_sorted(steps_s_, 0.95),
-                              1.0 / share_of_sorted(steps_s_, 0.50),
-                              1.0 / share_of_sorted(steps_s_, 0.05),
-                              steps_s_.back()};
+    return roles_.of_trials || roles_.of_stream ? roles_.of_stream : clock_->goes_forward();
   }
 
   std::string file_;
   CsvDialect dialect_;
-  double max_gap_s_;
+  ColumnRoles roles_;
   CsvCheck check_;
   std::vector<MixtureCheck> mixtures_;  ///< Of each column.
-  std::size_t clock_ = 0;
+  std::optional<ClockWatch> clock_;
   std::vector<std::string> last_;
-  double first_time_s_ = 0.0;
-  std::optional<double> last_time_s_;
-  std::vector<double> steps_s_;
-  std::size_t steps_ = 0;
-  std::size_t steps_back_ = 0;
-  bool of_trials_ = false;
-  bool of_stream_ = false;
-  DiagnosticGroups clock_problems_;
   std::vector<TimesOfColumn> times_;
 };
-
-/// Bytes that no text has: a file that was cut off or overwritten.
-void find_control_bytes(std::string_view text,
-                        const std::string& file,
-                        DiagnosticGroups& problems) {
-  std::size_t line = 1;
-  std::size_t first_line = 0;
-  std::size_t count = 0;
-  unsigned first = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    line += c == '\n' ? 1U : 0U;
-    if ((byte < 0x20U && c != '\n' && c != '\r' && c != '\t') || byte == 0x7FU) {
-      first_line = count == 0 ? line : first_line;
-      first = count == 0 ? byte : first;
-      ++count;
-    }
-  }
-  if (count > 0) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    const std::string code{kDigits[first / 16U], kDigits[first % 16U]};
-    problems.add({Severity::error,
-                  file,
-                  first_line,
-                  "",
-                  count == 1 ? "a control byte 0x" + code
-                             : std::to_string(count) + " control bytes, the first 0x" + code,
-                  "text alone",
-                  1});
-  }
-}
 
 }  // namespace
 

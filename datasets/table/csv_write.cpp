@@ -26,6 +26,12 @@ void append_number(std::string& out, double value) {
   out.append(digits.data(), end);
 }
 
+std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
 void append_cell(std::string& out, double value) {
   out += ',';
   append_number(out, value);

@@ -10,6 +10,7 @@ namespace tcert::table {
 
 /// Shortest decimal that reads back as `value`; nothing for NaN, which is an empty cell.
 void append_number(std::string& out, double value);
+[[nodiscard]] std::string number_text(double value);
 
 /// A comma, and the number.
 void append_cell(std::string& out, double value);

@@ -180,46 +180,6 @@ class Levels {
   std::uint32_t last_code_ = Factor::kMissing;
 };
 
-MixedCells mixed_cells(const Factor& text, char decimal_point) {
-  std::vector<std::size_t> cells(text.levels.size(), 0);
-  for (const std::uint32_t code : text.codes) {
-    if (code != Factor::kMissing) {
-      ++cells[code];
-    }
-  }
-  MixedCells mixed;
-  std::vector<CellMeaning> meaning;
-  for (std::size_t level = 0; level < text.levels.size(); ++level) {
-    meaning.push_back(read_cell(text.levels[level], decimal_point).meaning);
-    switch (meaning.back()) {
-      case CellMeaning::number:
-        mixed.numbers += cells[level];
-        ++mixed.distinct_numbers;
-        break;
-      case CellMeaning::truth:
-        mixed.truths += cells[level];
-        break;
-      case CellMeaning::missing_word:
-        mixed.missing_words += cells[level];
-        break;
-      case CellMeaning::missing:
-      case CellMeaning::text:
-        mixed.texts += cells[level];
-        ++mixed.distinct_texts;
-        break;
-    }
-  }
-  const auto is_stray = [&](std::uint32_t code) {
-    return code != Factor::kMissing && meaning[code] != CellMeaning::number &&
-           (mixed.numbers > 0 || meaning[code] != CellMeaning::truth);
-  };
-  const auto first = std::find_if(text.codes.begin(), text.codes.end(), is_stray);
-  mixed.distinct_numbers = std::min(mixed.distinct_numbers, MixedCells::kMostDistinct);
-  mixed.distinct_texts = std::min(mixed.distinct_texts, MixedCells::kMostDistinct);
-  mixed.first_row = static_cast<std::size_t>(first - text.codes.begin());
-  return mixed;
-}
-
 void read_texts(const CsvHeader& header, Reading& reading) {
   auto& columns = reading.table.columns;
   std::vector<Levels> levels(columns.size());
@@ -240,7 +200,7 @@ void read_texts(const CsvHeader& header, Reading& reading) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     levels[k].finish(columns[k].text);
     if (columns[k].is_text) {
-      columns[k].mixed = mixed_cells(columns[k].text, header.dialect.decimal_point);
+      columns[k].mixed = count_mixed_cells(columns[k].text, header.dialect.decimal_point);
     }
   }
 }

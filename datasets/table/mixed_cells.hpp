@@ -3,6 +3,7 @@
 /// Whether a column that holds numbers and texts is one of numbers, spoiled, or one of names.
 
 #include <cstddef>
+#include <table/factor.hpp>
 
 namespace tcert::table {
 
@@ -32,5 +33,8 @@ struct MixedCells {
   /// or there are ten and more of them.
   [[nodiscard]] bool is_spoiled() const noexcept;
 };
+
+/// Of a column of text. O(rows + levels).
+[[nodiscard]] MixedCells count_mixed_cells(const Factor& text, char decimal_point);
 
 }  // namespace tcert::table

@@ -60,6 +60,10 @@ CellSet component_of(const Grid& grid, const CellSet& set, Cell seed) {
   return part;
 }
 
+bool are_joined(const Grid& grid, const CellSet& set, Cell a, Cell b) {
+  return set[grid.index(b)] != 0 && component_of(grid, set, a)[grid.index(b)] != 0;
+}
+
 CellSet fill_holes(const Grid& grid, const CellSet& set) {
   CellSet filled(grid.size(), 1);
   std::vector<std::size_t> open;

@@ -3,35 +3,13 @@
 /// The diffeomorphism of a part of the ground: its uncertified surroundings and pockets become
 /// discs and points that a controller can be kept away from.
 
-#include <optional>
-#include <terrain/outline.hpp>
+#include <cstddef>
 #include <terrain/power_cell.hpp>
+#include <terrain/pseudo_obstacles.hpp>
 #include <terrain/triangle_map.hpp>
 #include <vector>
 
 namespace tcert::terrain {
-
-/// What is not ground within the box round one part of it.
-struct PseudoObstacle {
-  std::vector<Position> polygon;  ///< Simple, counter-clockwise.
-  bool on_border = false;         ///< It has an edge on the box.
-};
-
-struct Box {
-  Position low{0.0, 0.0};
-  Position high{0.0, 0.0};
-};
-
-[[nodiscard]] Box box_round(const std::vector<Cell>& ring);
-
-/// The box round the outline without the outline, in pieces, then its holes.
-[[nodiscard]] std::vector<PseudoObstacle> pseudo_obstacles(const Outline& outline);
-
-/// A convex collar round a convex counter-clockwise core: edges moved out by `width`, corners cut
-/// at that distance; edges listed in `fixed` stay.
-[[nodiscard]] std::vector<Position> collar_round(const std::vector<Position>& core,
-                                                 double width,
-                                                 const std::vector<std::size_t>& fixed);
 
 class ObstacleMap {
  public:

@@ -85,6 +85,8 @@ class Planner {
  private:
   void plan_thesis(std::optional<Cell> goal, std::optional<Cell> robot);
   void plan_published(std::optional<Cell> goal, std::optional<Cell> robot);
+  /// All of it without a robot.
+  [[nodiscard]] CellSet reachable_ground(std::optional<Cell> robot) const;
   /// Takes from the expanders what is blocked, or behind what is blocked.
   void leave_out_blocked(std::optional<Cell> robot);
   void plan_certified(std::optional<Cell> goal, std::optional<Cell> robot);

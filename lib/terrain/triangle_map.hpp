@@ -3,6 +3,7 @@
 /// Maps one triangle of an obstacle onto its parent, a disc, or the border: the smooth step of
 /// which the diffeomorphism is made (Vasilopoulos et al., 2020/2021).
 
+#include <array>
 #include <optional>
 #include <terrain/implicit.hpp>
 #include <vector>
@@ -62,7 +63,7 @@ class TriangleMap {
   Position centre_{0.0, 0.0};
   double radius_ = 0.0;
   bool disc_ = true;
-  Eigen::Vector2d centre_normals_[2];  // of v0 -> centre and centre -> v1
+  std::array<Eigen::Vector2d, 2> centre_normals_;  // of v0 -> centre and centre -> v1
   Position low_{0.0, 0.0};
   Position high_{0.0, 0.0};
   MapParameters parameters_;

@@ -18,7 +18,7 @@ using Triangle = std::array<std::size_t, 3>;
 
 /// A triangle of the tree: its parent comes later, the root last.
 struct TreeTriangle {
-  Triangle corners;        ///< v0-v1 is the edge shared with the parent; counter-clockwise.
+  Triangle corners{};      ///< v0-v1 is the edge shared with the parent; counter-clockwise.
   std::size_t parent = 0;  ///< Index of the parent; of the root its own.
   std::size_t depth = 0;
 };

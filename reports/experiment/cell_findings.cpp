@@ -52,7 +52,7 @@ std::string some(const std::vector<std::string>& parts) {
 }
 
 /// "AUC in 2 of 7 cells: a (-0.112 [...]), b (...)": where the interval of the change is without 0,
-/// the largest change first. Empty if no change is known.
+/// the largest change first. Empty if no change has an interval.
 std::string changes(const Named& cells,
                     std::string_view panel,
                     const char* symbol,
@@ -61,7 +61,8 @@ std::string changes(const Named& cells,
   std::size_t compared = 0;
   for (const Row& row : cells.table().rows) {
     const auto* const change = cells.get<Estimate>(row, column);
-    if (cells.text(row, "panel") != panel || change == nullptr || !std::isfinite(change->value)) {
+    if (cells.text(row, "panel") != panel || change == nullptr || !std::isfinite(change->low) ||
+        !std::isfinite(change->high)) {
       continue;
     }
     ++compared;

@@ -150,7 +150,9 @@ Results read_results(const fs::path& folder) {
   }
   if (results.all.empty()) {
     throw MissingResult("'" + folder.string() +
-                        "' holds no results: neither it nor a folder in it has a manifest.json");
+                        "' holds no results: neither it nor a folder in it has a manifest.json, as "
+                        "'tcert certify' and the other commands write it with --output DIR, and "
+                        "'tcert reproduce --output DIR' all of them");
   }
   return results;
 }

@@ -177,8 +177,16 @@ TEST_F(Attacks, AManifestRunsNothingButWhatMakesResults) {
 
 /// The other side of it: no option that shapes a result was forgotten.
 TEST_F(Attacks, AManifestMayHaveEveryOptionThatShapesAResult) {
-  const std::set<std::string> others = {
-      "help", "output", "quiet", "threads", "config", "cache", "no-cache", "picture", "figures"};
+  const std::set<std::string> others = {"help",
+                                        "output",
+                                        "quiet",
+                                        "threads",
+                                        "config",
+                                        "cache",
+                                        "no-cache",
+                                        "picture",
+                                        "figures",
+                                        "wide"};
   ordered_json manifest =
       ordered_json::parse(shell->work().read("run/tree/certificates/manifest.json"));
   ASSERT_EQ(shell->run("rm -rf run/signed && mkdir -p run/signed/one").exit_code, 0);

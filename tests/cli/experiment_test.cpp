@@ -138,5 +138,42 @@ TEST_F(Experiment, AnImpossibleCellIsRefusedAndTheRestRuns) {
   EXPECT_NE(run.out.find("\ngood,"), std::string::npos) << run.out;
 }
 
+TEST_F(Experiment, AGridIsCheckedWholeBeforeAnythingRuns) {
+  const auto refused = [&](const std::vector<std::string>& grid, const std::string& words) {
+    const ProcessResult run = work.run(
+        joined({"sweep", "corpus", "--no-cache", "--output", "swept"}, joined({"--grid"}, grid)));
+    EXPECT_EQ(run.exit_code, 2) << to_string(run);
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+    EXPECT_TRUE(work.files("swept").empty());
+  };
+  // The last value of the last axis, after values that are good.
+  refused({"early_quantile=0,0.1", "--grid", "beta_per_m=5,10,0"}, "--grid: beta_per_m=0: ");
+  refused({"curvature=path,paht"}, "--grid: curvature=paht: ");
+  refused({"erly_quantile=0"}, "did you mean 'early_quantile'?");
+  // In its own bounds, but not with those of the other sizes.
+  refused({"min_speed_mps=0.05,1000"}, "--grid: min_speed_mps=1000: ");
+  std::string many = "=0";
+  for (int i = 1; i < 101; ++i) {
+    many += "," + std::to_string(i);
+  }
+  refused({"early_time_s" + many, "--grid", "beta_per_m" + many}, "more than 10000 combinations");
+}
+
+TEST_F(Experiment, OfAGridCombinationsAreRefusedWhoseValuesAreFineApart) {
+  const ProcessResult run = work.run({"sweep",
+                                      "corpus",
+                                      "--no-cache",
+                                      "--replicates",
+                                      "20",
+                                      "--grid",
+                                      "min_speed_mps=0.05,0.2",
+                                      "--grid",
+                                      "max_speed_mps=0.1,0.3"});
+  EXPECT_EQ(run.exit_code, 3) << to_string(run);
+  EXPECT_NE(run.err.find("cell 'min_speed_mps=0.2 max_speed_mps=0.1' is refused"),
+            std::string::npos)
+      << run.err;
+}
+
 }  // namespace
 }  // namespace tcert

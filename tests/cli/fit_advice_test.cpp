@@ -29,11 +29,11 @@ class FitAdvice : public ::testing::Test {
 
   static void expect_said(const ProcessResult& run, int exit_code, const std::string& text) {
     EXPECT_EQ(run.exit_code, exit_code) << to_string(run);
-    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_NE((run.out + run.err).find(text), std::string::npos) << to_string(run);
   }
 
   static void expect_unsaid(const ProcessResult& run, const std::string& text) {
-    EXPECT_EQ(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_EQ((run.out + run.err).find(text), std::string::npos) << to_string(run);
   }
 
   Workdir work_{TCERT_BINARY};

@@ -99,8 +99,8 @@ TEST_F(FitTimes, RoundingIsSaidAndCanBeTurnedOff) {
   EXPECT_EQ(rows({}), 2);
   EXPECT_EQ(rows({"--no-time-rounding"}), 3);
   // What R would make equal is said then too.
-  EXPECT_EQ(fit("km", "Surv(t, ev) ~ 1").err.find("R's timefix"), std::string::npos);
-  EXPECT_NE(fit("km", "Surv(t, ev) ~ 1", {"--no-time-rounding"}).err.find("R's timefix"),
+  EXPECT_EQ(fit("km", "Surv(t, ev) ~ 1").out.find("R's timefix"), std::string::npos);
+  EXPECT_NE(fit("km", "Surv(t, ev) ~ 1", {"--no-time-rounding"}).out.find("R's timefix"),
             std::string::npos);
 }
 
@@ -129,7 +129,7 @@ TEST_F(FitTimes, AHypothesisSaysNearTimesThatItKeepsApart) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     const ProcessResult run = work_.run(arguments);
     EXPECT_EQ(run.exit_code, 0) << to_string(run);
-    return run.err;
+    return run.out;
   };
   EXPECT_EQ(said({}).find("R's timefix"), std::string::npos);
   EXPECT_NE(said({"--no-time-rounding"}).find("R's timefix"), std::string::npos);

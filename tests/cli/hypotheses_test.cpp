@@ -156,7 +156,8 @@ TEST_F(HypothesesCommand, FewClustersHaveNoIntervalAndNoP) {
   const ProcessResult found = run({"h1", "--format", "json"});
   EXPECT_EQ(found.exit_code, 0) << to_string(found);
   EXPECT_NE(
-      found.err.find("p-values and intervals are withheld: 9 clusters of 'day', fewer than 10"),
+      found.err.find(
+          "p-values and intervals are withheld: table panel: 9 clusters of 'day', fewer than 10"),
       std::string::npos)
       << found.err;
   const json h1 = json::parse(found.out);

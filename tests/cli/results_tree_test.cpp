@@ -164,6 +164,28 @@ TEST_F(ResultsTree, StandsWithEveryKindOfResultInIt) {
   EXPECT_NE(edited.err.find("h3.md: 'h3.md' was changed"), std::string::npos) << edited.err;
 }
 
+TEST_F(ResultsTree, APageOfNothingIsAnErrorThatSaysWhatIsMissing) {
+  work->write("bare/notes.txt", "mine");
+  const ProcessResult bare = work->run({"report", "bare", "--output", "bare.html"});
+  EXPECT_EQ(bare.exit_code, 66) << to_string(bare);
+  EXPECT_NE(bare.err.find("has a manifest.json, as 'tcert certify'"), std::string::npos)
+      << bare.err;
+  const ProcessResult logs = work->run({"report", "made/corpus", "--output", "bare.html"});
+  EXPECT_EQ(logs.exit_code, 66) << to_string(logs);
+  EXPECT_NE(
+      logs.err.find("holds no table, only what 'tcert simulate' wrote; 'tcert certify BUNDLE"),
+      std::string::npos)
+      << logs.err;
+  EXPECT_FALSE(fs::exists(work->path() / "bare.html"));
+}
+
+TEST_F(ResultsTree, InputsThatAreNotThereAreAnError) {
+  const ProcessResult run = work->run({"verify", "made", "--inputs", "made", "--inputs", "store?"});
+  EXPECT_EQ(run.exit_code, 66) << to_string(run);
+  EXPECT_NE(run.err.find("--inputs: there is no 'store?'"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out, "");
+}
+
 TEST_F(ResultsTree, ReproducedLosesWhatIsNotMadeAgain) {
   const std::vector<std::string> again = {
       "reproduce", "made/corpus", "--output", "rep", "--no-series", "--quiet"};

@@ -123,6 +123,25 @@ TEST(StudyCommand, NothingIsFoundWhereThereIsNothing) {
   }
 }
 
+TEST(StudyCommand, SaysThatAPathWithoutASlashIsOneFile) {
+  Workdir work(TCERT_BINARY);
+  const std::vector<std::string> asked{"study", "soundness", "--worlds", "2", "--u-turns", "1"};
+  std::vector<std::string> file = asked;
+  file.insert(file.end(), {"--output", "x"});
+  const ProcessResult run = work.run(file);
+  ASSERT_EQ(run.exit_code, 0) << to_string(run);
+  EXPECT_FALSE(work.read("x").empty());
+  EXPECT_FALSE(work.read("x.manifest.json").empty());
+  EXPECT_NE(run.err.find("'x' is one file, in the format text; 'x/' would be a folder"),
+            std::string::npos)
+      << run.err;
+  std::vector<std::string> folder = asked;
+  folder.insert(folder.end(), {"--output", "y/"});
+  EXPECT_EQ(work.run(folder).err.find("one file"), std::string::npos);
+  EXPECT_NE(work.run({"help", "study"}).out.find("is one file of what would be printed"),
+            std::string::npos);
+}
+
 TEST(StudyCommand, IsTheSameForAnyThreadsAndIsMadeAgain) {
   Workdir work(TCERT_BINARY);
   const std::vector<std::string> asked{"study", "soundness", "--worlds", "40", "--u-turns", "9"};

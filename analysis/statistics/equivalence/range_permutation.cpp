@@ -58,6 +58,9 @@ RangeUnderEquality range_under_equality(std::span<const std::uint32_t> labels,
       shuffled.assign(labels.begin(), labels.end());
       shuffle_within(clusters, table::RandomStream(options.seed, options.analysis, r), shuffled);
       ranges[r] = kernel(shuffled);
+      if (options.advance) {
+        options.advance();
+      }
     }
   });
   RangeUnderEquality result;

@@ -20,6 +20,8 @@ struct PermutationOptions {
   std::size_t permutations = 2000;
   std::uint64_t seed = 1;
   std::uint32_t analysis = 0;  ///< Which stream of the seed.
+  /// Called after each permutation, as BootstrapOptions::advance is after each replicate.
+  std::function<void()> advance{};
 };
 
 struct RangeUnderEquality {

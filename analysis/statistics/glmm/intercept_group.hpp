@@ -62,7 +62,4 @@ struct InterceptScratch {
                                        double* curvature,
                                        InterceptSum& sum);
 
-/// -f''(u) at `u`. O(rows).
-[[nodiscard]] double intercept_curvature(const InterceptGroup& group, double theta, double u);
-
 }  // namespace tcert::statistics

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <statistics/glmm/intercept_mode.hpp>
 
 namespace tcert::statistics {
 namespace {

@@ -1,110 +1,28 @@
 #include <statistics/glmm/sparse_likelihood.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <statistics/glmm/selected_inverse.hpp>
 
 namespace tcert::statistics {
 namespace {
 
 constexpr double kLargestEta = 600.0;
 
-/// Place of the pair (a, b), a <= b, among the pairs of `size` things.
-std::size_t pair_index(Eigen::Index a, Eigen::Index b) {
-  return static_cast<std::size_t>(b * (b + 1) / 2 + a);
-}
-
 }  // namespace
 
 SparseLikelihood::SparseLikelihood(const Eigen::MatrixXd& basis,
                                    const BinomialRows& rows,
                                    const std::vector<TermRows>& terms)
-    : basis_(basis), rows_(rows), terms_(terms) {
+    : basis_(basis), rows_(rows), terms_(terms), curvature_(terms, basis.rows()) {
   for (const TermRows& term : terms_) {
     thetas_ += term.thetas();
-    per_row_ += term.scale.size();
-    effects_ += term.scale.size() * static_cast<Eigen::Index>(term.levels.size());
   }
-  lay_out();
-  a_.resize(basis_.rows(), per_row_);
+  a_.resize(basis_.rows(), curvature_.per_row());
   eta_.resize(basis_.rows());
   residual_.resize(basis_.rows());
   weight_.resize(basis_.rows());
-  u_.setZero(effects_);
-}
-
-void SparseLikelihood::lay_out() {
-  const Eigen::Index n = basis_.rows();
-  of_.resize(static_cast<std::size_t>(n * per_row_));
-  Eigen::Index first = 0;
-  Eigen::Index place = 0;
-  for (const TermRows& term : terms_) {
-    const Eigen::Index q = term.scale.size();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      for (Eigen::Index j = 0; j < q; ++j) {
-        of_[static_cast<std::size_t>(i * per_row_ + place + j)] =
-            first + static_cast<Eigen::Index>(term.codes[static_cast<std::size_t>(i)]) * q + j;
-      }
-    }
-    first += q * static_cast<Eigen::Index>(term.levels.size());
-    place += q;
-  }
-  // Terms follow each other in u, so that a row's places ascend: (b, a) is below the diagonal.
-  std::vector<Eigen::Triplet<double>> elements;
-  for (Eigen::Index k = 0; k < effects_; ++k) {
-    elements.emplace_back(static_cast<int>(k), static_cast<int>(k), 1.0);
-  }
-  const std::size_t pairs = pair_index(0, per_row_);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index* const at = of_.data() + i * per_row_;
-    for (Eigen::Index b = 0; b < per_row_; ++b) {
-      for (Eigen::Index a = 0; a < b; ++a) {
-        elements.emplace_back(static_cast<int>(at[b]), static_cast<int>(at[a]), 0.0);
-      }
-    }
-  }
-  h_.resize(effects_, effects_);
-  h_.setFromTriplets(elements.begin(), elements.end());
-  const auto place_of = [this](Eigen::Index row, Eigen::Index column) {
-    const int* const begin = h_.innerIndexPtr() + h_.outerIndexPtr()[column];
-    const int* const end = h_.innerIndexPtr() + h_.outerIndexPtr()[column + 1];
-    return static_cast<std::size_t>(std::lower_bound(begin, end, static_cast<int>(row)) -
-                                    h_.innerIndexPtr());
-  };
-  for (Eigen::Index k = 0; k < effects_; ++k) {
-    diagonal_.push_back(place_of(k, k));
-  }
-  pair_.resize(static_cast<std::size_t>(n) * pairs);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index* const at = of_.data() + i * per_row_;
-    for (Eigen::Index b = 0; b < per_row_; ++b) {
-      for (Eigen::Index a = 0; a <= b; ++a) {
-        pair_[static_cast<std::size_t>(i) * pairs + pair_index(a, b)] =
-            static_cast<std::int32_t>(place_of(at[b], at[a]));
-      }
-    }
-  }
-  cholesky_.analyzePattern(h_);
-}
-
-void SparseLikelihood::find_inverse_places() {
-  const Matrix& factor = cholesky_.matrixL().nestedExpression();
-  const auto& order = cholesky_.permutationP().indices();
-  inverse_from_.resize(static_cast<std::size_t>(h_.nonZeros()));
-  for (int column = 0; column < h_.outerSize(); ++column) {
-    for (Matrix::InnerIterator it(h_, column); it; ++it) {
-      const int a = order.size() > 0 ? order[static_cast<Eigen::Index>(it.row())]
-                                     : static_cast<int>(it.row());
-      const int b = order.size() > 0 ? order[column] : column;
-      const int* const begin = factor.innerIndexPtr() + factor.outerIndexPtr()[std::min(a, b)];
-      const int* const end = factor.innerIndexPtr() + factor.outerIndexPtr()[std::min(a, b) + 1];
-      inverse_from_[static_cast<std::size_t>(&it.value() - h_.valuePtr())] =
-          static_cast<std::size_t>(std::lower_bound(begin, end, std::max(a, b)) -
-                                   factor.innerIndexPtr());
-    }
-  }
+  u_.setZero(curvature_.effects());
 }
 
 void SparseLikelihood::set_factors(const Eigen::VectorXd& parameters) {
@@ -133,8 +51,8 @@ double SparseLikelihood::joint_density() {
   double loss = 0.0;
   for (Eigen::Index i = 0; i < basis_.rows(); ++i) {
     double eta = fixed_[i];
-    const Eigen::Index* const at = of_.data() + i * per_row_;
-    for (Eigen::Index k = 0; k < per_row_; ++k) {
+    const Eigen::Index* const at = curvature_.places(i);
+    for (Eigen::Index k = 0; k < curvature_.per_row(); ++k) {
       eta += a_(i, k) * u_[at[k]];
     }
     if (!(std::abs(eta) <= kLargestEta)) {
@@ -154,31 +72,11 @@ double SparseLikelihood::joint_density() {
   return -loss - 0.5 * u_.squaredNorm();
 }
 
-bool SparseLikelihood::factorise() {
-  double* const value = h_.valuePtr();
-  std::fill_n(value, h_.nonZeros(), 0.0);
-  for (const std::size_t place : diagonal_) {
-    value[place] = 1.0;
-  }
-  const std::int32_t* place = pair_.data();
-  for (Eigen::Index i = 0; i < basis_.rows(); ++i) {
-    const double* const row = a_.data() + i * per_row_;
-    for (Eigen::Index b = 0; b < per_row_; ++b) {
-      const double weighted = weight_[i] * row[b];
-      for (Eigen::Index a = 0; a <= b; ++a) {
-        value[*place++] += weighted * row[a];
-      }
-    }
-  }
-  cholesky_.factorize(h_);
-  return cholesky_.info() == Eigen::Success;
-}
-
 Eigen::VectorXd SparseLikelihood::mode_gradient() const {
   Eigen::VectorXd gradient = -u_;
   for (Eigen::Index i = 0; i < basis_.rows(); ++i) {
-    const Eigen::Index* const at = of_.data() + i * per_row_;
-    for (Eigen::Index k = 0; k < per_row_; ++k) {
+    const Eigen::Index* const at = curvature_.places(i);
+    for (Eigen::Index k = 0; k < curvature_.per_row(); ++k) {
       gradient[at[k]] += a_(i, k) * residual_[i];
     }
   }
@@ -192,11 +90,11 @@ bool SparseLikelihood::find_mode() {
     density = joint_density();
   }
   for (int iteration = 0; iteration < 100 && std::isfinite(density); ++iteration) {
-    if (!factorise()) {
+    if (!curvature_.factorise(a_, weight_)) {
       return false;
     }
     const Eigen::VectorXd gradient = mode_gradient();
-    const Eigen::VectorXd step = cholesky_.solve(gradient);
+    const Eigen::VectorXd step = curvature_.solve(gradient);
     const double length = std::sqrt(std::max(0.0, gradient.dot(step)));
     const Eigen::VectorXd before = u_;
     double scale = 1.0;
@@ -211,40 +109,26 @@ bool SparseLikelihood::find_mode() {
     density = next;
     // What is left after this step is of the order of its square.
     if (length <= 1e-8) {
-      return std::isfinite(density) && factorise();
+      return std::isfinite(density) && curvature_.factorise(a_, weight_);
     }
   }
   return false;
 }
 
-void SparseLikelihood::take_inverse() {
-  if (inverse_from_.empty()) {
-    find_inverse_places();
-  }
-  const std::vector<double> all = selected_inverse(cholesky_.matrixL().nestedExpression());
-  inverse_.resize(inverse_from_.size());
-  for (std::size_t k = 0; k < inverse_.size(); ++k) {
-    inverse_[k] = all[inverse_from_[k]];
-  }
-}
-
 void SparseLikelihood::fill_gradient(LikelihoodPoint& point) {
-  take_inverse();
+  curvature_.invert();
   const Eigen::Index n = basis_.rows();
-  const std::size_t pairs = pair_index(0, per_row_);
-  RowMajorMatrix inverse_a(n, per_row_);  // each row: the inverse of H times a_i, at its places
-  Eigen::VectorXd bend(n);                // how -log|H| / 2 moves with eta of each row
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(effects_);
+  const Eigen::Index per_row = curvature_.per_row();
+  RowMajorMatrix inverse_a(n, per_row);  // each row: the inverse of H times a_i, at its places
+  Eigen::VectorXd bend(n);               // how -log|H| / 2 moves with eta of each row
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(curvature_.effects());
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::int32_t* const place = pair_.data() + static_cast<std::size_t>(i) * pairs;
-    const Eigen::Index* const at = of_.data() + i * per_row_;
+    const Eigen::Index* const at = curvature_.places(i);
     double leverage = 0.0;
-    for (Eigen::Index b = 0; b < per_row_; ++b) {
+    for (Eigen::Index b = 0; b < per_row; ++b) {
       double sum = 0.0;
-      for (Eigen::Index a = 0; a < per_row_; ++a) {
-        sum +=
-            inverse_[static_cast<std::size_t>(place[pair_index(std::min(a, b), std::max(a, b))])] *
-            a_(i, a);
+      for (Eigen::Index a = 0; a < per_row; ++a) {
+        sum += curvature_.inverse(i, a, b) * a_(i, a);
       }
       inverse_a(i, b) = sum;
       leverage += sum * a_(i, b);
@@ -252,16 +136,16 @@ void SparseLikelihood::fill_gradient(LikelihoodPoint& point) {
     const double e = std::exp(-std::abs(eta_[i]));
     const double tilt = (eta_[i] >= 0.0 ? e - 1.0 : 1.0 - e) / (1.0 + e);  // 1 - 2 mu
     bend[i] = -0.5 * weight_[i] * tilt * leverage;
-    for (Eigen::Index k = 0; k < per_row_; ++k) {
+    for (Eigen::Index k = 0; k < per_row; ++k) {
       right[at[k]] += a_(i, k) * bend[i];
     }
   }
-  const Eigen::VectorXd adjoint = cholesky_.solve(right);
+  const Eigen::VectorXd adjoint = curvature_.solve(right);
   Eigen::VectorXd slope(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index* const at = of_.data() + i * per_row_;
+    const Eigen::Index* const at = curvature_.places(i);
     double moved = 0.0;
-    for (Eigen::Index k = 0; k < per_row_; ++k) {
+    for (Eigen::Index k = 0; k < per_row; ++k) {
       moved += a_(i, k) * adjoint[at[k]];
     }
     slope[i] = residual_[i] + bend[i] - weight_[i] * moved;
@@ -276,7 +160,7 @@ void SparseLikelihood::fill_gradient(LikelihoodPoint& point) {
       for (Eigen::Index a = b; a < q; ++a, ++theta) {
         double sum = 0.0;
         for (Eigen::Index i = 0; i < n; ++i) {
-          const Eigen::Index place = of_[static_cast<std::size_t>(i * per_row_ + first + b)];
+          const Eigen::Index place = curvature_.places(i)[first + b];
           sum += term.design(i, a) * (slope[i] * u_[place] + residual_[i] * adjoint[place] -
                                       weight_[i] * inverse_a(i, first + b));
         }
@@ -300,12 +184,7 @@ bool SparseLikelihood::value_and_gradient(const Eigen::VectorXd& parameters,
   }
   // find_mode has left the density's parts at the mode.
   const double density = joint_density();
-  const Matrix& factor = cholesky_.matrixL().nestedExpression();
-  double log_pivots = 0.0;
-  for (int j = 0; j < factor.outerSize(); ++j) {
-    log_pivots += std::log(factor.valuePtr()[factor.outerIndexPtr()[j]]);
-  }
-  point.value = density - log_pivots;
+  point.value = density - curvature_.half_log_determinant();
   if (with_gradient) {
     fill_gradient(point);
   }
@@ -350,7 +229,7 @@ std::vector<TermModes> SparseLikelihood::modes(const Eigen::VectorXd& parameters
   LikelihoodPoint point;
   const bool possible = value_and_gradient(parameters, false, point);
   if (possible) {
-    take_inverse();
+    curvature_.invert();
   }
   Eigen::Index first = 0;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
@@ -365,9 +244,7 @@ std::vector<TermModes> SparseLikelihood::modes(const Eigen::VectorXd& parameters
       Eigen::MatrixXd block(q, q);
       for (Eigen::Index b = 0; b < q; ++b) {
         for (Eigen::Index a = b; a < q; ++a) {
-          // Effects of one level stand together, so that these follow the diagonal in H's column.
-          block(a, b) = inverse_[diagonal_[static_cast<std::size_t>(first + b)] +
-                                 static_cast<std::size_t>(a - b)];
+          block(a, b) = curvature_.inverse_of_level(first + b, a - b);
           block(b, a) = block(a, b);
         }
       }

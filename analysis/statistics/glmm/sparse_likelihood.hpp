@@ -11,12 +11,9 @@
 /// differences of fourth order of the gradient.
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-#include <cstddef>
-#include <cstdint>
 #include <statistics/glmm/glmm_problem.hpp>
 #include <statistics/glmm/mixed_likelihood.hpp>
+#include <statistics/glmm/sparse_curvature.hpp>
 #include <vector>
 
 namespace tcert::statistics {
@@ -37,17 +34,11 @@ class SparseLikelihood final : public MixedLikelihood {
   [[nodiscard]] std::vector<TermModes> modes(const Eigen::VectorXd& parameters) override;
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
-
-  void lay_out();
-  void find_inverse_places();
   void set_factors(const Eigen::VectorXd& parameters);
   /// The joint log-density at u_; fills eta_, residual_, weight_. NaN where it overflows.
   double joint_density();
-  [[nodiscard]] bool factorise();
   [[nodiscard]] Eigen::VectorXd mode_gradient() const;
   [[nodiscard]] bool find_mode();
-  void take_inverse();
   void fill_gradient(LikelihoodPoint& point);
   [[nodiscard]] bool value_and_gradient(const Eigen::VectorXd& parameters,
                                         bool with_gradient,
@@ -58,21 +49,11 @@ class SparseLikelihood final : public MixedLikelihood {
   const BinomialRows& rows_;
   const std::vector<TermRows>& terms_;
   Eigen::Index thetas_ = 0;
-  Eigen::Index effects_ = 0;      ///< Elements of u.
-  Eigen::Index per_row_ = 0;      ///< Elements of a row of A that are not 0.
-  std::vector<Eigen::Index> of_;  ///< rows x per_row: their places in u.
-  /// rows x pairs of them, the first no later in u than the second: places in the values of H.
-  std::vector<std::int32_t> pair_;
-  std::vector<std::size_t> diagonal_;      ///< Places of H's diagonal.
-  std::vector<std::size_t> inverse_from_;  ///< Per element of H: place in the factor's inverse.
-  Matrix h_;                               ///< Lower triangle.
-  Eigen::SimplicialLLT<Matrix> cholesky_;
-
+  SparseCurvature curvature_;
   std::vector<Eigen::MatrixXd> factors_;  ///< Lambda of each term.
   RowMajorMatrix a_;                      ///< rows x per_row.
   Eigen::VectorXd fixed_, eta_, residual_, weight_;
   Eigen::VectorXd u_;
-  std::vector<double> inverse_;  ///< Per element of H.
 };
 
 }  // namespace tcert::statistics

@@ -45,12 +45,10 @@ std::optional<Condition> first_not_binary(const ModelFrame& frame,
                                           const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] != 0.0 && values[i] != 1.0) {
-      std::string found;
-      table::append_number(found, values[i]);
       Condition condition{ConditionKind::not_binary,
                           ConditionSeverity::error,
                           frame.response,
-                          "found " + found + " in " + place_of(frame, i)};
+                          "found " + table::number_text(values[i]) + " in " + place_of(frame, i)};
       if (are_shares(frame.response, values)) {
         condition.advice = "shares of successes are given by their counts: write '" +
                            counts_in_words(frame.response) + "', without --weights";

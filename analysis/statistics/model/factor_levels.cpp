@@ -82,6 +82,12 @@ void put_first(table::Factor& factor, const std::string& level, const std::strin
   }
 }
 
+void name_levels(table::Factor& factor, const std::string& name) {
+  for (std::string& level : factor.levels) {
+    level.insert(0, name + '=');
+  }
+}
+
 table::Factor crossed(const std::vector<table::Factor>& factors, const std::string& separator) {
   if (factors.size() == 1) {
     return factors.front();

@@ -18,6 +18,9 @@ namespace tcert::statistics {
 /// Makes `level` the first one. \throws FormulaError, which names `column`, if there is none such.
 void put_first(table::Factor& factor, const std::string& level, const std::string& column);
 
+/// Puts the factor's own name before its levels: "sex=male".
+void name_levels(table::Factor& factor, const std::string& name);
+
 /// The cross of several factors, the first varying slowest, only levels that occur; a row where one
 /// is missing is missing. Level names are joined by `separator`.
 [[nodiscard]] table::Factor crossed(const std::vector<table::Factor>& factors,

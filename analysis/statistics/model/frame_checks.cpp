@@ -45,9 +45,7 @@ std::string text(double value) {
   if (std::isinf(value)) {
     return value > 0 ? "Inf" : "-Inf";
   }
-  std::string out;
-  table::append_number(out, value);
-  return out;
+  return table::number_text(value);
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <statistics/model/expression.hpp>
+#include <statistics/model/variable.hpp>
 #include <table/cell_reading.hpp>
 #include <table/csv_write.hpp>
 #include <table/diagnostic.hpp>
-#include <table/nearest_name.hpp>
 #include <table/not_a_number.hpp>
 #include <table/outcome_word.hpp>
 
@@ -150,31 +150,24 @@ std::optional<OutcomeCoding> coded_by_words(const table::Factor& text) {
 OutcomeCoding code_outcome(const table::DataTable& table,
                            const std::string& column,
                            const std::vector<std::string>& success) {
-  const table::DataColumn* const data = table.find(column);
-  if (data == nullptr) {
-    const auto nearest = table::nearest_name(column, table.header);
-    throw FormulaError("no column '" + column + "' in " + table.file +
-                       (nearest ? "; did you mean '" + *nearest + "'?" : ""));
-  }
+  const table::DataColumn& data = named_column(table, column);
   if (!success.empty()) {
-    return data->is_text ? texts_by_name(table, *data, success)
-                         : numbers_by_name(table, *data, success);
+    return data.is_text ? texts_by_name(table, data, success)
+                        : numbers_by_name(table, data, success);
   }
   const std::string expectation = "an outcome: " + std::string(table::kOutcomeWords);
-  if (data->is_text) {
-    const std::vector<double> value_of = values_by_words(data->text);
-    require_values(table, *data, value_of, expectation);
-    return coding_of(data->text, value_of);
+  if (data.is_text) {
+    const std::vector<double> value_of = values_by_words(data.text);
+    require_values(table, data, value_of, expectation);
+    return coding_of(data.text, value_of);
   }
   for (std::size_t row = 0; row < table.rows; ++row) {
-    const double x = data->numbers[row];
+    const double x = data.numbers[row];
     if (!std::isnan(x) && x != 0.0 && x != 1.0) {
-      std::string found;
-      table::append_number(found, x);
-      refuse(table, column, row, found, expectation);
+      refuse(table, column, row, table::number_text(x), expectation);
     }
   }
-  return {data->numbers, "", ""};
+  return {data.numbers, "", ""};
 }
 
 }  // namespace tcert::statistics

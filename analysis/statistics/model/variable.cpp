@@ -1,65 +1,18 @@
 #include <statistics/model/variable.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <statistics/model/factor_levels.hpp>
+#include <statistics/model/number_functions.hpp>
 #include <statistics/model/stray_text.hpp>
-#include <string_view>
-#include <table/cell_reading.hpp>
+#include <statistics/model/text_comparison.hpp>
 #include <table/nearest_name.hpp>
 #include <table/not_a_number.hpp>
 #include <utility>
 
 namespace tcert::statistics {
 namespace {
-
-struct Function {
-  std::string_view name;
-  double (*value)(double);
-};
-
-constexpr std::array<Function, 9> kFunctions{{{"log", [](double x) { return std::log(x); }},
-                                              {"log2", [](double x) { return std::log2(x); }},
-                                              {"log10", [](double x) { return std::log10(x); }},
-                                              {"log1p", [](double x) { return std::log1p(x); }},
-                                              {"exp", [](double x) { return std::exp(x); }},
-                                              {"sqrt", [](double x) { return std::sqrt(x); }},
-                                              {"abs", [](double x) { return std::abs(x); }},
-                                              {"I", [](double x) { return x; }},
-                                              {"as.numeric", [](double x) { return x; }}}};
-
-struct Arithmetic {
-  std::string_view sign;
-  double (*value)(double, double);
-  bool is_comparison;
-};
-
-constexpr std::array<Arithmetic, 11> kArithmetic{{
-    {"+", [](double a, double b) { return a + b; }, false},
-    {"-", [](double a, double b) { return a - b; }, false},
-    {"*", [](double a, double b) { return a * b; }, false},
-    {"/", [](double a, double b) { return a / b; }, false},
-    {"^", [](double a, double b) { return b == 2.0 ? a * a : std::pow(a, b); }, false},
-    {"==", [](double a, double b) { return a == b ? 1.0 : 0.0; }, true},
-    {"!=", [](double a, double b) { return a != b ? 1.0 : 0.0; }, true},
-    {"<", [](double a, double b) { return a < b ? 1.0 : 0.0; }, true},
-    {"<=", [](double a, double b) { return a <= b ? 1.0 : 0.0; }, true},
-    {">", [](double a, double b) { return a > b ? 1.0 : 0.0; }, true},
-    {">=", [](double a, double b) { return a >= b ? 1.0 : 0.0; }, true},
-}};
-
-template <class Table>
-auto find_by(const Table& table, std::string_view name) {
-  const auto found = std::find_if(table.begin(), table.end(), [&](const auto& one) {
-    if constexpr (requires { one.sign; }) {
-      return one.sign == name;
-    } else {
-      return one.name == name;
-    }
-  });
-  return found == table.end() ? nullptr : &*found;
-}
 
 class Evaluation {
  public:
@@ -82,30 +35,12 @@ class Evaluation {
   }
 
  private:
-  [[nodiscard]] const table::DataColumn& find(const std::string& name) const {
-    const table::DataColumn* const found = table_.find(name);
-    if (found == nullptr) {
-      const auto nearest = table::nearest_name(name, table_.header);
-      throw FormulaError("no column '" + name + "' in " + table_.file +
-                         (nearest ? "; did you mean '" + *nearest + "'?" : ""));
-    }
-    return *found;
-  }
-
   void apply_reference(const std::string& column, table::Factor& factor) const {
     if (const auto level = references_.find(column); level != references_.end()) {
       const table::DataColumn* const data = table_.find(column);
       const bool is_truth = data != nullptr && data->is_truth;
       put_first(factor, is_truth ? truth_word(level->second) : level->second, column);
     }
-  }
-
-  /// TRUE or FALSE for any spelling of them; other words stay.
-  static std::string truth_word(const std::string& word) {
-    const table::CellReading reading = table::read_cell(word);
-    return reading.meaning != table::CellMeaning::truth ? word
-           : reading.value == 1.0                       ? "TRUE"
-                                                        : "FALSE";
   }
 
   /// TRUE and FALSE, in a comparison also T and F, where no column is called so.
@@ -126,8 +61,8 @@ class Evaluation {
     if (is_truth_constant({Expression::Kind::column, 0.0, name, {}}, false)) {
       return truth_constant(name);
     }
-    const table::DataColumn& data = find(name);
-    if (data.is_truth && references_.count(name) == 0) {
+    const table::DataColumn& data = named_column(table_, name);
+    if (data.is_truth && !references_.contains(name)) {
       return {Variable::Kind::truth, data.numbers, {}};
     }
     if (!data.is_text && !data.is_truth) {
@@ -173,38 +108,45 @@ class Evaluation {
       return stratum(call);
     }
     if (call.arguments.size() == 1) {
-      const Expression& only = call.arguments.front();
-      if (call.name == "(") {
-        return value(only);
-      }
-      if (call.name == "factor" || call.name == "as.factor") {
-        return factor(only);
-      }
-      if (call.name == "scale") {
-        return scaled(call);
-      }
-      if (call.name == "-" || call.name == "+") {
-        std::vector<double> x = numbers(only, call);
-        for (double& one : x) {
-          one = call.name == "-" ? -one : one;
-        }
-        return {Variable::Kind::number, std::move(x), {}};
-      }
-      if (const Function* const function = find_by(kFunctions, call.name)) {
-        return applied(call, *function);
-      }
+      return call_of_one(call, call.arguments.front());
     }
-    if (call.arguments.size() == 2) {
-      if (const Arithmetic* const arithmetic = find_by(kArithmetic, call.name)) {
-        return combined(call, *arithmetic);
-      }
+    if (const auto* const sign = find_number_operator(call.name);
+        sign != nullptr && call.arguments.size() == 2) {
+      return combined(call, *sign);
     }
     if (call.name == ":") {
       return {Variable::Kind::factor,
               {},
               crossed({factor(call.arguments[0]).factor, factor(call.arguments[1]).factor}, ":")};
     }
-    if (find_by(kFunctions, call.name) != nullptr || call.name == "scale" ||
+    refuse_call(call);
+  }
+
+  Variable call_of_one(const Expression& call, const Expression& only) {
+    if (call.name == "(") {
+      return value(only);
+    }
+    if (call.name == "factor" || call.name == "as.factor") {
+      return factor(only);
+    }
+    if (call.name == "scale") {
+      return scaled(call);
+    }
+    if (call.name == "-" || call.name == "+") {
+      std::vector<double> x = numbers(only, call);
+      if (call.name == "-") {
+        std::transform(x.begin(), x.end(), x.begin(), std::negate<>());
+      }
+      return {Variable::Kind::number, std::move(x), {}};
+    }
+    if (const auto* const function = find_number_function(call.name)) {
+      return applied(call, *function);
+    }
+    refuse_call(call);
+  }
+
+  [[noreturn]] static void refuse_call(const Expression& call) {
+    if (find_number_function(call.name) != nullptr || call.name == "scale" ||
         call.name == "factor") {
       throw FormulaError("'" + to_string(call) + "': " + call.name +
                          "() takes one argument, found " + std::to_string(call.arguments.size()) +
@@ -239,14 +181,12 @@ class Evaluation {
       factors.push_back(factor(argument).factor);
     }
     for (std::size_t k = 0; k < factors.size() && !all_text; ++k) {
-      for (std::string& level : factors[k].levels) {
-        level.insert(0, to_string(call.arguments[k]) + '=');
-      }
+      name_levels(factors[k], to_string(call.arguments[k]));
     }
     return {Variable::Kind::factor, {}, crossed(factors, ", ")};
   }
 
-  Variable applied(const Expression& call, const Function& function) {
+  Variable applied(const Expression& call, const NumberFunction& function) {
     if (call.name == "I") {
       return value(call.arguments.front());
     }
@@ -275,35 +215,6 @@ class Evaluation {
     return {Variable::Kind::number, std::move(x), {}};
   }
 
-  /// A word for a missing cell differs from every text, and would count as one of them. Compared
-  /// with itself it is meant. \throws FormulaError with its place.
-  void refuse_missing_words(const Expression& call,
-                            const table::Factor& factor,
-                            const std::string& text) const {
-    std::vector<bool> is_missing_word;
-    for (const std::string& level : factor.levels) {
-      is_missing_word.push_back(level != text && table::read_cell(level).meaning ==
-                                                     table::CellMeaning::missing_word);
-    }
-    const auto found =
-        std::find_if(factor.codes.begin(), factor.codes.end(), [&](std::uint32_t code) {
-          return code != table::Factor::kMissing && is_missing_word[code];
-        });
-    if (found == factor.codes.end()) {
-      return;
-    }
-    const auto row = static_cast<std::size_t>(found - factor.codes.begin());
-    std::string place = "row " + std::to_string(row + 1) + " of " + table_.file;
-    if (row < table_.lines.size()) {
-      place += " (line " + std::to_string(table_.lines[row]) + ")";
-    }
-    const std::string& word = factor.levels[*found];
-    throw FormulaError("'" + to_string(call) + "': found '" + word + "' in " + place + ", which " +
-                       "would count as another text than '" + text + "'; " +
-                       std::string(table::kHowMissingIsWritten) + "; if '" + word +
-                       "' is a name, compare with it or call it something else");
-  }
-
   /// A factor compared with a text.
   Variable compared(const Expression& call, const Expression& subject, std::string text) {
     if (call.name != "==" && call.name != "!=") {
@@ -317,56 +228,25 @@ class Evaluation {
                            "' is TRUE or FALSE");
       }
     }
-    const Variable names = factor(subject);
-    refuse_missing_words(call, names.factor, text);
-    Variable result{Variable::Kind::truth, std::vector<double>(table_.rows, table::kNaN), {}};
-    for (std::size_t row = 0; row < table_.rows; ++row) {
-      if (!names.is_missing(row)) {
-        const bool equal = names.factor.levels[names.factor.codes[row]] == text;
-        result.numbers[row] = equal == (call.name == "==") ? 1.0 : 0.0;
-      }
-    }
-    return result;
+    return compared_with_text(call, factor(subject).factor, text, table_);
   }
 
-  /// An unquoted word that is no column but a level of the other side lacks its quotes.
-  void require_known_word(const Expression& call,
-                          const Expression& left,
-                          const Expression& right) const {
-    if (left.kind != Expression::Kind::column || right.kind != Expression::Kind::column ||
-        table_.find(right.name) != nullptr) {
-      return;
-    }
-    const table::DataColumn* const subject = table_.find(left.name);
-    if (subject == nullptr || !subject->is_text) {
-      return;
-    }
-    const auto& levels = subject->text.levels;
-    if (std::find(levels.begin(), levels.end(), right.name) != levels.end()) {
-      throw FormulaError("no column '" + right.name + "' in " + table_.file +
-                         "; for the text write " + left.name + ' ' + call.name + " \"" +
-                         right.name + '"');
-    }
-  }
-
-  Variable combined(const Expression& call, const Arithmetic& arithmetic) {
+  Variable combined(const Expression& call, const NumberOperator& sign) {
     const Expression& left = call.arguments[0];
     const Expression& right = call.arguments[1];
     if (right.kind == Expression::Kind::text) {
       return compared(call, left, right.name);
     }
-    if (arithmetic.is_comparison) {
-      require_known_word(call, left, right);
+    if (sign.is_comparison) {
+      require_known_word(call, table_);
     }
     std::vector<double> a = numbers(left, call);
     const std::vector<double> b = numbers(right, call);
     for (std::size_t row = 0; row < a.size(); ++row) {
       const bool missing = std::isnan(a[row]) || std::isnan(b[row]);
-      a[row] = missing ? table::kNaN : arithmetic.value(a[row], b[row]);
+      a[row] = missing ? table::kNaN : sign.value(a[row], b[row]);
     }
-    return {arithmetic.is_comparison ? Variable::Kind::truth : Variable::Kind::number,
-            std::move(a),
-            {}};
+    return {sign.is_comparison ? Variable::Kind::truth : Variable::Kind::number, std::move(a), {}};
   }
 
   const table::DataTable& table_;
@@ -374,6 +254,16 @@ class Evaluation {
 };
 
 }  // namespace
+
+const table::DataColumn& named_column(const table::DataTable& table, const std::string& name) {
+  const table::DataColumn* const found = table.find(name);
+  if (found == nullptr) {
+    const auto nearest = table::nearest_name(name, table.header);
+    throw FormulaError("no column '" + name + "' in " + table.file +
+                       (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+  }
+  return *found;
+}
 
 Variable evaluate(const Expression& expression,
                   const table::DataTable& table,

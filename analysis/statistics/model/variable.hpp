@@ -29,6 +29,10 @@ struct Variable {
 /// Reference level by column: it becomes the first level.
 using References = std::map<std::string, std::string>;
 
+/// \throws FormulaError with the nearest name if there is no such column.
+[[nodiscard]] const table::DataColumn& named_column(const table::DataTable& table,
+                                                    const std::string& name);
+
 /// Arithmetic (+ - * / ^), comparison, log, log2, log10, log1p, exp, sqrt, abs, I, scale, factor,
 /// strata and as.numeric. A text column is a factor; factor() of numbers sorts its levels by value,
 /// and numbers that print alike to 15 digits are one level, as in R. TRUE and FALSE (after == and

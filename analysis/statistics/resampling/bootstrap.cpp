@@ -35,6 +35,9 @@ void replicate(const Statistic& statistic,
       for (std::size_t value = 0; value < values.size(); ++value) {
         out[value][r] = values[value];
       }
+      if (options.advance) {
+        options.advance();
+      }
     }
   });
 }

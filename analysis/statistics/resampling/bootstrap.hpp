@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <statistics/resampling/bootstrap_interval.hpp>
 #include <statistics/resampling/resampling_plan.hpp>
@@ -17,6 +18,8 @@ struct BootstrapOptions {
   std::size_t replicates = 9999;  ///< Up to 10^6 or so: they are kept, 8 bytes each and value.
   std::uint64_t seed = 1;
   std::uint32_t analysis = 0;  ///< Which stream of the seed: analyses must not share draws.
+  /// Called after each replicate, by whichever thread made it, several at a time; it may not throw.
+  std::function<void()> advance{};
 };
 
 /// Values of a statistic on the data, on every resample and without every unit. Index 0 is the

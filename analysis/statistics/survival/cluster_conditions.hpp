@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Whether a group of rows has clusters enough for a robust variance.
+/// Whether a curve has the weights and clusters that it needs, and a group clusters enough for a
+/// robust variance.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,12 @@
 #include <table/factor.hpp>
 
 namespace tcert::statistics {
+
+/// \throws std::invalid_argument, which begins with `what`, if a weight is negative or not finite,
+/// or a cluster is missing. No weights and no clusters are right.
+void require_weights_and_clusters(const std::string& what,
+                                  std::span<const double> weights,
+                                  const table::Factor* cluster);
 
 /// Distinct clusters among `rows`. O(rows log rows).
 [[nodiscard]] std::size_t count_clusters(const table::Factor& cluster,

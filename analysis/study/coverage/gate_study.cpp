@@ -86,19 +86,22 @@ Passes pooled(const std::vector<Passes>& studies) {
 
 }  // namespace
 
-GateSummary run_gates(const GateOptions& options) {
+GateSummary run_gates(const GateOptions& options, const Watch& watch) {
   const Course course{Disc{{0.0, 0.0}, 0.3}, Disc{{3.4, 0.0}, 0.3}};
   tbb::enumerable_thread_specific<Certifier> certifiers(
       [&] { return Certifier(corpus_robot(), course, {}); });
   std::vector<Passes> studies(options.studies);
   std::vector<EvenChance> found(options.studies);
+  watch.begin("micro-studies, passes", options.studies);
   tbb::parallel_for(Range(0, options.studies, 1), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       // No work of another study may come between while this thread's certifier is in use: nothing
       // in here waits for other tasks.
       studies[i] = simulate_study(certifiers.local(), options.first_seed + i);
+      watch.advance();
     }
   });
+  watch.begin("micro-studies, sets", options.studies);
   tbb::parallel_for(Range(0, options.studies, 1), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       EvenChanceOptions even;
@@ -106,6 +109,7 @@ GateSummary run_gates(const GateOptions& options) {
       even.replicates = options.replicates;
       even.seed = options.first_seed + i;
       found[i] = even_chance(studies[i].margin, studies[i].success, even);
+      watch.advance();
     }
   });
   const Passes all = pooled(studies);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/study/watch.hpp"
+
 namespace tcert::study::coverage {
 
 struct GateOptions {
@@ -36,7 +38,7 @@ struct GateSummary {
 };
 
 /// Passes are simulated, resampled to ticks and certified as the tool does. The same numbers for
-/// any number of threads.
-GateSummary run_gates(const GateOptions& options);
+/// any number of threads. `watch` hears of each study that is made, and of each that is evaluated.
+GateSummary run_gates(const GateOptions& options, const Watch& watch = {});
 
 }  // namespace tcert::study::coverage

@@ -1,10 +1,27 @@
 #include "analysis/study/experiment/cell.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <tcert/certifier.hpp>
 
 namespace tcert::study {
+
+namespace {
+
+/// Before the first cell is made: a few axes of a few values are more cells than memory holds.
+void require_size(std::span<const GridAxis> axes) {
+  std::size_t cells = 1;
+  for (const GridAxis& axis : axes) {
+    cells *= axis.values.size();
+    if (cells > kMostGridCells) {
+      throw std::invalid_argument("grid: more than " + std::to_string(kMostGridCells) +
+                                  " combinations; give fewer values, or cells from a file");
+    }
+  }
+}
+
+}  // namespace
 
 std::string overrides_text(const Cell& cell) {
   std::string text;
@@ -15,6 +32,7 @@ std::string overrides_text(const Cell& cell) {
 }
 
 std::vector<Cell> grid_cells(std::span<const GridAxis> axes) {
+  require_size(axes);
   if (axes.empty()) {
     throw std::invalid_argument("a grid needs a parameter");
   }
@@ -43,6 +61,31 @@ std::vector<Cell> grid_cells(std::span<const GridAxis> axes) {
     cell.name = overrides_text(cell);
   }
   return cells;
+}
+
+std::optional<std::string> impossible_value(std::span<const PlannedCell> cells) {
+  struct Seen {
+    bool possible = false;
+    const std::string* reason = nullptr;
+  };
+  std::map<std::pair<std::string, std::string>, Seen> values;
+  for (const PlannedCell& planned : cells) {
+    for (const auto& value : planned.cell.overrides) {
+      Seen& seen = values[value];
+      seen.possible = seen.possible || !planned.refused();
+      if (planned.refused() && seen.reason == nullptr) {
+        seen.reason = &std::get<std::string>(planned.parameters);
+      }
+    }
+  }
+  for (const PlannedCell& planned : cells) {
+    for (const auto& value : planned.cell.overrides) {
+      if (const Seen& seen = values.at(value); !seen.possible) {
+        return value.first + '=' + value.second + ": " + *seen.reason;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 PlannedCell plan(Cell cell, const ParameterSet& base, const Robot& robot, const Course& course) {

@@ -4,6 +4,7 @@
 /// sensitivity run are lists of cells over the same way from log to result.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <tcert/robot.hpp>
@@ -29,9 +30,12 @@ struct GridAxis {
   std::vector<std::string> values;
 };
 
+/// Combinations beyond this are a slip: each costs a run over all logs.
+inline constexpr std::size_t kMostGridCells = 10000;
+
 /// Every combination, the last axis fastest, each named by its overrides. O(cells).
-/// \throws std::invalid_argument without an axis, for an axis without a value, or for a key that
-/// comes twice.
+/// \throws std::invalid_argument without an axis, for an axis without a value, for a key that
+/// comes twice, or for more than kMostGridCells combinations.
 [[nodiscard]] std::vector<Cell> grid_cells(std::span<const GridAxis> axes);
 
 /// A cell with its effective parameters, or with the reason why there are none.
@@ -45,6 +49,10 @@ struct PlannedCell {
   /// \pre not refused.
   [[nodiscard]] const ParameterSet& set() const { return std::get<ParameterSet>(parameters); }
 };
+
+/// The first override, "key=value: reason", with which no cell is possible, whatever the others
+/// are; empty if there is none.
+[[nodiscard]] std::optional<std::string> impossible_value(std::span<const PlannedCell> cells);
 
 /// Puts the overrides over `base`. A cell is refused if a key is unknown, a value is not accepted,
 /// or the parameters make no certifier for this robot and course.

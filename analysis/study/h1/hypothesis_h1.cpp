@@ -128,6 +128,7 @@ void take_within(const H1Layout& layout, RowScores& scores, H1Panel& panel) {
 void bootstrap_rows(const H1Data& data,
                     const H1Models& models,
                     const H1Options& options,
+                    const Watch& watch,
                     H1Panel& panel) {
   H1Layout layout;
   layout.predictors = data.predictors.size();
@@ -140,6 +141,8 @@ void bootstrap_rows(const H1Data& data,
   bootstrap_options.replicates = options.replicates;
   bootstrap_options.seed = options.seed;
   bootstrap_options.analysis = kH1Stream + static_cast<std::uint32_t>(panel.kind);
+  bootstrap_options.advance = watch.on_advance;
+  watch.begin(resamples_of(panel.kind), options.replicates);
   const statistics::BootstrapResult result =
       statistics::bootstrap(joint_statistic(data, layout, models), plan, bootstrap_options);
 
@@ -182,7 +185,10 @@ void adjust(H1Panel& panel) {
   }
 }
 
-H1Panel panel_of(const table::DataTable& table, const H1Options& options, H1PanelKind kind) {
+H1Panel panel_of(const table::DataTable& table,
+                 const H1Options& options,
+                 const Watch& watch,
+                 H1PanelKind kind) {
   H1Panel panel;
   panel.kind = kind;
   const H1Data data = panel_data(table, options, panel);
@@ -193,7 +199,7 @@ H1Panel panel_of(const table::DataTable& table, const H1Options& options, H1Pane
   const H1Models models = options.models ? h1_models(data) : H1Models{};
   add_model_rows(models, panel);
   add_within_strata(data, options.level, panel);
-  bootstrap_rows(data, models, options, panel);
+  bootstrap_rows(data, models, options, watch, panel);
   add_closed_forms(data, models, options, panel);
   if (options.models) {
     add_out_of_fold(data, models, options, panel);
@@ -254,16 +260,20 @@ std::string_view to_string(H1PanelKind kind) noexcept {
   return kind == H1PanelKind::paper ? "paper" : "landmark";
 }
 
-H1Table hypothesis_h1(const table::DataTable& table, const H1Options& options) {
+std::string resamples_of(H1PanelKind kind) {
+  return std::string(to_string(kind)) + " panel, resamples";
+}
+
+H1Table hypothesis_h1(const table::DataTable& table, const H1Options& options, const Watch& watch) {
   validate(options);
   require_columns(table, options);
   H1Table h1;
   h1.options = options;
   h1.trials = table.rows;
   h1.issued = issued_counts(table, options);
-  h1.panels.push_back(panel_of(table, options, H1PanelKind::paper));
+  h1.panels.push_back(panel_of(table, options, watch, H1PanelKind::paper));
   if (has_landmark(table, options)) {
-    h1.panels.push_back(panel_of(table, options, H1PanelKind::landmark));
+    h1.panels.push_back(panel_of(table, options, watch, H1PanelKind::landmark));
   }
   h1.outcome_missing = table.rows - h1.panels.front().trials;  // The paper panel excludes no one.
   return h1;

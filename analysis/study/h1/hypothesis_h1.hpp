@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/study/watch.hpp"
+
 namespace tcert::study {
 
 /// A column with its a-priori direction. `landmark_column` is the same feature of the time window
@@ -65,6 +67,9 @@ enum class H1PanelKind : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view to_string(H1PanelKind kind) noexcept;
+
+/// What a watch is told of the resampling of a panel.
+[[nodiscard]] std::string resamples_of(H1PanelKind kind);
 
 /// A hazard ratio of egress per standard deviation towards the better side, cluster-robust.
 struct H1HazardRatio {
@@ -254,8 +259,10 @@ struct H1Table {
 /// too few clusters or outcomes p-values and intervals are withheld (`withhold`). \throws
 /// FormulaError if a column is not there, holds the wrong kind or is infinite, or if a landmark is
 /// asked for and no time is known; std::invalid_argument if an option is out of range. O(replicates
-/// trials log trials).
-[[nodiscard]] H1Table hypothesis_h1(const table::DataTable& table, const H1Options& options = {});
+/// trials log trials). `watch` hears of the resamples of each panel.
+[[nodiscard]] H1Table hypothesis_h1(const table::DataTable& table,
+                                    const H1Options& options = {},
+                                    const Watch& watch = {});
 
 /// Names of the columns that it looks for.
 [[nodiscard]] std::vector<std::string> columns_of(const H1Options& options);

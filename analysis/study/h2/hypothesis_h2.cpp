@@ -67,6 +67,7 @@ void take(const statistics::GroupScore& score,
 void bootstrap_levels(const H1Data& data,
                       const statistics::Statistic& scores,
                       const H2Options& options,
+                      const Watch& watch,
                       H2Panel& panel) {
   const statistics::ResamplingPlan plan =
       statistics::ResamplingPlan::of_clusters(data.cluster.codes);
@@ -75,6 +76,8 @@ void bootstrap_levels(const H1Data& data,
   bootstrap_options.seed = options.trials.seed;
   bootstrap_options.analysis =
       kH2Stream + kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind);
+  bootstrap_options.advance = watch.on_advance;
+  watch.begin(resamples_of(panel.trials.kind), options.trials.replicates);
   const bool has_strata = !panel.trials.within.columns.empty();
   const statistics::Statistic each =
       has_strata ? statistics::joined({scores, within_statistic(data)}) : scores;
@@ -105,6 +108,7 @@ std::optional<H2Equality> equality(const statistics::ScoresByGroup& by_level,
                                    const statistics::Statistic& scores,
                                    std::size_t value,
                                    const H2Options& options,
+                                   const Watch& watch,
                                    H2Panel& panel) {
   if (!by_level.joint) {
     return std::nullopt;
@@ -123,6 +127,10 @@ std::optional<H2Equality> equality(const statistics::ScoresByGroup& by_level,
   permutation.seed = options.trials.seed;
   permutation.analysis = kH2Stream + kPanelStreams * static_cast<std::uint32_t>(panel.trials.kind) +
                          1 + static_cast<std::uint32_t>(value);
+  permutation.advance = watch.on_advance;
+  watch.begin(std::string(to_string(panel.trials.kind)) + " panel, permutations of " +
+                  (value == 0 ? "AUC" : "C"),
+              options.permutations);
   result.range = statistics::range_under_equality(
       data.group->codes,
       data.cluster.codes,
@@ -152,7 +160,10 @@ void score_within_strata(const H1Data& data, double level, H2Panel& panel) {
   }
 }
 
-void score_levels(const H1Data& data, const H2Options& options, H2Panel& panel) {
+void score_levels(const H1Data& data,
+                  const H2Options& options,
+                  const Watch& watch,
+                  H2Panel& panel) {
   const double level = options.trials.level;
   const statistics::Statistic scores = statistic_of_all(data);
   const statistics::ScoresByGroup auc =
@@ -160,20 +171,23 @@ void score_levels(const H1Data& data, const H2Options& options, H2Panel& panel) 
   for (std::size_t g = 0; g < panel.levels.size(); ++g) {
     take(auc.groups[g], "AUC", panel.levels[g].auc, panel.levels[g]);
   }
-  panel.auc = equality(auc, data, scores, 0, options, panel);
+  panel.auc = equality(auc, data, scores, 0, options, watch, panel);
   if (data.censored) {
     const statistics::ScoresByGroup c = statistics::concordance_by_group(
         *data.censored, data.timed(0), *data.group, data.cluster, level);
     for (std::size_t g = 0; g < panel.levels.size(); ++g) {
       take(c.groups[g], "C", panel.levels[g].c, panel.levels[g]);
     }
-    panel.c = equality(c, data, scores, 1, options, panel);
+    panel.c = equality(c, data, scores, 1, options, watch, panel);
   }
   score_within_strata(data, level, panel);
-  bootstrap_levels(data, scores, options, panel);
+  bootstrap_levels(data, scores, options, watch, panel);
 }
 
-H2Panel panel_of(const table::DataTable& table, const H2Options& options, H1PanelKind kind) {
+H2Panel panel_of(const table::DataTable& table,
+                 const H2Options& options,
+                 const Watch& watch,
+                 H1PanelKind kind) {
   H2Panel panel;
   panel.trials.kind = kind;
   const H1Data data = panel_data(table, options.trials, panel.trials);
@@ -193,7 +207,7 @@ H2Panel panel_of(const table::DataTable& table, const H2Options& options, H1Pane
   }
   panel.sd = statistics::standard_deviation(data.predictors.front());
   count_levels(data, panel);
-  score_levels(data, options, panel);
+  score_levels(data, options, watch, panel);
   add_group_effects(data, options.trials.level, panel);
   add_interactions(data, options.trials.cluster, panel);
   withhold_if_few(options, panel);
@@ -214,14 +228,14 @@ void validate(const H2Options& options) {
 
 }  // namespace
 
-H2Table hypothesis_h2(const table::DataTable& table, const H2Options& options) {
+H2Table hypothesis_h2(const table::DataTable& table, const H2Options& options, const Watch& watch) {
   validate(options);
   H2Table h2;
   h2.options = options;
   h2.trials = table.rows;
-  h2.panels.push_back(panel_of(table, options, H1PanelKind::paper));
+  h2.panels.push_back(panel_of(table, options, watch, H1PanelKind::paper));
   if (has_landmark(table, options.trials)) {
-    h2.panels.push_back(panel_of(table, options, H1PanelKind::landmark));
+    h2.panels.push_back(panel_of(table, options, watch, H1PanelKind::landmark));
   }
   h2.outcome_missing = table.rows - h2.panels.front().trials.trials;
   return h2;

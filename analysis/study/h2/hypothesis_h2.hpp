@@ -87,8 +87,11 @@ struct H2Table {
 /// outcomes (`too_few`) its p-values and intervals are withheld, with the tests of its pairs and of
 /// all groups; in a panel that has, all are. \throws FormulaError if a column is not
 /// there or holds the wrong kind; std::invalid_argument if an option is out of range.
-/// O((replicates + permutations groups) trials log trials).
-[[nodiscard]] H2Table hypothesis_h2(const table::DataTable& table, const H2Options& options);
+/// O((replicates + permutations groups) trials log trials). `watch` hears of the resamples and the
+/// permutations of each panel.
+[[nodiscard]] H2Table hypothesis_h2(const table::DataTable& table,
+                                    const H2Options& options,
+                                    const Watch& watch = {});
 
 /// Names of the columns that it looks for.
 [[nodiscard]] std::vector<std::string> columns_of(const H2Options& options);

@@ -14,6 +14,8 @@
 #include <table/data_table.hpp>
 #include <vector>
 
+#include "analysis/study/watch.hpp"
+
 namespace tcert::study {
 
 struct H3Options {
@@ -93,7 +95,10 @@ struct H3Table {
 
 /// With fewer than kTooFewClusters clusters among the successes no interval, bound or verdict is
 /// given; with fewer than kTooFewOutcomes successes of an algorithm none of its rates. \throws
-/// std::invalid_argument if a column is not there or an option is out of range.
-[[nodiscard]] H3Table hypothesis_h3(const table::DataTable& replays, const H3Options& options);
+/// std::invalid_argument if a column is not there or an option is out of range. `watch` hears of
+/// the resamples of each group.
+[[nodiscard]] H3Table hypothesis_h3(const table::DataTable& replays,
+                                    const H3Options& options,
+                                    const Watch& watch = {});
 
 }  // namespace tcert::study

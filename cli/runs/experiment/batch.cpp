@@ -63,7 +63,7 @@ ExitCode sweep(const SweepRequest& request, Progress& progress) {
   if (sources != 1) {
     throw UsageError("needs one of --grid, --cells and --sensitivity");
   }
-  return run_batch({"sweep", request, written(request)},
+  return run_batch({"sweep", request, written(request), !request.grid.empty()},
                    request.sensitivity     ? study::sensitivity_cells()
                    : !request.grid.empty() ? cells_of_grid(request.grid)
                                            : cells_of_file(request, progress),

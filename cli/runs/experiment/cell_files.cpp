@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <tuple>
 
-#include "analysis/study/experiment/fingerprint.hpp"
 #include "analysis/study/replay/replay_trial.hpp"
 #include "analysis/study/trials/study_tables.hpp"
 #include "cli/runs/bundle_digest.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/experiment/cell_jobs.hpp"
+#include "cli/runs/experiment/chunk_rows.hpp"
 #include "cli/runs/progress.hpp"
 #include "reports/features_table.hpp"
 #include "reports/replay_table.hpp"
@@ -19,59 +19,6 @@ namespace {
 
 constexpr std::size_t kChunk = 64;
 
-enum class TableKind : std::uint8_t { features, replay };
-
-/// A table to be made.
-struct Job {
-  TableKind kind = TableKind::features;
-  const study::ParameterSet* set = nullptr;
-  std::string print;  ///< Fingerprint of the set up to the table.
-};
-
-/// Jobs in the order in which neighbours share most steps, and which of them each cell uses.
-struct Jobs {
-  std::vector<Job> jobs;
-  std::vector<std::size_t> features_of;
-  std::vector<std::size_t> replays_of;
-};
-
-Jobs jobs_of(std::span<const study::PlannedCell> cells) {
-  /// A cell's wish for a table; equal series lie together, then features before replays.
-  struct Wish {
-    std::string series;
-    TableKind kind;
-    std::string print;
-    std::size_t cell;
-  };
-  std::vector<Wish> wishes;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (!cells[c].refused()) {
-      const study::ParameterSet& set = cells[c].set();
-      const std::string series = study::fingerprint(set, study::Stage::certify);
-      wishes.push_back(
-          {series, TableKind::features, study::fingerprint(set, study::Stage::features), c});
-      wishes.push_back(
-          {series, TableKind::replay, study::fingerprint(set, study::Stage::control), c});
-    }
-  }
-  std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) {
-    return std::tie(a.series, a.kind, a.print, a.cell) <
-           std::tie(b.series, b.kind, b.print, b.cell);
-  });
-  Jobs result;
-  result.features_of.assign(cells.size(), CellFiles::kNone);
-  result.replays_of = result.features_of;
-  for (const Wish& wish : wishes) {
-    if (result.jobs.empty() || result.jobs.back().kind != wish.kind ||
-        result.jobs.back().print != wish.print) {
-      result.jobs.push_back({wish.kind, &cells[wish.cell].set(), wish.print});
-    }
-    auto& of = wish.kind == TableKind::features ? result.features_of : result.replays_of;
-    of[wish.cell] = result.jobs.size() - 1;
-  }
-  return result;
-}
-
 /// What the entries of all chunks depend on besides their logs and the job.
 std::string common_key(const Bundle& bundle, const LogOptions& logs) {
   std::string text = "rows of a chunk\nprogram " + program_digest() + '\n';
@@ -81,33 +28,6 @@ std::string common_key(const Bundle& bundle, const LogOptions& logs) {
   text += logs.repair ? "repair\n" : "";
   text += logs.decimal_comma ? "decimal-comma\n" : "";
   return text;
-}
-
-/// Rows of one job for one chunk. As text: its rejected trials, whose ids hold no line feed
-/// (is_file_name), an empty line, its rows of CSV.
-struct Entry {
-  std::vector<std::string> rejected;
-  std::string rows;
-};
-
-std::string to_text(const Entry& entry) {
-  std::string text;
-  for (const std::string& id : entry.rejected) {
-    text += id + '\n';
-  }
-  return text + '\n' + entry.rows;
-}
-
-Entry entry_of(const std::string& text) {
-  Entry entry;
-  std::size_t at = 0;
-  for (std::size_t end = text.find('\n', at); end != std::string::npos && end > at;
-       end = text.find('\n', at)) {
-    entry.rejected.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  entry.rows = text.substr(std::min(at + 1, text.size()));
-  return entry;
 }
 
 std::string features_text(const study::StudiedTrial& trial, const Table& table) {
@@ -162,13 +82,13 @@ class Maker {
 
   void add_chunk(std::span<const std::size_t> trials) {
     const std::string logs = digest_of(trials);
-    std::vector<std::optional<Entry>> entries(jobs_.size());
+    std::vector<std::optional<ChunkRows>> entries(jobs_.size());
     std::vector<std::string> keys(jobs_.size());
     std::vector<std::size_t> wanted;
     for (std::size_t j = 0; j < jobs_.size(); ++j) {
       keys[j] = key_of(jobs_[j], logs);
       if (const auto stored = store_ != nullptr ? store_->get(keys[j]) : std::nullopt) {
-        entries[j] = entry_of(*stored);
+        entries[j] = chunk_rows_from(*stored);
       } else {
         wanted.push_back(j);
       }
@@ -226,7 +146,7 @@ class Maker {
 
   void make(std::span<const std::size_t> trials,
             const std::vector<std::size_t>& wanted,
-            std::vector<std::optional<Entry>>& entries) {
+            std::vector<std::optional<ChunkRows>>& entries) {
     std::vector<study::ParameterSet> sets;
     for (const std::size_t j : wanted) {
       sets.push_back(*jobs_[j].set);
@@ -303,7 +223,7 @@ CellFiles files_of_cells(const OpenedBundle& opened,
   }
   const auto placed = [&](std::vector<std::size_t> of) {
     for (std::size_t& job : of) {
-      job = job == CellFiles::kNone ? job : place[job];
+      job = job == kNoTable ? job : place[job];
     }
     return of;
   };

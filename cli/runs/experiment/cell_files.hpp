@@ -19,9 +19,7 @@ namespace tcert::cli {
 /// Tables of the cells, each distinct one once: cells whose parameters agree in all that a table
 /// depends on share it.
 struct CellFiles {
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
-  std::vector<std::size_t> features_of;  ///< Per cell: index into `features`; kNone if refused.
+  std::vector<std::size_t> features_of;  ///< Per cell: index into `features`; kNoTable if refused.
   std::vector<std::size_t> replays_of;   ///< Likewise into `replays`.
   std::vector<std::string> features;     ///< CSV with header, as `certify` writes features.csv.
   std::vector<std::string> replays;      ///< As `replay` writes replay.csv for the cell's law.

@@ -70,6 +70,16 @@ std::vector<study::PlannedCell> planned(std::vector<study::Cell> cells,
   return result;
 }
 
+/// Before the others run, which may take long.
+void say_refused(const std::vector<study::PlannedCell>& cells, Progress& progress) {
+  for (const study::PlannedCell& cell : cells) {
+    if (cell.refused()) {
+      progress.say("cell '" + cell.cell.name +
+                   "' is refused: " + std::get<std::string>(cell.parameters));
+    }
+  }
+}
+
 struct BatchTables {
   Table cells;
   Table issuance;
@@ -92,7 +102,6 @@ BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
     const study::PlannedCell& cell = cells[c];
     if (cell.refused()) {
       const auto& reason = std::get<std::string>(cell.parameters);
-      progress.say("cell '" + cell.cell.name + "' is refused: " + reason);
       for (Table* const table : {&tables.cells, &tables.issuance, &tables.speed}) {
         add_cell(cell.cell, "refused: " + reason, {}, *table);
       }
@@ -197,6 +206,10 @@ ExitCode run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progre
   }
   const OpenedBundle opened = open_for(options.bundle, options.logs, progress);
   const std::vector<study::PlannedCell> planned_cells = planned(std::move(cells), opened);
+  if (const auto value = batch.is_grid ? study::impossible_value(planned_cells) : std::nullopt) {
+    throw UsageError("--grid: " + *value);
+  }
+  say_refused(planned_cells, progress);
   std::optional<ResultFolder> folder;
   if (!options.output.path.empty()) {
     require_apart(options.bundle, options.output.path);

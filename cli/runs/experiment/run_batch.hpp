@@ -13,6 +13,7 @@ struct Batch {
   std::string command;
   const BatchRequest& options;
   WrittenOptions written;
+  bool is_grid = false;  ///< A value with which no cell is possible is an error, before any runs.
 };
 
 /// The full method, then `cells`. \throws UsageError, NoInput, BadData, WriteError.

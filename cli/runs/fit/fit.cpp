@@ -9,6 +9,7 @@
 #include "cli/runs/fit/fit_input.hpp"
 #include "cli/runs/fit/kind_options.hpp"
 #include "cli/runs/fit/outcome_words.hpp"
+#include "cli/runs/report_output.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/thread_limit.hpp"
 
@@ -199,8 +200,11 @@ ExitCode fit(const FitRequest& request, Progress& progress) {
         request.data, wanted_columns(formula, request, kind), request.decimal_comma, progress);
     require_references(frame_options(request, kind), formula, file.table);
     const FitReport report = report_of(request, kind, file, progress);
+    const bool is_read = shows_whole_report(request.output, request.table);
     for (const statistics::Condition& condition : report.conditions) {
-      progress.say("tcert fit: " + statistics::to_string(condition));
+      if (!is_read || condition.severity == statistics::ConditionSeverity::error) {
+        progress.say("tcert fit: " + statistics::to_string(condition));
+      }
     }
     const bool failed = statistics::has_error(report.conditions);
     if (failed && !request.table.empty() && report.find(request.table) == nullptr) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -78,6 +79,29 @@ Results checked_results(const std::string& folder) {
   }
 }
 
+/// \throws NoInput if there is neither a table, short or long, nor a frame: the page would be
+/// empty.
+void require_something(const Results& results, const PageContents& contents) {
+  if (!contents.findings.empty() || !contents.tables.empty() || !contents.frames.empty() ||
+      !contents.left_out.empty()) {
+    return;
+  }
+  std::set<std::string> commands;
+  for (const Result& result : results.all) {
+    commands.insert("'tcert " + result.manifest.command + "'");
+  }
+  std::string wrote;
+  for (const std::string& command : commands) {
+    wrote += (wrote.empty() ? "" : ", ") + command;
+  }
+  throw NoInput(
+      "'" + results.folder.string() + "' holds no table, only what " +
+      (wrote.empty() ? "'tcert figures'" : wrote) +
+      " wrote; 'tcert certify BUNDLE --output DIR' makes the tables of the trials, 'tcert "
+      "hypotheses', 'ablate', 'gate' and 'study' those of their results, 'tcert reproduce' "
+      "all of them");
+}
+
 Manifest manifest_of(const Results& results, const ReportRequest& request) {
   Manifest manifest;
   manifest.command = "report";
@@ -148,7 +172,6 @@ ExitCode report(const ReportRequest& request, Progress& progress) {
   const std::string output = request.output.path.empty() ? "report.html" : request.output.path;
   require_own_file(output);
   table::require_output_place(request.figures);
-  const PageAssets assets = page_assets();
   const Results results = checked_results(request.results);
 
   PageData page;
@@ -156,10 +179,12 @@ ExitCode report(const ReportRequest& request, Progress& progress) {
   contents.title = request.title;
   contents.synthetic = results.synthetic;
   contents.results = results.all;
-  contents.packages = assets.packages;
   contents.findings = page_findings(results);
   contents.tables = page_tables(results, contents.left_out);
   contents.frames = page_frames(results, page);
+  require_something(results, contents);
+  const PageAssets assets = page_assets();
+  contents.packages = assets.packages;
   add_figures(results, contents);
   const std::size_t trials = add_trials(
       results,

@@ -2,6 +2,7 @@
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
 #include "cli/runs/study/studies.hpp"
+#include "cli/runs/watched_stages.hpp"
 #include "reports/study/coverage_report.hpp"
 
 namespace tcert::cli {
@@ -49,12 +50,13 @@ FitReport equivalence_study(const StudyRequest& request, Progress& progress) {
   return equivalence_report(rows, data_sets, seed);
 }
 
-FitReport gate_coverage_study(const StudyRequest& request, Progress& /*progress*/) {
+FitReport gate_coverage_study(const StudyRequest& request, Progress& progress) {
   study::coverage::GateOptions options;
   options.studies = number(request.data_sets, options.studies);
   options.replicates = number(request.replicates, options.replicates);
   options.first_seed = static_cast<std::uint64_t>(request.seed);
-  return gate_coverage_report(study::coverage::run_gates(options), options);
+  WatchedStages stages(progress);
+  return gate_coverage_report(study::coverage::run_gates(options, stages.watch()), options);
 }
 
 }  // namespace tcert::cli

@@ -127,6 +127,7 @@ ExitCode study(const StudyRequest& request, Progress& progress) {
   FitReport report = one.run(request, progress);
   manifest.synthetic = report.synthetic;
   output.deliver(std::move(report), request.table, std::move(manifest), progress);
+  say_one_file(request.output, progress);
   return exit_done;
 }
 

@@ -1,6 +1,9 @@
 #include "cli/runs/verify/verify.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/runs/thread_limit.hpp"
@@ -84,6 +87,16 @@ void say_other_tool(const VerifyTree& tree, Progress& progress) {
   }
 }
 
+/// \throws NoInput for a place of --inputs that is not there: a misspelt one would hide the inputs.
+void require_places(const std::vector<std::string>& places) {
+  for (const std::string& place : places) {
+    std::error_code error;
+    if (!std::filesystem::exists(place, error)) {
+      throw NoInput("--inputs: there is no '" + place + "', neither a file nor a folder");
+    }
+  }
+}
+
 }  // namespace
 
 OptionTable options_of(VerifyRequest& request) {
@@ -98,6 +111,7 @@ OptionTable options_of(VerifyRequest& request) {
 }
 
 ExitCode verify(const VerifyRequest& request, Progress& progress) {
+  require_places(request.inputs);
   VerifyTree tree;
   try {
     tree = verify_tree(request.results);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -302,6 +303,19 @@ TEST(Bootstrap, SaysWhyBcaAloneHasNoInterval) {
   EXPECT_EQ(none.no_bca.value().kind, ConditionKind::infinite_bias);
   EXPECT_FALSE(bootstrap_intervals(result, 1).no_bca);
   EXPECT_TRUE(bootstrap_intervals(result, 1).bca);
+}
+
+TEST(Bootstrap, TellsOfEachReplicateAndIsTheSameWatchedOrNot) {
+  const Statistic mean = mean_of({1.0, 2.0, 4.0, 8.0});
+  const ResamplingPlan plan = ResamplingPlan::of_rows(4);
+  BootstrapOptions options;
+  options.replicates = 500;
+  const BootstrapResult alone = bootstrap(mean, plan, options);
+  std::atomic<std::size_t> told = 0;
+  options.advance = [&] { ++told; };
+  const BootstrapResult watched = bootstrap(mean, plan, options);
+  EXPECT_EQ(told, 500U);
+  EXPECT_EQ(watched.replicates, alone.replicates);
 }
 
 }  // namespace

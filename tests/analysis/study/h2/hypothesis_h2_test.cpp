@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <statistics/model/expression.hpp>
 #include <string>
@@ -182,6 +183,34 @@ TEST(HypothesisH2, NamesASingleGroupAndRefusesMisuse) {
   options = options_for();
   options.margin = 0.0;
   EXPECT_THROW(static_cast<void>(hypothesis_h2(one, options)), std::invalid_argument);
+}
+
+TEST(HypothesisH2, TellsAWatchOfTheResamplesAndPermutationsOfEachPanel) {
+  const table::DataTable table = table_of(trials_csv(12, 18, 1.0));
+  std::vector<std::string> parts;
+  std::size_t expected = 0;
+  std::atomic<std::size_t> steps = 0;
+  const Watch watch{[&](const std::string& part, std::size_t size) {
+                      EXPECT_EQ(steps, expected) << "the part before is done";
+                      parts.push_back(part);
+                      expected += size;
+                    },
+                    [&] { ++steps; }};
+  const H2Table watched = hypothesis_h2(table, options_for(), watch);
+  EXPECT_EQ(parts,
+            (std::vector<std::string>{"paper panel, permutations of AUC",
+                                      "paper panel, permutations of C",
+                                      "paper panel, resamples",
+                                      "landmark panel, permutations of AUC",
+                                      "landmark panel, permutations of C",
+                                      "landmark panel, resamples"}));
+  EXPECT_EQ(steps, 6 * 200U);
+  const H2Table alone = hypothesis_h2(table, options_for());
+  for (std::size_t g = 0; g < 3; ++g) {
+    EXPECT_EQ(watched.panels[0].levels[g].auc.interval->low,
+              alone.panels[0].levels[g].auc.interval->low);
+  }
+  EXPECT_EQ(watched.panels[1].c->range.p_value, alone.panels[1].c->range.p_value);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -319,6 +320,20 @@ TEST(HypothesisH3, SaysWhatItCannotUse) {
   options.baseline = "no one";
   EXPECT_TRUE(statistics::has(hypothesis_h3(test_support::table_of(csv), options).conditions,
                               statistics::ConditionKind::no_rows));
+}
+
+TEST(HypothesisH3, TellsAWatchOfTheResamplesOfEachLighting) {
+  std::vector<std::string> parts;
+  std::atomic<std::size_t> steps = 0;
+  const Watch watch{[&](const std::string& part, std::size_t) { parts.push_back(part); },
+                    [&] { ++steps; }};
+  H3Options options;
+  options.replicates = 50;
+  const std::string csv =
+      study(6, [](const std::string& id) { return id == "c1" ? "Dark" : "Indoor"; });
+  (void)hypothesis_h3(test_support::table_of(csv), options, watch);
+  EXPECT_EQ(parts.front(), "lighting all, resamples");
+  EXPECT_EQ(steps, 50 * parts.size());
 }
 
 }  // namespace

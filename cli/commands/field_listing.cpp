@@ -1,0 +1,115 @@
+#include "cli/commands/field_listing.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "datasets/bundle_fields.hpp"
+#include "reports/fit/cells.hpp"
+
+namespace tcert::cli {
+namespace {
+
+std::string need_in_words(FieldNeed need) {
+  switch (need) {
+    case FieldNeed::required:
+      return "required";
+    case FieldNeed::may_be_empty:
+      return "required, cells may be empty";
+    case FieldNeed::optional:
+      return "optional";
+  }
+  return "";
+}
+
+/// What a place is called in the listing.
+std::string file_of(std::string_view place) {
+  static const std::map<std::string_view, std::string> streams{
+      {"pose.csv", "logs/<trial_id>/pose.csv"},
+      {"tactile.csv", "logs/<trial_id>/tactile.csv"},
+      {"control.csv", "logs/<trial_id>/control.csv"},
+      {"ticks.csv", "logs/<trial_id>/ticks.csv"},
+      {"robot", "bundle.json: robot"},
+      {"ray", "bundle.json: rays, each"},
+      {"calibration", "bundle.json: calibration"},
+      {"course", "bundle.json: course"},
+      {"region", "bundle.json: start, goal"},
+      {"disc", "bundle.json: disc"}};
+  const auto found = streams.find(place);
+  return found == streams.end() ? std::string(place) : found->second;
+}
+
+void add_fields(const std::string& file, std::string_view place, Table& table) {
+  for (const FileField& field : fields_at(place, bundle_fields())) {
+    table.add_row({file,
+                   std::string(field.name),
+                   std::string(field.unit),
+                   need_in_words(field.need),
+                   std::string(field.doc)});
+  }
+}
+
+}  // namespace
+
+std::string fields_in_words(std::span<const FileField> fields) {
+  const std::string_view whole = fields.front().place;
+  std::string text;
+  for (const FileField& field : fields) {
+    std::string name(field.name);
+    if (field.place != whole) {
+      name.insert(0, std::string(field.place) + '.');
+    }
+    name += field.need == FieldNeed::required ? " *" : "";
+    name.resize(std::max<std::size_t>(name.size() + 2, 18), ' ');
+    text += "  " + name + std::string(field.doc) +
+            (field.unit.empty() ? "" : " [" + std::string(field.unit) + "]") + '\n';
+  }
+  return text;
+}
+
+Table bundle_listing() {
+  Table table;
+  table.name = "bundle";
+  table.title = "The log bundle, version 1: a folder, or a .zip of it";
+  table.columns = {text_column("file", "file"),
+                   text_column("field", "column or key"),
+                   text_column("unit", "unit"),
+                   text_column("needed", "needed"),
+                   text_column("doc", "what")};
+  std::vector<std::string_view> places;
+  for (const FileField& field : bundle_fields()) {
+    if (std::ranges::find(places, field.place) == places.end()) {
+      places.push_back(field.place);
+    }
+  }
+  for (const std::string_view place : places) {
+    if (place == "ticks.csv") {
+      add_fields(file_of(place), "pose.csv", table);
+      // The time is there already.
+      const std::size_t before = table.rows.size();
+      add_fields(file_of(place), "tactile.csv", table);
+      table.rows.erase(table.rows.begin() + static_cast<std::ptrdiff_t>(before));
+    }
+    add_fields(file_of(place), place, table);
+  }
+  table.footnotes = {
+      "A bundle has bundle.json, trials.csv, and of each trial pose.csv and tactile.csv or, "
+      "instead "
+      "of all streams, ticks.csv, which is used as it is; control.csv is optional. "
+      "worlds/<world>.json "
+      "may hold the truth ('tcert help world').",
+      "A CSV file may end in .gz or .zst, its columns may stand in any order; a further column of "
+      "trials.csv goes into the table of features, one of a stream is left alone. <ray> is a ray's "
+      "name: a ray of kind bend has a bend, one of kind range a range.",
+      "Frames: poses, S and G lie in one frame, in which the robot is tracked (of odometry, or of "
+      "a "
+      "map); the body's frame has x ahead and y to the left; angles are anticlockwise, in radians.",
+      "Clocks: time_s of the streams is one clock, which may begin anywhere; time_s of trials.csv "
+      "is "
+      "a length of time.",
+      "A missing cell is empty, NA or nan. An unknown key of bundle.json is an error. 'tcert check "
+      "BUNDLE' names every problem with its line."};
+  return table;
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,202 @@
+#include <algorithm>
+#include <cmath>
+#include <terrain/components.hpp>
+#include <terrain/disc_growth.hpp>
+#include <terrain/distance_transform.hpp>
+#include <terrain/planner.hpp>
+#include <terrain/selection.hpp>
+#include <utility>
+
+namespace tcert::terrain {
+
+const Plan& Planner::plan(std::optional<Cell> goal, std::optional<Cell> robot) {
+  plan_ = {};
+  switch (rules_.kind) {
+    case RuleSet::thesis:
+      plan_thesis(goal, robot);
+      break;
+    case RuleSet::published:
+      plan_published(goal, robot);
+      break;
+    case RuleSet::certified:
+      plan_certified(goal, robot);
+      break;
+  }
+  plan_.safe = count(ground());
+  if (plan_.next) {
+    const std::size_t i = grid_.index(*plan_.next);
+    plan_.lower = intervals_.lower[i];
+    plan_.upper = intervals_.upper[i];
+  }
+  return plan_;
+}
+
+CellSet Planner::unmeasured_expanders(const Intervals& by,
+                                      const CellSet& reachable,
+                                      const std::vector<std::int64_t>& depth2) const {
+  CellSet set = expanders(safe_, by.upper, rules_.threshold, rules_.lipschitz, depth2);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    set[i] = set[i] != 0 && reachable[i] != 0 && measured_[i] == 0 ? 1 : 0;
+  }
+  return set;
+}
+
+void Planner::consider(const std::vector<std::size_t>& cells) {
+  considered_.assign(grid_.size(), 0);
+  for (const std::size_t i : cells) {
+    considered_[i] = 1;
+  }
+}
+
+void Planner::choose(std::vector<std::size_t> candidates,
+                     const Intervals& by,
+                     std::optional<Cell> goal,
+                     Ties ties) {
+  const auto n = static_cast<std::size_t>(rules_.expanders);
+  candidates = goal ? nearest_cells(grid_, std::move(candidates), *goal, n)
+                    : widest_cells(std::move(candidates), by, n);
+  consider(candidates);
+  if (const auto best = widest_cell(grid_, candidates, by, goal, ties)) {
+    plan_.next = grid_.cell(*best);
+  }
+}
+
+CellSet Planner::reachable_ground(std::optional<Cell> robot) const {
+  return robot ? component_of(grid_, ground(), *robot) : ground();
+}
+
+void Planner::leave_out_blocked(std::optional<Cell> robot) {
+  if (blocked_.empty()) {
+    return;
+  }
+  const CellSet reachable = reachable_ground(robot);
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    expanders_[i] = expanders_[i] & reachable[i];
+  }
+}
+
+void Planner::plan_thesis(std::optional<Cell> goal, std::optional<Cell> robot) {
+  if (model_->measurements() > 0) {
+    // An empty intersection keeps lower > upper: its width is negative and it is never chosen
+    // first.
+    empty_ = intersect_with_band(intervals_,
+                                 model_->mean(),
+                                 model_->variance(),
+                                 rules_.band(),
+                                 rules_.model_everywhere ? nullptr : &safe_);
+  }
+  safe_ = grow_discs(grid_,
+                     safe_,
+                     intervals_.lower,
+                     rules_.threshold,
+                     rules_.lipschitz,
+                     squared_depth(grid_, safe_));
+  expanders_ = expanders(
+      safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, squared_depth(grid_, safe_));
+  leave_out_blocked(robot);
+  plan_.expanders = count(expanders_);
+  choose(members(expanders_), intervals_, goal, Ties::nearest_first);
+}
+
+void Planner::plan_published(std::optional<Cell> goal, std::optional<Cell> robot) {
+  set_to_band(intervals_, model_->mean(), model_->variance(), rules_.band());
+  double highest_lower = -kUnbounded;
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    safe_[i] = intervals_.lower[i] > rules_.threshold ? 1 : 0;
+    if (safe_[i] != 0) {
+      highest_lower = std::max(highest_lower, intervals_.lower[i]);
+    }
+  }
+  // Maximisers, and the widest of them: what remains must be wider.
+  CellSet candidates = safe_;
+  double widest = 0.0;
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    if (safe_[i] != 0 && intervals_.upper[i] >= highest_lower) {
+      ++plan_.maximisers;
+      candidates[i] = 0;
+      widest = std::max(widest, intervals_.width(i));
+    }
+  }
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    candidates[i] = candidates[i] != 0 && intervals_.width(i) > widest ? 1 : 0;
+  }
+  plan_.candidates = count(candidates);
+  expanders_ = expanders(
+      safe_, intervals_.upper, rules_.threshold, rules_.lipschitz, squared_depth(grid_, safe_));
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    expanders_[i] = expanders_[i] & candidates[i];
+  }
+  leave_out_blocked(robot);
+  plan_.expanders = count(expanders_);
+  choose(members(expanders_), intervals_, goal, Ties::row_major_first);
+}
+
+void Planner::plan_certified(std::optional<Cell> goal, std::optional<Cell> robot) {
+  // C_t: history, the model's band and the Lipschitz bound; where they exclude one another the
+  // model is wrong, and the Lipschitz bound alone is kept.
+  intersect_with_band(intervals_, model_->mean(), model_->variance(), rules_.band(), nullptr);
+  empty_ = 0;
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    double& lower = intervals_.lower[i];
+    double& upper = intervals_.upper[i];
+    lower = std::max(lower, cone_.lower[i]);
+    upper = std::min(upper, cone_.upper[i]);
+    if (lower > upper) {
+      lower = cone_.lower[i];
+      upper = cone_.upper[i];
+      ++empty_;
+    }
+    safe_[i] = safe_[i] != 0 || cone_.lower[i] >= rules_.threshold ? 1 : 0;
+  }
+  if (rules_.trust_model) {
+    safe_ = grow_discs(grid_,
+                       safe_,
+                       intervals_.lower,
+                       rules_.threshold,
+                       rules_.lipschitz,
+                       squared_depth(grid_, safe_));
+  }
+  const std::vector<std::int64_t> depth2 = squared_depth(grid_, safe_);
+  const CellSet reachable = reachable_ground(robot);
+  expanders_ = unmeasured_expanders(intervals_, reachable, depth2);
+  plan_.expanders = count(expanders_);
+  if (plan_.expanders == 0) {
+    // That nothing more can grow is the model's word; the Lipschitz bound alone may end the search.
+    expanders_ = unmeasured_expanders(cone_, reachable, depth2);
+    plan_.expanders = count(expanders_);
+    plan_.against_the_model = plan_.expanders > 0;
+  }
+  if (rules_.look_ahead && robot) {
+    look_ahead(members(expanders_), goal, *robot, depth2);
+  } else {
+    choose(members(expanders_),
+           plan_.against_the_model ? cone_ : intervals_,
+           goal,
+           Ties::nearest_first);
+  }
+}
+
+void Planner::look_ahead(const std::vector<std::size_t>& candidates,
+                         std::optional<Cell> goal,
+                         Cell robot,
+                         const std::vector<std::int64_t>& depth2) {
+  double best = kUnbounded;
+  for (const std::size_t i : candidates) {
+    const Cell c = grid_.cell(i);
+    const double expected = std::clamp(model_->mean()[i], intervals_.lower[i], intervals_.upper[i]);
+    const double radius = std::max(0.0, (expected - rules_.threshold) / rules_.lipschitz);
+    const double gain = radius - std::sqrt(static_cast<double>(depth2[i]));
+    const double way = rules_.travel_weight * distance(c, robot);
+    const double score = goal ? distance(c, *goal) - radius + way : way - gain;
+    if (score < best) {
+      best = score;
+      plan_.next = c;
+    }
+  }
+  // All were looked at; those nearest to the goal are shown.
+  const auto n = static_cast<std::size_t>(rules_.expanders);
+  consider(goal ? nearest_cells(grid_, candidates, *goal, n)
+                : widest_cells(candidates, intervals_, n));
+}
+
+}  // namespace tcert::terrain
