@@ -47,9 +47,9 @@ std::vector<bool> runaways(const GlmmInput& input,
 }  // namespace
 
 void add_fixed_effects(const GlmmInput& input,
-                      const GlmmProblem& problem,
-                      const GlmmMaximum& maximum,
-                      GlmmFit& fit) {
+                       const GlmmProblem& problem,
+                       const GlmmMaximum& maximum,
+                       GlmmFit& fit) {
   const Eigen::Index rank = problem.fixed.space.rank();
   const Eigen::MatrixXd back = inverse_triangle(problem.fixed.space);
   const Eigen::VectorXd estimates = back * maximum.parameters.tail(rank);

@@ -9,9 +9,9 @@
 namespace tcert::statistics {
 
 void add_fixed_effects(const GlmmInput& input,
-                      const GlmmProblem& problem,
-                      const GlmmMaximum& maximum,
-                      GlmmFit& fit);
+                       const GlmmProblem& problem,
+                       const GlmmMaximum& maximum,
+                       GlmmFit& fit);
 
 void add_random_effects(const GlmmProblem& problem, const GlmmMaximum& maximum, GlmmFit& fit);
 

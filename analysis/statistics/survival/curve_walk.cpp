@@ -8,20 +8,26 @@
 namespace tcert::statistics {
 namespace {
 
-/// Risk sets, added up from the last time so that the smallest are the most exact. With late entry
-/// rows are counted beside their weights, so that a set that empties leaves no rounding behind.
-void fill_risk_sets(const CurveRows& rows, std::vector<SurvivalPoint>& points) {
-  const auto& [start, stop, event] = *rows.outcome;
+/// A point per distinct stop, with what ends there.
+void fill_stops(const CurveRows& rows, std::vector<SurvivalPoint>& points) {
+  const auto& stop = rows.outcome->stop;
   points.reserve(rows.stops.size());  // its pages are not touched before they are used
   for (const std::uint32_t row : rows.stops) {
     if (points.empty() || points.back().time != stop[row]) {
       points.emplace_back().time = stop[row];
     }
-    (event[row] != 0 ? points.back().events : points.back().censored) += rows.weight(row);
+    (rows.outcome->event[row] != 0 ? points.back().events : points.back().censored) +=
+        rows.weight(row);
   }
   if (points.size() < points.capacity() / 2) {
     points.shrink_to_fit();
   }
+}
+
+/// Risk sets, added up from the last time so that the smallest are the most exact. With late entry
+/// rows are counted beside their weights, so that a set that empties leaves no rounding behind.
+void fill_risk_sets(const CurveRows& rows, std::vector<SurvivalPoint>& points) {
+  const auto& [start, stop, event] = *rows.outcome;
   double later = 0.0;
   std::size_t later_rows = 0;
   std::size_t last = rows.stops.size();
@@ -176,6 +182,7 @@ class CurveWalk {
 }  // namespace
 
 void walk_curve(const CurveRows& rows, std::vector<SurvivalPoint>& points) {
+  fill_stops(rows, points);
   fill_risk_sets(rows, points);
   const table::Factor* const cluster = rows.options->cluster;
   CurveWalk walk(rows,
