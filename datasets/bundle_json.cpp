@@ -11,16 +11,15 @@ namespace tcert {
 
 namespace {
 
-using nlohmann::json;
-
-bool is_text(const json& value) { return value.is_string(); }
+bool is_text(const nlohmann::json& value) { return value.is_string(); }
 
 void check_format(const table::JsonObject& bundle) {
-  if (const json* format = bundle.require("format");
+  if (const nlohmann::json* format = bundle.require("format");
       format != nullptr && *format != "tcert-bundle") {
     bundle.reject("format", *format, "\"tcert-bundle\"");
   }
-  if (const json* version = bundle.require("version"); version != nullptr && *version != 1) {
+  if (const nlohmann::json* version = bundle.require("version");
+      version != nullptr && *version != 1) {
     bundle.reject("version", *version, "1");
   }
 }
@@ -35,7 +34,7 @@ std::optional<double> read_positive(const table::JsonObject& bundle, const std::
 }
 
 std::optional<std::uint64_t> read_seed(const table::JsonObject& bundle) {
-  const json* seed = bundle.find("seed");
+  const nlohmann::json* seed = bundle.find("seed");
   if (seed == nullptr) {
     return std::nullopt;
   }
@@ -51,13 +50,13 @@ std::map<std::string, std::map<std::string, std::string>> read_columns(
   const std::vector<std::string> files{
       "control.csv", "pose.csv", "tactile.csv", "ticks.csv", "trials.csv"};
   std::map<std::string, std::map<std::string, std::string>> columns;
-  const json* value = bundle.find("columns");
+  const nlohmann::json* value = bundle.find("columns");
   if (value == nullptr) {
     return columns;
   }
   const table::JsonObject from = bundle.child("columns", *value, files);
   for (const std::string& file : files) {
-    const json* renames = from.find(file);
+    const nlohmann::json* renames = from.find(file);
     if (renames == nullptr) {
       continue;
     }
@@ -74,7 +73,7 @@ std::map<std::string, std::map<std::string, std::string>> read_columns(
 
 std::map<std::string, std::string> read_parameters(const table::JsonObject& bundle) {
   std::map<std::string, std::string> parameters;
-  const json* value = bundle.find("parameters");
+  const nlohmann::json* value = bundle.find("parameters");
   if (value == nullptr) {
     return parameters;
   }
@@ -102,7 +101,7 @@ BundleInfo read_info(const table::JsonObject& bundle) {
   info.provenance = bundle.text("provenance").value_or("");
   info.robot = read_robot(bundle);
   info.course = read_course(bundle);
-  if (const json* tiers = bundle.list("lighting", is_text, "a list of texts")) {
+  if (const nlohmann::json* tiers = bundle.list("lighting", is_text, "a list of texts")) {
     info.lighting_tiers = tiers->get<std::vector<std::string>>();
   }
   info.trial_limit_s = read_positive(bundle, "trial_limit_s");
@@ -116,7 +115,7 @@ BundleInfo read_info(const table::JsonObject& bundle) {
 
 std::optional<BundleInfo> parse_bundle_json(std::string_view text,
                                             table::DiagnosticGroups& problems) {
-  const std::optional<json> document = table::parse_json(text, "bundle.json", problems);
+  const std::optional<nlohmann::json> document = table::parse_json(text, "bundle.json", problems);
   if (!document) {
     return std::nullopt;
   }
@@ -162,7 +161,7 @@ std::string to_bundle_json(const BundleInfo& info) {
   if (!info.parameters.empty()) {
     out["parameters"] = info.parameters;
   }
-  return out.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace tcert

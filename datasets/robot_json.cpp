@@ -13,11 +13,9 @@ namespace tcert {
 
 namespace {
 
-using nlohmann::json;
+bool is_number(const nlohmann::json& value) { return value.is_number(); }
 
-bool is_number(const json& value) { return value.is_number(); }
-
-bool is_point(const json& value) {
+bool is_point(const nlohmann::json& value) {
   return value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
 }
 
@@ -33,12 +31,12 @@ std::vector<double> read_numbers(const table::JsonObject& from, const std::strin
   if (from.require(key) == nullptr) {
     return {};
   }
-  const json* list = from.list(key, is_number, "a list of numbers");
+  const nlohmann::json* list = from.list(key, is_number, "a list of numbers");
   return list == nullptr ? std::vector<double>{} : list->get<std::vector<double>>();
 }
 
 Calibration read_calibration(const table::JsonObject& ray) {
-  const json* value = ray.require("calibration");
+  const nlohmann::json* value = ray.require("calibration");
   if (value == nullptr) {
     return {};
   }
@@ -48,7 +46,7 @@ Calibration read_calibration(const table::JsonObject& ray) {
 }
 
 RayKind read_kind(const table::JsonObject& ray) {
-  const json* kind = ray.require("kind");
+  const nlohmann::json* kind = ray.require("kind");
   if (kind != nullptr && *kind != "bend" && *kind != "range") {
     ray.reject("kind", *kind, R"("bend" or "range")");
   }
@@ -57,7 +55,7 @@ RayKind read_kind(const table::JsonObject& ray) {
 
 Ray read_ray(const table::JsonObject& from) {
   Ray ray;
-  if (const json* name = from.require("name")) {
+  if (const nlohmann::json* name = from.require("name")) {
     ray.name = from.text("name").value_or("");
     if (!is_ray_name(ray.name)) {
       from.reject("name", *name, "letters, digits and _ . - only: it is part of column names");
@@ -69,14 +67,14 @@ Ray read_ray(const table::JsonObject& from) {
   ray.kind = read_kind(from);
   if (ray.kind == RayKind::bend) {
     ray.calibration = read_calibration(from);
-  } else if (const json* calibration = from.find("calibration")) {
+  } else if (const nlohmann::json* calibration = from.find("calibration")) {
     from.reject("calibration", *calibration, "none: a range ray reads the clearance itself");
   }
   return ray;
 }
 
 void read_rays(const table::JsonObject& bundle, Robot& robot) {
-  const json* rays = bundle.require("rays");
+  const nlohmann::json* rays = bundle.require("rays");
   if (rays == nullptr) {
     return;
   }
@@ -96,7 +94,7 @@ void read_rays(const table::JsonObject& bundle, Robot& robot) {
   }
 }
 
-std::optional<Region> read_disc(const table::JsonObject& region, const json& value) {
+std::optional<Region> read_disc(const table::JsonObject& region, const nlohmann::json& value) {
   const table::JsonObject from = region.child("disc", value, names_at("disc", bundle_fields()));
   const auto x = from.required_number("x_m");
   const auto y = from.required_number("y_m");
@@ -107,9 +105,9 @@ std::optional<Region> read_disc(const table::JsonObject& region, const json& val
   return Disc{{x.value_or(0.0), y.value_or(0.0)}, radius.value_or(0.0)};
 }
 
-std::optional<Region> read_polygon(const table::JsonObject& region, const json& value) {
+std::optional<Region> read_polygon(const table::JsonObject& region, const nlohmann::json& value) {
   const std::string expectation = "a list of at least three points [x, y]";
-  const json* list = region.list("polygon", is_point, expectation);
+  const nlohmann::json* list = region.list("polygon", is_point, expectation);
   if (list == nullptr) {
     return std::nullopt;
   }
@@ -117,20 +115,20 @@ std::optional<Region> read_polygon(const table::JsonObject& region, const json& 
     region.reject("polygon", value, expectation);
   }
   Polygon polygon;
-  for (const json& point : *list) {
+  for (const nlohmann::json& point : *list) {
     polygon.vertices.push_back({point[0].get<double>(), point[1].get<double>()});
   }
   return polygon;
 }
 
 std::optional<Region> read_region(const table::JsonObject& course, const std::string& key) {
-  const json* value = course.find(key);
+  const nlohmann::json* value = course.find(key);
   if (value == nullptr) {
     return std::nullopt;
   }
   const table::JsonObject from = course.child(key, *value, names_at("region", bundle_fields()));
-  const json* disc = from.find("disc");
-  const json* polygon = from.find("polygon");
+  const nlohmann::json* disc = from.find("disc");
+  const nlohmann::json* polygon = from.find("polygon");
   if ((disc == nullptr) == (polygon == nullptr)) {
     course.reject(key, *value, "either a disc or a polygon");
     return std::nullopt;
@@ -146,7 +144,7 @@ void read_if_given(const table::JsonObject& from, const std::string& key, double
 
 Robot read_robot(const table::JsonObject& bundle) {
   Robot robot;
-  if (const json* value = bundle.require("robot")) {
+  if (const nlohmann::json* value = bundle.require("robot")) {
     const table::JsonObject from =
         bundle.child("robot", *value, names_at("robot", bundle_fields()));
     read_if_given(from, "body_width_m", robot.body_width_m);
@@ -173,7 +171,7 @@ Robot read_robot(const table::JsonObject& bundle) {
 
 Course read_course(const table::JsonObject& bundle) {
   Course course;
-  if (const json* value = bundle.find("course")) {
+  if (const nlohmann::json* value = bundle.find("course")) {
     const table::JsonObject from =
         bundle.child("course", *value, names_at("course", bundle_fields()));
     course.start = read_region(from, "start");
