@@ -10,7 +10,7 @@ constexpr std::string_view kText =
 
 With --output DIR: DIR/series/<trial_id>.csv (one row a tick), DIR/edges/<trial_id>.csv (one row an
 edge of the corridor graph), DIR/features.csv and DIR/certificates.csv (one row a trial), the tables
-of the study (table1, speed, latency) in every format, DIR/diagnostics.csv, DIR/manifest.json.
+of the study (table1, speed, study_cells) in every format, DIR/diagnostics.csv, DIR/manifest.json.
 Without it: the features on stdout.
 
 The ticks of synthetic logs (--ticks) begin with a line '# ...' that says so. pandas reads them by
