@@ -194,7 +194,7 @@ TEST_F(CellWords, AWordForAMissingCellIsNoCause) {
   work_.write("t.csv", table("NA"));
   const ProcessResult missing = fit("km", "Surv(t, e) ~ 1", {"--cause", "why"});
   EXPECT_EQ(missing.exit_code, 0) << to_string(missing);
-  EXPECT_NE(missing.err.find("events without a cause"), std::string::npos) << missing.err;
+  EXPECT_NE(missing.out.find("events without a cause"), std::string::npos) << to_string(missing);
 }
 
 TEST_F(CellWords, ProductsWithStrataAreForCox) {
