@@ -64,7 +64,7 @@ constexpr auto declared_fields() {
       {"robot", "curvature_buffer_per_m", "1/m", optional, "the same"},
 
       {"ray", "name", "", required, "letters, digits and _ . -; part of column names"},
-      {"ray", "kind", "", required, "\"bend\" or \"range\""},
+      {"ray", "kind", "", required, R"("bend" or "range")"},
       {"ray", "mount_x_m", "m", optional, "in the frame of the body, ahead of its centre; 0"},
       {"ray", "mount_y_m", "m", optional, "in the frame of the body, to its left; 0"},
       {"ray", "bearing_rad", "rad", required, "anticlockwise from ahead; 1.5708 is left"},

@@ -7,14 +7,14 @@ namespace tcert {
 namespace {
 
 constexpr double kMostTicks = 0x1p24;
-constexpr double kLongestSilence_s = 60.0;  // which resample() fills with ticks
+constexpr double kLongestSilenceSeconds = 60.0;  // which resample() fills with ticks
 
 double span_in_seconds(const std::vector<std::int64_t>& time_ns) {
   double span_s = 0.0;
   for (std::size_t i = 1; i < time_ns.size(); ++i) {
     const double gap_s =
         1e-9 * (static_cast<double>(time_ns[i]) - static_cast<double>(time_ns[i - 1]));
-    span_s += std::min(gap_s, kLongestSilence_s);
+    span_s += std::min(gap_s, kLongestSilenceSeconds);
   }
   return span_s;
 }

@@ -62,19 +62,17 @@ Finding issued_finding(std::span<const OutcomeGroup> groups) {
       "T_t was above 0 in " + listed(groups, [](const OutcomeGroup& group) {
         return fmt::format("{} of {} {}", group.issued, group.trials, name_of(group, group.trials));
       });
-  std::size_t without = 0;
   std::size_t unconnected = 0;
+  std::size_t narrow = 0;
   for (const OutcomeGroup& group : groups) {
-    without += group.trials - group.issued;
     unconnected += group.unconnected;
+    narrow += group.trials - group.issued - group.unconnected;
   }
-  if (without > 0) {
-    evidence += fmt::format(
-        "; of the {} without one, S and G were never connected in {}, and the "
-        "margin on the way was not above 0 in {}",
-        without,
-        unconnected,
-        without - unconnected);
+  if (unconnected > 0) {
+    evidence += fmt::format("; start (S) and goal (G) were never connected in {}", unconnected);
+  }
+  if (narrow > 0) {
+    evidence += fmt::format("; the margin on the way was not above 0 in {}", narrow);
   }
   return {"Certificates issued", "", evidence + "."};
 }
@@ -98,7 +96,7 @@ Finding trial_finding(const FeatureRow& row) {
   const study::Features& found = row.features;
   std::string evidence;
   if (!found.certificate_m) {
-    evidence = "no certificate: S and G were never connected.";
+    evidence = "no certificate: start (S) and goal (G) were never connected.";
   } else if (found.issued.value_or(false) && found.issued_s) {
     evidence = fmt::format("T_t is {} m at the end; a certificate is issued from {} s on.",
                            fixed(*found.certificate_m, 3),

@@ -17,6 +17,8 @@ ColumnsOf<StreamCheck> rate_columns(const std::string& name) {
 /// What a trial that is not rejected has; of a merged log the rows of single streams are unknown.
 ColumnsOf<TrialCheck> accepted_columns() {
   return ColumnsOf<TrialCheck>()
+      .yes_or_no("starts_in_start", "starts in S", &TrialCheck::starts_in_start)
+      .yes_or_no("ends_in_goal", "ends in G", &TrialCheck::ends_in_goal)
       .integer("pose_rows", "pose rows", [](auto& r) { return r.pose.rows; })
       .part(rate_columns("pose"), [](auto& r) { return &r.pose; })
       .integer(
@@ -29,9 +31,7 @@ ColumnsOf<TrialCheck> accepted_columns() {
       .integer("stale_ticks", "stale", &TrialCheck::stale_ticks)
       .integer("breaks", "breaks", &TrialCheck::breaks)
       .fixed("duration_s", "duration", "s", 1, &TrialCheck::duration_s)
-      .fixed("distance_m", "distance", "m", 2, &TrialCheck::distance_m)
-      .yes_or_no("starts_in_start", "starts in S", &TrialCheck::starts_in_start)
-      .yes_or_no("ends_in_goal", "ends in G", &TrialCheck::ends_in_goal);
+      .fixed("distance_m", "distance", "m", 2, &TrialCheck::distance_m);
 }
 
 struct NamedCheck {

@@ -153,7 +153,7 @@ Table features_table(const Bundle& bundle) {
   }
   for (const std::string& name : bundle.extra_columns) {
     // A column of the log that is called like a feature must not shadow it.
-    const bool is_taken = taken.count(table::case_folded(name)) != 0;
+    const bool is_taken = taken.contains(table::case_folded(name));
     table.columns.push_back(text_column(is_taken ? "trials_" + name : name, name));
     taken.insert(table::case_folded(table.columns.back().name));
   }

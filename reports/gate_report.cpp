@@ -85,19 +85,19 @@ Table point_table(const study::GateStudy& study) {
 /// Whether margin 0 is where the chance to pass is even.
 Table findings_of(const study::GateStudy& study) {
   using study::ConfidenceSetKind;
-  const char* const kAbout = "Gate, margin 0 is an even chance to pass";
+  const char* const about = "Gate, margin 0 is an even chance to pass";
   const study::EvenChance& even = study.even;
   const study::ConfidenceSet& set = even.profile;
   const std::string level = significant(100.0 * study.options.level, 3) + " %";
   if (!even.point || set.kind != ConfidenceSetKind::bounded) {
     return findings_table(
-        {{kAbout,
+        {{about,
           "not decided",
           std::to_string(even.rows) + " passes, " + std::to_string(even.successes) +
               " of them successes, do not say where the chance to pass is even."}});
   }
   return findings_table(
-      {{kAbout,
+      {{about,
         set.covers(0.0) ? "not decided" : "contradicted",
         "The chance to pass is even at a margin of " +
             in_words(even.point,

@@ -48,12 +48,12 @@ void add_no_bca(const std::string& of,
 }
 
 Table score_interval_table(std::string name,
-                           std::string row_name,
-                           std::string row_heading,
+                           std::string_view row_name,
+                           std::string_view row_heading,
                            const std::vector<NamedScore>& scores) {
   const auto columns = ColumnsOf<NamedScore>()
                            .text("panel", "panel", &NamedScore::panel)
-                           .text(std::move(row_name), std::move(row_heading), &NamedScore::row)
+                           .text(row_name, row_heading, &NamedScore::row)
                            .text("quantity", "of", &NamedScore::quantity)
                            .number("estimate", "estimate", &study::H1Score::value)
                            .part(bootstrap_columns(), [](auto& one) { return &one.of.intervals; });

@@ -3,6 +3,7 @@
 /// The bootstrap intervals of H1 and H2: how the one that is printed is called, and all of them.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/study/h1/hypothesis_h1.hpp"
@@ -35,8 +36,8 @@ struct NamedScore : RowOf<study::H1Score> {
 /// The scores that have a value, with their intervals by three methods; why BCa has none is a
 /// footnote.
 [[nodiscard]] Table score_interval_table(std::string name,
-                                         std::string row_name,
-                                         std::string row_heading,
+                                         std::string_view row_name,
+                                         std::string_view row_heading,
                                          const std::vector<NamedScore>& scores);
 
 /// Of every row and quantity of H1.

@@ -39,8 +39,8 @@ ColumnsOf<Row> quantity_columns() {
 
 /// Two groups of a quantity.
 struct Groups : Quantity {
-  std::size_t first;
-  std::size_t second;
+  std::size_t first = 0;
+  std::size_t second = 0;
 
   [[nodiscard]] bool is_withheld() const {
     return !panel.levels[first].withheld.empty() || !panel.levels[second].withheld.empty();

@@ -29,9 +29,9 @@ std::vector<std::string> notes(const study::H3Table& h3) {
           "' less ungated '" + o.gated + "', '" + o.baseline +
           "' standardised to the lightings of '" + o.gated +
           "': its rate under each, weighted by the metres that '" + o.gated +
-          "' drove there, so that the gap does not hold what light each happened to run in (the "
-          "gap "
-          "as run is in h3_intervals). The share that is recovered is NA unless the gap's interval "
+          "' drove there, so that the gap does not hold what light each happened to run in (as run "
+          "it "
+          "is in h3_intervals). The share that is recovered is NA unless the gap's interval "
           "excludes 0.",
       "Intervals of rates, gains and shares: " + interval_words(o.interval) + ", " +
           percent(o.level) + ", " + std::to_string(o.replicates) + " resamples of whole '" +
@@ -66,15 +66,15 @@ Table case_table(const study::H3Table& h3) {
           .text("lighting", "lighting", [](auto& r) { return r.group.lighting; })
           .text("speed_law", "law", &H3Case::law)
           .fixed("beta_per_m", "beta", "1/m", 0, &H3Case::beta_per_m)
-          .estimate("gated_m_per_min", "gated", "m/min", 2, &H3Case::gated)
           .estimate("gain_m_per_min", "gain", "m/min", 2, &H3Case::gain)
-          .estimate("gain_share", "relative gain [" + level + "]", &H3Case::gain_share)
           .estimate("gap_recovered", "share of gap", "", 2, &H3Case::recovered)
-          .fixed("gated_speed_cmd_mps", "commanded", "m/s", 3, &H3Case::speed_cmd_mps)
           .integer("lost", "lost", &H3Case::lost)
           .fixed("lost_share", "share lost", &H3Case::lost_share)
           .fixed("lost_upper", "bound", &H3Case::lost_upper)
           .yes_or_no("non_inferior", "non-inferior", &H3Case::non_inferior)
+          .estimate("gated_m_per_min", "gated", "m/min", 2, &H3Case::gated)
+          .estimate("gain_share", "relative gain [" + level + "]", &H3Case::gain_share)
+          .fixed("gated_speed_cmd_mps", "commanded", "m/s", 3, &H3Case::speed_cmd_mps)
           .estimate("retained",
                     "retained",
                     [](auto& r) { return Estimated(r.of.retained, r.of.retained_interval); })

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +33,7 @@ struct Comparison {
   bool within;
 };
 
-constexpr Comparison kComparisons[] = {
+constexpr std::array<Comparison, 4> kComparisons{{
     {"success",
      "AUC",
      [](const H1Row& row) -> const H1Score& { return row.auc; },
@@ -53,7 +54,7 @@ constexpr Comparison kComparisons[] = {
      [](const H1Row& row) -> const H1Score& { return row.within.c; },
      [](const H1Row& row) -> const H1Score& { return row.within.c_gain; },
      true},
-};
+}};
 
 std::string h1_evidence(const study::H1Panel& panel,
                         const Comparison& comparison,
@@ -118,16 +119,18 @@ std::string h2_evidence(const char* name,
   const std::string& withheld = panel.levels[widest->first].withheld.empty()
                                     ? panel.levels[widest->second].withheld
                                     : panel.levels[widest->first].withheld;
-  std::string text =
-      fmt::format("{} of {} less that of {}: {}; the margin is {}",
-                  name,
-                  names[widest->first],
-                  names[widest->second],
-                  in_words(widest->difference,
-                           withheld.empty() ? std::optional(widest->interval) : std::nullopt),
-                  significant(equality.tests.options.margin, 3));
+  std::string text = fmt::format(
+      "The pair farthest from equal is {} of {} less that of {}: {}; the margin of "
+      "equivalence is {}",
+      name,
+      names[widest->first],
+      names[widest->second],
+      in_words(widest->difference,
+               withheld.empty() ? std::optional(widest->interval) : std::nullopt),
+      significant(equality.tests.options.margin, 3));
   if (equality.tests.smallest_margin) {
-    text += ", the smallest that would do " + fixed(*equality.tests.smallest_margin, 3);
+    text +=
+        ", the smallest that would have been enough " + fixed(*equality.tests.smallest_margin, 3);
   }
   text += ".";
   return withheld.empty() ? text : text + " The interval is withheld: " + withheld + ".";
@@ -139,23 +142,32 @@ Finding h3_finding(const study::H3Group& all,
                    study::Verdict verdict) {
   std::string betas;
   std::string gains;
+  std::string shares;
   const study::H3Case* worst = cases.front();
   for (const study::H3Case* const one : cases) {
-    betas += (betas.empty() ? "" : ", ") + significant(one->beta_per_m, 3);
-    gains += (gains.empty() ? "" : ", ") + in_words(one->gain.value, one->gain.interval, 2);
+    const char* const comma = betas.empty() ? "" : ", ";
+    betas += comma + significant(one->beta_per_m, 3);
+    gains += comma + in_words(one->gain.value, one->gain.interval, 2);
+    shares += comma + in_words(one->recovered.value, one->recovered.interval, 2);
     worst = one->lost > worst->lost ? one : worst;
   }
-  std::string evidence =
-      fmt::format("Gain in rate of advance {} m/min on {}; {}{} of {} successes lost",
-                  gains,
-                  in_words(all.ungated.value, {}, 2),
-                  cases.size() > 1 && worst->lost > 0 ? "at most " : "",
-                  worst->lost,
-                  all.successes);
+  std::string evidence = fmt::format(
+      "Gain in rate of advance {} m/min beyond {}", gains, in_words(all.ungated.value, {}, 2));
+  if (cases.front()->recovered.value) {
+    evidence += fmt::format(", {} of the gap", shares);
+  }
+  evidence += fmt::format("; {}{} of {} successes lost",
+                          cases.size() > 1 && worst->lost > 0 ? "at most " : "",
+                          worst->lost,
+                          all.successes);
   if (worst->lost_upper) {
-    evidence += fmt::format(", {} % of the trials (bound {} %)",
+    evidence += fmt::format(", {} % of {} trials (bound {} %)",
                             fixed(100.0 * worst->lost_share.value_or(kMissing), 1),
+                            all.trials,
                             fixed(100.0 * *worst->lost_upper, 1));
+  }
+  if (!all.withheld.empty()) {
+    evidence += ". Intervals are withheld: " + all.withheld;
   }
   return {fmt::format("H3, {} at beta {} 1/m", cases.front()->law, betas),
           words(verdict),
@@ -212,9 +224,10 @@ Table h2_findings(const study::H2Table& h2) {
                             words(study::h2_verdict(panel, *equality)),
                             h2_evidence(name, panel, *equality)});
       } else {
-        findings.push_back({about,
-                            words(study::Verdict::not_decided),
-                            fmt::format("Not every group has a variance of its {}.", name)});
+        findings.push_back(
+            {about,
+             words(study::Verdict::not_decided),
+             fmt::format("Some group has no variance of its {}; the conditions say why.", name)});
       }
     };
     add("AUC", panel.auc);

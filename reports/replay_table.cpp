@@ -32,9 +32,9 @@ ColumnsOf<Replay> rate_columns(const char* unit) {
 
 ColumnsOf<Replay> trip_columns() {
   return ColumnsOf<Replay>()
-      .integer("margin_trips", "margin", &Replay::margin_trips)
-      .integer("force_trips", "G2", &Replay::force_trips)
-      .integer("replan_trips", "G3", &Replay::replan_trips);
+      .integer("margin_trips", "margin trips", &Replay::margin_trips)
+      .integer("force_trips", "G2 trips", &Replay::force_trips)
+      .integer("replan_trips", "G3 trips", &Replay::replan_trips);
 }
 
 ColumnsOf<study::ReplanSummary> replan_columns() {

@@ -60,7 +60,7 @@ struct Printer {
     if (!std::isfinite(estimate.value)) {
       return "NA";
     }
-    const std::string value = rounded(estimate.value, estimate.decimals, column);
+    std::string value = rounded(estimate.value, estimate.decimals, column);
     if (std::isnan(estimate.low) && std::isnan(estimate.high)) {
       return value;
     }

@@ -60,29 +60,75 @@ std::size_t total_of(const std::vector<std::size_t>& widths) {
 
 bool is_text(const Column& column) { return column.kind == ColumnKind::text; }
 
-/// Widths for a line of `width`: headings are broken first, then the cells of the widest text; what
-/// does not fit then is left out from the right, down to two columns.
-std::vector<std::size_t> fitted_widths(const Table& table, const Grid& grid, std::size_t width) {
-  constexpr std::size_t kReadable = 24;  // What a text that is broken has at least.
-  std::vector<std::size_t> widths = widths_of(grid);
-  if (width == 0 || total_of(widths) <= width) {
-    return widths;
-  }
-  widths = narrow_widths_of(grid);
-  std::size_t widest = 0;
-  for (std::size_t c = 1; c < widths.size(); ++c) {
-    if (is_text(table.columns[c]) && (widest == 0 || widths[c] > widths[widest])) {
-      widest = c;
+/// What is printed of a table, and how wide.
+struct Layout {
+  std::vector<Column> columns;
+  Grid grid;
+  std::vector<std::size_t> widths;
+  std::vector<std::string> left_out;  ///< Headings of columns that are not printed.
+
+  void leave_out(std::size_t c) {
+    const auto at = static_cast<std::ptrdiff_t>(c);
+    left_out.insert(left_out.begin(), grid[0][c]);
+    columns.erase(columns.begin() + at);
+    widths.erase(widths.begin() + at);
+    for (auto& row : grid) {
+      row.erase(row.begin() + at);
     }
   }
-  const std::size_t total = total_of(widths);
-  if (widest > 0 && total > width && widths[widest] >= total - width + kReadable) {
-    widths[widest] -= total - width;
+
+  /// All rows have the same in column `c`.
+  [[nodiscard]] bool is_constant(std::size_t c) const {
+    return grid.size() > 2 && std::all_of(grid.begin() + 2, grid.end(), [&](const auto& row) {
+             return row[c] == grid[1][c];
+           });
   }
-  while (widths.size() > 2 && total_of(widths) > width) {
-    widths.pop_back();
+
+  /// The widest column of texts behind the first one; 0 if there is none.
+  [[nodiscard]] std::size_t widest_text() const {
+    std::size_t widest = 0;
+    for (std::size_t c = 1; c < widths.size(); ++c) {
+      if (is_text(columns[c]) && (widest == 0 || widths[c] > widths[widest])) {
+        widest = c;
+      }
+    }
+    return widest;
   }
-  return widths;
+};
+
+/// For a line of `width`: headings are broken first, then the cells of the widest text; then
+/// columns that say the same in every row are left out, and in the end those on the right, down to
+/// two.
+Layout layout_of(const Table& table, std::size_t width) {
+  constexpr std::size_t kReadable = 24;  // What a text that is broken has at least.
+  Layout layout{table.columns, grid_of(table), {}, {}};
+  layout.widths = widths_of(layout.grid);
+  if (width == 0 || total_of(layout.widths) <= width) {
+    return layout;
+  }
+  layout.widths = narrow_widths_of(layout.grid);
+  std::size_t text = layout.widest_text();
+  const std::size_t whole = text > 0 ? layout.widths[text] : 0;
+  if (text > 0) {
+    layout.widths[text] = std::min(whole, kReadable);
+  }
+  const auto leave_out = [&](std::size_t c) {
+    layout.leave_out(c);
+    text -= c < text ? 1 : 0;
+  };
+  for (std::size_t c = layout.widths.size(); c-- > 1 && total_of(layout.widths) > width;) {
+    if (c != text && layout.is_constant(c)) {
+      leave_out(c);
+    }
+  }
+  while (layout.widths.size() > 2 && total_of(layout.widths) > width) {
+    const std::size_t last = layout.widths.size() - 1;
+    leave_out(last == text ? last - 1 : last);
+  }
+  if (const std::size_t total = total_of(layout.widths); text > 0 && total < width) {
+    layout.widths[text] = std::min(whole, layout.widths[text] + width - total);
+  }
+  return layout;
 }
 
 /// A word longer than `width` sticks out.
@@ -95,15 +141,14 @@ std::string title_of(const Table& table) {
   return table.n ? table.title + " (n = " + std::to_string(*table.n) + ")" : table.title;
 }
 
-/// The first cells of a row, as many as there are widths.
 void append_line(std::string& out,
-                 const Table& table,
+                 const std::vector<Column>& columns,
                  const std::vector<std::string>& cells,
                  const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t c = 0; c < widths.size(); ++c) {
     line += c == 0 ? "" : kBetween;
-    line += padded(cells[c], widths[c], is_text(table.columns[c]));
+    line += padded(cells[c], widths[c], is_text(columns[c]));
   }
   line.erase(line.find_last_not_of(' ') + 1);
   out += line + '\n';
@@ -112,15 +157,14 @@ void append_line(std::string& out,
 /// A row whose cells are broken to the widths: they begin on its first line, headings end on its
 /// last.
 void append_broken(std::string& out,
-                   const Table& table,
+                   const Layout& layout,
                    const std::vector<std::string>& cells,
-                   const std::vector<std::size_t>& widths,
                    bool is_heading) {
   std::vector<std::vector<std::string>> parts;
   std::size_t lines = 1;
-  for (std::size_t c = 0; c < widths.size(); ++c) {
-    parts.push_back(width_of(cells[c]) <= widths[c] ? std::vector{cells[c]}
-                                                    : broken(cells[c], widths[c]));
+  for (std::size_t c = 0; c < layout.widths.size(); ++c) {
+    const std::size_t width = layout.widths[c];
+    parts.push_back(width_of(cells[c]) <= width ? std::vector{cells[c]} : broken(cells[c], width));
     lines = std::max(lines, parts.back().size());
   }
   for (std::size_t line = 0; line < lines; ++line) {
@@ -129,17 +173,22 @@ void append_broken(std::string& out,
       const std::size_t before = is_heading ? lines - part.size() : 0;
       row.push_back(line < before || line - before >= part.size() ? "" : part[line - before]);
     }
-    append_line(out, table, row, widths);
+    append_line(out, layout.columns, row, layout.widths);
   }
 }
 
 /// Which columns are not there, and how to see them.
-std::string left_out(const std::vector<std::string>& headings, std::size_t shown) {
+std::string words_of(const std::vector<std::string>& left_out) {
   std::string names;
-  for (std::size_t c = shown; c < headings.size(); ++c) {
-    names += (c == shown ? "" : ", ") + headings[c];
+  for (const std::string& heading : left_out) {
+    names += heading.empty() ? "" : (names.empty() ? "" : ", ") + heading;
   }
   return "Not shown, for want of width (--wide shows all): " + names + ".";
+}
+
+bool has_headings(const Grid& grid) {
+  return std::any_of(
+      grid[0].begin(), grid[0].end(), [](const std::string& text) { return !text.empty(); });
 }
 
 std::string escaped(std::string_view text) {
@@ -165,20 +214,21 @@ std::string render_text(const Table& table, std::size_t width) {
     out += to_string(*table.synthetic) + '\n';
   }
   out += title_of(table) + "\n\n";
-  const Grid grid = grid_of(table);
-  const std::vector<std::size_t> widths = fitted_widths(table, grid, width);
-  append_broken(out, table, grid[0], widths, true);
-  std::vector<std::string> rule;
-  for (const std::size_t one : widths) {
-    rule.emplace_back(one, '-');
+  const Layout layout = layout_of(table, width);
+  if (has_headings(layout.grid)) {
+    append_broken(out, layout, layout.grid[0], true);
+    std::vector<std::string> rule;
+    for (const std::size_t one : layout.widths) {
+      rule.emplace_back(one, '-');
+    }
+    append_line(out, layout.columns, rule, layout.widths);
   }
-  append_line(out, table, rule, widths);
-  for (std::size_t r = 1; r < grid.size(); ++r) {
-    append_broken(out, table, grid[r], widths, false);
+  for (std::size_t r = 1; r < layout.grid.size(); ++r) {
+    append_broken(out, layout, layout.grid[r], false);
   }
   std::string notes;
-  if (widths.size() < table.columns.size()) {
-    notes += '\n' + left_out(grid[0], widths.size()) + '\n';
+  if (!layout.left_out.empty()) {
+    notes += '\n' + words_of(layout.left_out) + '\n';
   }
   for (const std::string& note : table.footnotes) {
     notes += (&note == &table.footnotes.front() ? "\n" : "") + note + '\n';

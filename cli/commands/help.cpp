@@ -159,7 +159,7 @@ int run_help(Arguments arguments) {
   }
   for (const HelpTopic& one : help_topics()) {
     if (one.name == topic) {
-      print(render(one.table(), output.table_format()));
+      print(shown(one.table(), output, TerminalProgress(manner.quiet)));
       return exit_done;
     }
   }

@@ -50,9 +50,8 @@ ExitCode certify_to_text(const OpenedBundle& opened,
         study.add(std::move(trial));
       });
   table.n = static_cast<std::int64_t>(summary.trials);
-  progress.show(shown(table, request.output, progress));
+  show_found(table, certify_findings(study.rows()), request.output, progress);
   failures.say(progress);
-  sum_up(certify_findings(study.rows()), progress);
   return conclude(summary, opened, progress);
 }
 

@@ -43,7 +43,7 @@ std::string text_of(const Table& found,
   }
 }
 
-/// `what` was checked: "trials".
+/// `what` was checked: "trial".
 ExitCode show(const Table& found,
               const Table& problems,
               const char* what,
@@ -54,12 +54,17 @@ ExitCode show(const Table& found,
   for (const std::vector<TableCell>& row : problems.rows) {
     ++count[std::get<std::string>(row[1])];
   }
-  progress.sum_up(fmt::format("{} {} checked: {} errors, {} warnings, {} notes.",
+  const auto counted = [&](const char* word) {
+    const std::size_t number = count[word];
+    return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+  };
+  progress.sum_up(fmt::format("{} {}{} checked: {}, {}, {}.",
                               found.rows.size(),
                               what,
-                              count["error"],
-                              count["warning"],
-                              count["note"]));
+                              found.rows.size() == 1 ? "" : "s",
+                              counted("error"),
+                              counted("warning"),
+                              counted("note")));
   return count["error"] + count["warning"] > 0 ? exit_differences : exit_done;
 }
 
@@ -76,7 +81,7 @@ ExitCode check_file(const CheckRequest& request, Progress& progress) {
     problems.add_row(diagnostics_row("", diagnostic));
   }
   return show(
-      csv_check_table(*result.check, request.path), problems, "columns", request.output, progress);
+      csv_check_table(*result.check, request.path), problems, "column", request.output, progress);
 }
 
 ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
@@ -107,7 +112,7 @@ ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
     }
   }
   trials.n = static_cast<std::int64_t>(opened.trials.size());
-  return show(trials, problems, "trials", request.output, progress);
+  return show(trials, problems, "trial", request.output, progress);
 }
 
 }  // namespace

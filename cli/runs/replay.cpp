@@ -182,8 +182,7 @@ ExitCode replay(const ReplayRequest& request, Progress& progress) {
   table.synthetic = synthetic_label(opened.bundle.info);
   table.n = static_cast<std::int64_t>(summary.trials);
   if (!folder) {
-    progress.show(shown(table, request.output, progress));
-    sum_up(totals.findings(), progress);
+    show_found(table, totals.findings(), request.output, progress);
     return conclude(summary, opened, progress);
   }
   files->close();

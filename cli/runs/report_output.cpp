@@ -119,6 +119,20 @@ bool shows_whole_report(const OutputOptions& output, const std::string& table) {
          (format == TableFormat::text || format == TableFormat::markdown);
 }
 
+void show_found(const Table& table,
+                const Table& findings,
+                const OutputFormat& output,
+                Progress& progress) {
+  std::string text = shown(table, output, progress);
+  if (output.table_format() == TableFormat::text) {
+    text += '\n' + findings_text(findings, width_of(output, progress));
+    progress.show(text);
+    return;
+  }
+  progress.show(text);
+  sum_up(findings, progress);
+}
+
 void sum_up(const Table& findings, Progress& progress) {
   std::string lines = findings_text(findings, progress.width());
   if (!lines.empty()) {

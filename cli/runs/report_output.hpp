@@ -19,6 +19,12 @@ namespace tcert::cli {
 /// True if the whole report is shown to people, with what was found and the conditions.
 [[nodiscard]] bool shows_whole_report(const OutputOptions& output, const std::string& table);
 
+/// A table, and below it what was found; in a format for programs that is said instead.
+void show_found(const Table& table,
+                const Table& findings,
+                const OutputFormat& output,
+                Progress& progress);
+
 /// Says the findings.
 void sum_up(const Table& findings, Progress& progress);
 /// Says which one file was written and how a folder is asked for; of a folder and of stdout

@@ -126,8 +126,8 @@ RandomWorld draw_figure_eight(table::RandomStream& random) {
     double widest = 0.0;
     for (const bool upper : {false, true}) {
       const double end = walled_length(trial.course) - 0.15;
-      for (double along = random.uniform(0.7, 0.9); along < end;
-           along += random.uniform(0.55, 0.8)) {
+      double along = random.uniform(0.7, 0.9);
+      while (along < end) {
         Gate gate;
         gate.lane = {at_goal, upper};
         gate.along_m = along;
@@ -137,6 +137,7 @@ RandomWorld draw_figure_eight(table::RandomStream& random) {
         if (random.uniform() < 0.6) {
           trial.gates.push_back(gate);
         }
+        along += random.uniform(0.55, 0.8);
       }
       widest = std::max(widest, lane_passage(trial, {at_goal, upper}));
     }

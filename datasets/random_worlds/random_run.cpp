@@ -115,7 +115,8 @@ class Follower {
   bool follow(const Track& track, bool reverse) {
     std::size_t segment = 0;
     const double end = track.along.back();
-    for (double at = 0.0; at < end; at += step_m_) {
+    double at = 0.0;
+    while (at < end) {
       Pose pose = pose_on(track, at, segment);
       if (walls_.distance_from(pose.position) < 0.5 * corpus_robot().body_width_m + kLeastFree) {
         return false;
@@ -125,6 +126,7 @@ class Follower {
       const double travelled = drive_.poses.empty() ? 0.0 : step_m_;
       record(pose, reverse ? -travelled : travelled);
       drive_.distance_m += travelled;
+      at += step_m_;
     }
     return true;
   }

@@ -6,6 +6,13 @@
 namespace tcert::table {
 namespace {
 
+/// Of the first two bytes of a longer character: a longer way to write it than needed, half of a
+/// pair, or beyond 10FFFF.
+bool is_wrong(unsigned char first, unsigned char second) noexcept {
+  return (first == 0xE0U && second < 0xA0U) || (first == 0xEDU && second > 0x9FU) ||
+         (first == 0xF0U && second < 0x90U) || (first == 0xF4U && second > 0x8FU);
+}
+
 /// Bytes of the UTF-8 character at the front of `text`; 0 if there is none.
 std::size_t length_of_character(std::string_view text) noexcept {
   const auto first = static_cast<unsigned char>(text.front());
@@ -23,14 +30,7 @@ std::size_t length_of_character(std::string_view text) noexcept {
       return 0;
     }
   }
-  if (length > 2) {
-    // Neither a longer way to write a character than needed, nor half of a pair, nor beyond 10FFFF.
-    const auto second = static_cast<unsigned char>(text[1]);
-    const bool wrong = (first == 0xE0U && second < 0xA0U) || (first == 0xEDU && second > 0x9FU) ||
-                       (first == 0xF0U && second < 0x90U) || (first == 0xF4U && second > 0x8FU);
-    return wrong ? 0 : length;
-  }
-  return length;
+  return length > 2 && is_wrong(first, static_cast<unsigned char>(text[1])) ? 0 : length;
 }
 
 /// Characters that move the cursor, turn the line round or end it.

@@ -140,6 +140,42 @@ struct Pgm {
   std::vector<std::uint16_t> pixels;
 };
 
+/// Empty iff the pixels were read; else what was expected: `wanted`, and what is wrong.
+std::string read_plain(PgmText& fields, const std::string& wanted, Pgm& image) {
+  const std::size_t count = image.columns * image.rows;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto value = fields.number();
+    if (!value || *value > image.most) {
+      return wanted + ", but pixel " + std::to_string(i) + " is missing or too large";
+    }
+    image.pixels.push_back(static_cast<std::uint16_t>(*value));
+  }
+  if (fields.number() || !trimmed(fields.rest()).empty()) {
+    return wanted + ", and then the end of the file: one map a file";
+  }
+  return {};
+}
+
+/// Likewise, of bytes.
+std::string read_raw(std::string_view raw, const std::string& wanted, Pgm& image) {
+  const std::size_t count = image.columns * image.rows;
+  const std::size_t width = image.most > 255 ? 2 : 1;
+  if (raw.size() != count * width) {
+    return wanted + " in " + std::to_string(count * width) + " bytes, but there are " +
+           std::to_string(raw.size());
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto high = static_cast<unsigned char>(raw[i * width]);
+    const unsigned value =
+        width == 1 ? high : high * 256U + static_cast<unsigned char>(raw[i * width + 1]);
+    if (value > image.most) {
+      return wanted + ", but pixel " + std::to_string(i) + " is too large";
+    }
+    image.pixels.push_back(static_cast<std::uint16_t>(value));
+  }
+  return {};
+}
+
 /// Empty iff the image was read; else what was expected.
 std::string read_pgm(std::string_view text, const std::string& file, Pgm& image) {
   const bool plain = text.substr(0, 2) == "P2";
@@ -161,39 +197,13 @@ std::string read_pgm(std::string_view text, const std::string& file, Pgm& image)
   if (image.most > 65535 || image.columns > kMostRasterCells / image.rows) {
     return "at most 100 million pixels of at most 65535";
   }
-  const std::size_t count = image.columns * image.rows;
   const std::string wanted = std::to_string(image.columns) + " x " + std::to_string(image.rows) +
                              " pixels, as the header says";
   if (plain) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto value = fields.number();
-      if (!value || *value > image.most) {
-        return wanted + ", but pixel " + std::to_string(i) + " is missing or too large";
-      }
-      image.pixels.push_back(static_cast<std::uint16_t>(*value));
-    }
-    if (fields.number() || !trimmed(fields.rest()).empty()) {
-      return wanted + ", and then the end of the file: one map a file";
-    }
-    return {};
+    return read_plain(fields, wanted, image);
   }
   fields.skip(1);
-  const std::string_view raw = fields.rest();
-  const std::size_t width = image.most > 255 ? 2 : 1;
-  if (raw.size() != count * width) {
-    return wanted + " in " + std::to_string(count * width) + " bytes, but there are " +
-           std::to_string(raw.size());
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto high = static_cast<unsigned char>(raw[i * width]);
-    const unsigned value =
-        width == 1 ? high : high * 256U + static_cast<unsigned char>(raw[i * width + 1]);
-    if (value > image.most) {
-      return wanted + ", but pixel " + std::to_string(i) + " is too large";
-    }
-    image.pixels.push_back(static_cast<std::uint16_t>(value));
-  }
-  return {};
+  return read_raw(fields.rest(), wanted, image);
 }
 
 }  // namespace

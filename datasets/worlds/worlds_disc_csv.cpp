@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <table/cell_reading.hpp>
@@ -65,7 +66,7 @@ WorldsResult worlds_from_disc_csv(const table::Bytes& bytes,
       result.worlds.back().name = name;
       bad.push_back(false);
     }
-    double values[3] = {};
+    std::array<double, 3> values{};
     bool good = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::string& cell = table->at(row, *table->find(names[k + 1]));

@@ -9,7 +9,7 @@ namespace {
 
 class Worlds {
  public:
-  explicit Worlds(const std::string& file) : file_(file) {}
+  explicit Worlds(std::string file) : file_(std::move(file)) {}
 
   /// `line` is 0 if it is not known; `number` counts from 0 and names a world that has no name.
   void add(std::string_view text, std::size_t line, std::size_t number) {

@@ -55,8 +55,10 @@ bool stays_on_ground(const Grid& grid,
   for (int axis = 0; axis < 2; ++axis) {
     const double low = std::min(a[axis], b[axis]);
     const double high = std::max(a[axis], b[axis]);
-    for (double line = std::ceil(low - 0.5) + 0.5; line < high; line += 1.0) {
+    double line = std::ceil(low - 0.5) + 0.5;
+    while (line < high) {
       crossings.push_back(std::clamp((line - a[axis]) / way[axis], 0.0, 1.0));
+      line += 1.0;
     }
   }
   std::sort(crossings.begin(), crossings.end());

@@ -105,7 +105,7 @@ CellSet grow_discs(const Grid& grid,
       continue;
     }
     if (radius >= grid.rows + grid.columns) {
-      return CellSet(grid.size(), 1);
+      return CellSet(grid.size(), 1);  // NOLINT(modernize-return-braced-init-list): a list of two.
     }
     painter.disc(grid.cell(i), radius);
   }

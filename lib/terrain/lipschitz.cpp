@@ -118,7 +118,7 @@ double steepest_measured(std::span<const Measurement> measurements, double noise
 
 double steepest_factor(const Grid& grid, double length_scale, double risk) {
   const double moment = 3.0 / (length_scale * length_scale);
-  const double area = static_cast<double>(grid.size());
+  const auto area = static_cast<double>(grid.size());
   const double half_perimeter = static_cast<double>(grid.rows) + grid.columns;
   // Negative expected Euler characteristic above u^2 = t, for t above 1.
   const auto safety = [&](double t) {

@@ -59,12 +59,15 @@ class Squares {
   return inside;
 }
 
+/// -1, 0 or 1.
+[[nodiscard]] int sign_of(int value) noexcept { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
 /// A point of the ground just inside the ring's first edge.
 [[nodiscard]] Position inner_point(const std::vector<Cell>& ring) {
   const Cell a = ring[0];
   const Cell b = ring[1];
-  const double dx = (b.x > a.x) - (b.x < a.x);
-  const double dy = (b.y > a.y) - (b.y < a.y);
+  const double dx = sign_of(b.x - a.x);
+  const double dy = sign_of(b.y - a.y);
   return {a.x + 0.5 * dx - 0.5 * dy, a.y + 0.5 * dy + 0.5 * dx};
 }
 
@@ -100,6 +103,7 @@ class Simplifier {
     }
     drop_needless(kept);
     std::vector<Cell> corners;
+    corners.reserve(kept.size());
     for (const std::size_t k : kept) {
       corners.push_back(ring_[k]);
     }
@@ -182,55 +186,53 @@ double doubled_area(const std::vector<Cell>& ring) noexcept {
   return area;
 }
 
-std::vector<Outline> outlines(const Grid& grid, const CellSet& ground) {
-  const Squares squares(grid, ground);
-  // Edges with ground on their left and none on their right, by where they leave.
-  std::vector<std::array<std::uint8_t, 4>> open(grid.size(), {0, 0, 0, 0});
+namespace {
+
+/// Edges of cells, by direction, that are still to be walked.
+using OpenEdges = std::vector<std::array<std::uint8_t, 4>>;
+
+/// Those with ground on their left and none on their right, by where they leave.
+OpenEdges open_edges(const Grid& grid, const Squares& squares) {
+  OpenEdges open(grid.size(), {0, 0, 0, 0});
   for (std::size_t i = 0; i < grid.size(); ++i) {
     for (int d = 0; d < 4; ++d) {
       const Cell c = grid.cell(i);
       open[i][static_cast<std::size_t>(d)] = squares.left(c, d) && !squares.right(c, d) ? 1 : 0;
     }
   }
-  std::vector<Outline> parts;
-  std::vector<std::vector<Cell>> holes;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    for (int d = 0; d < 4; ++d) {
-      if (open[i][static_cast<std::size_t>(d)] == 0) {
-        continue;
-      }
-      std::vector<Cell> ring;
-      Cell c = grid.cell(i);
-      int heading = d;
-      while (open[grid.index(c)][static_cast<std::size_t>(heading)] != 0) {
-        open[grid.index(c)][static_cast<std::size_t>(heading)] = 0;
-        const int before = heading;
-        c = {c.x + kDirections[static_cast<std::size_t>(heading)].x,
-             c.y + kDirections[static_cast<std::size_t>(heading)].y};
-        // At a corner where two parts touch turn left first, so that they stay apart.
-        for (const int turn : {1, 0, 3}) {
-          const int next = (before + turn) % 4;
-          if (squares.left(c, next) && !squares.right(c, next)) {
-            heading = next;
-            break;
-          }
-        }
-        if (heading != before) {
-          ring.push_back(c);
-        }
-      }
-      if (doubled_area(ring) > 0.0) {
-        parts.push_back({std::move(ring), {}});
-      } else {
-        holes.push_back(std::move(ring));
+  return open;
+}
+
+/// The corners of the ring that leaves `c` in direction `heading`; its edges are open no more.
+std::vector<Cell> walk_ring(
+    const Grid& grid, const Squares& squares, Cell c, int heading, OpenEdges& open) {
+  std::vector<Cell> ring;
+  while (open[grid.index(c)][static_cast<std::size_t>(heading)] != 0) {
+    open[grid.index(c)][static_cast<std::size_t>(heading)] = 0;
+    const int before = heading;
+    const Cell step = kDirections[static_cast<std::size_t>(heading)];
+    c = {c.x + step.x, c.y + step.y};
+    // At a corner where two parts touch turn left first, so that they stay apart.
+    for (const int turn : {1, 0, 3}) {
+      const int next = (before + turn) % 4;
+      if (squares.left(c, next) && !squares.right(c, next)) {
+        heading = next;
+        break;
       }
     }
+    if (heading != before) {
+      ring.push_back(c);
+    }
   }
+  return ring;
+}
+
+/// Gives each hole to the part that it lies in: of nested ones the smallest.
+void give_holes(std::vector<std::vector<Cell>> holes, std::vector<Outline>& parts) {
   for (std::vector<Cell>& hole : holes) {
     const Position p = inner_point(hole);
     Outline* owner = nullptr;
     for (Outline& part : parts) {
-      // Of nested parts the smallest.
       if (surrounds(part.ring, p.x(), p.y()) &&
           (owner == nullptr || doubled_area(part.ring) < doubled_area(owner->ring))) {
         owner = &part;
@@ -240,6 +242,29 @@ std::vector<Outline> outlines(const Grid& grid, const CellSet& ground) {
       owner->holes.push_back(std::move(hole));
     }
   }
+}
+
+}  // namespace
+
+std::vector<Outline> outlines(const Grid& grid, const CellSet& ground) {
+  const Squares squares(grid, ground);
+  OpenEdges open = open_edges(grid, squares);
+  std::vector<Outline> parts;
+  std::vector<std::vector<Cell>> holes;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    for (int d = 0; d < 4; ++d) {
+      std::vector<Cell> ring = walk_ring(grid, squares, grid.cell(i), d, open);
+      if (ring.empty()) {
+        continue;
+      }
+      if (doubled_area(ring) > 0.0) {
+        parts.push_back({std::move(ring), {}});
+      } else {
+        holes.push_back(std::move(ring));
+      }
+    }
+  }
+  give_holes(std::move(holes), parts);
   return parts;
 }
 
@@ -250,8 +275,8 @@ bool runs_within(const Grid& grid, const CellSet& ground, Cell a, Cell b) {
   if (dx == 0 || dy == 0) {
     // Along a grid line a square on either side will do.
     const int steps = std::max(std::abs(dx), std::abs(dy));
-    const int sx = (dx > 0) - (dx < 0);
-    const int sy = (dy > 0) - (dy < 0);
+    const int sx = sign_of(dx);
+    const int sy = sign_of(dy);
     for (int k = 0; k < steps; ++k) {
       const int x = std::min(a.x + k * sx, a.x + (k + 1) * sx);
       const int y = std::min(a.y + k * sy, a.y + (k + 1) * sy);

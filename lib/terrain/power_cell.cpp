@@ -18,7 +18,7 @@ std::vector<Position> clipped(const std::vector<Position>& polygon,
       kept.push_back(a);
     }
     if ((fa < 0.0 && fb > 0.0) || (fa > 0.0 && fb < 0.0)) {
-      kept.push_back(a + (b - a) * (fa / (fa - fb)));
+      kept.emplace_back(a + (b - a) * (fa / (fa - fb)));
     }
   }
   return kept;

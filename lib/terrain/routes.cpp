@@ -26,7 +26,7 @@ std::vector<Cell> shortest_route(const Grid& grid, const CellSet& ground, Cell f
   if (!is_member(grid, ground, from) || !is_member(grid, ground, to)) {
     return {};
   }
-  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  constexpr auto kNone = static_cast<std::size_t>(-1);
   std::vector<double> cost(grid.size(), kUnbounded);
   std::vector<std::size_t> before(grid.size(), kNone);
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;

@@ -59,27 +59,29 @@ std::string changes(const Named& cells,
                     std::string_view column) {
   std::vector<std::pair<double, std::string>> changed;
   std::size_t compared = 0;
+  std::size_t known = 0;
   for (const Row& row : cells.table().rows) {
     const auto* const change = cells.get<Estimate>(row, column);
-    if (cells.text(row, "panel") != panel || change == nullptr || !std::isfinite(change->low) ||
-        !std::isfinite(change->high)) {
+    if (cells.text(row, "panel") != panel || change == nullptr || !std::isfinite(change->value)) {
       continue;
     }
     ++compared;
+    known += std::isfinite(change->low) && std::isfinite(change->high) ? 1 : 0;
     if (change->low > 0.0 || change->high < 0.0) {
       const statistics::Interval interval{change->low, change->high, 0.0};
       changed.emplace_back(
           -std::abs(change->value),
-          fmt::format("{} ({})", cells.text(row, "cell"), in_words(change->value, interval)));
+          fmt::format("{} ({})", cells.text(row, "cell"), in_words(change->value, interval, 4)));
     }
   }
   std::ranges::stable_sort(changed, {}, &std::pair<double, std::string>::first);
   std::vector<std::string> names;
+  names.reserve(changed.size());
   for (auto& [size, name] : changed) {
     names.push_back(std::move(name));
   }
   const std::string count = fmt::format("{} in {} of {} cells", symbol, names.size(), compared);
-  return compared == 0 ? "" : names.empty() ? count : count + ": " + some(names);
+  return known == 0 ? "" : names.empty() ? count : count + ": " + some(names);
 }
 
 /// Of the landmark panel, from which conclusions are drawn; of the other one if there is none.
@@ -88,10 +90,14 @@ void add_changes(const Named& cells, std::vector<Finding>& findings) {
     const std::string auc = changes(cells, panel, "AUC", "auc_change");
     const std::string c = changes(cells, panel, "C", "c_change");
     if (!auc.empty() || !c.empty()) {
-      findings.push_back({fmt::format("Early certificate, {} panel", panel),
-                          "",
-                          "against the full method the interval of the change is without 0 for " +
-                              auc + (auc.empty() || c.empty() ? "" : "; for ") + c + "."});
+      findings.push_back(
+          {fmt::format("Early certificate, {} panel", panel),
+           "",
+           fmt::format("against the full method the interval of the change, not adjusted over "
+                       "cells, is without 0 for {}{}{}.",
+                       auc,
+                       auc.empty() || c.empty() ? "" : "; for ",
+                       c)});
       return;
     }
   }

@@ -15,7 +15,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-std::optional<Figure> calibration_figure(const Table& from) {
+std::optional<Figure> calibration_figure(const Table& h1_calibration) {
+  const Table& from = h1_calibration;
   Figure figure = named("calibration", "Success: out-of-fold calibration", from.synthetic);
   figure.caption =
       "Observed share of successes in tenths of the predicted probability, with Wilson's "

@@ -1,5 +1,7 @@
 #include "reports/figure/figure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,7 +34,7 @@ void require_known(const Figure& figure,
   for (std::size_t row = 0; row < figure.data.rows.size(); ++row) {
     const std::string text = text_at(figure.data, row, column);
     if (!text.empty() && !has(known, text) && is_of(figure, panel, layer, row)) {
-      refuse(figure, "'" + text + "' of column '" + column + "' is not declared");
+      refuse(figure, fmt::format("'{}' of column '{}' is not declared", text, column));
     }
   }
 }

@@ -37,6 +37,7 @@ void group_rows(Figure& figure) {
   }
   std::sort(rows.begin(), rows.end());
   std::vector<std::vector<TableCell>> grouped;
+  grouped.reserve(rows.size());
   for (const auto& [rank, row] : rows) {
     grouped.push_back(std::move(figure.data.rows[row]));
   }

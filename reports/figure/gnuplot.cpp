@@ -1,5 +1,7 @@
 #include "reports/figure/gnuplot.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,9 +96,11 @@ std::string reference_commands(const Panel& panel) {
   std::string out = "unset arrow\n";
   for (const Reference& reference : panel.references) {
     const std::string at = number(reference.at);
-    out += reference.vertical
-               ? "set arrow from first " + at + ", graph 0 to first " + at + ", graph 1"
-               : "set arrow from graph 0, first " + at + " to graph 1, first " + at;
+    out +=
+        fmt::format(fmt::runtime(reference.vertical
+                                     ? "set arrow from first {0}, graph 0 to first {0}, graph 1"
+                                     : "set arrow from graph 0, first {0} to graph 1, first {0}"),
+                    at);
     out += reference.strong
                ? " nohead back lw 1.2 lc rgb '#222222' dt " + std::string(kGuideDash) + "\n"
                : " nohead back lw 1 lc rgb '#888888'\n";
@@ -129,12 +133,9 @@ bool draws_gradient(const Figure& figure, const Panel& panel) {
   if (!figure.gradient) {
     return false;
   }
-  for (const Layer& layer : panel.layers) {
-    if (!layer.colour.empty() && layer.label.empty()) {
-      return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(panel.layers, [](const Layer& layer) {
+    return !layer.colour.empty() && layer.label.empty();
+  });
 }
 
 /// Title, label and legend: a plot of its own over the whole figure, since gnuplot makes a legend

@@ -83,6 +83,47 @@ std::string json_document(const FitReport& report) {
   return dumped(json, 1);
 }
 
+/// Every table as `print` has it, and the summary.
+template <class Print>
+std::string tables_of(const FitReport& report, const Print& print) {
+  std::string out;
+  for (const Table& one : report.tables) {
+    out += print(one) + '\n';
+  }
+  return out + print(name_and_value(report.summary));
+}
+
+/// Says once that its data were made. What was found is first, or last on a terminal.
+std::string text_document(const FitReport& report, std::size_t width) {
+  std::string out = report.synthetic ? to_string(*report.synthetic) + "\n\n" : "";
+  const std::string findings = findings_text(report.findings, width);
+  if (width == 0 && !findings.empty()) {
+    out += findings + '\n';
+  }
+  out += tables_of(report, [&](const Table& one) { return render(one, TableFormat::text, width); });
+  if (!report.conditions.empty()) {
+    out += "\nConditions\n\n" + conditions_text(report.conditions, width);
+  }
+  if (width > 0 && !findings.empty()) {
+    out += '\n' + findings;
+  }
+  return out;
+}
+
+/// Likewise.
+std::string markdown_document(const FitReport& report) {
+  const auto print = [](const Table& one) { return render(one, TableFormat::markdown); };
+  std::string out = report.synthetic ? "**" + to_string(*report.synthetic) + "**\n\n" : "";
+  if (!report.findings.rows.empty()) {
+    out += print(report.findings) + '\n';
+  }
+  out += tables_of(report, print);
+  if (!report.conditions.empty()) {
+    out += '\n' + print(conditions_table(report.conditions));
+  }
+  return out;
+}
+
 }  // namespace
 
 const Table* FitReport::find(std::string_view table) const noexcept {
@@ -173,31 +214,10 @@ std::string render(const FitReport& report,
   if (statistics::has_error(report.conditions) && !has_number(report)) {
     return labelled(conditions_table(report.conditions));
   }
-  // A document says once that its data were made; LaTeX tables each, for they go apart.
-  const bool once = format != TableFormat::latex;
-  const auto part = [&](const Table& one) {
-    return once ? render(one, format, width) : labelled(one);
-  };
-  std::string out;
-  if (once && report.synthetic) {
-    const std::string label = to_string(*report.synthetic);
-    out += (format == TableFormat::markdown ? "**" + label + "**" : label) + "\n\n";
+  if (format == TableFormat::latex) {
+    return tables_of(report, labelled);
   }
-  if (format == TableFormat::text && !report.findings.rows.empty()) {
-    out += findings_text(report.findings, width) + '\n';
-  } else if (format == TableFormat::markdown && !report.findings.rows.empty()) {
-    out += part(report.findings) + '\n';
-  }
-  for (const Table& one : report.tables) {
-    out += part(one) + '\n';
-  }
-  out += part(name_and_value(report.summary));
-  if (!report.conditions.empty() && format == TableFormat::text) {
-    out += "\nConditions\n\n" + conditions_text(report.conditions, width);
-  } else if (!report.conditions.empty() && format == TableFormat::markdown) {
-    out += '\n' + part(conditions_table(report.conditions));
-  }
-  return out;
+  return format == TableFormat::markdown ? markdown_document(report) : text_document(report, width);
 }
 
 }  // namespace tcert

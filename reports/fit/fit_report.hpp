@@ -41,13 +41,13 @@ struct FitReport {
 [[nodiscard]] std::string conditions_text(const statistics::Conditions& conditions,
                                           std::size_t width = 0);
 
-/// Text: the findings as lines, `tables`, the summary and the conditions, for a terminal of `width`
-/// as a table is. Markdown: likewise, the findings as a table. LaTeX: `tables` and the summary, for
-/// a text has words of its own. JSON: one document with everything; the summary is an object, every
-/// table a list of objects, each condition an object with name, severity, column, detail. CSV and
-/// JSON Lines: the main table. With `table` only the table of that name, in any format; it is to be
-/// there. After an error without a single number in the main table, text, Markdown and LaTeX have
-/// the conditions alone.
+/// Text: the findings as lines, `tables`, the summary and the conditions; for a terminal of
+/// `width`, on which the end is what one sees, the findings are last. Markdown: likewise, the
+/// findings as a table. LaTeX: `tables` and the summary, for a text has words of its own. JSON: one
+/// document with everything; the summary is an object, every table a list of objects, each
+/// condition an object with name, severity, column, detail. CSV and JSON Lines: the main table.
+/// With `table` only the table of that name, in any format; it is to be there. After an error
+/// without a single number in the main table, text, Markdown and LaTeX have the conditions alone.
 [[nodiscard]] std::string render(const FitReport& report,
                                  TableFormat format,
                                  std::string_view table = {},

@@ -18,6 +18,7 @@ namespace tcert {
 template <class Coefficients>
 [[nodiscard]] std::vector<std::string> names_of(const Coefficients& coefficients) {
   std::vector<std::string> names;
+  names.reserve(coefficients.size());
   for (const auto& one : coefficients) {
     names.push_back(one.column);
   }

@@ -1,5 +1,7 @@
 #include "reports/results/results.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -81,7 +83,7 @@ std::optional<std::string> difference_of(const Result& a, const Result& b) {
   for (const auto& [key, value] : a.manifest.parameters) {
     for (const auto& [other_key, other] : b.manifest.parameters) {
       if (key == other_key && value != other) {
-        return "the parameter " + key + " is '" + value + "' there and '" + other + "' here";
+        return fmt::format("the parameter {} is '{}' there and '{}' here", key, value, other);
       }
     }
   }

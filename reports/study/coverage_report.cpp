@@ -128,6 +128,7 @@ FitReport null_report(const std::vector<NullAuc>& rows) {
     sum.auc += row.auc.value_or(0.0);
   }
   std::vector<Sum> panels;
+  panels.reserve(sums.size());
   for (const auto& [name, sum] : sums) {
     panels.push_back(sum);
   }

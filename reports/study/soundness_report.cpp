@@ -48,12 +48,7 @@ Table rate_table(const SoundnessRuns& runs) {
       .text("method", "method", [](const RateRow& row) { return row.method->name; })
       .yes_or_no("noise", "noise", [](const RateRow& row) { return row.method->noise; })
       .integer("worlds", "n", count(&SoundnessSummary::worlds))
-      .integer("ticks", "ticks", count(&SoundnessSummary::ticks))
-      .integer("issued", "issued", count(&SoundnessSummary::issued))
-      .integer("untraversable", "T <= 0", count(&SoundnessSummary::untraversable))
-      .integer("issued_untraversable", "issued, T <= 0", count(&SoundnessSummary::spurious))
       .integer("violating_worlds", "worlds violated", count(&SoundnessSummary::violations))
-      .integer("violating_ticks", "ticks violated", count(&SoundnessSummary::violating_ticks))
       .fixed("largest_excess_m",
              "largest excess",
              "m",
@@ -65,8 +60,12 @@ Table rate_table(const SoundnessRuns& runs) {
                 return static_cast<double>(row.summary.violations) /
                        static_cast<double>(row.summary.worlds);
               })
-      .number(
-          "upper_95", "at most", [](const RateRow& row) { return row.summary.violation_bound; });
+      .number("upper_95", "at most", [](const RateRow& row) { return row.summary.violation_bound; })
+      .integer("ticks", "ticks", count(&SoundnessSummary::ticks))
+      .integer("issued", "issued", count(&SoundnessSummary::issued))
+      .integer("untraversable", "T <= 0", count(&SoundnessSummary::untraversable))
+      .integer("issued_untraversable", "issued, T <= 0", count(&SoundnessSummary::spurious))
+      .integer("violating_ticks", "ticks violated", count(&SoundnessSummary::violating_ticks));
   Table table = columns.table("soundness", "Is the certificate at most the truth?", rows);
   table.footnotes = {
       "A violation is T_t > T at any tick, however small. The bound is on the rate of worlds: "

@@ -71,6 +71,16 @@ TEST(TableWidth, BreaksALongTextInsteadOfLeavingItOut) {
   EXPECT_NE(text.find("7"), std::string::npos) << text;
 }
 
+TEST(TableWidth, LeavesOutWhatIsTheSameInEveryRowFirst) {
+  Table table = wide_table();
+  table.rows.clear();
+  table.add_row({std::string("a"), Number{1.0}, Number{2.0}, Number{3.0}});
+  table.add_row({std::string("b"), Number{1.0}, Number{4.0}, Number{5.0}});
+  const std::string text = render(table, TableFormat::text, 27);
+  EXPECT_EQ(text.find("1.00"), std::string::npos) << text;
+  EXPECT_NE(text.find("5.00"), std::string::npos) << text;
+}
+
 TEST(TextWidth, BreaksAtSpacesAndIndentsWhatGoesOn) {
   EXPECT_EQ(wrapped("one two three\nfour\n", 8), "one\n  two\n  three\nfour\n");
   EXPECT_EQ(wrapped("one two three\n", 0), "one two three\n");

@@ -218,7 +218,7 @@ constexpr auto kEntries = std::to_array<Entry>({
     {ConditionKind::withheld,
      "withheld",
      "p-values and intervals are withheld",
-     "with so few none that is here keeps its level; the estimates stand"},
+     "with so few no interval and no test keeps its level; the estimates stand"},
     {ConditionKind::one_class_fold, "one_class_fold", "a fold with one class", "it is left out"},
     {ConditionKind::fold_without_fit,
      "fold_without_fit",

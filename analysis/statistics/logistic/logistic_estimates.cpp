@@ -45,7 +45,7 @@ Eigen::MatrixXd basis_covariance(const LogisticInput& input,
                                  const NewtonResult& newton,
                                  LogisticFit& fit) {
   const Eigen::Index rank = problem.space.rank();
-  const Eigen::MatrixXd inverse = Cholesky(newton.at.information).inverse();
+  Eigen::MatrixXd inverse = Cholesky(newton.at.information).inverse();
   if (fit.variance == CoefficientVariance::model) {
     return inverse;
   }

@@ -26,7 +26,10 @@ void require_size(std::span<const GridAxis> axes) {
 std::string overrides_text(const Cell& cell) {
   std::string text;
   for (const auto& [key, value] : cell.overrides) {
-    text += (text.empty() ? "" : " ") + key + '=' + value;
+    text += text.empty() ? "" : " ";
+    text += key;
+    text += '=';
+    text += value;
   }
   return text.empty() ? "(none)" : text;
 }
@@ -99,7 +102,7 @@ PlannedCell plan(Cell cell, const ParameterSet& base, const Robot& robot, const 
   } catch (const std::invalid_argument& error) {
     return {std::move(cell), std::string(error.what())};
   }
-  return {std::move(cell), std::move(set)};
+  return {std::move(cell), set};
 }
 
 }  // namespace tcert::study

@@ -26,10 +26,14 @@ void along(const Position& a, const Position& b, Visit visit) {
 class SparseField {
  public:
   SparseField(const Grid& grid, const SparseRrtOptions& o) : grid_(grid), prior_(o.prior) {
-    for (double x = 0.0; x < grid.rows + o.inducing_spacing; x += o.inducing_spacing) {
-      for (double y = 0.0; y < grid.columns + o.inducing_spacing; y += o.inducing_spacing) {
+    double x = 0.0;
+    while (x < grid.rows + o.inducing_spacing) {
+      double y = 0.0;
+      while (y < grid.columns + o.inducing_spacing) {
         inducing_.emplace_back(x, y);
+        y += o.inducing_spacing;
       }
+      x += o.inducing_spacing;
     }
     const auto m = static_cast<Eigen::Index>(inducing_.size());
     k_mm_.resize(m, m);
@@ -53,13 +57,13 @@ class SparseField {
     const Eigen::VectorXd weights = factor.solve(moment_);
     const int rows = grid_.rows / kStep + 2;
     columns_ = grid_.columns / kStep + 2;
-    mean_.resize(static_cast<std::size_t>(rows * columns_));
+    mean_.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns_));
     deviation_.resize(mean_.size());
     for (int i = 0; i < rows; ++i) {
       for (int j = 0; j < columns_; ++j) {
         const Eigen::VectorXd k =
             row({static_cast<double>(i * kStep), static_cast<double>(j * kStep)});
-        const auto at = static_cast<std::size_t>(i * columns_ + j);
+        const std::size_t at = place(i, j);
         mean_[at] = prior_.mean + k.dot(weights);
         const double variance = prior_.variance - prior_factor_.matrixL().solve(k).squaredNorm() +
                                 factor.matrixL().solve(k).squaredNorm();
@@ -73,6 +77,12 @@ class SparseField {
 
  private:
   static constexpr int kStep = 8;
+
+  /// Of point (i, j) of the coarse lattice.
+  [[nodiscard]] std::size_t place(int i, int j) const noexcept {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(j);
+  }
 
   [[nodiscard]] Eigen::VectorXd row(const Position& p) const {
     Eigen::VectorXd k(static_cast<Eigen::Index>(inducing_.size()));
@@ -91,9 +101,7 @@ class SparseField {
     const int j = static_cast<int>(y);
     const double u = x - i;
     const double v = y - j;
-    const auto at = [&](int a, int b) {
-      return values[static_cast<std::size_t>(a * columns_ + b)];
-    };
+    const auto at = [&](int a, int b) { return values[place(a, b)]; };
     return (1 - u) * ((1 - v) * at(i, j) + v * at(i, j + 1)) +
            u * ((1 - v) * at(i + 1, j) + v * at(i + 1, j + 1));
   }

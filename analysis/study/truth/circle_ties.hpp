@@ -23,7 +23,7 @@ using Obstacle = std::variant<Disc, Wall>;
 [[nodiscard]] inline double surface_distance(const Wall& wall, Point p) noexcept {
   return dot(wall.normal, p) - wall.offset_m;
 }
-[[nodiscard]] inline double surface_distance(const Obstacle& obstacle, Point p) noexcept {
+[[nodiscard]] inline double surface_distance(const Obstacle& obstacle, Point p) {
   return std::visit([p](const auto& o) { return surface_distance(o, p); }, obstacle);
 }
 

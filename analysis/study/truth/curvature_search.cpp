@@ -144,11 +144,11 @@ class Search {
     const Extent extent = extent_of(*world_.start);
     const Point middle = 0.5 * (extent.low + extent.high);
     const double step = query_.cell_m;
-    const double across = std::floor(0.5 * (extent.high.x_m - extent.low.x_m) / step);
-    const double along = std::floor(0.5 * (extent.high.y_m - extent.low.y_m) / step);
-    for (double y = -along; y <= along; y += 1.0) {
-      for (double x = -across; x <= across; x += 1.0) {
-        const Point p = middle + step * Point{x, y};
+    const auto across = static_cast<int>(0.5 * (extent.high.x_m - extent.low.x_m) / step);
+    const auto along = static_cast<int>(0.5 * (extent.high.y_m - extent.low.y_m) / step);
+    for (int y = -along; y <= along; ++y) {
+      for (int x = -across; x <= across; ++x) {
+        const Point p = middle + step * Point{static_cast<double>(x), static_cast<double>(y)};
         if (contains(*world_.start, p)) {
           add(p);
         }

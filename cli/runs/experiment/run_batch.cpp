@@ -250,8 +250,7 @@ ExitCode run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progre
   const Table& shown = options.table == "issuance" ? tables.issuance
                        : options.table == "speed"  ? tables.speed
                                                    : tables.cells;
-  progress.show(tcert::cli::shown(shown, options.output, progress));
-  sum_up(tables.findings, progress);
+  show_found(shown, tables.findings, options.output, progress);
   return code;
 }
 
