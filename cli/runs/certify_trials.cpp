@@ -104,6 +104,59 @@ void write_trial_files(const study::StudiedTrial& trial,
   }
 }
 
+/// What is left of a trial when its ticks are gone.
+struct CertifiedTrial {
+  study::TrialRecord record;
+  FileDigest digest;
+  std::vector<TableCell> certificate;
+  std::vector<table::Diagnostic> diagnostics;
+  bool rejected = false;
+  std::size_t log_bytes = 0;
+  std::function<void()> finish;
+};
+
+/// Takes trials in order, one at a time.
+class Gathering {
+ public:
+  /// `tables` may be null.
+  Gathering(TrialTables* tables, Progress& progress, const TrialSink& sink)
+      : tables_(tables), progress_(progress), sink_(sink) {}
+
+  void take(CertifiedTrial& trial) {
+    const std::string& id = trial.record.row.trial.trial_id;
+    logs_.add(id, trial.digest);
+    summary_.log_bytes += trial.log_bytes;
+    progress_.say(trial.diagnostics);
+    if (tables_ != nullptr) {
+      tables_->add_diagnostics(id, trial.diagnostics);
+    }
+    if (trial.rejected) {
+      summary_.rejected.push_back(id);
+      return;
+    }
+    ++summary_.trials;
+    if (tables_ != nullptr) {
+      tables_->add_trial(trial.record, trial.certificate);
+    }
+    if (trial.finish) {
+      trial.finish();
+    }
+    if (sink_) {
+      sink_(std::move(trial.record));
+    }
+  }
+
+  [[nodiscard]] CertifySummary& summary() noexcept { return summary_; }
+  [[nodiscard]] ListDigest& logs() noexcept { return logs_; }
+
+ private:
+  TrialTables* tables_;
+  Progress& progress_;
+  const TrialSink& sink_;
+  CertifySummary summary_;
+  ListDigest logs_;
+};
+
 }  // namespace
 
 CertifySummary certify_trials(const OpenedBundle& opened,
@@ -117,64 +170,49 @@ CertifySummary certify_trials(const OpenedBundle& opened,
   const Robot robot = study::with_overrides(bundle.info.robot, opened.parameters.robot);
   const SeriesFormat format{
       opened.parameters.speed_law, files.ray_margins, synthetic_label(bundle.info)};
-  CertifySummary summary;
-  ListDigest logs;
   std::unique_ptr<TrialTables> tables;
   if (folder != nullptr) {
     tables = std::make_unique<TrialTables>(bundle, folder->staging());
     tables->add_diagnostics("", opened.diagnostics);
   }
+  Gathering gathering(tables.get(), progress, sink);
   Stage stage(progress, "certifying", opened.trials.size());
   const study::StudyOptions study{
       {opened.logs.repair}, static_cast<int>(threads), files.ray_margins && folder != nullptr};
   const auto work = [&](study::StudiedTrial&& trial) -> std::function<bool()> {
-    const FileDigest digest = folder != nullptr ? log_digest(bundle, *trial.row) : FileDigest{};
+    auto done = std::make_shared<CertifiedTrial>();
+    done->rejected = trial.rejected;
+    done->log_bytes = trial.log_bytes;
+    if (folder != nullptr) {
+      done->digest = log_digest(bundle, *trial.row);
+    }
     if (folder != nullptr && !trial.rejected) {
       write_trial_files(trial, *folder, files, format, robot);
     }
-    auto certificate = certificates_row(trial, digest.sha256);
-    auto diagnostics = std::move(trial.diagnostics);
-    const bool rejected = trial.rejected;
-    const std::size_t bytes = trial.log_bytes;
-    const std::function<void()> finish = extra && !rejected ? extra(trial) : nullptr;
+    done->certificate = certificates_row(trial, done->digest.sha256);
+    done->diagnostics = std::move(trial.diagnostics);
+    if (extra && !trial.rejected) {
+      done->finish = extra(trial);
+    }
     // The ticks end here: what waits for its turn is small.
-    auto row = std::make_shared<study::TrialRecord>(study::summarise(std::move(trial)));
-    return [&, row, digest, certificate, diagnostics, rejected, bytes, finish]() {
-      const std::string& id = row->row.trial.trial_id;
+    done->record = study::summarise(std::move(trial));
+    return [&, done]() {
       stage.advance();
-      logs.add(id, digest);
-      summary.log_bytes += bytes;
-      progress.say(diagnostics);
-      if (tables) {
-        tables->add_diagnostics(id, diagnostics);
-      }
-      if (rejected) {
-        summary.rejected.push_back(id);
-        return !opened.logs.strict;
-      }
-      ++summary.trials;
-      if (tables) {
-        tables->add_trial(*row, certificate);
-      }
-      if (finish) {
-        finish();
-      }
-      if (sink) {
-        sink(std::move(*row));
-      }
-      return true;
+      gathering.take(*done);
+      return !done->rejected || !opened.logs.strict;
     };
   };
   study::study_trials(bundle, opened.trials, opened.parameters, study, work);
+  CertifySummary& summary = gathering.summary();
   if (opened.logs.strict && !summary.rejected.empty()) {
     throw BadData("trial '" + summary.rejected.front() +
                   "' is rejected, and --strict was asked for");
   }
   if (tables) {
     tables->close();
-    summary.inputs = bundle_inputs(bundle, logs.finish());
+    summary.inputs = bundle_inputs(bundle, gathering.logs().finish());
   }
-  return summary;
+  return std::move(summary);
 }
 
 ExitCode conclude(const CertifySummary& summary, const OpenedBundle& opened, Progress& progress) {
