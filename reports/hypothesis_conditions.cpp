@@ -27,6 +27,12 @@ Condition at_most_warning(Condition condition) {
   return condition;
 }
 
+/// What a detail is about: the whole of it where it does not say.
+std::string subject_of(const std::string& detail) {
+  const std::string subject = statistics::subject_of(detail);
+  return subject.empty() ? detail : subject;
+}
+
 void add(const std::string& whose, const Conditions& some, Conditions& all) {
   for (const Condition& condition : some) {
     all.push_back(of(whose, condition));
@@ -72,7 +78,7 @@ Conditions conditions_of(const study::H1Table& h1) {
         if (condition.column == row.name) {
           condition.column.clear();  // The row is named.
         }
-        owned.push_back({row.name, statistics::subject_of(condition.detail), condition});
+        owned.push_back({row.name, subject_of(condition.detail), condition});
       }
     }
     add_shared(name, owned, all);
@@ -89,8 +95,7 @@ Conditions conditions_of(const study::H2Table& h2) {
     std::vector<statistics::OwnedCondition> owned;
     for (const study::H2Level& level : panel.levels) {
       for (const Condition& condition : level.conditions) {
-        owned.push_back(
-            {level.name, statistics::subject_of(condition.detail), at_most_warning(condition)});
+        owned.push_back({level.name, subject_of(condition.detail), at_most_warning(condition)});
       }
     }
     add_shared(name, owned, all);

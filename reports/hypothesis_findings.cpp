@@ -66,10 +66,13 @@ std::string h1_evidence(const study::H1Panel& panel,
                                            : "There is no gain to read.";
   }
   const H1Row& tested = panel.rows.front();
-  return fmt::format("{} of {} {}; the least gain {}, over {}.",
+  const bool below = found.verdict == study::Verdict::contradicted;
+  return fmt::format("{} of {} {} in {} trials; the gain that {} is {}, over {}.",
                      comparison.name,
                      tested.name,
                      score_words(comparison.score(tested)),
+                     panel.complete,
+                     below ? "lies below 0" : "reaches lowest",
                      score_words(*found.gain),
                      found.rival->name);
 }
@@ -106,34 +109,20 @@ std::vector<const Panel*> in_order(const std::vector<Panel>& panels, const Kind&
 std::string h2_evidence(const char* name,
                         const study::H2Panel& panel,
                         const study::H2Equality& equality) {
-  const statistics::EquivalencePair* widest = nullptr;
-  for (const statistics::EquivalencePair& pair : equality.tests.pairs) {
-    if (widest == nullptr || pair.smallest_margin > widest->smallest_margin) {
-      widest = &pair;
-    }
-  }
-  if (widest == nullptr) {
-    return "There are no two groups to compare.";
+  const statistics::EquivalencePair* const pair = study::deciding_pair(panel, equality);
+  if (pair == nullptr) {
+    return "There are no two groups with intervals to compare.";
   }
   const auto& names = equality.groups.names;
-  const std::string& withheld = panel.levels[widest->first].withheld.empty()
-                                    ? panel.levels[widest->second].withheld
-                                    : panel.levels[widest->first].withheld;
-  std::string text = fmt::format(
-      "The pair farthest from equal is {} of {} less that of {}: {}; the margin of "
-      "equivalence is {}",
+  return fmt::format(
+      "{} of {} less that of {}: {}, the pair farthest from equal; the margin of "
+      "equivalence is {}, {} would have been enough.",
       name,
-      names[widest->first],
-      names[widest->second],
-      in_words(widest->difference,
-               withheld.empty() ? std::optional(widest->interval) : std::nullopt),
-      significant(equality.tests.options.margin, 3));
-  if (equality.tests.smallest_margin) {
-    text +=
-        ", the smallest that would have been enough " + fixed(*equality.tests.smallest_margin, 3);
-  }
-  text += ".";
-  return withheld.empty() ? text : text + " The interval is withheld: " + withheld + ".";
+      names[pair->first],
+      names[pair->second],
+      in_words(pair->difference, pair->interval),
+      significant(equality.tests.options.margin, 3),
+      fixed(pair->smallest_margin, 3));
 }
 
 /// Cases of one law under all lightings together that have the same verdict.
@@ -161,10 +150,14 @@ Finding h3_finding(const study::H3Group& all,
                           worst->lost,
                           all.successes);
   if (worst->lost_upper) {
-    evidence += fmt::format(", {} % of {} trials (bound {} %)",
-                            fixed(100.0 * worst->lost_share.value_or(kMissing), 1),
+    evidence += fmt::format(", {} % of {} trials (bounds {} and {} %)",
+                            fixed(100.0 * *worst->lost_share, 1),
                             all.trials,
+                            fixed(100.0 * *worst->lost_lower, 1),
                             fixed(100.0 * *worst->lost_upper, 1));
+  }
+  if (!all.gap.interval || all.gap.interval->low <= 0.0) {
+    evidence += ". A lead that could be won back is not shown";
   }
   if (!all.withheld.empty()) {
     evidence += ". Intervals are withheld: " + all.withheld;

@@ -22,8 +22,9 @@ enum class Verdict : std::uint8_t {
 /// Gains over the rivals of a panel, by one of its scores.
 struct H1Verdict {
   Verdict verdict = Verdict::not_decided;
-  const H1Row* rival = nullptr;   ///< The one whose gain's interval reaches lowest; without an
-                                  ///< interval, the one of the least gain. Null without a gain.
+  /// Contradicted: the one whose interval lies furthest below 0. Else the one whose gain's interval
+  /// reaches lowest, or whose gain is least where there are no intervals. Null without a gain.
+  const H1Row* rival = nullptr;
   const H1Score* gain = nullptr;  ///< Over it.
 };
 
@@ -31,9 +32,14 @@ struct H1Verdict {
 /// over one lies below 0. `gain` gives a row's.
 [[nodiscard]] H1Verdict h1_verdict(const H1Panel& panel, const H1Score& (*gain)(const H1Row&));
 
+/// The pair whose interval lies furthest outside of the margin, or if none does reaches furthest;
+/// null if a group of every pair has its intervals withheld.
+[[nodiscard]] const statistics::EquivalencePair* deciding_pair(const H2Panel& panel,
+                                                               const H2Equality& equality);
+
 /// Supported if all pairs of groups are equivalent at the margin (two one-sided tests),
 /// contradicted if the interval of one pair's difference lies outside of it. A pair with a group
-/// whose intervals are withheld decides nothing.
+/// whose intervals are withheld decides nothing, and without a variance nothing is equivalent.
 [[nodiscard]] Verdict h2_verdict(const H2Panel& panel, const H2Equality& equality);
 
 /// Supported if the interval of the gain lies above 0 and the bound of the loss is below the

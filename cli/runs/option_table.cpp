@@ -137,7 +137,8 @@ void require_ranges(const OptionTable& table) {
     } else if (const auto* const some = std::get_if<std::optional<double>*>(&option.value)) {
       require_range(option.name, (*some)->value_or(low), low, high);
     } else if (const auto* const few = std::get_if<std::optional<std::int64_t>*>(&option.value)) {
-      require_range(option.name, *few && **few ? static_cast<double>(***few) : low, low, high);
+      const std::optional<std::int64_t>& count = **few;
+      require_range(option.name, count ? static_cast<double>(*count) : low, low, high);
     }
   }
 }

@@ -1,6 +1,8 @@
 #include "cli/runs/report_output.hpp"
 
 #include <filesystem>
+#include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -36,15 +38,17 @@ namespace {
 /// by its name.
 void say_conditions(const statistics::Conditions& conditions, Progress& progress) {
   statistics::Conditions whole;
+  std::set<std::string_view> named;
   std::string names;
   for (const statistics::Condition& one : conditions) {
-    const std::string name(words(one.kind));
+    const std::string_view name = words(one.kind);
     if (one.severity == statistics::ConditionSeverity::error ||
         one.kind == statistics::ConditionKind::withheld) {
       whole.push_back(one);
     } else if (one.severity == statistics::ConditionSeverity::warning &&
-               names.find(name) == std::string::npos) {
-      names += (names.empty() ? "" : ", ") + name;
+               named.insert(name).second) {
+      names += names.empty() ? "" : ", ";
+      names += name;
     }
   }
   std::string lines = conditions_text(whole, progress.width());
@@ -104,7 +108,7 @@ void ReportOutput::write_folder(FitReport report, Manifest manifest) {
   }
   report.details.push_back(report.summary);
   if (!report.conditions.empty()) {
-    report.details.push_back(conditions_table(report.conditions));
+    report.details.push_back(all_conditions_table(report.conditions));
   }
   for (Table& one : report.details) {
     folder_->write(one.name + ".csv", render(labelled(one), TableFormat::csv));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -23,31 +24,31 @@ struct NumberKey {
   std::string_view limit;  ///< Of the option that it stands for.
   bool whole = false;
 };
-constexpr std::string_view kCell = "";  // a cell's coordinate
-constexpr NumberKey kNumbers[] = {
-    {"environment.THRESHOLD", &TerrainConfig::threshold, "threshold"},
-    {"environment.SIMPLIFICATION_CONSTANT", &TerrainConfig::simplification, "simplification"},
-    {"robot.ROBOT_RADIUS", &TerrainConfig::robot_radius, "robot-radius"},
-    {"robot.STARTING_X", &TerrainConfig::start_x, kCell, true},
-    {"robot.STARTING_Y", &TerrainConfig::start_y, kCell, true},
-    {"robot.GOAL_X", &TerrainConfig::goal_x, kCell, true},
-    {"robot.GOAL_Y", &TerrainConfig::goal_y, kCell, true},
-    {"optimization.NUM_EXPANDERS", &TerrainConfig::expanders, "expanders", true},
-    {"optimization.KERNEL_VARIANCE", &TerrainConfig::kernel_variance, "kernel-variance"},
-    {"optimization.KERNEL_LENGTHSCALE", &TerrainConfig::kernel_lengthscale, "kernel-length-scale"},
-    {"optimization.BETA", &TerrainConfig::beta, "beta"},
-    {"optimization.LIPSCHITZ", &TerrainConfig::lipschitz, "lipschitz"},
-    {"display.FRAMECOUNT", &TerrainConfig::frames, "frames", true},
-    {"display.BUFFER_SIZE", &TerrainConfig::buffer_size, "expanders"}};
+constexpr std::string_view kCell;  // a cell's coordinate
+constexpr std::array<NumberKey, 14> kNumbers{
+    {{"environment.THRESHOLD", &TerrainConfig::threshold, "threshold"},
+     {"environment.SIMPLIFICATION_CONSTANT", &TerrainConfig::simplification, "simplification"},
+     {"robot.ROBOT_RADIUS", &TerrainConfig::robot_radius, "robot-radius"},
+     {"robot.STARTING_X", &TerrainConfig::start_x, kCell, true},
+     {"robot.STARTING_Y", &TerrainConfig::start_y, kCell, true},
+     {"robot.GOAL_X", &TerrainConfig::goal_x, kCell, true},
+     {"robot.GOAL_Y", &TerrainConfig::goal_y, kCell, true},
+     {"optimization.NUM_EXPANDERS", &TerrainConfig::expanders, "expanders", true},
+     {"optimization.KERNEL_VARIANCE", &TerrainConfig::kernel_variance, "kernel-variance"},
+     {"optimization.KERNEL_LENGTHSCALE", &TerrainConfig::kernel_lengthscale, "kernel-length-scale"},
+     {"optimization.BETA", &TerrainConfig::beta, "beta"},
+     {"optimization.LIPSCHITZ", &TerrainConfig::lipschitz, "lipschitz"},
+     {"display.FRAMECOUNT", &TerrainConfig::frames, "frames", true},
+     {"display.BUFFER_SIZE", &TerrainConfig::buffer_size, "expanders"}}};
 
 struct WordKey {
   const char* name;
   std::optional<std::string> TerrainConfig::*field;
 };
 constexpr std::string_view kOldMode = "environment.MODE";
-constexpr WordKey kWords[] = {{"environment.FILENAME", &TerrainConfig::filename},
-                              {"environment.MODE", &TerrainConfig::mode},
-                              {"robot.MODE", &TerrainConfig::mode}};
+constexpr std::array<WordKey, 3> kWords{{{"environment.FILENAME", &TerrainConfig::filename},
+                                         {"environment.MODE", &TerrainConfig::mode},
+                                         {"robot.MODE", &TerrainConfig::mode}}};
 
 [[nodiscard]] std::string without_quotes(std::string text) {
   if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
@@ -99,9 +100,11 @@ void take(TerrainConfig& config,
         return;
       }
       if (word.field == &TerrainConfig::mode && value != "navigate" && value != "explore") {
-        throw UsageError(path + ": " + key + ": found '" + value +
-                         "', expected navigate or explore" +
-                         did_you_mean(value, {"navigate", "explore"}));
+        throw UsageError(fmt::format("{}: {}: found '{}', expected navigate or explore{}",
+                                     path,
+                                     key,
+                                     value,
+                                     did_you_mean(value, {"navigate", "explore"})));
       }
       config.*word.field = value;
       return;

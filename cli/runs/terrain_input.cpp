@@ -89,7 +89,7 @@ TerrainGrid read_terrain_or_throw(const std::string& path,
     throw BadData("'" + path + "' is no terrain");
   }
   for (const std::string& note : file.notes) {
-    progress.say(path + ": " + note + ".");
+    progress.say(fmt::format("{}: {}.", path, note));
   }
   return std::move(*file.terrain);
 }

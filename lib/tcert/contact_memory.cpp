@@ -95,7 +95,7 @@ void gaussian_row(Offset offset_m,
                   double ratio_fall,
                   std::span<double> weights) noexcept {
   const double per_square = -0.5 / (sigma_m * sigma_m);
-  const double last = static_cast<double>(weights.size() - 1);
+  const auto last = static_cast<double>(weights.size() - 1);
   const double nearest = std::clamp(std::round(-offset_m(0) / step_m), 0.0, last);
   const double off_m = offset_m(static_cast<std::int32_t>(nearest));
   const auto middle = static_cast<std::size_t>(nearest);

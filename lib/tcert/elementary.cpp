@@ -150,7 +150,7 @@ Angle first_octant(double y, double x) noexcept {
 
 double exp(double x) noexcept {
   if (!(x < 709.79)) {
-    return std::isnan(x) ? x : kInfinity;
+    return std::isnan(x) ? x : kInfinity;  // NOLINT(bugprone-narrowing-conversions): it is none.
   }
   if (x < -745.2) {
     return 0.0;
@@ -167,7 +167,7 @@ double exp(double x) noexcept {
 
 double exp2(double x) noexcept {
   if (!(x < 1024.0)) {
-    return std::isnan(x) ? x : kInfinity;
+    return std::isnan(x) ? x : kInfinity;  // NOLINT(bugprone-narrowing-conversions): it is none.
   }
   if (x < -1075.0) {
     return 0.0;
@@ -191,7 +191,7 @@ double log(double x) noexcept {
     shift = -54;
   }
   const auto bits = std::bit_cast<std::uint64_t>(x);
-  int k = static_cast<int>(bits >> 52U) - 1023;
+  auto k = static_cast<int>(bits >> 52U) - 1023;
   double m = std::bit_cast<double>((bits & 0x000FFFFFFFFFFFFFULL) | 0x3FF0000000000000ULL);
   if (m > 1.4142135623730951) {
     m *= 0.5;
@@ -203,7 +203,7 @@ double log(double x) noexcept {
   // log(1 + f) = 2 atanh(s) = f - (f^2/2 - s (f^2/2 + rest)), the small parts first.
   const double half = 0.5 * f * f;
   const double rest = square * polynomial(kLog, square);
-  const double n = static_cast<double>(k + shift);
+  const auto n = static_cast<double>(k + shift);
   return n * kLn2High + (f - (half - (s * (half + rest) + n * kLn2Low)));
 }
 

@@ -45,7 +45,8 @@ constexpr double kShortOfPivot = 0.95;
 double crossing_m(Point a, Point u, Point b, Point v) noexcept {
   const double sine = cross(v, u);
   const double along_m = sine == 0.0 ? -1.0 : cross(v, b - a) / sine;
-  return along_m >= 0.0 ? along_m : kInfinity;
+  return along_m >= 0.0 ? along_m
+                        : kInfinity;  // NOLINT(bugprone-narrowing-conversions): it is none.
 }
 
 }  // namespace

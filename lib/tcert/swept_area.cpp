@@ -83,12 +83,13 @@ bool covers(const Region& region, const Box& box) noexcept {
   if (const auto* disc = std::get_if<Disc>(&region)) {
     return covers(*disc, box);
   }
+  const auto* const polygon = std::get_if<Polygon>(&region);
   const Point middle = 0.5 * (box.low + box.high);
-  if (!contains(region, middle)) {
+  if (polygon == nullptr || !contains(region, middle)) {
     return false;
   }
   const double half_diagonal = distance(middle, box.low);
-  const auto& v = std::get<Polygon>(region).vertices;
+  const auto& v = polygon->vertices;
   for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
     if (distance_to_segment(middle, v[j], v[i]) <= half_diagonal) {
       return false;

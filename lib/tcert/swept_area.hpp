@@ -36,9 +36,9 @@ class SweptArea {
   /// `clearances_m` holds one per ray, NaN where it is missing.
   void sweep(const Pose& pose, std::span<const double> clearances_m) noexcept;
 
-  /// Distance from the segment a-b to the nearest cell that is not swept.
+  /// Distance of the segment to the nearest cell that is not swept.
   /// O(blocks within the distance).
-  [[nodiscard]] SweptClearance clearance(Point a, Point b) noexcept;
+  [[nodiscard]] SweptClearance clearance(Point from, Point to) noexcept;
 
   /// True if the cell is swept or lies in S or G.
   [[nodiscard]] bool is_free(SweptCell cell) noexcept;

@@ -79,7 +79,7 @@ class SweptMargins {
   [[nodiscard]] FollowedPass& followed(std::size_t i) noexcept {
     return passes_[(first_pass_ + i) % passes_.size()];
   }
-  void push(const Step& step) noexcept;
+  void push(const Step& next) noexcept;
   void settle_oldest() noexcept;
   void look_at(Step& step) noexcept;
   void forget_settled_passes() noexcept;

@@ -53,6 +53,17 @@ std::string some(const std::vector<std::string>& details) {
 
 }  // namespace
 
+Table all_conditions_table(const statistics::Conditions& conditions) {
+  using statistics::Condition;
+  return ColumnsOf<Condition>()
+      .text("severity", "", [](auto& one) { return std::string(to_string(one.severity)); })
+      .text("condition", "condition", [](auto& one) { return std::string(words(one.kind)); })
+      .text("column", "column", &Condition::column)
+      .text("detail", "found", &Condition::detail)
+      .text("advice", "what to do", [](auto& one) { return std::string(advice(one)); })
+      .table("conditions", "Conditions", conditions);
+}
+
 Table conditions_table(const statistics::Conditions& conditions) {
   return ColumnsOf<Shared>()
       .text("severity", "", [](auto& one) { return std::string(to_string(one.first.severity)); })

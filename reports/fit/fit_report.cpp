@@ -212,7 +212,10 @@ std::string render(const FitReport& report,
     return report.tables.empty() ? labelled(report.summary) : labelled(report.tables.front());
   }
   if (statistics::has_error(report.conditions) && !has_number(report)) {
-    return labelled(conditions_table(report.conditions));
+    const std::string findings =
+        format == TableFormat::text ? findings_text(report.findings, width) : "";
+    return labelled(conditions_table(report.conditions)) +
+           (findings.empty() ? "" : '\n' + findings);
   }
   if (format == TableFormat::latex) {
     return tables_of(report, labelled);

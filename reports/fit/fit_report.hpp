@@ -36,6 +36,9 @@ struct FitReport {
 /// without a row: a model without coefficients lacks none.
 [[nodiscard]] bool has_estimate(const FitReport& report);
 
+/// A row each, for programs.
+[[nodiscard]] Table all_conditions_table(const statistics::Conditions& conditions);
+
 /// Those that people read: a line a kind, however many columns have it.
 [[nodiscard]] Table conditions_table(const statistics::Conditions& conditions);
 [[nodiscard]] std::string conditions_text(const statistics::Conditions& conditions,

@@ -39,7 +39,10 @@ std::vector<HistogramBin> early_histogram(const EarlyTrials& trials) {
   }
   const auto [least, most] =
       std::minmax_element(trials.tc_early_m.begin(), trials.tc_early_m.end());
-  const double width = histogram_width(std::max((*most - *least) / kMostBins, kNarrowest));
+  // Not so narrow that the places of the bins could not be counted any more.
+  const double finest = 1e-9 * std::max(std::abs(*least), std::abs(*most));
+  const double width =
+      histogram_width(std::max({(*most - *least) / kMostBins, kNarrowest, finest}));
   const double first = histogram_place(*least, width);
   std::vector<HistogramBin> bins(static_cast<std::size_t>(histogram_place(*most, width) - first) +
                                  1);

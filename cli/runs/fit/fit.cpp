@@ -1,5 +1,7 @@
 #include "cli/runs/fit/fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <statistics/basics/condition_groups.hpp>
@@ -178,8 +180,8 @@ void require_references(const statistics::FrameOptions& frame,
       }
     }
     if (!is_factor) {
-      throw UsageError("--ref: column '" + column + "' holds numbers; write factor(" + column +
-                       ") in the formula");
+      throw UsageError(fmt::format(
+          "--ref: column '{0}' holds numbers; write factor({0}) in the formula", column));
     }
   }
 }

@@ -8,7 +8,8 @@
 
 namespace tcert::cli {
 
-struct FitRequest {
+/// By kind of fit, not by size.
+struct FitRequest {  // NOLINT(clang-analyzer-optin.performance.Padding)
   std::string kind;
   std::string data;
   std::string formula;

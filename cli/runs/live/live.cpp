@@ -72,7 +72,7 @@ BundleInfo describe(const std::string& path, Progress& progress) {
   return std::move(*info);
 }
 
-constexpr int kLastRows_ms = 2000;
+constexpr int kLastRowsMs = 2000;
 
 /// Takes lines until the producer ends or an interrupt comes. `take` is given every tick; false
 /// ends it too.
@@ -199,7 +199,8 @@ OptionTable options_of(LiveRequest& request) {
   return table;
 }
 
-ExitCode live(const LiveRequest& options, Progress& progress) {
+ExitCode live(const LiveRequest& request, Progress& progress) {
+  const LiveRequest& options = request;
   require_known(options);
   const BundleInfo info = describe(options.bundle, progress);
   const study::ParameterSet parameters =
@@ -267,7 +268,7 @@ ExitCode live(const LiveRequest& options, Progress& progress) {
     if (put(series_header(format, robot))) {
       follow(*producer, source, rows, stall, interrupt, take);
     }
-    rows.finish(kLastRows_ms);
+    rows.finish(kLastRowsMs);
   } catch (const BrokenPipe&) {
     has_reader = false;  // whoever read the rows has had enough: the run ends as by a signal
   }

@@ -38,6 +38,7 @@ constexpr std::array kOfSome{"worlds", "u-turns", "data-sets", "replicates", "te
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
+  all.reserve(kStudies.size());
   for (const Study& one : kStudies) {
     all.emplace_back(one.name);
   }
@@ -50,7 +51,7 @@ bool lists(std::string_view words, const std::string& word) {
 }
 
 const Study& study_of(const StudyRequest& request) {
-  const auto found = std::ranges::find(kStudies, request.study, &Study::name);
+  const auto* const found = std::ranges::find(kStudies, request.study, &Study::name);
   if (found == kStudies.end()) {
     throw UsageError("unknown study '" + request.study +
                      "', expected soundness, coverage, equivalence, gate, null or terrain" +

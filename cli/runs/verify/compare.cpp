@@ -1,5 +1,7 @@
 #include "cli/runs/verify/compare.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -49,8 +51,11 @@ void compare_settings(const std::string& kind,
     const std::string* const then = value_of(found, key);
     const std::string* const now = value_of(again, key);
     if (then == nullptr || now == nullptr || *then != *now) {
-      differences.push_back("its manifest has the " + kind + " " + key + " as " + in_words(then) +
-                            ", but made again it is " + in_words(now));
+      differences.push_back(fmt::format("its manifest has the {} {} as {}, but made again it is {}",
+                                        kind,
+                                        key,
+                                        in_words(then),
+                                        in_words(now)));
     }
   }
 }
@@ -118,14 +123,14 @@ std::vector<std::string> compare_folders(const fs::path& found, const fs::path& 
     differences.push_back("'" + entry + "' is a link or another thing that no result holds");
   }
   for (const std::string& file : second) {
-    if (first.count(file) == 0) {
+    if (!first.contains(file)) {
       differences.push_back("'" + file + "' is missing");
     } else if (digest_file(found / file).sha256 != digest_file(again / file).sha256) {
       differences.push_back("'" + file + "' is not what is made again");
     }
   }
   for (const std::string& file : first) {
-    if (second.count(file) == 0) {
+    if (!second.contains(file)) {
       differences.push_back("'" + file + "' is not made again");
     }
   }

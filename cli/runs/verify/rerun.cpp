@@ -78,7 +78,7 @@ class Reader {
     return nullptr;
   }
 
-  std::optional<std::string> found(const std::string& name, bool first) const {
+  [[nodiscard]] std::optional<std::string> found(const std::string& name, bool first) const {
     if (!table::is_path_step(name) || table::is_temporary_name(name)) {
       refuse("the input '" + name + "'");
     }
@@ -234,7 +234,7 @@ Rerun rerun_of(const WrittenResult& manifest, const FindInput& find) {
   } else if (!words.empty() && !words.front().is_input) {
     first_word = words.front().text;
   }
-  const auto entry = std::ranges::find_if(kEntries, [&](const Entry& one) {
+  const auto* const entry = std::ranges::find_if(kEntries, [&](const Entry& one) {
     return one.command == name && (one.first_word.empty() || one.first_word == first_word);
   });
   if (entry == kEntries.end()) {

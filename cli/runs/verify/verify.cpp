@@ -1,5 +1,7 @@
 #include "cli/runs/verify/verify.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -31,13 +33,13 @@ Finding finding_of(const VerifyTarget& target,
 void say_finding(const Result& result, const Finding& finding, Progress& progress) {
   const std::string name = result.name == "." ? result.folder.string() : result.name;
   for (std::size_t i = 0; i < std::min(kNamed, finding.differences.size()); ++i) {
-    progress.say(name + ": " + finding.differences[i]);
+    progress.say(fmt::format("{}: {}", name, finding.differences[i]));
   }
   if (finding.differences.size() > kNamed) {
     progress.say(name + ": and " + std::to_string(finding.differences.size() - kNamed) + " more");
   }
   for (const std::string& obstacle : finding.obstacles) {
-    progress.say(name + ": " + obstacle);
+    progress.say(fmt::format("{}: {}", name, obstacle));
   }
 }
 

@@ -36,6 +36,16 @@ TEST(Verdict, OfH1NeedsEveryRivalToBeBeaten) {
   EXPECT_EQ(contradicted.rival, &panel.rows[2]);
 }
 
+TEST(Verdict, OfH1CitesTheGainThatDecides) {
+  H1Panel panel;
+  panel.rows.push_back(rival(0.08, statistics::Interval{-0.13, 0.33}));
+  panel.rows.push_back(rival(-0.03, statistics::Interval{-0.06, -0.01}));
+  const H1Verdict found = h1_verdict(panel, auc_gain);
+  EXPECT_EQ(found.verdict, Verdict::contradicted);
+  EXPECT_EQ(found.rival, &panel.rows[1]) << "the noisy one reaches lower and decides nothing";
+  EXPECT_LT(found.gain->interval->high, 0.0);
+}
+
 TEST(Verdict, OfH1LooksAtSingleRivalsAlone) {
   H1Panel panel;
   EXPECT_EQ(h1_verdict(panel, auc_gain).verdict, Verdict::not_decided) << "no rival, no support";
@@ -52,6 +62,7 @@ H2Equality equality_of(double low, double high, double margin, std::optional<boo
   equality.tests.equivalent = equivalent;
   equality.tests.pairs.emplace_back();
   equality.tests.pairs.front().second = 1;
+  equality.tests.pairs.front().standard_error = 0.25 * (high - low);
   equality.tests.pairs.front().interval = {low, high};
   return equality;
 }
@@ -66,6 +77,24 @@ TEST(Verdict, OfH2IsContradictedOnlyByAPairBeyondTheMargin) {
   EXPECT_EQ(h2_verdict(panel, equality_of(-0.2, -0.06, 0.05, false)), Verdict::contradicted);
   panel.levels[1].withheld = "3 clusters, fewer than 5";
   EXPECT_EQ(h2_verdict(panel, equality_of(0.06, 0.2, 0.05, {})), Verdict::not_decided);
+}
+
+TEST(Verdict, OfH2IsOfPairsWithIntervals) {
+  H2Panel panel;
+  panel.levels.resize(3);
+  H2Equality equality = equality_of(0.16, 0.19, 0.05, false);
+  statistics::EquivalencePair withheld = equality.tests.pairs.front();
+  withheld.first = 0;
+  withheld.second = 2;
+  withheld.interval = {0.9, 1.0};
+  equality.tests.pairs.push_back(withheld);
+  panel.levels[2].withheld = "6 failures, fewer than 10";
+  EXPECT_EQ(h2_verdict(panel, equality), Verdict::contradicted);
+  EXPECT_EQ(deciding_pair(panel, equality), &equality.tests.pairs.front());
+
+  H2Equality certain = equality_of(0.0, 0.0, 0.05, true);
+  EXPECT_EQ(h2_verdict(panel, certain), Verdict::not_decided)
+      << "without a variance nothing is equal";
 }
 
 TEST(Verdict, OfH3NeedsAGainAndFewLosses) {
