@@ -121,7 +121,7 @@ void add_issuance(const Named& issuance, std::vector<Finding>& findings) {
                                     : "beside the full method's, by cell: " + some(wrong) + "."});
   if (!falling.empty()) {
     findings.push_back(
-        {"T_t fell", "", "which a lower bound never does, in trials of: " + some(falling) + "."});
+        {"T_t fell, which a lower bound never does", "", "trials by cell: " + some(falling) + "."});
   }
 }
 
