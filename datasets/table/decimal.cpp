@@ -46,7 +46,10 @@ const char* scan_long_number(const char* begin,
   }
   // from_chars does not say on which side it left the range. Below it, the value is zero.
   const bool negative = *first == '-';
-  const Digits digits = scan(negative ? first + 1 : first, '.');
+  // scan() reads eight bytes at once, and a cell of its own may end before.
+  std::string padded(negative ? first + 1 : first, last);
+  padded.append(sizeof(std::uint64_t), '\0');
+  const Digits digits = scan(padded.data(), '.');
   if (digits.exponent + digits.count > 0) {
     return nullptr;
   }
