@@ -30,6 +30,7 @@ struct Comparison {
   const char* name;  ///< "AUC".
   const H1Score& (*score)(const H1Row&);
   const H1Score& (*gain)(const H1Row&);
+  bool timed;
   bool within;
 };
 
@@ -38,21 +39,25 @@ constexpr std::array<Comparison, 4> kComparisons{{
      "AUC",
      [](const H1Row& row) -> const H1Score& { return row.auc; },
      [](const H1Row& row) -> const H1Score& { return row.auc_gain; },
+     false,
      false},
     {"success",
      "AUC",
      [](const H1Row& row) -> const H1Score& { return row.within.auc; },
      [](const H1Row& row) -> const H1Score& { return row.within.auc_gain; },
+     false,
      true},
     {"time",
      "C",
      [](const H1Row& row) -> const H1Score& { return row.c; },
      [](const H1Row& row) -> const H1Score& { return row.c_gain; },
+     true,
      false},
     {"time",
      "C",
      [](const H1Row& row) -> const H1Score& { return row.within.c; },
      [](const H1Row& row) -> const H1Score& { return row.within.c_gain; },
+     true,
      true},
 }};
 
@@ -105,7 +110,7 @@ std::vector<const Panel*> in_order(const std::vector<Panel>& panels, const Kind&
   return order;
 }
 
-/// The pair of groups that differ most.
+/// The pair that decides, or is farthest from doing so.
 std::string h2_evidence(const char* name,
                         const study::H2Panel& panel,
                         const study::H2Equality& equality) {
@@ -182,8 +187,7 @@ Table h1_findings(const study::H1Table& h1) {
     }
     const std::string columns = h1_within_columns(panel);
     for (const Comparison& comparison : kComparisons) {
-      if ((comparison.within && columns.empty()) ||
-          (comparison.name[0] == 'C' && !panel.has_time)) {
+      if ((comparison.within && columns.empty()) || (comparison.timed && !panel.has_time)) {
         continue;
       }
       const study::H1Verdict found = study::h1_verdict(panel, comparison.gain);

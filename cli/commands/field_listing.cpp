@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "datasets/bundle_fields.hpp"
-#include "reports/fit/cells.hpp"
+#include "reports/columns_of.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -39,13 +39,26 @@ std::string file_of(std::string_view place) {
   return found == streams.end() ? std::string(place) : found->second;
 }
 
+struct Row : RowOf<FileField> {
+  std::string file;
+};
+
+ColumnsOf<Row> field_columns() {
+  const auto text = [](std::string_view FileField::*member) {
+    return [member](const Row& row) { return std::string(row.of.*member); };
+  };
+  return ColumnsOf<Row>()
+      .text("file", "file", &Row::file)
+      .text("field", "column or key", text(&FileField::name))
+      .text("unit", "unit", text(&FileField::unit))
+      .text("needed", "needed", [](auto& row) { return need_in_words(row.of.need); })
+      .text("doc", "what", text(&FileField::doc));
+}
+
 void add_fields(const std::string& file, std::string_view place, Table& table) {
+  static const ColumnsOf<Row> columns = field_columns();
   for (const FileField& field : fields_at(place, bundle_fields())) {
-    table.add_row({file,
-                   std::string(field.name),
-                   std::string(field.unit),
-                   need_in_words(field.need),
-                   std::string(field.doc)});
+    table.add_row(columns.row({{field}, file}));
   }
 }
 
@@ -68,14 +81,8 @@ std::string fields_in_words(std::span<const FileField> fields) {
 }
 
 Table bundle_listing() {
-  Table table;
-  table.name = "bundle";
-  table.title = "The log bundle, version 1: a folder, or a .zip of it";
-  table.columns = {text_column("file", "file"),
-                   text_column("field", "column or key"),
-                   text_column("unit", "unit"),
-                   text_column("needed", "needed"),
-                   text_column("doc", "what")};
+  Table table =
+      field_columns().table("bundle", "The log bundle, version 1: a folder, or a .zip of it");
   std::vector<std::string_view> places;
   for (const FileField& field : bundle_fields()) {
     if (std::ranges::find(places, field.place) == places.end()) {
@@ -94,21 +101,18 @@ Table bundle_listing() {
   }
   table.footnotes = {
       "A bundle has bundle.json, trials.csv, and of each trial pose.csv and tactile.csv or, "
-      "instead "
-      "of all streams, ticks.csv, which is used as it is; control.csv is optional. "
-      "worlds/<world>.json "
-      "may hold the truth ('tcert help world').",
-      "A CSV file may end in .gz or .zst, its columns may stand in any order; a further column of "
-      "trials.csv goes into the table of features, one of a stream is left alone. <ray> is a ray's "
-      "name: a ray of kind bend has a bend, one of kind range a range.",
-      "Frames: poses, S and G lie in one frame, in which the robot is tracked (of odometry, or of "
-      "a "
-      "map); the body's frame has x ahead and y to the left; angles are anticlockwise, in radians.",
-      "Clocks: time_s of the streams is one clock, which may begin anywhere; time_s of trials.csv "
-      "is "
-      "a length of time.",
-      "A missing cell is empty, NA or nan. An unknown key of bundle.json is an error. 'tcert check "
-      "BUNDLE' names every problem with its line."};
+      "instead of all streams, ticks.csv, which is used as it is; control.csv is optional. "
+      "worlds/<world>.json may hold the truth ('tcert help world').",
+      "A CSV file may end in .gz or .zst, its columns may stand in any order; a further column "
+      "of trials.csv goes into the table of features, one of a stream is left alone. <ray> is a "
+      "ray's name: a ray of kind bend has a bend, one of kind range a range.",
+      "Frames: poses, S and G lie in one frame, in which the robot is tracked (of odometry, or "
+      "of a map); the body's frame has x ahead and y to the left; angles are anticlockwise, in "
+      "radians.",
+      "Clocks: time_s of the streams is one clock, which may begin anywhere; time_s of "
+      "trials.csv is a length of time.",
+      "A missing cell is empty, NA or nan. An unknown key of bundle.json is an error. 'tcert "
+      "check BUNDLE' names every problem with its line."};
   return table;
 }
 

@@ -6,6 +6,7 @@
 
 #include "analysis/study/trials/parameters.hpp"
 #include "cli/commands/field_listing.hpp"
+#include "reports/columns_of.hpp"
 #include "reports/edges_table.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"
@@ -14,40 +15,39 @@ namespace tcert::cli {
 namespace {
 
 Table parameter_listing() {
-  Table table;
-  table.name = "parameters";
-  table.title = "Parameters: in config files, as flags (--KEY VALUE) and with --set KEY=VALUE";
-  table.columns = {{"key", "key", "", ColumnKind::text},
-                   {"default", "default", "", ColumnKind::text},
-                   {"unit", "unit", "", ColumnKind::text},
-                   {"stage", "changes from", "", ColumnKind::text},
-                   {"accepts", "accepts", "", ColumnKind::text},
-                   {"doc", "what, and when to change it", "", ColumnKind::text}};
-  const study::ParameterSet defaults;
-  for (const study::ParameterInfo& parameter : study::parameter_table()) {
-    table.add_row({std::string(parameter.key),
-                   parameter.get(defaults),
-                   std::string(parameter.unit),
-                   std::string(study::to_string(parameter.stage)),
-                   parameter.accepts,
-                   std::string(parameter.doc)});
-  }
+  using Parameter = study::ParameterInfo;
+  Table table =
+      ColumnsOf<Parameter>()
+          .text("key", "key", [](auto& one) { return std::string(one.key); })
+          .text("default", "default", [](auto& one) { return one.get(study::ParameterSet()); })
+          .text("unit", "unit", [](auto& one) { return std::string(one.unit); })
+          .text("stage",
+                "changes from",
+                [](auto& one) { return std::string(study::to_string(one.stage)); })
+          .text("accepts", "accepts", &Parameter::accepts)
+          .text(
+              "doc", "what, and when to change it", [](auto& one) { return std::string(one.doc); })
+          .table("parameters",
+                 "Parameters: in config files, as flags (--KEY VALUE) and with --set KEY=VALUE",
+                 study::parameter_table());
   table.footnotes = {
       "Precedence: these defaults, then the bundle's own parameters, then --config, then flags."};
   return table;
 }
 
 Table column_listing() {
-  Table table;
-  table.name = "columns";
-  table.title = "Columns of the files that 'tcert certify' writes";
-  table.columns = {{"file", "file", "", ColumnKind::text},
-                   {"column", "column", "", ColumnKind::text},
-                   {"unit", "unit", "", ColumnKind::text},
-                   {"doc", "what", "", ColumnKind::text}};
-  const auto append = [&](const char* file, const std::vector<ColumnDoc>& columns) {
-    for (const ColumnDoc& column : columns) {
-      table.add_row({std::string(file), column.name, column.unit, column.doc});
+  struct Row : RowOf<ColumnDoc> {
+    const char* file;
+  };
+  const auto columns = ColumnsOf<Row>()
+                           .text("file", "file", [](auto& row) { return std::string(row.file); })
+                           .text("column", "column", &ColumnDoc::name)
+                           .text("unit", "unit", &ColumnDoc::unit)
+                           .text("doc", "what", &ColumnDoc::doc);
+  Table table = columns.table("columns", "Columns of the files that 'tcert certify' writes");
+  const auto append = [&](const char* file, const std::vector<ColumnDoc>& docs) {
+    for (const ColumnDoc& doc : docs) {
+      table.add_row(columns.row({{doc}, file}));
     }
   };
   append("series/<trial_id>.csv", series_columns());

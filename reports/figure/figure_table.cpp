@@ -2,84 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <table/csv_write.hpp>
+#include <table/round_number.hpp>
 #include <utility>
 
 namespace tcert {
-namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-const TableCell* cell_at(const Table& table, std::size_t row, std::string_view column) {
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (table.columns[c].name == column) {
-      return &table.rows[row][c];
-    }
-  }
-  return nullptr;
-}
-
-double bound_at(const Table& table, std::size_t row, std::string_view column, bool high) {
-  const std::string_view ending = high ? "_high" : "_low";
-  if (column.size() <= ending.size() || column.substr(column.size() - ending.size()) != ending) {
-    return kNaN;
-  }
-  const TableCell* const cell =
-      cell_at(table, row, column.substr(0, column.size() - ending.size()));
-  const auto* const estimate = cell != nullptr ? std::get_if<Estimate>(cell) : nullptr;
-  return estimate == nullptr ? kNaN : high ? estimate->high : estimate->low;
-}
-
-struct AsNumber {
-  double operator()(std::monostate /*missing*/) const { return kNaN; }
-  double operator()(const std::string& /*text*/) const { return kNaN; }
-  double operator()(std::int64_t value) const { return static_cast<double>(value); }
-  double operator()(const Number& number) const { return number.value; }
-  double operator()(const Estimate& estimate) const { return estimate.value; }
-  double operator()(const PValue& p) const { return p.value; }
-};
-
-}  // namespace
 
 bool is_control(char c) noexcept {
   const auto code = static_cast<unsigned char>(c);
   return code < 0x20U || code == 0x7FU;
-}
-
-std::string text_at(const Table& table, std::size_t row, std::string_view column) {
-  const TableCell* const cell = cell_at(table, row, column);
-  const auto* const text = cell != nullptr ? std::get_if<std::string>(cell) : nullptr;
-  return text != nullptr ? *text : std::string();
-}
-
-std::string text_at(const table::DataTable& table, std::size_t row, std::string_view column) {
-  const table::DataColumn* const found = table.find(column);
-  if (found == nullptr) {
-    return {};
-  }
-  if (!found->is_text) {
-    std::string text;
-    if (!std::isnan(found->numbers[row])) {
-      table::append_number(text, found->numbers[row]);
-    }
-    return text;
-  }
-  const std::uint32_t code = found->text.codes[row];
-  return code == table::Factor::kMissing ? std::string() : found->text.levels[code];
-}
-
-double number_at(const Table& table, std::size_t row, std::string_view column) {
-  if (const TableCell* const cell = cell_at(table, row, column)) {
-    return std::visit(AsNumber{}, *cell);
-  }
-  const double low = bound_at(table, row, column, false);
-  return std::isnan(low) ? bound_at(table, row, column, true) : low;
-}
-
-double number_at(const table::DataTable& table, std::size_t row, std::string_view column) {
-  const table::DataColumn* const found = table.find(column);
-  return found == nullptr || found->is_text ? kNaN : found->numbers[row];
 }
 
 std::string intervals_of(const Table& table, std::string_view column) {
@@ -171,16 +101,7 @@ void make_plain(Figure& figure) {
   }
 }
 
-double round_step(double span, int parts) {
-  const double least = span / parts;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least * (1.0 - 1e-9)) {
-      return factor * power;
-    }
-  }
-  return 10.0 * power;
-}
+double round_step(double span, int parts) { return table::round_number_from(span / parts); }
 
 std::vector<double> round_ticks(double low, double high, int most) {
   std::vector<double> ticks;
@@ -190,9 +111,10 @@ std::vector<double> round_ticks(double low, double high, int most) {
   const double step = round_step(high - low, most);
   // Whole numbers by a power of ten: the double that is nearest to what the label says.
   const double scale = std::pow(10.0, std::max(0.0, std::ceil(-std::log10(step) - 1e-9)));
-  const double last = std::floor(high / step + 1e-9);
-  for (double k = std::ceil(low / step - 1e-9); k <= last; ++k) {
-    ticks.push_back(std::round(k * step * scale) / scale + 0.0);
+  const double first = std::ceil(low / step - 1e-9);
+  const auto more = static_cast<int>(std::floor(high / step + 1e-9) - first);
+  for (int k = 0; k <= more; ++k) {
+    ticks.push_back(std::round((first + k) * step * scale) / scale + 0.0);
   }
   return ticks;
 }

@@ -1,15 +1,14 @@
 #pragma once
 /// \file
-/// Reading cells by the names of their columns, and making the table of a figure. Internal to
-/// reports/figure.
+/// Making the table of a figure. Internal to reports/figure.
 
 #include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
-#include <table/data_table.hpp>
 #include <vector>
 
+#include "reports/cells_by_name.hpp"
 #include "reports/figure/figure.hpp"
 #include "reports/table.hpp"
 
@@ -17,18 +16,6 @@ namespace tcert {
 
 /// A control character of ASCII: a newline, a tab. Bytes of UTF-8 are none.
 [[nodiscard]] bool is_control(char c) noexcept;
-
-/// Text of a cell; empty if it is missing or there is no such column.
-[[nodiscard]] std::string text_at(const Table& table, std::size_t row, std::string_view column);
-[[nodiscard]] std::string text_at(const table::DataTable& table,
-                                  std::size_t row,
-                                  std::string_view column);
-
-/// A number of any kind, x_low and x_high of an estimate x; NaN if it is missing or not there.
-[[nodiscard]] double number_at(const Table& table, std::size_t row, std::string_view column);
-[[nodiscard]] double number_at(const table::DataTable& table,
-                               std::size_t row,
-                               std::string_view column);
 
 /// "95 % expanded intervals": level and method as the brackets of a column's heading have them;
 /// "intervals" if it has none.

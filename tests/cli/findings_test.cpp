@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -53,6 +56,51 @@ TEST_F(FindingsTest, HypothesesBeginWithTheVerdicts) {
       "findings --format csv");
   EXPECT_TRUE(says(table.out, "about,verdict,evidence")) << to_string(table);
   EXPECT_FALSE(says(table.out, ",supported,")) << "22 days cannot show a margin of 0.05";
+}
+
+/// The evidence of a verdict of H1 is the gain that made it.
+void expect_evidence(const std::string& lines) {
+  std::istringstream all(lines);
+  std::size_t verdicts = 0;
+  for (std::string line; std::getline(all, line);) {
+    static const std::regex kLine(
+        "H1, .* panel: (supported|contradicted|not decided)\\. .* is (\\S+) \\[(\\S+), "
+        "(\\S+)\\], over .*");
+    std::smatch found;
+    if (!std::regex_match(line, found, kLine)) {
+      continue;
+    }
+    ++verdicts;
+    const double gain = std::stod(found[2]);
+    const double low = std::stod(found[3]);
+    const double high = std::stod(found[4]);
+    EXPECT_LE(low, gain) << line;
+    EXPECT_LE(gain, high) << line;
+    EXPECT_EQ(found[1] == "supported", low > 0.0) << line;
+    EXPECT_EQ(found[1] == "contradicted", high < 0.0) << line;
+  }
+  EXPECT_EQ(verdicts, 8U) << "success and time, pooled and within, in two panels\n" << lines;
+}
+
+TEST_F(FindingsTest, EvidenceIsWhatMadeTheVerdict) {
+  expect_evidence(
+      shell_.run("$T hypotheses h1 --features c/features.csv --replicates 199 --quiet").out);
+  ASSERT_EQ(shell_.run("$T simulate --effect 0 --seed 6 --output null --quiet").exit_code, 0);
+  expect_evidence(shell_.run("$T hypotheses h1 null --replicates 199 --quiet").out);
+}
+
+TEST_F(FindingsTest, AFolderHasARowOfEveryCondition) {
+  // So few days that much is to be said.
+  ASSERT_EQ(shell_
+                .run("head -120 c/features.csv > few.csv && $T hypotheses h2 --features few.csv "
+                     "--replicates 99 --permutations 9 --output h2/ --quiet")
+                .exit_code,
+            0);
+  const auto report = nlohmann::json::parse(shell_.work().read("h2/report.json"));
+  const std::string csv = shell_.work().read("h2/conditions.csv");
+  ASSERT_GT(report["conditions"].size(), 3U);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
+            report["conditions"].size() + 1);
 }
 
 TEST_F(FindingsTest, NothingIsSupportedWhereThereIsNothing) {

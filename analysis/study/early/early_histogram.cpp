@@ -2,20 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <table/round_number.hpp>
 
 namespace tcert::study {
 namespace {
-
-/// The least of 1, 2 and 5 times a power of ten that is not below `least`.
-double histogram_width(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least) {
-      return factor * power;
-    }
-  }
-  return 10.0 * power;
-}
 
 /// The whole number n with n width <= value < (n + 1) width, products as they are rounded.
 double histogram_place(double value, double width) {
@@ -42,7 +32,7 @@ std::vector<HistogramBin> early_histogram(const EarlyTrials& trials) {
   // Not so narrow that the places of the bins could not be counted any more.
   const double finest = 1e-9 * std::max(std::abs(*least), std::abs(*most));
   const double width =
-      histogram_width(std::max({(*most - *least) / kMostBins, kNarrowest, finest}));
+      table::round_number_from(std::max({(*most - *least) / kMostBins, kNarrowest, finest}));
   const double first = histogram_place(*least, width);
   std::vector<HistogramBin> bins(static_cast<std::size_t>(histogram_place(*most, width) - first) +
                                  1);

@@ -11,6 +11,7 @@
 #include "analysis/study/h1/curves.hpp"
 #include "analysis/study/h1/h1_score.hpp"
 #include "analysis/study/h1/incidence_by_quartile.hpp"
+#include "analysis/study/h1/issued_counts.hpp"
 #include "analysis/study/h1/joint_statistic.hpp"
 #include "analysis/study/h1/mixed_effects.hpp"
 #include "analysis/study/h1/model_scores.hpp"
@@ -216,23 +217,6 @@ H1Panel panel_of(const table::DataTable& table,
     }
   }
   return panel;
-}
-
-std::vector<IssuedCount> issued_counts(const table::DataTable& table, const H1Options& options) {
-  const table::DataColumn* const issued = table.find("issued");
-  const table::DataColumn* const success = table.find(options.success);
-  if (issued == nullptr || success == nullptr || issued->is_text || success->is_text) {
-    return {};
-  }
-  std::vector<IssuedCount> counts{{true, 0, 0}, {false, 0, 0}};
-  for (std::size_t row = 0; row < table.rows; ++row) {
-    if (!std::isnan(success->numbers[row])) {
-      IssuedCount& count = counts[success->numbers[row] == 1.0 ? 0 : 1];
-      ++count.trials;
-      count.issued += issued->numbers[row] == 1.0 ? 1 : 0;
-    }
-  }
-  return counts;
 }
 
 void validate(const H1Options& options) {

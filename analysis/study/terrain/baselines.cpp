@@ -1,8 +1,10 @@
 #include "analysis/study/terrain/baselines.hpp"
-#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 #include <terrain/routes.hpp>
+
+#include "analysis/study/terrain/sparse_field.hpp"
 
 namespace tcert::terrain {
 namespace {
@@ -21,102 +23,6 @@ void along(const Position& a, const Position& b, Visit visit) {
     }
   }
 }
-
-/// Posterior of the sparse process on a coarse lattice, read between its points.
-class SparseField {
- public:
-  SparseField(const Grid& grid, const SparseRrtOptions& o) : grid_(grid), prior_(o.prior) {
-    double x = 0.0;
-    while (x < grid.rows + o.inducing_spacing) {
-      double y = 0.0;
-      while (y < grid.columns + o.inducing_spacing) {
-        inducing_.emplace_back(x, y);
-        y += o.inducing_spacing;
-      }
-      x += o.inducing_spacing;
-    }
-    const auto m = static_cast<Eigen::Index>(inducing_.size());
-    k_mm_.resize(m, m);
-    for (Eigen::Index i = 0; i < m; ++i) {
-      k_mm_.col(i) = row(inducing_[static_cast<std::size_t>(i)]);
-      k_mm_(i, i) += 1e-8 * prior_.variance;
-    }
-    precision_ = k_mm_;
-    moment_ = Eigen::VectorXd::Zero(m);
-    prior_factor_.compute(k_mm_);
-  }
-
-  void add(const Measurement& measurement) {
-    const Eigen::VectorXd k = row(measurement.at);
-    precision_ += k * k.transpose() / prior_.noise_variance;
-    moment_ += k * ((measurement.value - prior_.mean) / prior_.noise_variance);
-  }
-
-  void update() {
-    const Eigen::LLT<Eigen::MatrixXd> factor(precision_);
-    const Eigen::VectorXd weights = factor.solve(moment_);
-    const int rows = grid_.rows / kStep + 2;
-    columns_ = grid_.columns / kStep + 2;
-    mean_.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns_));
-    deviation_.resize(mean_.size());
-    for (int i = 0; i < rows; ++i) {
-      for (int j = 0; j < columns_; ++j) {
-        const Eigen::VectorXd k =
-            row({static_cast<double>(i * kStep), static_cast<double>(j * kStep)});
-        const std::size_t at = place(i, j);
-        mean_[at] = prior_.mean + k.dot(weights);
-        const double variance = prior_.variance - prior_factor_.matrixL().solve(k).squaredNorm() +
-                                factor.matrixL().solve(k).squaredNorm();
-        deviation_[at] = std::sqrt(std::max(variance, 0.0));
-      }
-    }
-  }
-
-  [[nodiscard]] double mean(const Position& p) const { return read(mean_, p); }
-  [[nodiscard]] double deviation(const Position& p) const { return read(deviation_, p); }
-
- private:
-  static constexpr int kStep = 8;
-
-  /// Of point (i, j) of the coarse lattice.
-  [[nodiscard]] std::size_t place(int i, int j) const noexcept {
-    return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(j);
-  }
-
-  [[nodiscard]] Eigen::VectorXd row(const Position& p) const {
-    Eigen::VectorXd k(static_cast<Eigen::Index>(inducing_.size()));
-    const double scale = -0.5 / (prior_.length_scale * prior_.length_scale);
-    for (Eigen::Index i = 0; i < k.size(); ++i) {
-      const double d2 = (p - inducing_[static_cast<std::size_t>(i)]).squaredNorm();
-      k(i) = prior_.variance * std::exp(scale * d2);
-    }
-    return k;
-  }
-
-  [[nodiscard]] double read(const std::vector<double>& values, const Position& p) const {
-    const double x = std::clamp(p.x(), 0.0, grid_.rows - 1.0) / kStep;
-    const double y = std::clamp(p.y(), 0.0, grid_.columns - 1.0) / kStep;
-    const int i = static_cast<int>(x);
-    const int j = static_cast<int>(y);
-    const double u = x - i;
-    const double v = y - j;
-    const auto at = [&](int a, int b) { return values[place(a, b)]; };
-    return (1 - u) * ((1 - v) * at(i, j) + v * at(i, j + 1)) +
-           u * ((1 - v) * at(i + 1, j) + v * at(i + 1, j + 1));
-  }
-
-  Grid grid_;
-  GpPrior prior_;
-  int columns_ = 0;
-  std::vector<Position> inducing_;
-  Eigen::MatrixXd k_mm_;
-  Eigen::MatrixXd precision_;
-  Eigen::VectorXd moment_;
-  Eigen::LLT<Eigen::MatrixXd> prior_factor_;
-  std::vector<double> mean_;
-  std::vector<double> deviation_;
-};
 
 /// RRT* from one position to another over the field's costs.
 class Tree {
@@ -259,7 +165,7 @@ BaselineResult sparse_rrt_walk(const Terrain& terrain,
                                const SparseRrtOptions& options,
                                const std::function<double()>& uniform) {
   BaselineResult result;
-  SparseField field(terrain.grid, options);
+  SparseField field(terrain.grid, options.prior, options.inducing_spacing);
   Position robot = position(start);
   result.path.push_back(robot);
   const Position target = position(goal);

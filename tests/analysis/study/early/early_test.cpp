@@ -136,6 +136,8 @@ TEST(EarlyHistogram, HasEveryTrialInTheBinOfItsValue) {
     EXPECT_EQ(counted, trials.size());
   }
   EXPECT_EQ(early_histogram(trials_of({0.05, 0.05}, {1, 0})).size(), 1U);
+  // Beyond 2^53 there are no neighbours to count, and still it ends.
+  EXPECT_LE(early_histogram(trials_of({1e16, 1e16, -1e16}, {1, 0, 1})).size(), 31U);
 }
 
 TEST(AucByDay, IsThatOfEachDayAndOfAll) {
