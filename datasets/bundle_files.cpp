@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 #include <table/regular_file.hpp>
+#include <table/text_file.hpp>
 #include <utility>
 
 namespace tcert {
@@ -156,13 +157,18 @@ table::BytesResult BundleFiles::read_from_archive(const std::string& name) const
 
 table::BytesResult BundleFiles::read(const std::string& name) const {
   if (!archive_) {
-    return table::read_file(path_ / name);
+    return table::read_text_file(path_ / name);
   }
   table::BytesResult result = read_from_archive(name);
   if (!result.bytes) {
     return result;
   }
-  return table::decompress(std::move(*result.bytes), table::compression_of(name));
+  const table::Compression compression = table::compression_of(result.bytes->view());
+  result = table::decompress(std::move(*result.bytes), compression);
+  if (result.bytes) {
+    result.bytes = table::as_text(std::move(*result.bytes));
+  }
+  return result;
 }
 
 }  // namespace tcert

@@ -30,7 +30,7 @@ class BundleFiles {
   /// `name`, `name`.gz or `name`.zst, whichever is there first.
   [[nodiscard]] std::optional<std::string> find(const std::string& name) const;
 
-  /// The bytes of a file, expanded by the end of its name. \pre problem() is empty.
+  /// The text of a file, expanded if it is compressed. \pre problem() is empty.
   [[nodiscard]] table::BytesResult read(const std::string& name) const;
 
  private:

@@ -170,11 +170,11 @@ void Bytes::assign(std::string_view text) {
   pad();
 }
 
-Compression compression_of(std::string_view name) noexcept {
-  if (name.ends_with(".gz")) {
+Compression compression_of(std::string_view bytes) noexcept {
+  if (bytes.starts_with("\x1F\x8B")) {
     return Compression::gzip;
   }
-  return name.ends_with(".zst") ? Compression::zstd : Compression::none;
+  return bytes.starts_with("\x28\xB5\x2F\xFD") ? Compression::zstd : Compression::none;
 }
 
 BytesResult decompress(Bytes packed, Compression compression) {
@@ -227,7 +227,8 @@ BytesResult read_file(const std::filesystem::path& path) {
   if (!result.bytes) {
     return result;
   }
-  return decompress(std::move(*result.bytes), compression_of(path.filename().string()));
+  const Compression compression = compression_of(result.bytes->view());
+  return decompress(std::move(*result.bytes), compression);
 }
 
 }  // namespace tcert::table

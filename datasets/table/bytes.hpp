@@ -49,8 +49,8 @@ struct BytesResult {
 
 enum class Compression { none, gzip, zstd };
 
-/// By the end of the name: ".gz" or ".zst".
-[[nodiscard]] Compression compression_of(std::string_view name) noexcept;
+/// By the first bytes, whatever the name ends in.
+[[nodiscard]] Compression compression_of(std::string_view bytes) noexcept;
 
 /// Expands gzip (several members too) or zstd (several frames too). Cut or damaged input and
 /// contents of more than 4 GiB, or that are not is_plausible_expansion(), are a problem, not a
@@ -61,7 +61,7 @@ enum class Compression { none, gzip, zstd };
 /// throws on what it finds. \throws OutOfResources.
 [[nodiscard]] BytesResult read_raw_file(const std::filesystem::path& path);
 
-/// Reads a file and expands it according to its name.
+/// Reads a file and expands it if it is compressed.
 [[nodiscard]] BytesResult read_file(const std::filesystem::path& path);
 
 }  // namespace tcert::table

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <table/bytes.hpp>
 #include <table/cell_reading.hpp>
 #include <table/clock_watch.hpp>
 #include <table/column_roles.hpp>
 #include <table/control_bytes.hpp>
 #include <table/csv_write.hpp>
+#include <table/file_kind.hpp>
 #include <table/mixture_check.hpp>
+#include <table/text_file.hpp>
 #include <table/unlike_times.hpp>
 #include <utility>
 
@@ -19,8 +20,10 @@ namespace {
 /// Goes through the rows once.
 class CsvChecker {
  public:
-  CsvChecker(std::string file, const CsvHeader& header, double max_gap_s)
-      : file_(std::move(file)), dialect_(header.dialect), roles_(column_roles(header.names)) {
+  CsvChecker(std::string file, const CsvHeader& header, double max_gap_s, const std::string& clock)
+      : file_(std::move(file)),
+        dialect_(header.dialect),
+        roles_(column_roles(header.names, clock)) {
     check_.dialect = header.dialect;
     check_.preamble_records = header.preamble_records;
     check_.header_line = header.line;
@@ -31,12 +34,17 @@ class CsvChecker {
     for (const std::size_t column : roles_.times) {
       times_.push_back({column, {}, {}});
     }
-    if (roles_.clock < header.names.size()) {
-      clock_.emplace(file_, header.names[roles_.clock], max_gap_s);
+    commas_.resize(header.names.size());
+    if (roles_.clock) {
+      clock_.emplace(file_, header.names[roles_.clock->column], *roles_.clock, max_gap_s);
     }
   }
 
-  void take(const std::vector<std::string>& fields, std::size_t line, DiagnosticGroups& problems) {
+  /// Empty fields beyond the header are none, as for every other reader.
+  void take(std::vector<std::string>& fields, std::size_t line, DiagnosticGroups& problems) {
+    while (fields.size() > check_.columns.size() && fields.back().empty()) {
+      fields.pop_back();
+    }
     if (fields.size() != check_.columns.size()) {
       problems.add({Severity::error,
                     file_,
@@ -48,6 +56,9 @@ class CsvChecker {
       return;
     }
     ++check_.rows;
+    if (clock_) {
+      clock_->take(fields, dialect_.decimal_point, line);
+    }
     for (std::size_t i = 0; i < fields.size(); ++i) {
       take_cell(i, fields[i], line, problems);
     }
@@ -78,6 +89,8 @@ class CsvChecker {
                       1});
       }
     }
+    check_decimal_commas(problems);
+    check_shape(problems);
     if (clock_ && is_stream()) {
       check_.clock = clock_->finish(problems);
     } else {
@@ -130,6 +143,10 @@ class CsvChecker {
     ColumnCheck& column = check_.columns[i];
     const CellReading reading = read_cell(cell, dialect_.decimal_point);
     mixtures_[i].take(reading, cell, line);
+    commas_[i] +=
+        reading.meaning == CellMeaning::text && read_cell(cell, ',').meaning == CellMeaning::number
+            ? 1U
+            : 0U;
     const auto warn = [&](std::string found, std::string expectation) {
       problems.add({Severity::warning,
                     file_,
@@ -145,8 +162,6 @@ class CsvChecker {
       column.largest = column.largest ? std::max(*column.largest, value) : value;
       if (std::isinf(value)) {
         warn(shortened(cell), "a finite number");
-      } else if (i == roles_.clock) {
-        clock_->take(value, line);
       }
     } else if (reading.meaning == CellMeaning::missing) {
       ++column.missing;
@@ -158,11 +173,51 @@ class CsvChecker {
     return roles_.of_trials || roles_.of_stream ? roles_.of_stream : clock_->goes_forward();
   }
 
+  /// Columns whose every text would be a number with a decimal comma.
+  void check_decimal_commas(DiagnosticGroups& problems) const {
+    for (std::size_t i = 0; i < check_.columns.size(); ++i) {
+      const ColumnCheck& column = check_.columns[i];
+      if (commas_[i] > 0 && commas_[i] == column.texts) {
+        problems.add({Severity::error,
+                      file_,
+                      0,
+                      column.name,
+                      std::to_string(commas_[i]) + " numbers with a decimal comma",
+                      "a decimal point, or --decimal-comma",
+                      1});
+      }
+    }
+  }
+
+  void check_shape(DiagnosticGroups& problems) const {
+    if (check_.rows == 0) {
+      problems.add({Severity::error, file_, 0, "", "no rows", "a header line and rows", 1});
+    } else if (check_.columns.size() == 1) {
+      problems.add({Severity::note,
+                    file_,
+                    0,
+                    "",
+                    "one column",
+                    "columns apart by comma, semicolon, tab, vertical bar or spaces",
+                    1});
+    }
+    if (check_.rows > 0 && !roles_.clock && !roles_.of_trials) {
+      problems.add({Severity::note,
+                    file_,
+                    0,
+                    "",
+                    "no column that is called as a clock",
+                    "one, if this is the log of a sensor: --clock NAME says which",
+                    1});
+    }
+  }
+
   std::string file_;
   CsvDialect dialect_;
   ColumnRoles roles_;
   CsvCheck check_;
   std::vector<MixtureCheck> mixtures_;  ///< Of each column.
+  std::vector<std::size_t> commas_;     ///< Of each column, cells like 1,5.
   std::optional<ClockWatch> clock_;
   std::vector<std::string> last_;
   std::vector<TimesOfColumn> times_;
@@ -170,21 +225,38 @@ class CsvChecker {
 
 }  // namespace
 
-CsvCheckResult check_csv_file(const std::filesystem::path& path, double max_gap_s, CsvOptions csv) {
+CsvCheckResult check_csv_file(const std::filesystem::path& path,
+                              double max_gap_s,
+                              CsvOptions csv,
+                              const std::string& clock) {
   if (csv.file.empty()) {
     csv.file = path.string();
   }
   CsvCheckResult result;
-  const BytesResult file = read_file(path);
+  const BytesResult file = read_text_file(path);
   if (!file.bytes) {
     result.diagnostics.push_back(
         {Severity::error, csv.file, 0, "", file.problem, "a readable file", 1});
     return result;
   }
+  if (const auto kind = kind_of_binary(file.bytes->view(), path.filename().string())) {
+    result.diagnostics.push_back(
+        {Severity::error, csv.file, 0, "", kind->name, "text; " + kind->way_out, 1});
+    return result;
+  }
   DiagnosticGroups problems;
   find_control_bytes(file.bytes->view(), csv.file, problems);
   if (const auto header = guess_header(file.bytes->view(), csv, problems)) {
-    CsvChecker checker(csv.file, *header, max_gap_s);
+    if (!clock.empty() && !header->find(clock)) {
+      problems.add({Severity::error,
+                    csv.file,
+                    header->line,
+                    shortened(clock),
+                    "",
+                    "a column of this name",
+                    1});
+    }
+    CsvChecker checker(csv.file, *header, max_gap_s, clock);
     std::vector<std::string> fields;
     CsvCursor cursor = header->data;
     while (skip_to_record(cursor)) {

@@ -27,9 +27,10 @@ struct ColumnCheck {
   }
 };
 
-/// The clock of a file: its first column named time, time_s, t, t_s, timestamp or stamp.
+/// The clock of a file: its first column that is_clock_name(), or the one that was asked for.
 struct ClockCheck {
   std::string column;
+  std::string unit;  ///< Of the file: "s", "ms", "us", "ns", "s and ns", "dates".
   double first_s = 0.0;
   double last_s = 0.0;
   double least_rate_hz = 0.0;  ///< 5th percentile of 1 / step over the steps that increase.
@@ -53,17 +54,19 @@ struct CsvCheckResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Reads a CSV file of any dialect (.gz and .zst are expanded), its cells by read_cell(), as every
-/// other command does, and names its faults: lines before the header, control bytes, rows of
-/// another length, text in a column of numbers (MixedCells::is_spoiled(): `fit` refuses such a
-/// column), other mixtures of numbers and names, words for missing cells, infinities, missing
-/// cells, rows that repeat the one before, constant columns (a note); in a stream also times that
-/// do not increase and gaps of more than `max_gap_s`; in a table that is no stream, times far from
-/// the others of their column (`unlike_times`), and a column of stamps (a note). A stream has a
-/// sensor's columns, or neither those nor a table of trials' (success, status, ...) and times of
-/// which a tenth at most go back. Never throws on what it finds. O(size).
+/// Reads a CSV file of any dialect (gzip and zstd are expanded), its cells by read_cell(), as every
+/// other command does, and names its faults: control bytes, rows of another length, no clock or no
+/// rows, a decimal comma that was not asked for, text in a column of numbers
+/// (MixedCells::is_spoiled(): `fit` refuses such a column), other mixtures of numbers and names,
+/// words for missing cells, infinities, missing cells, rows that repeat the one before, constant
+/// columns (a note); in a stream also times that do not increase and gaps of more than `max_gap_s`;
+/// in a table that is no stream, times far from the others of their column (`unlike_times`), and a
+/// column of stamps (a note). A stream has a sensor's columns, or neither those nor a table of
+/// trials' (success, status, ...) and times of which a tenth at most go back. `clock` names its
+/// clock where the name does not. Never throws on what it finds. O(size).
 [[nodiscard]] CsvCheckResult check_csv_file(const std::filesystem::path& path,
                                             double max_gap_s = 1.0,
-                                            CsvOptions csv = {});
+                                            CsvOptions csv = {},
+                                            const std::string& clock = {});
 
 }  // namespace tcert::table

@@ -4,12 +4,10 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <table/nearest_name.hpp>
 
 namespace tcert::table {
 namespace {
-
-constexpr std::array<std::string_view, 6> kClockNames = {
-    "time", "time_s", "t", "t_s", "timestamp", "stamp"};
 
 /// Columns that only a table of trials has: its times do not follow one another.
 constexpr std::array<std::string_view, 8> kTrialNames = {
@@ -22,21 +20,9 @@ constexpr std::array<std::string_view, 7> kStreamParts = {
 /// Parts of the names of a table's columns of times, beside those of a clock.
 constexpr std::array<std::string_view, 4> kTimeParts = {"time", "stamp", "duration", "elapsed"};
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return lower;
-}
-
 bool holds_part(const std::string& lower, std::span<const std::string_view> parts) {
   return std::ranges::any_of(
       parts, [&](std::string_view part) { return lower.find(part) != std::string::npos; });
-}
-
-bool is_clock_name(const std::string& lower) {
-  return std::ranges::find(kClockNames, lower) != kClockNames.end();
 }
 
 bool is_time_name(const std::string& lower) {
@@ -45,14 +31,11 @@ bool is_time_name(const std::string& lower) {
 
 }  // namespace
 
-ColumnRoles column_roles(const std::vector<std::string>& names) {
+ColumnRoles column_roles(const std::vector<std::string>& names, const std::string& clock) {
   ColumnRoles roles;
-  roles.clock = names.size();
+  roles.clock = clock.empty() ? find_clock(names) : clock_named(names, clock);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string name = lower_case(names[i]);
-    if (is_clock_name(name) && roles.clock == names.size()) {
-      roles.clock = i;
-    }
+    const std::string name = case_folded(names[i]);
     if (is_time_name(name)) {
       roles.times.push_back(i);
     }

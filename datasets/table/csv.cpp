@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <table/cell_reading.hpp>
+#include <table/text_file.hpp>
 #include <utility>
 
 namespace tcert::table {
@@ -262,7 +263,7 @@ TextTableResult read_text_table(const std::filesystem::path& path,
   if (csv.file.empty()) {
     csv.file = path.string();
   }
-  BytesResult file = read_file(path);
+  BytesResult file = read_text_file(path);
   if (!file.bytes) {
     return {std::nullopt, {{Severity::error, csv.file, 0, "", file.problem, "a readable file", 1}}};
   }

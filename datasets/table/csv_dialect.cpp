@@ -155,6 +155,8 @@ std::string_view separator_name(char separator) noexcept {
       return "semicolon";
     case '\t':
       return "tab";
+    case '|':
+      return "vertical bar";
     case ' ':
       return "spaces";
     default:
@@ -162,12 +164,14 @@ std::string_view separator_name(char separator) noexcept {
   }
 }
 
-char detect_separator(std::string_view text, std::size_t& fields) {
+char detect_separator(std::string_view text, char decimal_point) {
   char best = ',';
   std::size_t most_records = 0;
-  fields = 1;
   std::vector<std::string> record;
   for (const char separator : kCsvSeparators) {
+    if (separator == decimal_point) {
+      continue;
+    }
     std::map<std::size_t, std::size_t> records_by_fields;
     CsvCursor cursor = csv_begin(text);
     for (std::size_t i = 0; i < kSampledRecords && skip_to_record(cursor); ++i) {
@@ -180,7 +184,6 @@ char detect_separator(std::string_view text, std::size_t& fields) {
     if (modal != records_by_fields.end() && modal->second > most_records) {
       best = separator;
       most_records = modal->second;
-      fields = modal->first;
     }
   }
   return best;

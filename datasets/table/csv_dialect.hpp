@@ -11,7 +11,7 @@
 namespace tcert::table {
 
 /// In order of preference where a file fits several: a separator that is rare in plain text first.
-inline constexpr std::array<char, 4> kCsvSeparators{'\t', ';', ',', ' '};
+inline constexpr std::array<char, 5> kCsvSeparators{'\t', ';', '|', ',', ' '};
 
 /// A separator of ' ' stands for any run of spaces and tabs, those at the line's ends included.
 struct CsvDialect {
@@ -46,11 +46,11 @@ struct CsvField {
 /// Reads the record at the cursor into `fields`, re-using their memory; false if a quote is open.
 bool scan_record(CsvCursor& cursor, char separator, std::vector<std::string>& fields);
 
-/// Name of a separator for messages: "comma", "semicolon", "tab", "spaces".
+/// Name of a separator for messages: "comma", "semicolon", "tab", "vertical bar", "spaces".
 [[nodiscard]] std::string_view separator_name(char separator) noexcept;
 
 /// The separator that gives most of the first records one common number of fields, at least two;
-/// ',' if none does. `fields` receives that number.
-[[nodiscard]] char detect_separator(std::string_view text, std::size_t& fields);
+/// ',' if none does. With a `decimal_point` of ',' it is not the comma if any other does.
+[[nodiscard]] char detect_separator(std::string_view text, char decimal_point = '.');
 
 }  // namespace tcert::table

@@ -1,7 +1,7 @@
 #include <table/csv_header.hpp>
 
 #include <algorithm>
-#include <table/cell_reading.hpp>
+#include <table/header_report.hpp>
 #include <table/nearest_name.hpp>
 #include <utility>
 
@@ -14,23 +14,11 @@ struct Candidate {
   std::size_t matches = 0;
 };
 
-void apply_renames(std::vector<std::string>& names, const CsvOptions& options) {
-  for (std::string& name : names) {
-    if (const auto renamed = options.rename.find(name); renamed != options.rename.end()) {
-      name = renamed->second;
-    }
-  }
-}
-
 std::size_t count_matches(const std::vector<std::string>& names,
                           std::span<const std::string> required) {
   return static_cast<std::size_t>(std::ranges::count_if(
       required,
       [&names](const std::string& name) { return std::ranges::find(names, name) != names.end(); }));
-}
-
-CsvDialect dialect_of(char separator, const CsvOptions& options) {
-  return {separator, separator == ';' && options.decimal_comma ? ',' : '.'};
 }
 
 /// The earliest record with the most of the required names, for one separator.
@@ -70,8 +58,7 @@ std::optional<Candidate> best_header(std::string_view text,
     }
   }
   if (best && best->matches == 0) {
-    std::size_t fields = 0;
-    best = best_record(text, detect_separator(text, fields), options, required);
+    best = best_record(text, detect_separator(text), options, required);
   }
   return best;
 }
@@ -94,56 +81,6 @@ void report_missing(const CsvHeader& header,
                   "bundle.json",
                   1});
   }
-}
-
-/// In a bundle names are told apart without case, as SQL readers do; in any other table as R does.
-void report_equal_names(const CsvHeader& header,
-                        const CsvOptions& options,
-                        DiagnosticGroups& problems) {
-  std::map<std::string, std::string> seen;
-  for (const std::string& name : header.names) {
-    if (name.empty()) {
-      continue;
-    }
-    const auto [first, is_new] =
-        seen.try_emplace(options.fold_names ? case_folded(name) : name, name);
-    if (!is_new) {
-      problems.add({Severity::error,
-                    options.file,
-                    header.line,
-                    shortened(name),
-                    shortened(first->second),
-                    options.fold_names ? "column names that differ when case is folded"
-                                       : "column names that differ",
-                    1});
-    }
-  }
-}
-
-void report_preamble(const CsvHeader& header,
-                     const CsvOptions& options,
-                     DiagnosticGroups& problems) {
-  if (header.preamble_records > 0) {
-    problems.add({Severity::warning,
-                  options.file,
-                  header.line,
-                  "",
-                  std::to_string(header.preamble_records) + " lines before the header",
-                  "the header first; the lines before it are not used",
-                  1});
-  }
-}
-
-void report_no_record(const CsvOptions& options, DiagnosticGroups& problems) {
-  problems.add({Severity::error, options.file, 0, "", "", "a header line and rows", 1});
-}
-
-/// A word that is read as a number or as missing names no column.
-bool holds_text(const std::vector<std::string>& record, char decimal_point) {
-  return std::ranges::any_of(record, [decimal_point](const std::string& cell) {
-    const CellMeaning meaning = read_cell(cell, decimal_point).meaning;
-    return meaning != CellMeaning::number && meaning != CellMeaning::missing;
-  });
 }
 
 }  // namespace
@@ -172,40 +109,6 @@ std::optional<CsvHeader> find_header(std::string_view text,
   }
   report_preamble(best->header, options, problems);
   return std::move(best->header);
-}
-
-std::optional<CsvHeader> guess_header(std::string_view text,
-                                      const CsvOptions& options,
-                                      DiagnosticGroups& problems) {
-  std::size_t fields = 0;
-  const char detected = detect_separator(text, fields);
-  CsvHeader header;
-  header.dialect = dialect_of(options.separator.value_or(detected), options);
-  CsvCursor cursor = csv_begin(text);
-  if (!skip_to_record(cursor)) {
-    report_no_record(options, problems);
-    return std::nullopt;
-  }
-  header.data = cursor;
-  for (std::size_t i = 0; i <= options.preamble_records && skip_to_record(cursor); ++i) {
-    const std::size_t line = cursor.line;
-    std::vector<std::string> record;
-    scan_record(cursor, header.dialect.separator, record);
-    if (record.size() == fields && holds_text(record, header.dialect.decimal_point)) {
-      apply_renames(record, options);
-      header.names = std::move(record);
-      header.line = line;
-      header.preamble_records = i;
-      header.data = cursor;
-      break;
-    }
-  }
-  for (std::size_t i = header.names.size(); i < fields; ++i) {
-    header.names.push_back("c" + std::to_string(i + 1));
-  }
-  report_equal_names(header, options, problems);
-  report_preamble(header, options, problems);
-  return header;
 }
 
 }  // namespace tcert::table

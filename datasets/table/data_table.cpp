@@ -5,6 +5,7 @@
 #include <numeric>
 #include <table/cell_reading.hpp>
 #include <table/decimal.hpp>
+#include <table/text_file.hpp>
 #include <unordered_map>
 
 namespace tcert::table {
@@ -263,7 +264,7 @@ DataTableResult read_data_table(const std::filesystem::path& path,
   if (csv.file.empty()) {
     csv.file = path.string();
   }
-  const BytesResult file = read_file(path);
+  const BytesResult file = read_text_file(path);
   if (!file.bytes) {
     return {std::nullopt, {{Severity::error, csv.file, 0, "", file.problem, "a readable file", 1}}};
   }

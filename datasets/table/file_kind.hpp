@@ -15,7 +15,8 @@ struct FileKind {
 };
 
 /// None for what may be text. Known by their first bytes: TIFF, PNG, JPEG, NumPy, HDF5, netCDF,
-/// zip, gzip, zstd, PDF, Surfer, ERDAS, LAS, SQLite and UTF-16; anything else that holds a NUL, or
+/// zip, gzip, zstd, bzip2, xz, PDF, Surfer, ERDAS, LAS, SQLite, MCAP, ROS 1 bags, PX4 logs, Parquet
+/// and UTF-16; anything else that holds a NUL, or
 /// more than one control character in fifty, is "a binary file". `file` is the name that way_out
 /// uses.
 [[nodiscard]] std::optional<FileKind> kind_of_binary(std::string_view bytes, std::string_view file);

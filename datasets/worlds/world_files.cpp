@@ -67,7 +67,7 @@ WorldsResult read_any(const fs::path& path, const fs::path& name, const WorldFra
 
 WorldsResult read_worlds(const fs::path& path, const WorldFrame& frame) {
   fs::path name = path.filename();
-  if (table::compression_of(name.string()) != table::Compression::none) {
+  if (name.extension() == ".gz" || name.extension() == ".zst") {
     name = name.stem();
   }
   WorldsResult read = read_any(path, name, frame);

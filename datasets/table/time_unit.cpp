@@ -1,0 +1,301 @@
+#include <table/time_unit.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <table/bytes.hpp>
+#include <table/decimal.hpp>
+#include <table/nearest_name.hpp>
+#include <utility>
+#include <vector>
+
+namespace tcert::table {
+namespace {
+
+struct UnitWord {
+  std::string_view word;
+  TimeUnit unit;
+};
+
+constexpr std::array kUnitWords{UnitWord{"s", TimeUnit::seconds},
+                                UnitWord{"sec", TimeUnit::seconds},
+                                UnitWord{"secs", TimeUnit::seconds},
+                                UnitWord{"second", TimeUnit::seconds},
+                                UnitWord{"seconds", TimeUnit::seconds},
+                                UnitWord{"ms", TimeUnit::milliseconds},
+                                UnitWord{"msec", TimeUnit::milliseconds},
+                                UnitWord{"msecs", TimeUnit::milliseconds},
+                                UnitWord{"millis", TimeUnit::milliseconds},
+                                UnitWord{"milliseconds", TimeUnit::milliseconds},
+                                UnitWord{"us", TimeUnit::microseconds},
+                                UnitWord{"usec", TimeUnit::microseconds},
+                                UnitWord{"usecs", TimeUnit::microseconds},
+                                UnitWord{"micros", TimeUnit::microseconds},
+                                UnitWord{"microseconds", TimeUnit::microseconds},
+                                UnitWord{"\u00b5s", TimeUnit::microseconds},
+                                UnitWord{"ns", TimeUnit::nanoseconds},
+                                UnitWord{"nsec", TimeUnit::nanoseconds},
+                                UnitWord{"nsecs", TimeUnit::nanoseconds},
+                                UnitWord{"nanos", TimeUnit::nanoseconds},
+                                UnitWord{"nanosec", TimeUnit::nanoseconds},
+                                UnitWord{"nanosecs", TimeUnit::nanoseconds},
+                                UnitWord{"nanoseconds", TimeUnit::nanoseconds}};
+
+/// The unit of a stamp since 1970: 2001 to 2096 in one of the four.
+std::optional<TimeUnit> unit_of_stamp(double time) noexcept {
+  constexpr double kLeast = 1e9;
+  constexpr double kMost = 4e9;
+  for (const TimeUnit unit :
+       {TimeUnit::seconds, TimeUnit::milliseconds, TimeUnit::microseconds, TimeUnit::nanoseconds}) {
+    const double seconds = time * seconds_in(unit);
+    if (seconds >= kLeast && seconds <= kMost) {
+      return unit;
+    }
+  }
+  return std::nullopt;
+}
+
+double median_step(std::span<const double> times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) {
+      steps.push_back(times[i] - times[i - 1]);
+    }
+  }
+  if (steps.empty()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+/// The unit in which whole steps have the rate of a robot's log, nearest to 30 Hz.
+TimeUnit unit_of_step(double step) noexcept {
+  TimeUnit best = TimeUnit::seconds;
+  double least = std::numeric_limits<double>::infinity();
+  for (const TimeUnit unit :
+       {TimeUnit::milliseconds, TimeUnit::microseconds, TimeUnit::nanoseconds}) {
+    const double away = std::abs(std::log(30.0 * step * seconds_in(unit)));
+    if (away < least) {
+      least = away;
+      best = unit;
+    }
+  }
+  return best;
+}
+
+bool is_whole(double value) noexcept { return value == std::floor(value); }
+
+/// Takes a number of exactly or at least so many digits from the front of `rest`.
+bool take_number(std::string_view& rest, std::size_t least, std::size_t most, int& value) noexcept {
+  std::size_t count = 0;
+  value = 0;
+  while (count < most && count < rest.size() && decimal_detail::is_digit(rest[count])) {
+    value = value * 10 + (rest[count] - '0');
+    ++count;
+  }
+  rest.remove_prefix(count);
+  return count >= least;
+}
+
+bool take_one_of(std::string_view& rest, std::string_view characters) noexcept {
+  if (rest.empty() || characters.find(rest.front()) == std::string_view::npos) {
+    return false;
+  }
+  rest.remove_prefix(1);
+  return true;
+}
+
+/// Days since 1970-01-01 in the Gregorian calendar (H. Hinnant, "chrono-compatible low-level date
+/// algorithms").
+std::int64_t days_since_1970(int year, int month, int day) noexcept {
+  const std::int64_t y = month <= 2 ? year - 1 : year;
+  const std::int64_t era = y / 400;
+  const std::int64_t year_of_era = y - era * 400;
+  const std::int64_t day_of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+  return era * 146097 + year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year -
+         719468;
+}
+
+/// ISO order, or the order of the United States and, where the first number is above 12, of Europe.
+bool take_day(std::string_view& rest, std::int64_t& days) noexcept {
+  int first = 0;
+  int month = 0;
+  int day = 0;
+  std::string_view start = rest;
+  if (take_number(rest, 4, 4, first) && take_one_of(rest, "-/")) {
+    if (!take_number(rest, 1, 2, month) || !take_one_of(rest, "-/") ||
+        !take_number(rest, 1, 2, day)) {
+      return false;
+    }
+  } else {
+    rest = start;
+    int year = 0;
+    if (!take_number(rest, 1, 2, month) || !take_one_of(rest, "/.") ||
+        !take_number(rest, 1, 2, day) || !take_one_of(rest, "/.") ||
+        !take_number(rest, 4, 4, year)) {
+      return false;
+    }
+    if (month > 12) {
+      std::swap(month, day);
+    }
+    first = year;
+  }
+  if (first < 1970 || first > 2096 || month < 1 || month > 12 || day < 1 || day > 31) {
+    return false;
+  }
+  days = days_since_1970(first, month, day);
+  return true;
+}
+
+bool take_fraction(std::string_view& rest, std::int64_t& time_ns) noexcept {
+  std::int64_t scale = 1'000'000'000;
+  std::size_t count = 0;
+  for (; count < rest.size() && decimal_detail::is_digit(rest[count]); ++count) {
+    scale /= 10;
+    time_ns += (rest[count] - '0') * scale;
+  }
+  rest.remove_prefix(count);
+  return count > 0;
+}
+
+bool take_offset(std::string_view& rest, std::int64_t& time_ns) noexcept {
+  if (rest.empty() || take_one_of(rest, "Zz")) {
+    return true;
+  }
+  const std::int64_t sign = rest.front() == '-' ? -1 : 1;
+  int hours = 0;
+  int minutes = 0;
+  if (!take_one_of(rest, "+-") || !take_number(rest, 2, 2, hours)) {
+    return false;
+  }
+  take_one_of(rest, ":");
+  if (!rest.empty() && !take_number(rest, 2, 2, minutes)) {
+    return false;
+  }
+  time_ns -= sign * (hours * 3600 + minutes * 60) * std::int64_t{1'000'000'000};
+  return hours < 24 && minutes < 60;
+}
+
+}  // namespace
+
+std::string_view name_of(TimeUnit unit) noexcept {
+  switch (unit) {
+    case TimeUnit::milliseconds:
+      return "ms";
+    case TimeUnit::microseconds:
+      return "us";
+    case TimeUnit::nanoseconds:
+      return "ns";
+    case TimeUnit::seconds:
+      break;
+  }
+  return "s";
+}
+
+std::optional<TimeUnit> time_unit_of_word(std::string_view word) noexcept {
+  const auto is_word = [&](const UnitWord& known) {
+    return std::equal(
+        known.word.begin(), known.word.end(), word.begin(), word.end(), [](char a, char b) {
+          return a == (b >= 'A' && b <= 'Z' ? b + 32 : b);
+        });
+  };
+  const auto* const found = std::ranges::find_if(kUnitWords, is_word);
+  return found == kUnitWords.end() ? std::nullopt : std::optional(found->unit);
+}
+
+double seconds_in(TimeUnit unit) noexcept {
+  switch (unit) {
+    case TimeUnit::milliseconds:
+      return 1e-3;
+    case TimeUnit::microseconds:
+      return 1e-6;
+    case TimeUnit::nanoseconds:
+      return 1e-9;
+    case TimeUnit::seconds:
+      break;
+  }
+  return 1.0;
+}
+
+TimeUnitGuess guess_time_unit(std::optional<TimeUnit> named, std::span<const double> times) {
+  const TimeUnit said = named.value_or(TimeUnit::seconds);
+  if (times.empty()) {
+    return {said, ""};
+  }
+  if (const auto stamp = unit_of_stamp(times.front())) {
+    const bool agrees = *stamp == said && (named || said == TimeUnit::seconds);
+    return {*stamp, agrees ? "" : "stamps since 1970 in " + std::string(name_of(*stamp))};
+  }
+  constexpr double kLongestStepS = 5.0;
+  const double step = median_step(times);
+  if (!named && std::ranges::all_of(times, is_whole) && step > kLongestStepS) {
+    const TimeUnit unit = unit_of_step(step);
+    return {unit, "whole numbers with steps as of " + std::string(name_of(unit))};
+  }
+  return {said, ""};
+}
+
+bool read_time(std::string_view cell, TimeUnit unit, char decimal_point, std::int64_t& time_ns) {
+  if (cell.empty()) {
+    return false;
+  }
+  // The exponent moves the point, so that the decimal reader rounds once.
+  constexpr std::array<int, 4> kExponents{0, -3, -6, -9};
+  std::string text(cell);
+  const int shift = kExponents[static_cast<std::size_t>(unit)];
+  if (shift != 0) {
+    const std::size_t mark = text.find_first_of("eE");
+    int exponent = shift;
+    if (mark != std::string::npos) {
+      int written = 0;
+      std::string_view digits = std::string_view(text).substr(mark + 1);
+      const bool negative = digits.starts_with('-');
+      take_one_of(digits, "+-");
+      if (!take_number(digits, 1, 3, written) || !digits.empty()) {
+        return false;
+      }
+      exponent += negative ? -written : written;
+      text.resize(mark);
+    }
+    text += 'e' + std::to_string(exponent);
+  }
+  const Bytes padded = Bytes::copy_of(text);
+  const char* const begin = padded.view().data();
+  return scan_seconds(begin, decimal_point, time_ns) == begin + text.size();
+}
+
+bool read_date(std::string_view cell, std::int64_t& time_ns) {
+  std::string_view rest = cell;
+  while (!rest.empty() && rest.front() == ' ') {
+    rest.remove_prefix(1);
+  }
+  std::int64_t days = 0;
+  int hours = 0;
+  int minutes = 0;
+  int seconds = 0;
+  if (!take_day(rest, days) || !take_one_of(rest, "Tt ") || !take_number(rest, 1, 2, hours) ||
+      !take_one_of(rest, ":") || !take_number(rest, 2, 2, minutes) || hours > 24 || minutes > 59) {
+    return false;
+  }
+  std::int64_t fraction_ns = 0;
+  if (take_one_of(rest, ":")) {
+    if (!take_number(rest, 2, 2, seconds) || seconds > 60) {
+      return false;
+    }
+    if (take_one_of(rest, ".,") && !take_fraction(rest, fraction_ns)) {
+      return false;
+    }
+  }
+  const std::int64_t whole_s = days * 86400 + hours * 3600 + minutes * 60 + seconds;
+  time_ns = whole_s * 1'000'000'000 + fraction_ns;
+  while (rest.starts_with(' ')) {
+    rest.remove_prefix(1);
+  }
+  return take_offset(rest, time_ns) && rest.empty();
+}
+
+}  // namespace tcert::table
