@@ -1,0 +1,85 @@
+#include "datasets/import/ray_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace tcert::recording {
+namespace {
+
+constexpr double kSameAngleRad = 1e-6;
+
+double number_of(const nlohmann::json& ray, const char* key) {
+  const auto found = ray.find(key);
+  return found != ray.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+std::string text_of(const nlohmann::json& ray, const char* key) {
+  const auto found = ray.find(key);
+  return found != ray.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+}  // namespace
+
+bool ScanGeometry::has_beams_of(const ScanGeometry& other) const noexcept {
+  return beams == other.beams && std::abs(angle_min_rad - other.angle_min_rad) < kSameAngleRad &&
+         std::abs(angle_increment_rad - other.angle_increment_rad) < kSameAngleRad;
+}
+
+std::vector<std::string> RayLayout::column_names() const {
+  std::vector<std::string> names;
+  for (const RayColumns& ray : columns) {
+    names.push_back(ray.name + (ray.bends ? "_bend_rad" : "_range_m"));
+    if (ray.force.is_given()) {
+      names.push_back(ray.name + "_fsr_n");
+    }
+  }
+  return names;
+}
+
+RayLayout layout_of(const StreamSource& stream) {
+  RayLayout layout;
+  layout.no_return = stream.no_return;
+  for (const MappedRay& mapped : stream.rays) {
+    layout.columns.push_back({text_of(mapped.ray, "name"),
+                              text_of(mapped.ray, "kind") == "bend",
+                              number_of(mapped.ray, "reach_m"),
+                              mapped.value,
+                              mapped.force});
+    layout.rays.push_back(mapped.ray);
+  }
+  return layout;
+}
+
+RayLayout layout_of(const StreamSource& stream,
+                    const ScanGeometry& geometry,
+                    const std::string& prefix) {
+  RayLayout layout;
+  layout.geometry = geometry;
+  layout.no_return = stream.no_return;
+  if (!layout.no_return.range_min_m) {
+    layout.no_return.range_min_m = geometry.range_min_m;
+  }
+  if (!layout.no_return.range_max_m) {
+    layout.no_return.range_max_m = geometry.range_max_m;
+  }
+  const double reach_m = stream.scan->reach_m.value_or(geometry.range_max_m.value_or(0.0));
+  const ScanOffset& offset = geometry.offset;
+  for (std::size_t i = 0; i < geometry.beams; i += stream.scan->every) {
+    const double turned = geometry.angle_min_rad +
+                          static_cast<double>(i) * geometry.angle_increment_rad + offset.yaw_rad;
+    const std::string name = fmt::format("{}{:03}", prefix, i);
+    layout.columns.push_back({name, false, reach_m, {{"#"}, 1.0, 0.0}, {}});
+    layout.rays.push_back({{"name", name},
+                           {"kind", "range"},
+                           {"mount_x_m", offset.x_m},
+                           {"mount_y_m", offset.y_m},
+                           {"bearing_rad", std::remainder(turned, 2.0 * std::numbers::pi)},
+                           {"reach_m", reach_m}});
+  }
+  return layout;
+}
+
+}  // namespace tcert::recording
