@@ -59,9 +59,8 @@ Value value_of(const json& tree) {
     case json::value_t::boolean:
       return {tree.get<bool>()};
     case json::value_t::number_integer:
-      return {tree.get<std::int64_t>()};
     case json::value_t::number_unsigned:
-      return {tree.get<std::uint64_t>()};
+      return fits_signed(tree) ? Value{tree.get<std::int64_t>()} : Value{tree.get<std::uint64_t>()};
     case json::value_t::number_float:
       return {tree.get<double>()};
     case json::value_t::string:

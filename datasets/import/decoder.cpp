@@ -20,7 +20,10 @@ std::optional<Decoder> Decoder::of(const Topic& topic, std::string& problem) {
   }
   const bool has_text =
       topic.definition_encoding == "ros2msg" || topic.definition_encoding == "ros1msg";
-  auto type = message_type(topic.type, has_text ? topic.definition : "", problem, is_ros1);
+  // A type without fields has an empty text.
+  const bool is_empty = has_text && topic.definition.empty() && !builtin_definition(topic.type);
+  const std::string_view text = has_text ? std::string_view(topic.definition) : "";
+  auto type = message_type(topic.type, is_empty ? "\n" : text, problem, is_ros1);
   if (!type) {
     if (!has_text && !topic.definition.empty()) {
       problem = "its type is defined in '" + table::shortened(topic.definition_encoding) +

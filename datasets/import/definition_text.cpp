@@ -11,6 +11,7 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r";
 constexpr std::size_t kShortestRule = 5;  // of '=', between two sections
 constexpr std::size_t kMostFieldsOfOne = 4096;
+constexpr std::size_t kLongestName = 256;
 
 std::string_view take_line(std::string_view& text) noexcept {
   const std::size_t end = std::min(text.find('\n'), text.size());
@@ -44,7 +45,8 @@ bool is_name_character(char c) noexcept {
 }
 
 bool is_field_name(std::string_view name) noexcept {
-  return !name.empty() && std::ranges::all_of(name, is_name_character);
+  return !name.empty() && name.size() <= kLongestName &&
+         std::ranges::all_of(name, is_name_character);
 }
 
 bool is_type_name(std::string_view name) noexcept {

@@ -195,8 +195,11 @@ std::optional<MessageType> message_type(std::string_view name,
   if (!sections) {
     return std::nullopt;
   }
+  // Some writers name the type itself like those that it uses.
+  const auto named = sections->nested.find(canonical);
+  const bool is_named = named != sections->nested.end();
   TypeAssembly assembly(*sections, ros1, problem);
-  if (!assembly.add(canonical, sections->root, 0)) {
+  if (!assembly.add(canonical, is_named ? named->second : sections->root, 0)) {
     return std::nullopt;
   }
   return std::move(assembly.type);

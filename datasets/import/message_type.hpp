@@ -49,7 +49,7 @@ struct Structure {
 };
 
 /// A type with all that it is made of. Never recursive, never deeper than kDeepestType, and never
-/// of more than kMostFields fields when flattened.
+/// of more than kMostFields fields when flattened (an empty structure counts as one).
 struct MessageType {
   std::vector<Structure> structures;  ///< The first is the type itself.
 };
