@@ -49,13 +49,13 @@ struct Structure {
 };
 
 /// A type with all that it is made of. Never recursive, never deeper than kDeepestType, and never
-/// of more than kMostFields fields when flattened.
+/// of more than kMostFields fields when flattened (an empty structure counts as one).
 struct MessageType {
   std::vector<Structure> structures;  ///< The first is the type itself.
 };
 
 inline constexpr std::size_t kDeepestType = 32;
-inline constexpr std::size_t kMostFields = 65'536;
+inline constexpr std::size_t kMostFields = 8192;
 
 /// "pkg/msg/Type" of "pkg/Type" (ROS 1) and of itself; anything else as it is.
 [[nodiscard]] std::string canonical_type(std::string_view name);
@@ -70,9 +70,9 @@ inline constexpr std::size_t kMostFields = 65'536;
                                                       std::string& problem,
                                                       bool ros1 = false);
 
-/// The definition that is built in for `name`, in ros2msg text without its nested types; empty if
-/// there is none.
-[[nodiscard]] std::string_view builtin_definition(std::string_view name) noexcept;
+/// The definition that is built in for the canonical `name`, in ros2msg text without its nested
+/// types; nothing if there is none.
+[[nodiscard]] std::optional<std::string_view> builtin_definition(std::string_view name) noexcept;
 
 /// One row for `check`: the path of a field that holds no other, and its kind.
 struct FieldName {
