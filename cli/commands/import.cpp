@@ -1,6 +1,7 @@
 #include "cli/commands/import.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "cli/commands/run_command.hpp"
@@ -13,15 +14,18 @@ namespace {
 constexpr std::string_view kText =
     R"(Make a bundle or a feature table from data in a foreign format.
 
+log: bags of ROS 2 (MCAP, rosbag2) and CSV files of any columns become a bundle, by a map.
 carmen: a Carnegie Mellon log becomes a bundle of one trial.
 barn: public outcomes of the BARN challenge, with the metrics of its worlds, become a feature table.
 
-Usage: tcert import carmen LOG --output DIR [options]
+Usage: tcert import log SOURCE... --map FILE --output DIR [options]
+       tcert import carmen LOG --output DIR [options]
        tcert import barn --trials FILE --metrics FILE --output FILE [options]
 
-'tcert import carmen --help' and 'tcert import barn --help' list the options.
+'tcert import log --help' and so on list the options.
 
 Example:
+  tcert import log run1.mcap run2.mcap --map map.json --output bundle
   tcert import carmen intel.gfs.log.gz --output intel --goal-x -2 --goal-y -14.5 --goal-radius 1
   tcert import barn --trials trials.csv --metrics difficulty_metrics.csv --output barn.csv
 
@@ -36,33 +40,38 @@ struct ImportRequest {
 
 OptionTable options_of(ImportRequest& request) {
   OptionTable table(request.given);
-  table.argument({"FORMAT", &request.format, true, OptionRole::shapes, {"barn", "carmen"}});
+  table.argument({"FORMAT", &request.format, true, OptionRole::shapes, {"barn", "carmen", "log"}});
   return table;
 }
 
+struct Format {
+  std::string_view name;
+  int (*run)(Arguments);
+};
+
+constexpr std::array kFormats{Format{"barn", import_barn_command},
+                              Format{"carmen", import_carmen_command},
+                              Format{"log", import_log_command}};
+
 int run(Arguments arguments) {
-  const auto names = [&](const char* format) {
-    return std::find(arguments.begin(), arguments.end(), format);
-  };
-  const auto carmen = names("carmen");
-  const auto barn = names("barn");
-  if (carmen < barn) {
-    return import_carmen_command(arguments);
-  }
-  if (barn < carmen) {
-    return import_barn_command(arguments);
+  for (const auto& argument : arguments) {
+    const auto* const format = std::ranges::find(kFormats, argument, &Format::name);
+    if (format != kFormats.end()) {
+      return format->run(arguments);
+    }
   }
   ImportRequest request;
   Manner manner;
   if (parse(kText, options_of(request), manner, arguments)) {
-    throw UsageError("unknown format '" + request.format + "', expected barn or carmen" +
-                     did_you_mean(request.format, {"barn", "carmen"}));
+    throw UsageError("unknown format '" + request.format + "', expected log, carmen or barn" +
+                     did_you_mean(request.format, {"barn", "carmen", "log"}));
   }
   return exit_done;
 }
 
 std::vector<CommandForm> forms() {
-  return {form_for<ImportRequest>(kText), import_carmen_form(), import_barn_form()};
+  return {
+      form_for<ImportRequest>(kText), import_log_form(), import_carmen_form(), import_barn_form()};
 }
 
 }  // namespace

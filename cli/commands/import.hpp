@@ -10,9 +10,11 @@ namespace tcert::cli {
 /// errors.hpp.
 int import_barn_command(Arguments arguments);
 int import_carmen_command(Arguments arguments);
+int import_log_command(Arguments arguments);
 
 /// What they take.
 [[nodiscard]] CommandForm import_barn_form();
 [[nodiscard]] CommandForm import_carmen_form();
+[[nodiscard]] CommandForm import_log_form();
 
 }  // namespace tcert::cli

@@ -1,0 +1,198 @@
+#include "datasets/import/csv_streams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <table/cell_reading.hpp>
+#include <table/csv_header.hpp>
+#include <table/file_kind.hpp>
+#include <table/text_file.hpp>
+#include <utility>
+
+#include "datasets/import/csv_stream.hpp"
+
+namespace tcert::recording {
+namespace {
+
+using table::Severity;
+
+/// A file with its header, which points into its bytes.
+struct OpenedCsv {
+  table::Bytes bytes;
+  table::CsvHeader header;
+};
+
+std::optional<OpenedCsv> open_csv(const std::filesystem::path& path,
+                                  const CsvReadOptions& options,
+                                  table::DiagnosticGroups& problems) {
+  const auto fail = [&](std::string found, std::string expectation) {
+    problems.add(
+        {Severity::error, path.string(), 0, "", std::move(found), std::move(expectation), 1});
+  };
+  table::BytesResult file = table::read_text_file(path);
+  if (!file.bytes) {
+    fail(file.problem, "a readable file");
+    return std::nullopt;
+  }
+  if (const auto kind = table::kind_of_binary(file.bytes->view(), path.filename().string())) {
+    fail(kind->name, "a CSV file; " + kind->way_out);
+    return std::nullopt;
+  }
+  table::CsvOptions csv;
+  csv.file = path.string();
+  csv.decimal_comma = options.decimal_comma;
+  table::DiagnosticGroups of_header;
+  auto header = table::guess_header(file.bytes->view(), csv, of_header);
+  const bool good = header && !of_header.has_error();
+  for (table::Diagnostic& problem : of_header.take()) {
+    problems.add(std::move(problem));
+  }
+  if (!good) {
+    return std::nullopt;
+  }
+  return OpenedCsv{std::move(*file.bytes), std::move(*header)};
+}
+
+/// The first number of the column whose name is `pattern` with its last word replaced:
+/// "field.ranges{i}" and angle_min is "field.angle_min".
+std::optional<double> first_number(const OpenedCsv& csv,
+                                   const std::string& pattern,
+                                   const std::string& word) {
+  const std::string before = pattern.substr(0, pattern.find("ranges"));
+  const auto column = csv.header.find(before + word);
+  table::CsvCursor cursor = csv.header.data;
+  std::vector<std::string> row;
+  if (!column || !table::skip_to_record(cursor) ||
+      !table::scan_record(cursor, csv.header.dialect.separator, row) || *column >= row.size()) {
+    return std::nullopt;
+  }
+  const auto reading = table::read_cell(row[*column], csv.header.dialect.decimal_point);
+  const bool is_number =
+      reading.meaning == table::CellMeaning::number && std::isfinite(reading.value);
+  return is_number ? std::optional(reading.value) : std::nullopt;
+}
+
+std::optional<RayLayout> scan_layout(const OpenedCsv& csv,
+                                     const std::string& file,
+                                     const StreamSource& stream,
+                                     const std::string& key,
+                                     const std::string& prefix,
+                                     table::DiagnosticGroups& problems) {
+  const ScanSource& scan = *stream.scan;
+  const auto fail = [&](std::string found, std::string expectation) {
+    problems.add({Severity::error, file, 0, key, std::move(found), std::move(expectation), 1});
+    return std::nullopt;
+  };
+  if (scan.ranges.find("{i}") == std::string::npos) {
+    return fail("ranges '" + scan.ranges + "'",
+                "'rays' in the map, or 'ranges' with {i} for the number of the beam");
+  }
+  if (scan.offset.by_transforms) {
+    return fail("offset tf_static",
+                "an object with x_m, y_m and yaw_rad: a CSV file has no topics");
+  }
+  ScanGeometry geometry;
+  StreamSource every_beam = stream;
+  every_beam.scan->every = 1;
+  geometry.beams = sources_of(every_beam, csv.header).size() / 2;
+  const auto angle_min =
+      scan.angle_min_rad ? scan.angle_min_rad : first_number(csv, scan.ranges, "angle_min");
+  const auto increment = scan.angle_increment_rad
+                             ? scan.angle_increment_rad
+                             : first_number(csv, scan.ranges, "angle_increment");
+  geometry.range_min_m = first_number(csv, scan.ranges, "range_min");
+  geometry.range_max_m = first_number(csv, scan.ranges, "range_max");
+  geometry.offset = scan.offset;
+  if (geometry.beams == 0) {
+    return fail("no column '" + scan.ranges + "' with i = 0", "columns of the scan, from 0 on");
+  }
+  if (!angle_min || !increment || (!scan.reach_m && !geometry.range_max_m)) {
+    return fail("a scan without its angles or its reach",
+                "angle_min_rad, angle_increment_rad and reach_m in the map");
+  }
+  geometry.angle_min_rad = *angle_min;
+  geometry.angle_increment_rad = *increment;
+  return layout_of(stream, geometry, prefix);
+}
+
+bool is_control(const LogMap& map, std::size_t stream) { return stream > map.rays.size(); }
+
+}  // namespace
+
+std::optional<std::vector<RayLayout>> find_layouts(const StreamFiles& files,
+                                                   const LogMap& map,
+                                                   const CsvReadOptions& options,
+                                                   table::DiagnosticGroups& problems) {
+  std::vector<RayLayout> layouts;
+  for (std::size_t k = 0; k < map.rays.size(); ++k) {
+    const StreamSource& stream = map.rays[k];
+    if (!stream.scan) {
+      layouts.push_back(layout_of(stream));
+      continue;
+    }
+    const std::filesystem::path& path = files[k + 1];
+    const auto csv = open_csv(path, options, problems);
+    const std::string prefix = map.rays.size() > 1 ? "s" + std::to_string(k) + "_b" : "b";
+    auto layout =
+        csv ? scan_layout(*csv, path.string(), stream, key_of(map, k + 1), prefix, problems)
+            : std::nullopt;
+    if (layout) {
+      layouts.push_back(std::move(*layout));
+    }
+  }
+  return layouts.size() == map.rays.size() ? std::optional(std::move(layouts)) : std::nullopt;
+}
+
+bool read_csv_streams(const StreamFiles& files,
+                      const LogMap& map,
+                      const std::vector<RayLayout>& layouts,
+                      const CsvReadOptions& options,
+                      const StreamsOfTrial& streams_of,
+                      table::DiagnosticGroups& problems) {
+  bool all = true;
+  for (std::size_t i = 0; i < number_of_streams(map); ++i) {
+    if (files[i].empty()) {
+      continue;
+    }
+    table::DiagnosticGroups of_file;
+    const auto csv = open_csv(files[i], options, of_file);
+    bool read = false;
+    if (csv) {
+      const StreamSource& stream = stream_at(map, i);
+      const std::vector<ValueSource> sources = sources_of(stream, csv->header);
+      const bool fits =
+          is_control(map, i) || i == 0 || sources.size() == 2 * layouts[i - 1].columns.size();
+      if (!fits) {
+        of_file.add({Severity::error,
+                     files[i].string(),
+                     csv->header.line,
+                     key_of(map, i),
+                     std::to_string(sources.size() / 2) + " rays",
+                     std::to_string(layouts[i - 1].columns.size()) + ", as in the first trial",
+                     1});
+      }
+      read = fits && read_csv_stream(
+                         files[i].string(),
+                         csv->header,
+                         stream,
+                         sources,
+                         map.trials.column,
+                         [&](const CsvSample& sample) {
+                           if (StreamSet* const set = streams_of(sample.trial)) {
+                             set->take(i, sample.time_ns, sample.values, sample.line);
+                           }
+                         },
+                         of_file);
+    }
+    for (table::Diagnostic& problem : of_file.take()) {
+      if (is_control(map, i) && problem.severity == Severity::error) {
+        problem.severity = Severity::warning;
+        problem.expectation += "; there are no commands without it";
+      }
+      problems.add(std::move(problem));
+    }
+    all = all && (read || is_control(map, i));
+  }
+  return all;
+}
+
+}  // namespace tcert::recording
