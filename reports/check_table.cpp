@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <table/clock_column.hpp>
+
+#include "datasets/import/column_guess.hpp"
+#include "datasets/import/source_kind.hpp"
 #include "reports/columns_of.hpp"
 
 namespace tcert {
@@ -46,6 +50,53 @@ ColumnsOf<NamedCheck> check_columns() {
       .part(accepted_columns(), [](auto& r) { return r.check.rejected ? nullptr : &r.check; });
 }
 
+/// "yaw [deg]", "range [mm]"; nothing for a column that is called like nothing of ours.
+std::string may_be(const table::ColumnCheck& column) {
+  if (table::is_clock_name(column.name)) {
+    return "clock";
+  }
+  const auto guess = recording::guess_column(column.name, column.least, column.largest);
+  std::string text(recording::to_string(guess.role));
+  return text + (guess.unit.empty() || text.empty() ? "" : " [" + guess.unit + "]");
+}
+
+std::string writer_of_check(const table::CsvCheck& check) {
+  std::vector<std::string> names;
+  for (const table::ColumnCheck& column : check.columns) {
+    names.push_back(column.name);
+  }
+  return std::string(recording::writer_of(names, check.header_line));
+}
+
+std::string roles_of(const table::CsvCheck& check) {
+  std::string text;
+  std::size_t others = 0;
+  for (const table::ColumnCheck& column : check.columns) {
+    const std::string role = may_be(column);
+    if (role.empty()) {
+      ++others;
+    } else {
+      text += (text.empty() ? "" : ", ") + column.name + ": " + role;
+    }
+  }
+  return text + (others > 0 ? fmt::format("{}{} others", text.empty() ? "" : ", ", others) : "");
+}
+
+std::string fields_in_words(const recording::TopicSurvey& topic) {
+  if (!topic.problem.empty()) {
+    return topic.problem;
+  }
+  if (topic.role != recording::StreamRole::none) {
+    return "";
+  }
+  constexpr std::size_t kMostShown = 12;
+  std::string text;
+  for (std::size_t i = 0; i < topic.fields.size() && i < kMostShown; ++i) {
+    text += (text.empty() ? "" : ", ") + topic.fields[i];
+  }
+  return text + (topic.fields.size() > kMostShown ? ", ..." : "");
+}
+
 }  // namespace
 
 Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
@@ -57,7 +108,8 @@ Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
                            .integer("missing", "missing", &Found::missing)
                            .integer("texts", "texts", &Found::texts)
                            .fixed("least", "least", "", 6, &Found::least)
-                           .fixed("largest", "largest", "", 6, &Found::largest);
+                           .fixed("largest", "largest", "", 6, &Found::largest)
+                           .text("may_be", "may be", may_be);
   Table table = columns.table("columns", "Columns of " + file, check.columns);
   table.footnotes.push_back(fmt::format(
       "{} rows, separator {}, {}, {} lines before it.",
@@ -65,19 +117,72 @@ Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
       table::separator_name(check.dialect.separator),
       check.header_line == 0 ? "no header" : fmt::format("header on line {}", check.header_line),
       check.preamble_records));
+  if (const auto writer = writer_of_check(check); !writer.empty()) {
+    table.footnotes.push_back("As " + writer + " writes it.");
+  }
   if (check.clock) {
-    table.footnotes.push_back(
-        fmt::format("Clock {}: from {:.6g} to {:.6g} s, median {:.4g} Hz (5th to 95th percentile "
-                    "{:.4g} to {:.4g}), longest gap {:.4g} s.",
-                    check.clock->column,
-                    check.clock->first_s,
-                    check.clock->last_s,
-                    check.clock->median_rate_hz,
-                    check.clock->least_rate_hz,
-                    check.clock->largest_rate_hz,
-                    check.clock->longest_gap_s));
+    table.footnotes.push_back(fmt::format(
+        "Clock {} [{}]: from {:.6g} to {:.6g} s, median {:.4g} Hz (5th to 95th percentile "
+        "{:.4g} to {:.4g}), longest gap {:.4g} s.",
+        check.clock->column,
+        check.clock->unit,
+        check.clock->first_s,
+        check.clock->last_s,
+        check.clock->median_rate_hz,
+        check.clock->least_rate_hz,
+        check.clock->largest_rate_hz,
+        check.clock->longest_gap_s));
   }
   return table;
+}
+
+Table topics_table(std::span<const recording::TopicSurvey> topics, const std::string& bag) {
+  using Topic = recording::TopicSurvey;
+  const auto seconds = [](const std::optional<std::int64_t>& time_ns) {
+    return time_ns ? std::optional(1e-9 * static_cast<double>(*time_ns)) : std::nullopt;
+  };
+  Table table =
+      ColumnsOf<Topic>()
+          .text("topic", "topic", &Topic::name)
+          .text("type", "type", &Topic::type)
+          .integer("messages", "messages", &Topic::messages)
+          .fixed("rate_hz", "rate", "Hz", 1, &Topic::rate_hz)
+          .text("may_be", "may be", [](auto& t) { return std::string(to_string(t.role)); })
+          .fixed("first_s", "first", "s", 3, [&](auto& t) { return seconds(t.first_ns); })
+          .fixed("last_s", "last", "s", 3, [&](auto& t) { return seconds(t.last_ns); })
+          .fixed("header_apart_s", "header, apart by", "s", 3, &Topic::header_apart_s)
+          .integer("set_back", "set back", &Topic::set_back)
+          .text("fields", "fields", fields_in_words)
+          .table("topics", "Topics of " + bag, topics);
+  table.footnotes = {
+      "first, last: when messages were recorded (\"clock\": \"log\" in a map). header: the first "
+      "stamp less that (\"clock\": \"header\"); a topic without one is lost by that clock."};
+  return table;
+}
+
+Table csv_groups_table(std::span<const recording::CsvGroup> groups, const std::string& folder) {
+  using Group = recording::CsvGroup;
+  return ColumnsOf<Group>()
+      .text("files", "files", &Group::pattern)
+      .integer("number", "number", [](auto& g) { return g.files.size(); })
+      .integer("rows", "rows of the first", [](auto& g) { return g.check.rows; })
+      .text("clock",
+            "clock",
+            [](auto& g) {
+              return g.check.clock
+                         ? fmt::format("{} [{}]", g.check.clock->column, g.check.clock->unit)
+                         : std::string(g.is_of_trials ? "a table of trials" : "");
+            })
+      .fixed("rate_hz",
+             "rate",
+             "Hz",
+             1,
+             [](auto& g) {
+               return g.check.clock ? std::optional(g.check.clock->median_rate_hz) : std::nullopt;
+             })
+      .text("written_by", "written by", [](auto& g) { return writer_of_check(g.check); })
+      .text("columns", "columns that may be", [](auto& g) { return roles_of(g.check); })
+      .table("files", "CSV files of " + folder, groups);
 }
 
 Table trial_check_table(const std::optional<SyntheticLabel>& synthetic) {

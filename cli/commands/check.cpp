@@ -6,22 +6,24 @@ namespace tcert::cli {
 namespace {
 
 constexpr std::string_view kText =
-    R"(Look at logs before anything is computed from them: a bundle, or any single CSV file.
+    R"(Look at logs before anything is computed from them, whatever they are.
 
-Of a bundle: each trial's streams, rates, gaps, and whether it starts in S and ends in G, and what no
-working ray does: a contact that never ends though the ray reads free, a reading that never moves,
-two rays that are one. Of a CSV file: its dialect, header and columns, and the clock of a stream: a
-table of trials has none, but its times are looked at: a stamp among durations, stamps alone. Then
-every problem, with file, line, column, what was found and what was expected. Ends with 1 if there is
-a warning or an error, with 0 otherwise.
+What it is is found out by what it holds, never by its name. Of a bundle: each trial's streams, rates,
+gaps, whether it starts in S and ends in G, and values that cannot be right. Of a bag of ROS 2 (MCAP,
+rosbag2): its topics, their types, rates and clocks. Of a CSV file, or a folder of them: dialect,
+header and columns, the clock and its unit, and what each column may be to a bundle. --write-map
+drafts the map by which 'tcert import log' makes a bundle of it. Then every problem, with file, line,
+column, what was found and what was expected. Ends with 1 if there is a warning or an error, with 0
+otherwise; lines before a header and guesses are notes.
 
-Usage: tcert check BUNDLE|FILE [options]
+Usage: tcert check SOURCE [options]
 
 Example:
   tcert check corpus
-  tcert check run.csv.gz --format json
+  tcert check run.mcap --write-map map.json
+  tcert check runs --write-map map.json
 
-Cost: one pass over the logs.
+Cost: one pass over the logs; of alike CSV files over the first.
 )";
 
 int run(Arguments arguments) { return run_command(kText, arguments, check); }
@@ -30,6 +32,7 @@ std::vector<CommandForm> forms() { return {form_for<CheckRequest>(kText)}; }
 
 }  // namespace
 
-const Command kCheck = {"check", "look at logs before anything is computed from them", run, forms};
+const Command kCheck = {
+    "check", "look at logs of any format before anything is computed from them", run, forms};
 
 }  // namespace tcert::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "datasets/bundle_fields.hpp"
+#include "datasets/import/map_fields.hpp"
 #include "reports/columns_of.hpp"
 
 namespace tcert::cli {
@@ -55,11 +56,26 @@ ColumnsOf<Row> field_columns() {
       .text("doc", "what", text(&FileField::doc));
 }
 
-void add_fields(const std::string& file, std::string_view place, Table& table) {
+void add_fields(const std::string& file, std::span<const FileField> fields, Table& table) {
   static const ColumnsOf<Row> columns = field_columns();
-  for (const FileField& field : fields_at(place, bundle_fields())) {
+  for (const FileField& field : fields) {
     table.add_row(columns.row({{field}, file}));
   }
+}
+
+void add_fields(const std::string& file, std::string_view place, Table& table) {
+  add_fields(file, fields_at(place, bundle_fields()), table);
+}
+
+/// In the order in which they are declared.
+std::vector<std::string_view> places_of(std::span<const FileField> fields) {
+  std::vector<std::string_view> places;
+  for (const FileField& field : fields) {
+    if (std::ranges::find(places, field.place) == places.end()) {
+      places.push_back(field.place);
+    }
+  }
+  return places;
 }
 
 }  // namespace
@@ -83,13 +99,7 @@ std::string fields_in_words(std::span<const FileField> fields) {
 Table bundle_listing() {
   Table table =
       field_columns().table("bundle", "The log bundle, version 1: a folder, or a .zip of it");
-  std::vector<std::string_view> places;
-  for (const FileField& field : bundle_fields()) {
-    if (std::ranges::find(places, field.place) == places.end()) {
-      places.push_back(field.place);
-    }
-  }
-  for (const std::string_view place : places) {
+  for (const std::string_view place : places_of(bundle_fields())) {
     if (place == "ticks.csv") {
       add_fields(file_of(place), "pose.csv", table);
       // The time is there already.
@@ -113,6 +123,37 @@ Table bundle_listing() {
       "trials.csv is a length of time.",
       "A missing cell is empty, NA or nan. An unknown key of bundle.json is an error. 'tcert "
       "check BUNDLE' names every problem with its line."};
+  return table;
+}
+
+Table map_listing() {
+  Table table = field_columns().table(
+      "map", "The map of a foreign log, version 1: a JSON object for 'tcert import log'");
+  const std::span<const FileField> fields = recording::map_fields();
+  for (const std::string_view place : places_of(fields)) {
+    add_fields(std::string(place), fields_at(place, fields), table);
+  }
+  table.footnotes = {
+      R"(Of a bag: {"robot": {"body_width_m": 0.35}, "course": {"goal": {"disc": {"x_m": 6, "y_m": )"
+      R"(2, "radius_m": 0.5}}}, "pose": {"from": "/odom"}, "rays": {"from": "/scan", "every": 4, )"
+      R"("no_return": ["inf", 0], "offset": "tf_static"}, "control": {"from": "/cmd_vel"}})",
+      R"(Of CSV files: {"pose": {"file": "{trial}/odom.csv", "time": {"column": "t", "unit": "ns"}, )"
+      R"("x_m": {"column": "x", "unit": "mm"}, "y_m": {"column": "y", "unit": "mm"}, "yaw_rad": )"
+      R"({"column": "heading", "unit": "deg"}}, "rays": {"file": "{trial}/touch.csv", "rays": )"
+      R"([{"name": "left", "kind": "range", "bearing_deg": 90, "reach_m": 0.5, "range_m": )"
+      R"({"column": "left_mm", "unit": "mm"}}]}, "trials": {"table": "outcomes.csv", "id": "run", )"
+      R"("success": {"column": "result", "true": ["ok"]}}})",
+      "Keys of bundle.json other than rays (robot, course, lighting, max_gap_s, parameters, ...) "
+      "may "
+      "stand in the map and go into the bundle: 'tcert help bundle'. A value is a column's name, "
+      "or "
+      "an object. An unknown key is an error.",
+      "Rows late by less than max_gap_s are put in order; of two of one time the first is used; a "
+      "row without any value of a stream is no sample of it. A range that is not finite, 0 or "
+      "less, "
+      "or beyond its limits is missing, unless 'no_return' says that nothing was in reach; -inf is "
+      "0: nearer than the sensor can see.",
+      "'tcert check SOURCE --write-map FILE' drafts a map."};
   return table;
 }
 

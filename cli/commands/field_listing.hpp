@@ -16,4 +16,7 @@ namespace tcert::cli {
 /// The files of a log bundle, their columns and keys, and below them what is said of all.
 [[nodiscard]] Table bundle_listing();
 
+/// `help map`: every key of the map of `import log`.
+[[nodiscard]] Table map_listing();
+
 }  // namespace tcert::cli

@@ -61,7 +61,8 @@ Table column_listing() {
 constexpr std::array kTopics{
     HelpTopic{"parameters", "every parameter of certificate, study and control", parameter_listing},
     HelpTopic{"columns", "every column of the results of each tick and trial", column_listing},
-    HelpTopic{"bundle", "the files of a log bundle and their columns", bundle_listing}};
+    HelpTopic{"bundle", "the files of a log bundle and their columns", bundle_listing},
+    HelpTopic{"map", "the keys of the map by which foreign logs are imported", map_listing}};
 
 }  // namespace
 

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string_view>
+#include <table/atomic_file.hpp>
 #include <table/check_csv.hpp>
 
 #include "cli/runs/inputs.hpp"
 #include "datasets/check_trial.hpp"
+#include "datasets/import/draft_map.hpp"
+#include "datasets/import/source_kind.hpp"
 #include "reports/check_table.hpp"
 #include "reports/diagnostics_table.hpp"
 #include "reports/features_table.hpp"
@@ -20,6 +24,20 @@ namespace {
 
 /// Trials that are read before their rows are added, in order.
 constexpr std::size_t kBatch = 64;
+
+/// Nothing that is there already is replaced.
+void write_map(const CheckRequest& request, const recording::DraftedMap& map, Progress& progress) {
+  if (std::filesystem::exists(request.write_map)) {
+    throw table::WriteError(request.write_map + " is there already; name another file");
+  }
+  table::write_file_atomically(request.write_map, map.text);
+  std::string text = "A map is drafted in " + request.write_map + ". Still to do:";
+  for (const std::string& remark : map.remarks) {
+    text += "\n- " + remark;
+  }
+  progress.sum_up(text + "\nThen: tcert import log " + request.path + " --map " +
+                  request.write_map + " --output bundle");
+}
 
 /// The tables one after another, a blank line between them; where people read them, without one
 /// that is empty. In JSON a list of both.
@@ -68,20 +86,69 @@ ExitCode show(const Table& found,
   return count["error"] + count["warning"] > 0 ? exit_differences : exit_done;
 }
 
+Table problems_of(const std::vector<table::Diagnostic>& diagnostics) {
+  Table problems = diagnostics_table(std::nullopt);
+  for (const table::Diagnostic& diagnostic : diagnostics) {
+    problems.add_row(diagnostics_row("", diagnostic));
+  }
+  return problems;
+}
+
 ExitCode check_file(const CheckRequest& request, Progress& progress) {
   table::CsvOptions csv;
   csv.decimal_comma = request.logs.decimal_comma;
-  const table::CsvCheckResult result = table::check_csv_file(request.path, 1.0, csv);
+  const table::CsvCheckResult result = table::check_csv_file(request.path, 1.0, csv, request.clock);
   if (!result.check) {
     progress.say(result.diagnostics);
     throw BadData(request.path + " cannot be read as CSV");
   }
-  Table problems = diagnostics_table(std::nullopt);
-  for (const table::Diagnostic& diagnostic : result.diagnostics) {
-    problems.add_row(diagnostics_row("", diagnostic));
+  const ExitCode code = show(csv_check_table(*result.check, request.path),
+                             problems_of(result.diagnostics),
+                             "column",
+                             request.output,
+                             progress);
+  if (!request.write_map.empty()) {
+    recording::CsvGroup group;
+    group.pattern = std::filesystem::path(request.path).filename().string();
+    group.files = {request.path};
+    group.check = *result.check;
+    recording::DraftedMap map = recording::draft_map(std::span(&group, 1));
+    write_map(request, map, progress);
   }
-  return show(
-      csv_check_table(*result.check, request.path), problems, "column", request.output, progress);
+  return code;
+}
+
+ExitCode check_folder(const CheckRequest& request, Progress& progress) {
+  table::DiagnosticGroups problems;
+  const auto groups = recording::survey_csv(request.path, request.logs.decimal_comma, problems);
+  const ExitCode code = show(csv_groups_table(groups, request.path),
+                             problems_of(problems.take()),
+                             "kind of file",
+                             request.output,
+                             progress);
+  if (!request.write_map.empty()) {
+    write_map(request, recording::draft_map(groups), progress);
+  }
+  return code;
+}
+
+ExitCode check_bag(const CheckRequest& request, Progress& progress) {
+  table::DiagnosticGroups problems;
+  const auto bag = recording::open_bag(request.path, problems);
+  if (!bag) {
+    progress.say(problems.take());
+    throw BadData(request.path + " cannot be read as a bag");
+  }
+  const auto topics = recording::survey_bag(*bag, problems);
+  const ExitCode code = show(topics_table(topics, request.path),
+                             problems_of(problems.take()),
+                             "topic",
+                             request.output,
+                             progress);
+  if (!request.write_map.empty()) {
+    write_map(request, recording::draft_map(topics), progress);
+  }
+  return code;
 }
 
 ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
@@ -115,11 +182,22 @@ ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
   return show(trials, problems, "trial", request.output, progress);
 }
 
+[[noreturn]] void throw_other(const CheckRequest& request,
+                              const std::string& what,
+                              const std::string& command) {
+  throw BadData(request.path + " is " + what + ": '" + command + "' reads it");
+}
+
 }  // namespace
 
 OptionTable options_of(CheckRequest& request) {
   OptionTable table(request.given);
-  table.argument({"BUNDLE|FILE", &request.path});
+  table.argument({"SOURCE", &request.path, true, OptionRole::input});
+  table.add("clock", request.clock, "COLUMN", "of a CSV file: its clock, if the name does not say");
+  table.add_output("write-map",
+                   request.write_map,
+                   "FILE",
+                   "draft the map that 'import log' takes, to be looked through");
   add_common(table, request);
   return table;
 }
@@ -128,9 +206,30 @@ ExitCode check(const CheckRequest& request, Progress& progress) {
   if (!std::filesystem::exists(request.path)) {
     throw NoInput("there is nothing at " + request.path);
   }
-  const bool is_bundle =
-      std::filesystem::is_directory(request.path) || request.path.ends_with(".zip");
-  return is_bundle ? check_bundle(request, progress) : check_file(request, progress);
+  using recording::SourceKind;
+  const SourceKind kind = recording::source_kind(request.path);
+  if (kind == SourceKind::bundle && !request.write_map.empty()) {
+    throw UsageError("--write-map: " + request.path + " is a bundle already");
+  }
+  switch (kind) {
+    case SourceKind::bundle:
+      return check_bundle(request, progress);
+    case SourceKind::bag:
+      return check_bag(request, progress);
+    case SourceKind::csv_folder:
+      return check_folder(request, progress);
+    case SourceKind::carmen:
+      throw_other(request, "a CARMEN log", "tcert import carmen " + request.path + " --output DIR");
+    case SourceKind::barn:
+      throw_other(request,
+                  "result text of the BARN challenge",
+                  "tcert import barn --trials " + request.path + " --metrics FILE --output FILE");
+    case SourceKind::csv:
+    case SourceKind::binary:
+    case SourceKind::unreadable:
+      break;
+  }
+  return check_file(request, progress);
 }
 
 }  // namespace tcert::cli

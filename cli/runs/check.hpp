@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// `check`: logs looked at before anything is computed from them.
+/// `check`: logs looked at before anything is computed from them, whatever they are.
 
 #include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
@@ -9,7 +9,9 @@
 namespace tcert::cli {
 
 struct CheckRequest {
-  std::string path;  ///< Of a bundle or a CSV file.
+  std::string path;       ///< Of a bundle, a bag, a CSV file, a folder of these.
+  std::string write_map;  ///< Where a map for 'import log' is drafted; empty: nowhere.
+  std::string clock;      ///< Of a CSV file: the column that is its clock.
   OutputFormat output;
   std::int64_t threads = 0;
   LogOptions logs;

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tcert/tick.hpp>
 #include <utility>
 
 namespace tcert::recording {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> tactile_columns(const std::vector<RayLayout>& layouts) {
   std::vector<std::string> columns;
@@ -118,7 +117,7 @@ void StreamSet::take(std::size_t stream_number,
     *time_ns -= *stream.origin_ns;
   }
   for (double& value : stream.row) {
-    value = std::isfinite(value) ? value : kNone;
+    value = std::isfinite(value) ? value : kMissing;
   }
   stream.order->add(*time_ns, stream.row, place);
 }
@@ -158,7 +157,7 @@ void StreamSet::merge_rays() {
     if (!any) {
       return;
     }
-    row.assign(columns, kNone);
+    row.assign(columns, kMissing);
     for (std::size_t k = 0; k < next.size(); ++k) {
       const Stream& stream = *streams_[k + 1];
       if (next[k] < stream.held.size() && stream.held[next[k]].time_ns == earliest) {

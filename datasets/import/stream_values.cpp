@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tcert/tick.hpp>
 
 namespace tcert::recording {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLengthTolerance = 0.01;
 
 }  // namespace
@@ -15,7 +15,7 @@ constexpr double kLengthTolerance = 0.01;
 double yaw_of(double x, double y, double z, double w) noexcept {
   const double length = std::sqrt(x * x + y * y + z * z + w * w);
   if (!(std::abs(length - 1.0) <= kLengthTolerance)) {
-    return kNone;
+    return kMissing;
   }
   return std::atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z);
 }
@@ -32,11 +32,11 @@ double range_of(double reading,
                 double reach_m,
                 RangeUse& use) {
   if (std::isnan(reading)) {
-    return kNone;
+    return kMissing;
   }
   ++use.readings;
   const bool declared = std::ranges::any_of(
-      rule.values, [&](double value) { return value_of(source, std::span(&value, 1)) == reading; });
+      rule.values, [&](double value) { return value * source.scale + source.add == reading; });
   if (declared || (reading == std::numeric_limits<double>::infinity() && rule.infinite)) {
     ++use.no_return;
     return reach_m;
@@ -47,7 +47,7 @@ double range_of(double reading,
   if (!std::isfinite(reading) || reading <= 0.0 || reading < rule.range_min_m.value_or(0.0) ||
       reading > rule.range_max_m.value_or(reading)) {
     ++use.not_ranges;
-    return kNone;
+    return kMissing;
   }
   return reading;
 }

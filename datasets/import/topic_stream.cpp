@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <table/nearest_name.hpp>
+#include <tcert/tick.hpp>
 #include <utility>
 
 #include "datasets/import/stream_values.hpp"
@@ -13,8 +13,6 @@ namespace tcert::recording {
 namespace {
 
 using table::Severity;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<double> positive_at(const Value& message, const char* path) {
   const auto value = number_at(message, path);
@@ -174,9 +172,9 @@ double TopicStream::value_at(const Value& message, const std::string& prefix, st
   for (std::size_t k = 0; k < sources_[i].columns.size(); ++k) {
     const auto cell = prefix.empty() ? number_at(message, paths_[i][k])
                                      : number_at(message, prefix + sources_[i].columns[k]);
-    cells_.push_back(cell.value_or(kNone));
+    cells_.push_back(cell.value_or(kMissing));
   }
-  return cells_.empty() ? kNone : value_of(sources_[i], cells_);
+  return cells_.empty() ? kMissing : value_of(sources_[i], cells_);
 }
 
 void TopicStream::scan_values(const Value& message,
@@ -193,7 +191,7 @@ void TopicStream::scan_values(const Value& message,
   }
   for (std::size_t i = 0; i < beams_.size(); i += source_->scan->every) {
     out.push_back(beams_[i]);
-    out.push_back(kNone);
+    out.push_back(kMissing);
   }
 }
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <initializer_list>
 #include <table/round_number.hpp>
 
 namespace tcert::table {

@@ -1,0 +1,307 @@
+#include "datasets/import/draft_map.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <table/clock_column.hpp>
+#include <table/nearest_name.hpp>
+#include <utility>
+
+#include "datasets/import/column_guess.hpp"
+
+namespace tcert::recording {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson frame_of_map() {
+  return {{"format", "tcert-map"},
+          {"version", 1},
+          {"robot", {{"body_width_m", nullptr}}},
+          {"course",
+           {{"start", {{"disc", {{"x_m", nullptr}, {"y_m", nullptr}, {"radius_m", 0.5}}}}},
+            {"goal", {{"disc", {{"x_m", nullptr}, {"y_m", nullptr}, {"radius_m", 0.5}}}}}}}};
+}
+
+DraftedMap finished(OrderedJson map, std::vector<std::string> remarks) {
+  remarks.insert(remarks.begin(),
+                 "replace every null: the width of the body, S and G (leave 'course' out and there "
+                 "is no certificate, only the on-policy corridor value)");
+  return {map.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n",
+          std::move(remarks)};
+}
+
+bool is_called(const std::string& name, std::string_view part) {
+  return table::case_folded(name).find(part) != std::string::npos;
+}
+
+const TopicSurvey* first_topic(std::span<const TopicSurvey> topics,
+                               StreamRole role,
+                               std::string_view part) {
+  const auto found = std::ranges::find_if(topics, [&](const TopicSurvey& topic) {
+    return topic.role == role && topic.messages > 0 && topic.problem.empty() &&
+           is_called(topic.name + ' ' + topic.type, part);
+  });
+  return found == topics.end() ? nullptr : &*found;
+}
+
+// --- CSV
+
+/// The columns of a group that are something to a bundle, by role; the first of each but rays.
+struct Columns {
+  std::map<ColumnRole, std::vector<std::pair<std::string, std::string>>> by_role;  // name, unit
+
+  explicit Columns(const table::CsvCheck& check) {
+    for (const table::ColumnCheck& column : check.columns) {
+      const ColumnGuess guess = guess_column(column.name, column.least, column.largest);
+      if (guess.role != ColumnRole::other && !table::is_clock_name(column.name)) {
+        by_role[guess.role].emplace_back(column.name, guess.unit);
+      }
+    }
+  }
+
+  [[nodiscard]] bool has(ColumnRole role) const { return by_role.contains(role); }
+  [[nodiscard]] bool has_turn() const {
+    return has(ColumnRole::yaw) || (has(ColumnRole::quaternion_x) && has(ColumnRole::quaternion_w));
+  }
+  [[nodiscard]] bool has_pose() const {
+    return has(ColumnRole::x) && has(ColumnRole::y) && has_turn();
+  }
+  [[nodiscard]] bool has_rays() const { return has(ColumnRole::bend) || has(ColumnRole::range); }
+
+  [[nodiscard]] OrderedJson value(ColumnRole role) const {
+    const auto& [name, unit] = by_role.at(role).front();
+    return value_of_column(name, unit);
+  }
+
+  static OrderedJson value_of_column(const std::string& name, const std::string& unit) {
+    return unit.empty() ? OrderedJson(name) : OrderedJson{{"column", name}, {"unit", unit}};
+  }
+};
+
+OrderedJson time_of(const table::CsvCheck& check) {
+  if (!check.clock) {
+    return nullptr;
+  }
+  const std::string& unit = check.clock->unit;
+  std::vector<std::string> names;
+  for (const table::ColumnCheck& column : check.columns) {
+    names.push_back(column.name);
+  }
+  const auto clock = table::clock_named(names, check.clock->column);
+  if (clock && clock->nanoseconds) {
+    return {{"column", {names[clock->column], names[*clock->nanoseconds]}}};
+  }
+  return {{"column", check.clock->column}, {"unit", unit == "dates" ? "iso" : unit}};
+}
+
+OrderedJson stream_of(const CsvGroup& group) {
+  OrderedJson stream{{"file", group.pattern}, {"time", time_of(group.check)}};
+  if (stream["time"].is_null()) {
+    stream.erase("time");
+  }
+  return stream;
+}
+
+/// The part of a ray's column that is the name of the ray: "left" of "left_range_mm".
+std::string ray_name(const std::string& column, std::size_t number) {
+  static const std::vector<std::string> words{
+      "range", "dist", "distance", "sonar", "tof", "lidar",   "bend",   "flex",
+      "angle", "mm",   "cm",       "m",     "deg", "rad",     "sensor", "value",
+      "data",  "fsr",  "force",    "n",     "g",   "pressure"};
+  std::string name;
+  std::string word;
+  for (const char c : table::case_folded(column) + '_') {
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
+      word += c;
+      continue;
+    }
+    if (!word.empty() && std::ranges::find(words, word) == words.end()) {
+      name += (name.empty() ? "" : "_") + word;
+    }
+    word.clear();
+  }
+  return name.empty() ? "ray" + std::to_string(number + 1) : name;
+}
+
+OrderedJson rays_of(const Columns& columns) {
+  OrderedJson rays = OrderedJson::array();
+  std::map<std::string, std::pair<std::string, std::string>> forces;  // by ray
+  if (columns.has(ColumnRole::force)) {
+    for (const auto& column : columns.by_role.at(ColumnRole::force)) {
+      forces[ray_name(column.first, 0)] = column;
+    }
+  }
+  for (const ColumnRole role : {ColumnRole::bend, ColumnRole::range}) {
+    if (!columns.has(role)) {
+      continue;
+    }
+    const bool bends = role == ColumnRole::bend;
+    for (const auto& [column, unit] : columns.by_role.at(role)) {
+      const std::string name = ray_name(column, rays.size());
+      OrderedJson ray{{"name", name},
+                      {"kind", bends ? "bend" : "range"},
+                      {"bearing_deg", nullptr},
+                      {"reach_m", nullptr},
+                      {bends ? "bend_rad" : "range_m", Columns::value_of_column(column, unit)}};
+      if (bends) {
+        ray["calibration"] = {{"bend_rad", nullptr}, {"clearance_m", nullptr}};
+      }
+      if (const auto force = forces.find(name); force != forces.end()) {
+        ray["fsr_n"] = Columns::value_of_column(force->second.first, force->second.second);
+      }
+      rays.push_back(std::move(ray));
+    }
+  }
+  return rays;
+}
+
+/// A column of a table of trials that is called like one of `words`.
+std::optional<std::string> called(const table::CsvCheck& check,
+                                  std::initializer_list<std::string_view> words) {
+  for (const std::string_view word : words) {
+    for (const table::ColumnCheck& column : check.columns) {
+      if (table::case_folded(column.name) == word) {
+        return column.name;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+OrderedJson trials_of(const CsvGroup& group) {
+  OrderedJson trials{{"table", group.pattern}};
+  const auto add = [&](const char* key, std::initializer_list<std::string_view> words) {
+    if (const auto column = called(group.check, words)) {
+      trials[key] = *column;
+    }
+  };
+  add("id", {"trial_id", "trial", "run", "run_id", "id", "name", "file", "log"});
+  add("success", {"success", "outcome", "result", "status", "reached", "ok", "finished"});
+  add("time_s", {"time_s", "duration_s", "time", "duration", "elapsed"});
+  add("algorithm", {"algorithm", "controller", "planner", "method"});
+  add("lighting", {"lighting", "light"});
+  add("day", {"day", "date", "session"});
+  return trials;
+}
+
+}  // namespace
+
+DraftedMap draft_map(std::span<const TopicSurvey> topics) {
+  OrderedJson map = frame_of_map();
+  std::vector<std::string> remarks;
+  map["clock"] = "log";
+  const TopicSurvey* pose = first_topic(topics, StreamRole::pose, "odometry");
+  pose = pose != nullptr ? pose : first_topic(topics, StreamRole::pose, "");
+  map["pose"] = {{"from", pose == nullptr ? OrderedJson(nullptr) : OrderedJson(pose->name)}};
+  if (pose == nullptr) {
+    const TopicSurvey* const frames = first_topic(topics, StreamRole::transforms, "/tf ");
+    if (frames != nullptr) {
+      map["pose"] = {{"from", frames->name}, {"parent", "odom"}, {"frame", "base_link"}};
+      remarks.emplace_back("no topic is a pose, so it is taken from transforms: check the frames");
+    } else {
+      remarks.emplace_back("no topic is a pose: name one under 'pose', with x_m, y_m and yaw_rad");
+    }
+  }
+  OrderedJson scans = OrderedJson::array();
+  for (const TopicSurvey& topic : topics) {
+    if (topic.role == StreamRole::scan && topic.messages > 0) {
+      scans.push_back(
+          {{"from", topic.name}, {"every", 4}, {"no_return", {"inf"}}, {"offset", "tf_static"}});
+    }
+  }
+  if (scans.empty()) {
+    for (const TopicSurvey& topic : topics) {
+      if (topic.role == StreamRole::range && topic.messages > 0) {
+        scans.push_back({{"from", topic.name},
+                         {"rays",
+                          {{{"name", ray_name(topic.name, scans.size())},
+                            {"kind", "range"},
+                            {"bearing_deg", nullptr},
+                            {"reach_m", nullptr}}}}});
+      }
+    }
+  }
+  map["rays"] = scans.size() == 1 ? scans.front() : scans;
+  if (scans.empty()) {
+    remarks.emplace_back(
+        "no topic is a scan or a range: list rays under 'rays', each with the field of a message "
+        "('tcert help map')");
+  }
+  const TopicSurvey* control = first_topic(topics, StreamRole::control, "cmd");
+  if (control != nullptr) {
+    map["control"] = {{"from", control->name}};
+  }
+  return finished(std::move(map), std::move(remarks));
+}
+
+DraftedMap draft_map(std::span<const CsvGroup> groups) {
+  OrderedJson map = frame_of_map();
+  std::vector<std::string> remarks;
+  const CsvGroup* outcomes = nullptr;
+  OrderedJson rays = OrderedJson::array();
+  for (const CsvGroup& group : groups) {
+    if (group.is_of_trials) {
+      outcomes = outcomes == nullptr ? &group : outcomes;
+      continue;
+    }
+    const Columns columns(group.check);
+    if (columns.has_pose() && !map.contains("pose")) {
+      OrderedJson pose = stream_of(group);
+      pose["x_m"] = columns.value(ColumnRole::x);
+      pose["y_m"] = columns.value(ColumnRole::y);
+      if (columns.has(ColumnRole::yaw)) {
+        pose["yaw_rad"] = columns.value(ColumnRole::yaw);
+      } else {
+        OrderedJson quaternion = OrderedJson::array();
+        for (const ColumnRole role : {ColumnRole::quaternion_x,
+                                      ColumnRole::quaternion_y,
+                                      ColumnRole::quaternion_z,
+                                      ColumnRole::quaternion_w}) {
+          quaternion.push_back(columns.has(role)
+                                   ? OrderedJson(columns.by_role.at(role).front().first)
+                                   : OrderedJson(nullptr));
+        }
+        pose["yaw_rad"] = {{"quaternion", quaternion}};
+      }
+      map["pose"] = pose;
+    }
+    if (columns.has_rays()) {
+      OrderedJson stream = stream_of(group);
+      stream["no_return"] = {"inf"};
+      stream["rays"] = rays_of(columns);
+      rays.push_back(std::move(stream));
+    }
+    const bool commands = columns.has(ColumnRole::speed) && columns.has(ColumnRole::yaw_rate);
+    const bool is_command =
+        is_called(group.pattern, "cmd") || is_called(group.pattern, "control") ||
+        is_called(group.pattern, "command") ||
+        (commands && is_called(columns.by_role.at(ColumnRole::speed)[0].first, "cmd"));
+    if (commands && is_command && !map.contains("control")) {
+      map["control"] = stream_of(group);
+      map["control"]["speed_cmd_mps"] = columns.value(ColumnRole::speed);
+      map["control"]["yaw_rate_cmd_rps"] = columns.value(ColumnRole::yaw_rate);
+    }
+  }
+  if (!map.contains("pose")) {
+    map["pose"] = {{"file", nullptr}, {"x_m", nullptr}, {"y_m", nullptr}, {"yaw_rad", nullptr}};
+    remarks.emplace_back("no file has columns of x, y and a heading: name them under 'pose'");
+  }
+  map["rays"] = rays.size() == 1 ? rays.front() : rays;
+  if (rays.empty()) {
+    remarks.emplace_back("no column is a range or a bend: list rays under 'rays'");
+  }
+  if (outcomes != nullptr) {
+    map["trials"] = trials_of(*outcomes);
+    remarks.emplace_back(
+        "look at 'trials': which column names the trial, and which words are a success ('success': "
+        "{\"column\": ..., \"true\": [...]})");
+  } else {
+    remarks.emplace_back(
+        "no table of outcomes was found: 'trials' names one, else outcomes are not known");
+  }
+  return finished(std::move(map), std::move(remarks));
+}
+
+}  // namespace tcert::recording
