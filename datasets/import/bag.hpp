@@ -69,21 +69,22 @@ class Bag {
 [[nodiscard]] std::unique_ptr<Bag> open_mcap(const std::filesystem::path& path,
                                              table::DiagnosticGroups& problems);
 
-/// A rosbag2 recording: a .db3 (SQLite), or a folder with several .db3 or .mcap files, in the order
-/// of its metadata.yaml or, without one, of their names. The database is opened for reading alone;
-/// a write-ahead log that a recorder left beside it is honoured; nothing is written beside it.
-/// \returns nullptr, with an error in `problems`, iff no message of it can be read.
-/// \throws table::OutOfResources.
-[[nodiscard]] std::unique_ptr<Bag> open_rosbag2(const std::filesystem::path& path,
-                                                table::DiagnosticGroups& problems);
-
 enum class BagKind { none, mcap, sqlite, folder };
 
 /// What `path` is by its first bytes, never by its name: a folder is one if it holds a
 /// metadata.yaml of rosbag2, a .db3 or a .mcap. `none` also if it cannot be read.
 [[nodiscard]] BagKind bag_kind(const std::filesystem::path& path);
 
-/// open_mcap() or open_rosbag2(), by bag_kind(). nullptr, with an error, if it is `none`.
+/// Whatever bag_kind() says:
+///
+/// - an MCAP file, as open_mcap();
+/// - the database of a rosbag2 (.db3), opened for reading alone: a write-ahead log that a recorder
+///   left beside it is honoured, and nothing is written beside it;
+/// - a folder with several such files, in the order of its metadata.yaml or, without one, of their
+///   names, as one bag. One that cannot be read is left out (warning) unless it is the only one.
+///
+/// \returns nullptr, with an error in `problems`, iff no message of it can be read.
+/// \throws table::OutOfResources.
 [[nodiscard]] std::unique_ptr<Bag> open_bag(const std::filesystem::path& path,
                                             table::DiagnosticGroups& problems);
 
