@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 using table::Severity;
 
 constexpr std::string_view kMark = "{trial}";
-constexpr std::size_t kMostFiles = 100'000;
-constexpr int kDeepestFolder = 8;
+constexpr std::size_t kMostSourceFiles = 100'000;
+constexpr int kDeepestSourceFolder = 8;
 
 void fail(const fs::path& place,
           std::string found,
@@ -52,14 +52,14 @@ std::vector<std::string> files_below(const fs::path& folder, table::DiagnosticGr
   std::error_code error;
   fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
   for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-    if (at.depth() >= kDeepestFolder) {
+    if (at.depth() >= kDeepestSourceFolder) {
       at.disable_recursion_pending();
     }
     std::error_code ignored;
     if (at->is_regular_file(ignored)) {
       files.push_back(at->path().lexically_relative(folder).generic_string());
     }
-    if (files.size() > kMostFiles) {
+    if (files.size() > kMostSourceFiles) {
       fail(folder, "more than 100,000 files", "a folder of logs", problems);
       return {};
     }

@@ -82,7 +82,7 @@ TEST(ReadNumbers, FindsTheHeaderBehindAPreamble) {
   const Read result = read("robot,7,left\nok\ntime_s,x_m\n0.1,1.5\n0.2,-2\n");
   expect_two_rows(result);
   EXPECT_EQ(result.messages,
-            (Messages{"a.csv:3: warning: found '2 lines before the header', expected the header "
+            (Messages{"a.csv:3: note: found '2 lines before the header', expected the header "
                       "first; the lines before it are not used"}));
 }
 
