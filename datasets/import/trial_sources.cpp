@@ -174,6 +174,9 @@ void find_csv_trials(const fs::path& source,
   }
   const std::size_t before = trials.size();
   for (const std::string& file : files_below(source, problems)) {
+    if (file == map.trials.table) {
+      continue;
+    }
     TrialSource trial;
     trial.trial_id = trial_in(pattern, file);
     if (!trial.trial_id.empty() && find_files(source, map, trial, problems)) {
