@@ -75,7 +75,11 @@ bool decode(const MessageType& type,
   // Middlewares differ in the bytes of a wide character, and no header says which it was.
   std::string ignored;
   rules->wide_character = 2;
-  return read_message(type, body, *rules, out, ignored);
+  if (!read_message(type, body, *rules, out, ignored)) {
+    return false;
+  }
+  problem.clear();
+  return true;
 }
 
 bool decode_ros1(const MessageType& type,

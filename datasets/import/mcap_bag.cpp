@@ -73,11 +73,14 @@ bool McapBag::open(table::DiagnosticGroups& problems) {
 
 /// Learns the topics and their counts by reading the whole file.
 bool McapBag::scan(table::DiagnosticGroups& problems) {
-  std::vector<std::size_t> of_channel(std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1);
+  std::vector<std::size_t> of_channel;
   McapHandlers handlers;
   handlers.schema = [this](const SchemaRecord& schema) { topics_.add(schema); };
   handlers.channel = [this](const ChannelRecord& channel) { topics_.add(channel); };
   handlers.message = [&of_channel](const MessageRecord& message) {
+    if (message.channel_id >= of_channel.size()) {
+      of_channel.resize(std::size_t{message.channel_id} + 1);
+    }
     ++of_channel[message.channel_id];
     return true;
   };

@@ -1,15 +1,11 @@
 #include "datasets/import/mcap_topics.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "datasets/import/definition_text.hpp"
 #include "datasets/import/message_type.hpp"
 
 namespace tcert::recording {
-
-McapTopics::McapTopics()
-    : topic_of_channel_(std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1, -1) {}
 
 bool McapTopics::has_room_for(std::size_t bytes) noexcept {
   bytes_ += std::min(bytes, kMostTopicBytes);
@@ -27,7 +23,7 @@ void McapTopics::add(const SchemaRecord& schema) {
 }
 
 void McapTopics::add(const ChannelRecord& channel) {
-  if (topic_of_channel_[channel.id] >= 0) {
+  if (topic_of(channel.id)) {
     return;
   }
   const auto found = schemas_.find(channel.schema_id);
@@ -48,7 +44,10 @@ void McapTopics::add(const ChannelRecord& channel) {
     }
     topics_.push_back(std::move(topic));
   }
-  topic_of_channel_[channel.id] = static_cast<std::int32_t>(place->second);
+  if (channel.id >= topic_of_channel_.size()) {
+    topic_of_channel_.resize(std::size_t{channel.id} + 1);
+  }
+  topic_of_channel_[channel.id] = place->second;
 }
 
 void McapTopics::set_counts(const std::vector<std::size_t>& messages) {

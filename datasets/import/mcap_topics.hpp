@@ -21,16 +21,12 @@ class McapTopics {
  public:
   static constexpr std::size_t kMostTopicBytes = std::size_t{64} << 20U;
 
-  McapTopics();
-
   void add(const SchemaRecord& schema);
   void add(const ChannelRecord& channel);
 
   /// Index of the topic of a channel; nothing for a channel without a record.
   [[nodiscard]] std::optional<std::size_t> topic_of(std::uint16_t channel) const noexcept {
-    return topic_of_channel_[channel] < 0
-               ? std::nullopt
-               : std::optional(static_cast<std::size_t>(topic_of_channel_[channel]));
+    return channel < topic_of_channel_.size() ? topic_of_channel_[channel] : std::nullopt;
   }
 
   [[nodiscard]] bool has_schema(std::uint16_t id) const { return schemas_.contains(id); }
@@ -48,7 +44,7 @@ class McapTopics {
   };
   bool has_room_for(std::size_t bytes) noexcept;
 
-  std::vector<std::int32_t> topic_of_channel_;  // by channel id; -1: none
+  std::vector<std::optional<std::size_t>> topic_of_channel_;  // by channel id
   std::map<std::uint16_t, Schema> schemas_;
   std::map<std::array<std::string, 3>, std::size_t> index_;  // by name, type, encoding
   std::vector<Topic> topics_;
