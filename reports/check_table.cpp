@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <table/clock_column.hpp>
+#include <table/csv_write.hpp>
+#include <table/printable.hpp>
 
 #include "datasets/import/column_guess.hpp"
 #include "datasets/import/source_kind.hpp"
@@ -76,7 +78,7 @@ std::string roles_of(const table::CsvCheck& check) {
     if (role.empty()) {
       ++others;
     } else {
-      text += (text.empty() ? "" : ", ") + column.name + ": " + role;
+      text += (text.empty() ? "" : ", ") + table::printable(column.name) + ": " + role;
     }
   }
   return text + (others > 0 ? fmt::format("{}{} others", text.empty() ? "" : ", ", others) : "");
@@ -101,15 +103,16 @@ std::string fields_in_words(const recording::TopicSurvey& topic) {
 
 Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
   using Found = table::ColumnCheck;
-  const auto columns = ColumnsOf<Found>()
-                           .text("column", "column", &Found::name)
-                           .integer("numbers", "numbers", &Found::numbers)
-                           .integer("truths", "truth values", &Found::truths)
-                           .integer("missing", "missing", &Found::missing)
-                           .integer("texts", "texts", &Found::texts)
-                           .fixed("least", "least", "", 6, &Found::least)
-                           .fixed("largest", "largest", "", 6, &Found::largest)
-                           .text("may_be", "may be", may_be);
+  const auto columns =
+      ColumnsOf<Found>()
+          .text("column", "column", [](auto& c) { return table::printable(c.name); })
+          .integer("numbers", "numbers", &Found::numbers)
+          .integer("truths", "truth values", &Found::truths)
+          .integer("missing", "missing", &Found::missing)
+          .integer("texts", "texts", &Found::texts)
+          .fixed("least", "least", "", 6, &Found::least)
+          .fixed("largest", "largest", "", 6, &Found::largest)
+          .text("may_be", "may be", may_be);
   Table table = columns.table("columns", "Columns of " + file, check.columns);
   table.footnotes.push_back(fmt::format(
       "{} rows, separator {}, {}, {} lines before it.",
@@ -118,7 +121,7 @@ Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
       check.header_line == 0 ? "no header" : fmt::format("header on line {}", check.header_line),
       check.preamble_records));
   if (const auto writer = writer_of_check(check); !writer.empty()) {
-    table.footnotes.push_back("As " + writer + " writes it.");
+    table.footnotes.push_back("It looks like " + writer + ".");
   }
   if (check.clock) {
     table.footnotes.push_back(fmt::format(
@@ -139,17 +142,21 @@ Table csv_check_table(const table::CsvCheck& check, const std::string& file) {
 Table topics_table(std::span<const recording::TopicSurvey> topics, const std::string& bag) {
   using Topic = recording::TopicSurvey;
   const auto seconds = [](const std::optional<std::int64_t>& time_ns) {
-    return time_ns ? std::optional(1e-9 * static_cast<double>(*time_ns)) : std::nullopt;
+    std::string text;
+    if (time_ns) {
+      table::append_seconds(text, *time_ns);
+    }
+    return text;
   };
   Table table =
       ColumnsOf<Topic>()
-          .text("topic", "topic", &Topic::name)
-          .text("type", "type", &Topic::type)
+          .text("topic", "topic", [](auto& t) { return table::printable(t.name); })
+          .text("type", "type", [](auto& t) { return table::printable(t.type); })
           .integer("messages", "messages", &Topic::messages)
           .fixed("rate_hz", "rate", "Hz", 1, &Topic::rate_hz)
           .text("may_be", "may be", [](auto& t) { return std::string(to_string(t.role)); })
-          .fixed("first_s", "first", "s", 3, [&](auto& t) { return seconds(t.first_ns); })
-          .fixed("last_s", "last", "s", 3, [&](auto& t) { return seconds(t.last_ns); })
+          .text("first_s", "first [s]", [&](auto& t) { return seconds(t.first_ns); })
+          .text("last_s", "last [s]", [&](auto& t) { return seconds(t.last_ns); })
           .fixed("header_apart_s", "header, apart by", "s", 3, &Topic::header_apart_s)
           .integer("set_back", "set back", &Topic::set_back)
           .text("fields", "fields", fields_in_words)

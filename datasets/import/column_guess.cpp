@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <table/nearest_name.hpp>
+#include <table/name_words.hpp>
 #include <vector>
 
 namespace tcert::recording {
@@ -21,7 +21,8 @@ constexpr std::array<std::string_view, 4> kBendWords = {"bend", "flex", "deflect
 constexpr std::array<std::string_view, 7> kRangeWords = {
     "range", "dist", "distance", "sonar", "tof", "lidar", "ranges"};
 constexpr std::array<std::string_view, 4> kForceWords = {"force", "fsr", "load", "pressure"};
-constexpr std::array<std::string_view, 4> kSpeedWords = {"speed", "vel", "velocity", "v"};
+constexpr std::array<std::string_view, 3> kSpeedWords = {"speed", "vel", "velocity"};
+constexpr std::array<std::string_view, 2> kSideWords = {"y", "z"};
 
 struct UnitWord {
   std::string_view word;
@@ -43,21 +44,6 @@ constexpr std::array kUnitWords{UnitWord{"m", ""},
                                 UnitWord{"radps", ""},
                                 UnitWord{"dps", "deg/s"},
                                 UnitWord{"degps", "deg/s"}};
-
-Words words_of_name(std::string_view name) {
-  Words words;
-  std::string word;
-  for (const char c : table::case_folded(name) + ' ') {
-    const bool is_letter = (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80U;
-    if (is_letter) {
-      word += c;
-    } else if (!word.empty()) {
-      words.push_back(std::move(word));
-      word.clear();
-    }
-  }
-  return words;
-}
 
 bool holds(const Words& words, std::span<const std::string_view> some) {
   return std::ranges::any_of(words, [some](const std::string& word) {
@@ -121,10 +107,9 @@ ColumnRole role_of_words(const Words& words) {
   if (holds(words, kRangeWords) && !holds(words, "min") && !holds(words, "max")) {
     return ColumnRole::range;
   }
-  const bool is_forward =
-      holds(words, "linear") ? words.back() == "x" : words.back() != "y" && words.back() != "z";
-  if ((holds(words, kSpeedWords) || holds(words, "linear")) && is_forward &&
-      !holds(words, "angular")) {
+  const bool is_speed =
+      holds(words, kSpeedWords) || (holds(words, "linear") && words.back() == "x");
+  if (is_speed && !holds(words, kSideWords) && !holds(words, "angular")) {
     return ColumnRole::speed;
   }
   return ColumnRole::other;
@@ -152,7 +137,16 @@ std::string unit_by_size(ColumnRole role, double magnitude) {
 ColumnGuess guess_column(std::string_view name,
                          std::optional<double> least,
                          std::optional<double> largest) {
-  Words words = words_of_name(name);
+  Words words;
+  for (std::string& word : table::name_words(name)) {
+    // The number of a sensor is no word: range1 is range.
+    word.erase(
+        std::remove_if(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }),
+        word.end());
+    if (!word.empty()) {
+      words.push_back(std::move(word));
+    }
+  }
   const UnitWord* unit = nullptr;
   if (words.size() > 1) {
     const auto* const found = std::ranges::find(kUnitWords, words.back(), &UnitWord::word);

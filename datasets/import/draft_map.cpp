@@ -46,13 +46,27 @@ const TopicSurvey* first_topic(std::span<const TopicSurvey> topics,
   return found == topics.end() ? nullptr : &*found;
 }
 
-// --- CSV
+/// As TUM has them, without a header: time, x, y, z and a quaternion.
+bool is_plain_trajectory(const table::CsvCheck& check) {
+  return check.header_line == 0 && check.columns.size() == 8;
+}
 
 /// The columns of a group that are something to a bundle, by role; the first of each but rays.
 struct Columns {
   std::map<ColumnRole, std::vector<std::pair<std::string, std::string>>> by_role;  // name, unit
 
   explicit Columns(const table::CsvCheck& check) {
+    if (is_plain_trajectory(check)) {
+      for (const auto& [role, column] : {std::pair(ColumnRole::x, "#2"),
+                                         std::pair(ColumnRole::y, "#3"),
+                                         std::pair(ColumnRole::quaternion_x, "#5"),
+                                         std::pair(ColumnRole::quaternion_y, "#6"),
+                                         std::pair(ColumnRole::quaternion_z, "#7"),
+                                         std::pair(ColumnRole::quaternion_w, "#8")}) {
+        by_role[role].emplace_back(column, "");
+      }
+      return;
+    }
     for (const table::ColumnCheck& column : check.columns) {
       const ColumnGuess guess = guess_column(column.name, column.least, column.largest);
       if (guess.role != ColumnRole::other && !table::is_clock_name(column.name)) {
@@ -81,6 +95,9 @@ struct Columns {
 };
 
 OrderedJson time_of(const table::CsvCheck& check) {
+  if (is_plain_trajectory(check)) {
+    return {{"column", "#1"}, {"unit", "s"}};
+  }
   if (!check.clock) {
     return nullptr;
   }

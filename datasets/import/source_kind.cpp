@@ -131,16 +131,16 @@ std::string_view writer_of(const std::vector<std::string>& names, std::size_t he
     return std::ranges::any_of(names, [&](const std::string& n) { return n.starts_with(begin); });
   };
   if (has("%time")) {
-    return "rostopic echo -p";
+    return "an export of rostopic echo -p";
   }
   if (has("__time")) {
-    return "PlotJuggler";
+    return "an export of PlotJuggler";
   }
   if (has("Time") && (has("header.seq") || has("linear.x") || has("data") || has("force.x"))) {
-    return "bagpy";
+    return "an export of bagpy";
   }
   if (has("rosbagTimestamp")) {
-    return "rosbag_to_csv";
+    return "an export of rosbag_to_csv";
   }
   if (any_begins("p_RS_R_x")) {
     return "an EuRoC trajectory";
@@ -149,10 +149,10 @@ std::string_view writer_of(const std::vector<std::string>& names, std::size_t he
     return "a TUM trajectory";
   }
   if (header_line == 0 && names.size() == 8) {
-    return "a trajectory as TUM's: time, x, y, z and a quaternion";
+    return "a TUM trajectory: time, x, y, z and a quaternion";
   }
   if (has("timestamp") && (has("timestamp_sample") || has("vx") || has("q[0]"))) {
-    return "PX4 ulog2csv";
+    return "an export of ulog2csv";
   }
   return "";
 }

@@ -25,8 +25,7 @@ enum class SourceKind : std::uint8_t {
 [[nodiscard]] SourceKind source_kind(const std::filesystem::path& path);
 
 /// Which program writes tables like that, by the names of their columns or by the shape of their
-/// rows: "rostopic echo -p", "bagpy", "PlotJuggler", "PX4 ulog2csv", "a TUM trajectory", "an EuRoC
-/// trajectory"; empty if it is not known.
+/// rows: "an export of rostopic echo -p", "a TUM trajectory", ...; empty if it is not known.
 [[nodiscard]] std::string_view writer_of(const std::vector<std::string>& names,
                                          std::size_t header_line);
 

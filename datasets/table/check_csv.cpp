@@ -239,7 +239,10 @@ CsvCheckResult check_csv_file(const std::filesystem::path& path,
         {Severity::error, csv.file, 0, "", file.problem, "a readable file", 1});
     return result;
   }
-  if (const auto kind = kind_of_binary(file.bytes->view(), path.filename().string())) {
+  const std::string_view text = file.bytes->view();
+  const auto kind = kind_of_binary(text, path.filename().string());
+  // A text with colours of a terminal in it is one all the same.
+  if (kind && (kind->name != kBinaryFile || text.find('\0') != std::string_view::npos)) {
     result.diagnostics.push_back(
         {Severity::error, csv.file, 0, "", kind->name, "text; " + kind->way_out, 1});
     return result;

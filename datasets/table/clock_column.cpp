@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <table/nearest_name.hpp>
+#include <table/name_words.hpp>
 
 namespace tcert::table {
 namespace {
@@ -19,22 +19,9 @@ bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
   return std::ranges::find(words, word) != words.end();
 }
 
-bool is_letter_or_digit(char c) noexcept {
-  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80U;
-}
-
-/// "field.header.stamp" is field, header, stamp; "TimeUS" is time, us.
-std::vector<std::string> words_of(std::string_view name) {
-  std::vector<std::string> words;
-  std::string word;
-  for (const char c : case_folded(name) + ' ') {
-    if (is_letter_or_digit(c)) {
-      word += c;
-    } else if (!word.empty()) {
-      words.push_back(std::move(word));
-      word.clear();
-    }
-  }
+/// "TimeUS" is time, us.
+std::vector<std::string> clock_words(std::string_view name) {
+  std::vector<std::string> words = name_words(name);
   if (!words.empty() && words.back().starts_with("time") && words.back().size() > 4) {
     const std::string unit = words.back().substr(4);
     if (time_unit_of_word(unit)) {
@@ -51,7 +38,7 @@ struct ClockName {
 };
 
 std::optional<ClockName> clock_name(std::string_view name) {
-  std::vector<std::string> words = words_of(name);
+  std::vector<std::string> words = clock_words(name);
   ClockName found;
   if (!words.empty()) {
     found.unit = time_unit_of_word(words.back());

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <table/name_words.hpp>
 #include <table/nearest_name.hpp>
 
 namespace tcert::table {
@@ -16,6 +17,10 @@ constexpr std::array<std::string_view, 8> kTrialNames = {
 /// Parts of the names of a sensor's columns.
 constexpr std::array<std::string_view, 7> kStreamParts = {
     "x_m", "y_m", "yaw", "bend", "force", "fsr", "range"};
+
+/// Words of the names of such columns as other programs have them.
+constexpr std::array<std::string_view, 9> kStreamWords = {
+    "x", "y", "z", "theta", "heading", "position", "orientation", "linear", "angular"};
 
 /// Parts of the names of a table's columns of times, beside those of a clock.
 constexpr std::array<std::string_view, 4> kTimeParts = {"time", "stamp", "duration", "elapsed"};
@@ -40,7 +45,11 @@ ColumnRoles column_roles(const std::vector<std::string>& names, const std::strin
       roles.times.push_back(i);
     }
     roles.of_trials = roles.of_trials || std::ranges::find(kTrialNames, name) != kTrialNames.end();
-    roles.of_stream = roles.of_stream || holds_part(name, kStreamParts);
+    const std::vector<std::string> words = name_words(name);
+    roles.of_stream = roles.of_stream || holds_part(name, kStreamParts) ||
+                      std::ranges::any_of(words, [](const std::string& word) {
+                        return std::ranges::find(kStreamWords, word) != kStreamWords.end();
+                      });
   }
   return roles;
 }

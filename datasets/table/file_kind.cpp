@@ -89,7 +89,7 @@ std::optional<FileKind> kind_of_binary(std::string_view bytes, std::string_view 
   if (front.find('\0') == std::string_view::npos && controls * kTextPerControl <= front.size()) {
     return std::nullopt;
   }
-  return FileKind{"a binary file",
+  return FileKind{std::string(kBinaryFile),
                   with_name("if it is a raster, gdal_translate -of AAIGrid FILE "
                             "out.asc",
                             file)};

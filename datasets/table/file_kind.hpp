@@ -14,6 +14,9 @@ struct FileKind {
   std::string way_out;
 };
 
+/// The name of a kind that is not known.
+inline constexpr std::string_view kBinaryFile = "a binary file";
+
 /// None for what may be text. Known by their first bytes: TIFF, PNG, JPEG, NumPy, HDF5, netCDF,
 /// zip, gzip, zstd, bzip2, xz, PDF, Surfer, ERDAS, LAS, SQLite, MCAP, ROS 1 bags, PX4 logs, Parquet
 /// and UTF-16; anything else that holds a NUL, or
