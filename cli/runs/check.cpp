@@ -123,7 +123,7 @@ ExitCode check_folder(const CheckRequest& request, Progress& progress) {
   const auto groups = recording::survey_csv(request.path, request.logs.decimal_comma, problems);
   const ExitCode code = show(csv_groups_table(groups, request.path),
                              problems_of(problems.take()),
-                             "kind of file",
+                             "file kind",
                              request.output,
                              progress);
   if (!request.write_map.empty()) {

@@ -20,6 +20,8 @@ constexpr std::array<std::string_view, 4> kYawWords = {"yaw", "heading", "theta"
 constexpr std::array<std::string_view, 4> kBendWords = {"bend", "flex", "deflection", "curl"};
 constexpr std::array<std::string_view, 7> kRangeWords = {
     "range", "dist", "distance", "sonar", "tof", "lidar", "ranges"};
+constexpr std::array<std::string_view, 7> kSides = {
+    "left", "right", "front", "rear", "back", "ahead", "side"};
 constexpr std::array<std::string_view, 4> kForceWords = {"force", "fsr", "load", "pressure"};
 constexpr std::array<std::string_view, 3> kSpeedWords = {"speed", "vel", "velocity"};
 constexpr std::array<std::string_view, 2> kSideWords = {"y", "z"};
@@ -157,6 +159,11 @@ ColumnGuess guess_column(std::string_view name,
   }
   ColumnGuess guess;
   guess.role = role_of_words(words);
+  const bool is_length =
+      unit != nullptr && (unit->word == "mm" || unit->word == "cm" || unit->word == "m");
+  if (guess.role == ColumnRole::other && is_length && holds(words, kSides)) {
+    guess.role = ColumnRole::range;
+  }
   if (guess.role == ColumnRole::other) {
     return guess;
   }

@@ -87,10 +87,8 @@ class CsvStreamReader {
           header_.line,
           header_.names[clock_.column],
           dates_ ? "dates" : "times in " + std::string(table::name_of(unit_)),
-          guess.reason.empty() ? "so it is taken; 'unit' in the map says otherwise"
-                               : guess.reason +
-                                     ", so it is taken; 'unit' in the map says "
-                                     "otherwise");
+          "'unit' of the clock in the map, where this is wrong" +
+              (guess.reason.empty() ? "" : " (" + guess.reason + ")"));
     }
   }
 

@@ -20,6 +20,8 @@ const TICKS = 120;
 const TYPES = ["nav_msgs/Odometry", "sensor_msgs/LaserScan", "geometry_msgs/Twist", "tf2_msgs/TFMessage",
   "std_msgs/Float32MultiArray"];
 
+const ROS2_TIMES = { time: "builtin_interfaces/Time", duration: "builtin_interfaces/Duration" };
+
 /** The type with all that it is made of, itself first. */
 function definitionsOf(name) {
   const canonical = (type) => type.replace("/msg/", "/");
@@ -43,7 +45,7 @@ function definitionsOf(name) {
 function textOf(definitions) {
   const body = ({ definitions: fields }) => fields.map((field) => field.isConstant ?
     `${field.type} ${field.name}=${field.valueText}` :
-    `${field.type}${field.isArray ? `[${field.arrayLength ?? ""}]` : ""} ${field.name}`).join("\n");
+    `${ROS2_TIMES[field.type] ?? field.type}${field.isArray ? `[${field.arrayLength ?? ""}]` : ""} ${field.name}`).join("\n");
   return definitions.map((one, i) => (i === 0 ? "" : `${"=".repeat(80)}\nMSG: ${one.name}\n`) + body(one))
     .join("\n");
 }
@@ -123,7 +125,7 @@ test("topics become streams", () => {
   assert.equal(pose[1].time_s, "1778234353.1");
   pose.forEach((row, i) => {
     assert.equal(Number(row.x_m), i / 64);
-    assert.equal(Number(row.y_m), -i / 128);
+    assert.equal(Number(row.y_m), 0 - i / 128);
     assert.ok(Math.abs(Number(row.yaw_rad) - i / 200) < 1e-12);
   });
   const touch = rows(path.join(logs, "tactile.csv"));
@@ -174,7 +176,7 @@ test("a scan and an array are rows of one file", () => {
   assert.equal(whisker.length, TICKS);
   assert.equal(Number(whisker[5].whisker_bend_rad), 10 / 256);
   assert.equal(whisker[5].whisker_fsr_n, "0.5");
-  assert.equal(whisker[5].s0_b000_range_m, "");
+  assert.equal(whisker[5].b000_range_m, "");
 });
 
 test("topics and types that are not there are said, and nothing is written", () => {
