@@ -31,7 +31,7 @@ bool is_packed_name(const fs::path& path) {
 /// it.
 fs::path listed_file(const fs::path& folder, const std::string& name) {
   std::error_code error;
-  const fs::path direct = folder / name;
+  fs::path direct = folder / name;
   if (table::leads_below(name) && fs::exists(direct, error)) {
     return direct;
   }

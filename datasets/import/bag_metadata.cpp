@@ -45,7 +45,7 @@ bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
 /// Takes the digits at the front of `text`, without zeros before them.
 std::string_view take_digits(std::string_view& text) noexcept {
-  const std::size_t end =
+  const auto end =
       static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
   std::string_view digits = text.substr(0, end);
   text.remove_prefix(end);

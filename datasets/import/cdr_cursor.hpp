@@ -71,6 +71,7 @@ class CdrCursor {
       for (std::size_t i = 0; i < count; ++i) {
         Wire value{};
         std::memcpy(&value, from + i * sizeof(Wire), sizeof(Wire));
+        // NOLINTNEXTLINE(bugprone-signed-char-misuse): an int8 keeps its sign.
         out[i] = static_cast<Wide>(swap_ ? swapped(value) : value);
       }
     }

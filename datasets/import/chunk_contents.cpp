@@ -20,13 +20,25 @@ void ChunkExpander::FreeLz4::operator()(LZ4F_dctx_s* context) const noexcept {
   LZ4F_freeDecompressionContext(context);
 }
 
+/// Frame by frame until `out` is full; what lies behind the last frame is padding.
 bool ChunkExpander::expand_zstd(std::span<const std::byte> packed, std::span<std::byte> out) {
   if (!zstd_) {
     zstd_.reset(ZSTD_createDCtx());
   }
-  const std::size_t written =
-      ZSTD_decompressDCtx(zstd_.get(), out.data(), out.size(), packed.data(), packed.size());
-  return ZSTD_isError(written) == 0U && written == out.size();
+  while (!out.empty()) {
+    const std::size_t frame = ZSTD_findFrameCompressedSize(packed.data(), packed.size());
+    if (ZSTD_isError(frame) != 0U) {
+      return false;
+    }
+    const std::size_t written =
+        ZSTD_decompressDCtx(zstd_.get(), out.data(), out.size(), packed.data(), frame);
+    if (ZSTD_isError(written) != 0U) {
+      return false;
+    }
+    packed = packed.subspan(frame);
+    out = out.subspan(written);
+  }
+  return true;
 }
 
 bool ChunkExpander::expand_lz4(std::span<const std::byte> packed, std::span<std::byte> out) {
@@ -41,7 +53,7 @@ bool ChunkExpander::expand_lz4(std::span<const std::byte> packed, std::span<std:
   LZ4F_decompressOptions_t options{};
   options.stableDst = 1;
   std::size_t state = 1;
-  while (state != 0 || !packed.empty()) {
+  while (state != 0 || !out.empty()) {
     std::size_t taken = packed.size();
     std::size_t written = out.size();
     state = LZ4F_decompress(lz4_.get(), out.data(), &written, packed.data(), &taken, &options);
@@ -51,7 +63,7 @@ bool ChunkExpander::expand_lz4(std::span<const std::byte> packed, std::span<std:
     packed = packed.subspan(taken);
     out = out.subspan(written);
   }
-  return out.empty();
+  return true;
 }
 
 std::optional<std::span<const std::byte>> ChunkExpander::expand(const ChunkRecord& chunk,

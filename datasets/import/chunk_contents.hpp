@@ -24,7 +24,7 @@ class ChunkExpander {
  public:
   ChunkExpander();
   ~ChunkExpander();
-  ChunkExpander(ChunkExpander&&) noexcept;
+  ChunkExpander(ChunkExpander&& other) noexcept;
   ChunkExpander& operator=(ChunkExpander&&) = delete;
   ChunkExpander(const ChunkExpander&) = delete;
   ChunkExpander& operator=(const ChunkExpander&) = delete;

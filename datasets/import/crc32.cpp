@@ -70,8 +70,8 @@ __attribute__((target("pclmul,sse4.1"))) std::uint32_t by_folding(std::span<cons
 }
 
 bool can_fold() noexcept {
-  static const bool can =
-      __builtin_cpu_supports("pclmul") != 0 && __builtin_cpu_supports("sse4.1") != 0;
+  static const bool can = static_cast<bool>(__builtin_cpu_supports("pclmul")) &&
+                          static_cast<bool>(__builtin_cpu_supports("sse4.1"));
   return can;
 }
 

@@ -166,6 +166,10 @@ std::optional<std::vector<RawField>> raw_fields(std::string_view section, std::s
   while (!section.empty()) {
     const std::string_view line = take_line(section);
     RawField field;
+    if (without_blanks(line) == "---") {
+      problem = "it is defined as a service or an action, not as a message";
+      return std::nullopt;
+    }
     const LineKind kind = read_line(line, field);
     if (kind == LineKind::wrong || fields.size() == kMostFieldsOfOne) {
       problem = kind == LineKind::wrong ? "the line '" + table::shortened(without_blanks(line)) +

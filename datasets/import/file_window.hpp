@@ -52,7 +52,7 @@ class FileWindow {
 
  private:
   FileWindow(int descriptor, std::uint64_t size) noexcept;
-  std::size_t read(std::uint64_t offset, std::span<std::byte> to) const noexcept;
+  [[nodiscard]] std::size_t read(std::uint64_t offset, std::span<std::byte> to) const noexcept;
 
   int descriptor_;
   std::uint64_t size_;

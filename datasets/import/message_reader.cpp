@@ -76,7 +76,7 @@ class MessageReader {
   bool read_field(const Field& field, Value& out);
   bool read_scalar(const Field& field, Value& out);
   bool read_elements(const Field& field, std::size_t count, Value& out);
-  bool read_trees(const Field& field, std::size_t count, Value& out);
+  bool read_trees(const Field& field, std::size_t elements, Value& out);
   bool read_text(std::string& out);
   bool read_wide_text(std::string& out);
 
@@ -84,6 +84,7 @@ class MessageReader {
   bool scalar(Value& out) {
     T value{};
     const bool fits = cursor_.take(value);
+    // NOLINTNEXTLINE(bugprone-signed-char-misuse): an int8 keeps its sign.
     hold<Wide>(out) = static_cast<Wide>(value);
     return fits;
   }

@@ -40,7 +40,7 @@ const Value* walk(const Value& root, std::span<const FieldPath::Step> steps) noe
   return value;
 }
 
-std::optional<double> packed_number(const Value& value, std::size_t index) noexcept {
+std::optional<double> packed_number(const Value& value, std::size_t index) {
   return std::visit(
       [index](const auto& data) -> std::optional<double> {
         using T = std::decay_t<decltype(data)>;
@@ -81,7 +81,7 @@ const Value* find(const Value& root, std::string_view path) {
   return parsed ? find(root, *parsed) : nullptr;
 }
 
-std::optional<double> number(const Value& value) noexcept {
+std::optional<double> number(const Value& value) {
   return std::visit(
       [](const auto& data) -> std::optional<double> {
         using T = std::decay_t<decltype(data)>;
@@ -96,7 +96,7 @@ std::optional<double> number(const Value& value) noexcept {
       value.data);
 }
 
-std::optional<double> number_at(const Value& root, const FieldPath& path) noexcept {
+std::optional<double> number_at(const Value& root, const FieldPath& path) {
   const std::span<const FieldPath::Step> steps = path.steps;
   if (const Value* value = walk(root, steps); value != nullptr) {
     return number(*value);
@@ -132,7 +132,7 @@ const std::string* text(const Value& value) noexcept {
   return std::get_if<std::string>(&value.data);
 }
 
-std::size_t size(const Value& value) noexcept {
+std::size_t size(const Value& value) {
   return std::visit(
       [](const auto& data) -> std::size_t {
         using T = std::decay_t<decltype(data)>;

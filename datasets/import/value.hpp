@@ -75,10 +75,10 @@ struct FieldPath {
 
 /// A scalar as a double: a bool is 0 or 1, nothing is NaN; empty for a text, an array, an object.
 /// An integer beyond 2^53 is rounded; `data` has it exactly.
-[[nodiscard]] std::optional<double> number(const Value& value) noexcept;
+[[nodiscard]] std::optional<double> number(const Value& value);
 
 /// number() of the value at `path`, elements of packed numbers too; empty if there is no number.
-[[nodiscard]] std::optional<double> number_at(const Value& root, const FieldPath& path) noexcept;
+[[nodiscard]] std::optional<double> number_at(const Value& root, const FieldPath& path);
 [[nodiscard]] std::optional<double> number_at(const Value& root, std::string_view path);
 
 /// A scalar of an integer type (or a bool), exactly; empty for anything else and beyond int64.
@@ -88,7 +88,7 @@ struct FieldPath {
 [[nodiscard]] const std::string* text(const Value& value) noexcept;
 
 /// Elements of an array of any kind, members of an object; 0 for a scalar.
-[[nodiscard]] std::size_t size(const Value& value) noexcept;
+[[nodiscard]] std::size_t size(const Value& value);
 
 /// Appends the numbers of an array of any kind to `out` (JSON's null as NaN); false, and nothing is
 /// appended, if it is no array or an element is no number.

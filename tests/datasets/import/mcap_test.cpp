@@ -236,6 +236,25 @@ TEST(Mcap, AChunkThatCannotBeExpandedIsLeftOut) {
   }
 }
 
+TEST(Mcap, BytesBehindThePackedRecordsOfAChunkArePadding) {
+  const TemporaryFolder folder;
+  for (const char* compression : {"zstd", "lz4"}) {
+    const Written whole = written({true, compression, 1500, true, false, false});
+    std::string bytes = whole.bytes.substr(0, whole.chunks[0].begin);
+    for (const McapWriter::Chunk& chunk : whole.chunks) {
+      std::string record = whole.bytes.substr(chunk.begin, chunk.end - chunk.begin);
+      const std::size_t fields = 9 + 8 + 8 + 8 + 4 + 4 + std::string(compression).size();
+      record.replace(1, 8, little_endian(std::uint64_t{record.size() - 9 + 5}));
+      record.replace(fields, 8, little_endian(std::uint64_t{record.size() - fields - 8 + 3}));
+      bytes += record + "\1\2\3" + "xy";  // behind the frame, and behind the records
+    }
+    bytes += whole.bytes.substr(whole.chunks.back().end);
+    const ReadBag read = read_bytes(folder, bytes);
+    expect_first_messages(read, kMessages);
+    EXPECT_TRUE(read.said.empty()) << read.said.front();
+  }
+}
+
 std::string chunk_content(std::uint64_t size,
                           std::string_view compression,
                           std::string_view records) {

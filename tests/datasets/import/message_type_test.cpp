@@ -86,6 +86,7 @@ TEST(MessageType, IsRefusedWithAReason) {
       problem_of("pkg/Root[] r" + kRule + "MSG: pkg/Root\npkg/Root[] r").find("contains itself"),
       std::string::npos);
   EXPECT_NE(problem_of("Gone g").find("'Gone'"), std::string::npos);
+  EXPECT_NE(problem_of("int8 a\n---\nint8 b").find("a service or an action"), std::string::npos);
   EXPECT_NE(problem_of("float64").find("no field"), std::string::npos);
   EXPECT_NE(problem_of("float64[0] x").find("no field"), std::string::npos);
   EXPECT_NE(problem_of("float64[x] x").find("no field"), std::string::npos);
