@@ -91,7 +91,8 @@ void write_trial_files(const study::StudiedTrial& trial,
                        const ResultFolder& folder,
                        const CertifyFiles& files,
                        const SeriesFormat& format,
-                       const Robot& robot) {
+                       const Robot& robot,
+                       std::span<const RangeKeys> range_keys) {
   const std::string name = trial.row->trial_id + ".csv";
   if (files.series) {
     folder.write(std::filesystem::path("series") / name, series_csv(trial, format, robot));
@@ -100,7 +101,7 @@ void write_trial_files(const study::StudiedTrial& trial,
   if (files.ticks) {
     // A log, so it is labelled as those of the corpus are.
     folder.write(std::filesystem::path("ticks") / name,
-                 comment_line(format.synthetic) + to_ticks_csv(robot, trial.ticks));
+                 comment_line(format.synthetic) + to_ticks_csv(robot, trial.ticks, range_keys));
   }
 }
 
@@ -187,7 +188,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
       done->digest = log_digest(bundle, *trial.row);
     }
     if (folder != nullptr && !trial.rejected) {
-      write_trial_files(trial, *folder, files, format, robot);
+      write_trial_files(trial, *folder, files, format, robot, bundle.info.range_keys);
     }
     done->certificate = certificates_row(trial, done->digest.sha256);
     done->diagnostics = std::move(trial.diagnostics);

@@ -20,6 +20,7 @@ TickSource::TickSource(const Robot& robot,
   lines_.max_gap_s = info.max_gap_s;
   lines_.trial_limit_s = info.trial_limit_s;
   lines_.decimal_comma = options_.decimal_comma;
+  lines_.range_keys = info.range_keys;
   if (const auto renames = info.columns.find("ticks.csv"); renames != info.columns.end()) {
     lines_.rename = renames->second;
   }
