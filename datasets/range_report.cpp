@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -14,7 +15,9 @@ namespace tcert {
 namespace {
 
 constexpr double kLargestShare = 0.05;
-constexpr double kAlone = 0.8;  // all other readings lie below this share of it
+constexpr double kLargeShare = 0.2;
+constexpr double kAlone = 0.8;   // all other readings lie below this share of it
+constexpr double kWhole = 0.01;  // single precision keeps as much of a count of 16 bits
 
 double share_of(std::size_t count, const RangeCount& of) {
   return of.stated > 0 ? static_cast<double>(count) / static_cast<double>(of.stated) : 0.0;
@@ -39,12 +42,37 @@ struct Rays {
   }
 };
 
+/// 65.535, 8.191, 8.183: the largest numbers of 12 bits and more, in mm or cm, of which sensors
+/// keep the last few for what is no distance; 9.999 and the like.
+bool is_code_of_a_sensor(double value) noexcept {
+  constexpr double kKeptForCodes = 10.0;
+  for (const double per_metre : {1000.0, 100.0}) {
+    const double count = value * per_metre;
+    for (int bits = 12; bits <= 16; ++bits) {
+      const double below = std::ldexp(1.0, bits) - count;
+      if (below > 0.0 && below <= kKeptForCodes && std::abs(count - std::round(count)) < kWhole) {
+        return true;
+      }
+    }
+    for (const double nines : {9999.0, 99999.0, 999999.0}) {
+      if (std::abs(count - nines) < kWhole) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// The largest reading of a ray, if it may stand for something else.
 std::optional<double> suspicious_highest(const Ray& ray, const RangeCount& of) {
-  const bool alone = of.highest > ray.reach_m || of.below_highest < kAlone * of.highest;
-  const bool varies = of.at_highest < of.undeclared;
-  if (of.undeclared == 0 || of.highest <= 0.0 || of.highest == ray.reach_m || !alone || !varies ||
-      share_of(of.at_highest, of) <= kLargestShare) {
+  const double share = share_of(of.at_highest, of);
+  const bool is_all = of.at_highest == of.undeclared;
+  const bool alone = of.below_highest < kAlone * of.highest;
+  const bool beyond = of.highest > ray.reach_m;
+  const bool suspicious =
+      is_code_of_a_sensor(of.highest) || (beyond && (alone || share > kLargeShare));
+  if (of.highest <= 0.0 || of.highest == ray.reach_m || is_all || share <= kLargestShare ||
+      !suspicious) {
     return std::nullopt;
   }
   return of.highest;

@@ -17,8 +17,9 @@ namespace tcert {
 ///
 /// - a warning of readings below 0, which are missing;
 /// - a warning of one value that makes up over 5 % of a ray's readings and may stand for "nothing
-///   within reach" or "no reading": 0, or the largest reading if it lies beyond the reach or, alone,
-///   a fifth above all others. Standing at a wall repeats neither; a sensor that ends at the reach
+///   within reach" or "no reading": 0; or the largest reading, if it is a code that sensors use
+///   (65.535, 8.191, 9.999), or lies beyond the reach and either a fifth above all others or at a
+///   fifth of the readings. Standing before a wall repeats neither; a sensor that ends at the reach
 ///   itself says what it means;
 /// - notes of readings below range_min_m and above range_max_m, which are missing.
 ///
