@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "datasets/clock_reporter.hpp"
 #include "datasets/clock_steps.hpp"
 #include "datasets/column_hints.hpp"
 #include "datasets/joined_seconds.hpp"
@@ -110,7 +111,7 @@ void StreamReader::settle_stamps(const table::Bytes& bytes,
   }
   const std::vector<std::int64_t>& stated = stream.table.time_ns;
   const auto back = std::ranges::adjacent_find(stated, std::greater_equal<>{});
-  const auto row = static_cast<std::size_t>(std::next(back) - stated.begin());
+  const auto row = static_cast<std::size_t>(back - stated.begin()) + 1;
   const std::string wish =
       "seconds as decimals; here seconds and nanoseconds are joined without the zeros between "
       "(1.5 for 1.000000005)";
@@ -118,7 +119,7 @@ void StreamReader::settle_stamps(const table::Bytes& bytes,
                 stream.file,
                 stream.table.lines[row],
                 kTime,
-                std::string("a step back"),
+                seconds_text(*std::next(back)) + " after " + seconds_text(*back),
                 wish + (options_.repair ? "; they are read so" : "; --repair reads them so"),
                 1});
   stream.table.time_ns = std::move(*times);

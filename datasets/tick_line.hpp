@@ -39,8 +39,9 @@ struct TickLineOptions {
 };
 
 /// Reads lines of ticks.csv, or objects with the same keys of which null or none is missing; of a
-/// range "inf" and Infinity, as Python writes it, are the same. The same line gives the same tick as reading the whole file does. Allocates nothing for a good CSV
-/// line once it has seen one of that length.
+/// range "inf" and Infinity, as Python writes it, are the same. The same line gives the same tick as
+/// reading the whole file does. Allocates nothing for a good CSV line of plain numbers once it has
+/// seen one of that length.
 class TickLineParser {
  public:
   /// For a stream whose first line is `first_line`: a line that begins with '{' is the first tick

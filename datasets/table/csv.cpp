@@ -46,6 +46,7 @@ class RowReporter {
       return;
     }
     if (row.open_quote) {
+      can_be_repaired_ = false;
       add(Severity::error, line, "", "a quote that is never closed", "a closing quote");
     } else if (row.fields != 0) {
       add_bad_row(line,
@@ -61,10 +62,11 @@ class RowReporter {
     }
   }
 
-  /// Reports the bad rows, with the way out: repair helps a file only if it has good rows too.
+  /// Reports the bad rows, with the way out: repair helps a file only if it has good rows too, and
+  /// nothing worse than bad rows.
   void finish(bool has_good_rows) {
     const char* const way_out = bad_row_ == BadRow::is_dropped ? "; the row is dropped"
-                                : bad_row_ == BadRow::rejects && has_good_rows
+                                : bad_row_ == BadRow::rejects && has_good_rows && can_be_repaired_
                                     ? "; --repair drops such rows"
                                     : "";
     for (Diagnostic& bad : bad_rows_.take()) {
@@ -129,6 +131,7 @@ class RowReporter {
   BadRow bad_row_;
   bool ends_with_line_end_;
   bool cut_short_ = false;
+  bool can_be_repaired_ = true;
   DiagnosticGroups bad_rows_;
   DiagnosticGroups& problems_;
 };

@@ -13,7 +13,8 @@
 namespace tcert {
 namespace {
 
-constexpr std::int64_t kWindowNs = 500'000'000;
+constexpr std::int64_t kLongestWindowNs = 500'000'000;
+constexpr std::int64_t kWindows = 40;  // and more, in a log of any unit of time
 constexpr std::size_t kLeastWindows = 10;
 constexpr double kFastestMps = 5.0;
 constexpr double kTimesCommanded = 10.0;
@@ -29,9 +30,11 @@ Speeds speeds_of(const TickTable& ticks) {
   Speeds speeds;
   bool begun = false;
   std::size_t from = 0;
+  const std::int64_t window_ns =
+      std::min(kLongestWindowNs, (ticks.time_ns.back() - ticks.time_ns.front()) / kWindows);
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     begun = begun && ticks.segment_start[i] == 0;
-    if (ticks.stale[i] != 0 || (begun && ticks.time_ns[i] - ticks.time_ns[from] < kWindowNs)) {
+    if (ticks.stale[i] != 0 || (begun && ticks.time_ns[i] - ticks.time_ns[from] < window_ns)) {
       continue;
     }
     if (begun) {
@@ -56,16 +59,17 @@ double middle_of(std::vector<double>& values) {
 }
 
 const char* likely_unit_of_poses(double times) noexcept {
-  return times >= 30.0 && times < 300.0 ? "centimetres?"
-         : times >= 300.0 && times < 3000.0
-             ? "millimetres, or times in milliseconds that were taken "
-               "for seconds the other way round?"
-             : "another unit of length or of time?";
+  return times >= 30.0 && times < 300.0     ? "centimetres?"
+         : times >= 300.0 && times < 3000.0 ? "millimetres, or another unit of time?"
+                                            : "another unit of length or of time?";
 }
 
 }  // namespace
 
 std::optional<ValueFinding> check_speed(const TickTable& ticks) {
+  if (ticks.size() < kLeastWindows) {
+    return std::nullopt;
+  }
   Speeds speeds = speeds_of(ticks);
   if (speeds.driven_mps.size() < kLeastWindows) {
     return std::nullopt;

@@ -22,7 +22,7 @@ constexpr double kOneTurn = 2.0 * std::numbers::pi;
 constexpr double kMarginOfSpan = 0.1;  // noise of a free tentacle lies outside its calibration
 constexpr double kReaches = 2.0;       // a range may be longer than what counts of it
 constexpr double kFarReaches = 10.0;
-constexpr double kCentimetres = 100.0;
+constexpr double kCentimetres = 120.0;  // with noise above the reach
 constexpr double kLeftOver = 0.1;
 constexpr double kHeaviestTipN = 50.0;
 

@@ -7,6 +7,7 @@
 #include "datasets/ray_names.hpp"
 #include "datasets/travelled_way.hpp"
 #include "datasets/values/check_course.hpp"
+#include "datasets/values/check_duration.hpp"
 #include "datasets/values/check_rays.hpp"
 #include "datasets/values/check_speed.hpp"
 #include "datasets/values/check_units.hpp"
@@ -46,7 +47,8 @@ std::vector<ValueFinding> check_values(const BundleInfo& info,
   const std::vector<double> way_m = travelled_way(ticks);
   const TrialScan scan = scan_rays(ticks, way_m);
   add(check_units(info.robot, parameters, ticks, scan));
-  for (const std::optional<ValueFinding>& one : {check_yaw(ticks), check_speed(ticks)}) {
+  for (const std::optional<ValueFinding>& one :
+       {check_yaw(ticks), check_speed(ticks), check_duration(trial, ticks)}) {
     if (one) {
       found.push_back(*one);
     }

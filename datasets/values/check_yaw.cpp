@@ -7,62 +7,86 @@
 #include <cstddef>
 #include <numbers>
 #include <tcert/geometry.hpp>
+#include <utility>
+#include <vector>
 
 namespace tcert {
 namespace {
 
 constexpr double kStepM = 0.05;
 constexpr std::size_t kLeastSteps = 20;
-constexpr double kBeyondTurnsRad = 7.0;  // more than an angle that is kept within a turn
+constexpr std::size_t kLeastStepsInDegrees = 10;  // where a better reading is at hand
+constexpr double kBeyondTurnsRad = 7.0;           // more than an angle that is kept within a turn
 constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 constexpr double kTan15 = 0.267949192431122706;
-constexpr double kTan20 = 0.363970234266202362;
+constexpr double kBetterShare = 0.7;
 constexpr double kNearTurnRad = 0.5;
 constexpr std::size_t kLeastJumps = 3;
 
-/// At how many steps the heading lies how far off the motion, ahead or back.
-struct HeadingCount {
-  std::size_t steps = 0;
-  std::size_t within_15 = 0;
-  std::size_t off_20 = 0;
-  std::size_t off_45 = 0;
-
-  void add(Point motion, Point heading) noexcept {
-    const double along = std::abs(dot(motion, heading));
-    const double across = std::abs(motion.x_m * heading.y_m - motion.y_m * heading.x_m);
-    ++steps;
-    within_15 += across < kTan15 * along ? 1 : 0;
-    off_20 += across > kTan20 * along ? 1 : 0;
-    off_45 += across > along ? 1 : 0;
-  }
-  [[nodiscard]] bool most(std::size_t count) const noexcept { return 2 * count > steps; }
+/// A step along the path, with the mean of the headings at its ends. Where yaw wraps between them,
+/// the mean points back, which makes no difference here.
+struct Step {
+  Point motion;
+  double yaw_rad = 0.0;
 };
 
-/// The headings of a trial against its motion, yaw taken `scale` times.
-HeadingCount count_headings(const TickTable& ticks, double scale) {
-  HeadingCount count;
+std::vector<Step> steps_of(const TickTable& ticks) {
+  std::vector<Step> steps;
   bool begun = false;
-  Point from;
-  Point heading;
+  Pose from;
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     begun = begun && ticks.segment_start[i] == 0;
     if (ticks.stale[i] != 0) {
       continue;
     }
-    const Point motion = ticks.poses[i].position - from;
+    const Pose& here = ticks.poses[i];
+    const Point motion = here.position - from.position;
     if (begun && dot(motion, motion) < kStepM * kStepM) {
       continue;
     }
-    const double yaw_rad = scale * ticks.poses[i].yaw_rad;
-    const Point here{std::cos(yaw_rad), std::sin(yaw_rad)};
     if (begun) {
-      count.add(motion, {heading.x_m + here.x_m, heading.y_m + here.y_m});
+      steps.push_back({motion, 0.5 * (from.yaw_rad + here.yaw_rad)});
     }
     begun = true;
-    from = ticks.poses[i].position;
-    heading = here;
+    from = here;
   }
-  return count;
+  return steps;
+}
+
+/// How far the heading of a step, yaw taken `scale` times, lies off its motion, ahead or back.
+struct OffMotion {
+  double along = 0.0;
+  double across = 0.0;
+
+  OffMotion(const Step& step, double scale) noexcept {
+    const double yaw_rad = scale * step.yaw_rad;
+    const Point heading{std::cos(yaw_rad), std::sin(yaw_rad)};
+    along = std::abs(dot(step.motion, heading));
+    across = std::abs(step.motion.x_m * heading.y_m - step.motion.y_m * heading.x_m);
+  }
+  [[nodiscard]] bool is_over_45() const noexcept { return across > along; }
+  [[nodiscard]] bool is_within_15() const noexcept { return across < kTan15 * along; }
+  [[nodiscard]] bool is_half_of(const OffMotion& other) const noexcept {
+    return across * other.along < 0.5 * other.across * along;
+  }
+};
+
+std::size_t count_over_45(const std::vector<Step>& steps) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      steps, [](const Step& step) { return OffMotion(step, 1.0).is_over_45(); }));
+}
+
+/// True if the headings follow the motion as degrees, and far better so than as radians.
+bool follow_as_degrees(const std::vector<Step>& steps) {
+  std::size_t within_15 = 0;
+  std::size_t better = 0;
+  for (const Step& step : steps) {
+    const OffMotion degrees(step, kRadPerDegree);
+    within_15 += degrees.is_within_15() ? 1 : 0;
+    better += degrees.is_half_of(OffMotion(step, 1.0)) ? 1 : 0;
+  }
+  return 2 * within_15 > steps.size() &&
+         static_cast<double>(better) > kBetterShare * static_cast<double>(steps.size());
 }
 
 double largest_yaw(const TickTable& ticks) {
@@ -93,19 +117,13 @@ ValueFinding yaw_finding(std::string found, std::string expectation) {
 }  // namespace
 
 std::optional<ValueFinding> check_yaw(const TickTable& ticks) {
-  const HeadingCount radians = count_headings(ticks, 1.0);
-  const bool judged = radians.steps >= kLeastSteps;
-  const bool off_45 = judged && radians.most(radians.off_45);
-  const bool off_20 = judged && radians.most(radians.off_20);
+  const std::vector<Step> steps = steps_of(ticks);
   const double largest_rad = largest_yaw(ticks);
   if (largest_rad > kBeyondTurnsRad) {
-    if (off_20) {
-      const HeadingCount degrees = count_headings(ticks, kRadPerDegree);
-      if (degrees.most(degrees.within_15)) {
-        return yaw_finding(
-            fmt::format("angles up to {:g} that follow the motion as degrees do", largest_rad),
-            "radians: degrees?");
-      }
+    if (steps.size() >= kLeastStepsInDegrees && follow_as_degrees(steps)) {
+      return yaw_finding(
+          fmt::format("angles up to {:g} that follow the motion as degrees do", largest_rad),
+          "radians: degrees?");
     }
     const std::size_t jumps = count_jumps(ticks);
     if (jumps >= std::max(kLeastJumps, ticks.size() / 100)) {
@@ -115,15 +133,15 @@ std::optional<ValueFinding> check_yaw(const TickTable& ticks) {
           "radians that turn as the robot does: degrees?");
     }
   }
-  if (off_45) {
-    return yaw_finding(
-        fmt::format(
-            "over 45 degrees off the motion at {:.0f} % of the steps",
-            100.0 * static_cast<double>(radians.off_45) / static_cast<double>(radians.steps)),
-        "radians anticlockwise from the x axis of x_m and y_m: degrees, a compass bearing, another "
-        "frame? A robot that moves sideways reads so too");
+  const std::size_t off = count_over_45(steps);
+  if (steps.size() < kLeastSteps || 2 * off <= steps.size()) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  return yaw_finding(
+      fmt::format("over 45 degrees off the motion at {:.0f} % of the steps",
+                  100.0 * static_cast<double>(off) / static_cast<double>(steps.size())),
+      "radians anticlockwise from the x axis of x_m and y_m: degrees, a compass bearing, another "
+      "frame? A robot that moves sideways reads so too");
 }
 
 }  // namespace tcert

@@ -15,6 +15,7 @@ enum class ValueKind : std::uint8_t {
   force_unit,     ///< Forces that no tip takes: grams?
   yaw,            ///< Headings that do not follow the motion: degrees, another frame?
   speed,          ///< Poses too fast: millimetres, another unit of time?
+  duration,       ///< A log much longer or shorter than its trial: another unit of time?
   start_outside,  ///< The first pose lies outside S.
   goal_missed,    ///< A success that never entered G.
   contact_stuck,  ///< A contact that outlives its wall.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/runs/errors.hpp"
+#include "datasets/range_report.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -86,6 +87,15 @@ std::optional<TickLine> TickSource::take(std::string_view line) {
     say(parser_->problems());
   }
   return read;
+}
+
+void TickSource::report_ranges() {
+  if (parser_) {
+    for (const table::Diagnostic& one :
+         range_report(robot_, parser_->range_counts(), options_.name)) {
+      status_.say(table::to_string(one));
+    }
+  }
 }
 
 }  // namespace tcert::cli
