@@ -11,6 +11,8 @@
 #include <tcert/robot.hpp>
 #include <vector>
 
+#include "datasets/range_rule.hpp"
+
 namespace tcert {
 
 enum class EndReason { unknown, goal, collision, wedged, timeout, aborted };
@@ -29,16 +31,24 @@ struct TrialRow {
   std::vector<std::string> extra;  ///< One cell per Bundle::extra_columns.
 };
 
+/// Where the ticks of a trial begin.
+enum class StartAt {
+  both,  ///< When both required streams have begun.
+  pose,  ///< With the poses; ticks before the first touch are stale.
+};
+
 /// Everything in bundle.json.
 struct BundleInfo {
   bool synthetic = false;
   std::optional<std::uint64_t> seed;
   std::string provenance;
   Robot robot;
+  std::vector<RangeKeys> range_keys;  ///< Of the rays, in their order; may be shorter.
   Course course;
   std::vector<std::string> lighting_tiers;
   std::optional<double> trial_limit_s;
   double max_gap_s = 1.0;  ///< A longer step in a stream's clock is a break of the path.
+  StartAt start_at = StartAt::both;
   /// Foreign column name -> ours, per file name ("pose.csv").
   std::map<std::string, std::map<std::string, std::string>> columns;
   /// Parameters that this bundle wants other than the defaults, by key, as text.

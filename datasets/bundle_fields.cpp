@@ -31,12 +31,18 @@ constexpr auto declared_fields() {
 
       {"tactile.csv", "time_s", "s", required, kClock},
       {"tactile.csv", kBendColumn, "rad", may_be_empty, "of each ray of kind bend: its bend"},
-      {"tactile.csv", kRangeColumn, "m", may_be_empty, "of each ray of kind range: free way ahead"},
+      {"tactile.csv",
+       kRangeColumn,
+       "m",
+       may_be_empty,
+       "of each ray of kind range: free way ahead; inf is none within reach",
+       false,
+       true},
       {"tactile.csv", kForceColumn, "N", optional, "force at the ray's tip"},
 
       {"control.csv", "time_s", "s", required, kClock},
-      {"control.csv", "speed_cmd_mps", "m/s", required, "commanded"},
-      {"control.csv", "yaw_rate_cmd_rps", "rad/s", required, "commanded, anticlockwise"},
+      {"control.csv", "speed_cmd_mps", "m/s", may_be_empty, "commanded"},
+      {"control.csv", "yaw_rate_cmd_rps", "rad/s", optional, "commanded, anticlockwise"},
       {"control.csv", "loop_latency_ms", "ms", optional, "of the control loop"},
 
       {"ticks.csv", "speed_cmd_mps", "m/s", optional, "commanded"},
@@ -55,6 +61,8 @@ constexpr auto declared_fields() {
       {"bundle.json", "lighting", "", optional, "the tiers that trials.csv may name"},
       {"bundle.json", "trial_limit_s", "s", optional, "when trials are stopped"},
       {"bundle.json", "max_gap_s", "s", optional, "a longer step of a clock breaks the path; 1"},
+      {"bundle.json", "start_at", "", optional, R"("both": first tick when both streams have)"
+                                                R"( begun; or "pose")"},
       {"bundle.json", "columns", "", optional, "of a file, foreign names of columns and ours"},
       {"bundle.json", "parameters", "", optional, "by their keys; --config and flags go first"},
 
@@ -70,6 +78,9 @@ constexpr auto declared_fields() {
       {"ray", "bearing_rad", "rad", required, "anticlockwise from ahead; 1.5708 is left"},
       {"ray", "reach_m", "m", required, "longest clearance that it can state"},
       {"ray", "calibration", "", optional, "required of kind bend, none of kind range"},
+      {"ray", "no_return", "", optional, "of kind range: values for nothing within reach; inf is"},
+      {"ray", "range_min_m", "m", optional, "of kind range: readings below it are missing; 0"},
+      {"ray", "range_max_m", "m", optional, "of kind range: readings above it are missing"},
       {"calibration", "bend_rad", "rad", required, "a rising list"},
       {"calibration", "clearance_m", "m", required, "a list as long, rising or falling"},
 

@@ -33,6 +33,14 @@ std::optional<double> read_positive(const table::JsonObject& bundle, const std::
   return value;
 }
 
+StartAt read_start_at(const table::JsonObject& bundle) {
+  const nlohmann::json* value = bundle.find("start_at");
+  if (value != nullptr && *value != "both" && *value != "pose") {
+    bundle.reject("start_at", *value, R"("both" or "pose")");
+  }
+  return value != nullptr && *value == "pose" ? StartAt::pose : StartAt::both;
+}
+
 std::optional<std::uint64_t> read_seed(const table::JsonObject& bundle) {
   const nlohmann::json* seed = bundle.find("seed");
   if (seed == nullptr) {
@@ -43,6 +51,10 @@ std::optional<std::uint64_t> read_seed(const table::JsonObject& bundle) {
     return std::nullopt;
   }
   return seed->get<std::uint64_t>();
+}
+
+RangeKeys keys_of(const BundleInfo& info, std::size_t ray) {
+  return ray < info.range_keys.size() ? info.range_keys[ray] : RangeKeys{};
 }
 
 std::map<std::string, std::map<std::string, std::string>> read_columns(
@@ -99,13 +111,14 @@ BundleInfo read_info(const table::JsonObject& bundle) {
   info.synthetic = bundle.boolean("synthetic").value_or(false);
   info.seed = read_seed(bundle);
   info.provenance = bundle.text("provenance").value_or("");
-  info.robot = read_robot(bundle);
+  info.robot = read_robot(bundle, info.range_keys);
   info.course = read_course(bundle);
   if (const nlohmann::json* tiers = bundle.list("lighting", is_text, "a list of texts")) {
     info.lighting_tiers = tiers->get<std::vector<std::string>>();
   }
   info.trial_limit_s = read_positive(bundle, "trial_limit_s");
   info.max_gap_s = read_positive(bundle, "max_gap_s").value_or(info.max_gap_s);
+  info.start_at = read_start_at(bundle);
   info.columns = read_columns(bundle);
   info.parameters = read_parameters(bundle);
   return info;
@@ -139,8 +152,8 @@ std::string to_bundle_json(const BundleInfo& info) {
                   {"tracking_buffer_m", info.robot.tracking_buffer_m},
                   {"curvature_buffer_per_m", info.robot.curvature_buffer_per_m}};
   out["rays"] = nlohmann::ordered_json::array();
-  for (const Ray& ray : info.robot.rays) {
-    out["rays"].push_back(ray_json(ray));
+  for (std::size_t k = 0; k < info.robot.rays.size(); ++k) {
+    out["rays"].push_back(ray_json(info.robot.rays[k], keys_of(info, k)));
   }
   if (info.course.start) {
     out["course"]["start"] = region_json(*info.course.start);
@@ -155,6 +168,9 @@ std::string to_bundle_json(const BundleInfo& info) {
     out["trial_limit_s"] = *info.trial_limit_s;
   }
   out["max_gap_s"] = info.max_gap_s;
+  if (info.start_at == StartAt::pose) {
+    out["start_at"] = "pose";
+  }
   if (!info.columns.empty()) {
     out["columns"] = info.columns;
   }

@@ -33,6 +33,7 @@ BundleRecorder::BundleRecorder(const fs::path& folder, BundleInfo info, std::str
       format_(info_.robot),
       file_(nullptr, std::fclose) {
   info_.columns.clear();
+  info_.range_keys.clear();  // what a reading means is settled when it comes
   TrialRow open;
   open.trial_id = trial_id_;
   table::write_file_atomically(folder_.staging() / "bundle.json", to_bundle_json(info_));

@@ -1,14 +1,13 @@
 #include "datasets/check_trial.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <tcert/geometry.hpp>
 #include <tcert/region.hpp>
 #include <utility>
 
-#include "datasets/check_rays.hpp"
 #include "datasets/tick_limit.hpp"
 #include "datasets/travelled_way.hpp"
+#include "datasets/values/check_values.hpp"
 
 namespace tcert {
 
@@ -72,17 +71,9 @@ TrialCheckResult check_trial(const Bundle& bundle,
   result.check.control = check_stream(log.log->control.time_ns);
   const TickTable ticks = resample(*log.log, grid);
   check_ticks(ticks, bundle.info.course, result.check);
-  if (result.check.starts_in_start == false) {
-    result.diagnostics.push_back({table::Severity::warning,
-                                  "logs/" + trial.trial_id,
-                                  0,
-                                  "",
-                                  "a first tick outside the start region",
-                                  "a run that starts in S; otherwise there is never a certificate",
-                                  1});
+  for (ValueFinding& finding : check_values(bundle.info, trial, parameters, ticks)) {
+    result.diagnostics.push_back(std::move(finding.diagnostic));
   }
-  std::ranges::move(check_rays(bundle.info.robot, parameters, ticks, "logs/" + trial.trial_id),
-                    std::back_inserter(result.diagnostics));
   return result;
 }
 

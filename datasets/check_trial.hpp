@@ -36,7 +36,7 @@ struct TrialCheck {
 struct TrialCheckResult {
   TrialCheck check;
   std::vector<table::Diagnostic>
-      diagnostics;  ///< Of the logs; warnings of a start outside S and of check_rays.
+      diagnostics;  ///< Of the logs, and the warnings of check_values().
 };
 
 /// Reads and resamples the logs of one trial; `parameters` say what a contact is. Never throws on

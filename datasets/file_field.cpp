@@ -26,7 +26,8 @@ table::NumberColumn number_column(const FileField& field, std::string name) {
   return {std::move(name),
           field.need != FieldNeed::optional,
           field.need != FieldNeed::required,
-          field.is_flag};
+          field.is_flag,
+          field.may_be_infinite};
 }
 
 }  // namespace tcert

@@ -24,7 +24,8 @@ struct FileField {
   std::string_view unit;  ///< Empty of a word or a pure number.
   FieldNeed need = FieldNeed::required;
   std::string_view doc;  ///< One line, no full stop.
-  bool is_flag = false;  ///< 0 or 1, or a truth value.
+  bool is_flag = false;          ///< 0 or 1, or a truth value.
+  bool may_be_infinite = false;  ///< inf and -inf are values too.
 };
 
 /// Those of `place`, in the order in which they are declared.

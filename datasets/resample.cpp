@@ -2,7 +2,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "datasets/stream_clock.hpp"
 #include "datasets/trial_reader.hpp"
@@ -59,8 +64,9 @@ class StreamPosition {
   /// \pre passed() > 0.
   [[nodiscard]] std::size_t newest() const noexcept { return passed_ - 1; }
 
+  /// Of the newest sample; of a stream that has not begun, older than anything.
   [[nodiscard]] std::int64_t age_ns(std::int64_t now_ns) const noexcept {
-    return now_ns - time_ns_[newest()];
+    return passed_ > 0 ? now_ns - time_ns_[newest()] : INT64_MAX;
   }
 
   /// Time of the next sample, or of the last one if all are passed.
@@ -138,6 +144,10 @@ class Resampler {
   // they would not make a tick stale.
   void add_readings(std::int64_t now_ns) {
     const std::size_t end = tactile_.passed();
+    if (end == 0) {
+      ticks_.readings.resize(ticks_.readings.size() + log_.tactile.rays);
+      return;
+    }
     // The newest sample counts even if it is older than the break: its tick is then stale.
     const std::size_t segment = std::min(segment_begin_, end - 1);
     const std::size_t recent = end - std::min(end, median_samples_);
@@ -173,6 +183,35 @@ class Resampler {
   TickTable ticks_;
 };
 
+bool says_something(const TactileStream& stream, std::size_t sample) noexcept {
+  const auto readings = std::span(stream.readings).subspan(sample * stream.rays, stream.rays);
+  return std::ranges::any_of(readings, [](const RayReading& reading) {
+    return !std::isnan(reading.value) || !std::isnan(reading.fsr_n);
+  });
+}
+
+/// The samples that say something, if any says nothing; of a robot without rays all are kept.
+std::optional<TactileStream> without_empty_samples(const TactileStream& stream) {
+  std::size_t sample = 0;
+  while (sample < stream.time_ns.size() && says_something(stream, sample)) {
+    ++sample;
+  }
+  if (sample == stream.time_ns.size() || stream.rays == 0) {
+    return std::nullopt;
+  }
+  TactileStream kept;
+  kept.rays = stream.rays;
+  for (sample = 0; sample < stream.time_ns.size(); ++sample) {
+    if (says_something(stream, sample)) {
+      const auto first = stream.readings.begin() + static_cast<std::ptrdiff_t>(sample * kept.rays);
+      kept.time_ns.push_back(stream.time_ns[sample]);
+      kept.readings.insert(
+          kept.readings.end(), first, first + static_cast<std::ptrdiff_t>(kept.rays));
+    }
+  }
+  return kept;
+}
+
 }  // namespace
 
 void validate(const ResampleOptions& options) {
@@ -188,13 +227,21 @@ TickTable resample(const TrialLog& log, const ResampleOptions& options) {
   if (log.merged) {
     return *log.merged;
   }
+  if (auto kept = without_empty_samples(log.tactile)) {
+    TrialLog samples = log;
+    samples.tactile = std::move(*kept);
+    return resample(samples, options);
+  }
   Resampler resampler(log, options);
   if (log.pose.time_ns.empty() || log.tactile.time_ns.empty()) {
     return resampler.take();
   }
   const std::int64_t period_ns = to_nanoseconds(options.tick_s);
   const std::int64_t last_ns = std::min(log.pose.time_ns.back(), log.tactile.time_ns.back());
-  std::int64_t tick_ns = std::max(log.pose.time_ns.front(), log.tactile.time_ns.front());
+  std::int64_t tick_ns = log.pose.time_ns.front();
+  if (!log.starts_with_pose) {
+    tick_ns = std::max(tick_ns, log.tactile.time_ns.front());
+  }
   while (tick_ns <= last_ns) {
     resampler.add_tick(tick_ns);
     tick_ns = resampler.skip_silence(tick_ns + period_ns, period_ns);

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "datasets/bundle_fields.hpp"
+#include "datasets/range_json.hpp"
 
 namespace tcert {
 
@@ -73,7 +74,7 @@ Ray read_ray(const table::JsonObject& from) {
   return ray;
 }
 
-void read_rays(const table::JsonObject& bundle, Robot& robot) {
+void read_rays(const table::JsonObject& bundle, Robot& robot, std::vector<RangeKeys>& keys) {
   const nlohmann::json* rays = bundle.require("rays");
   if (rays == nullptr) {
     return;
@@ -87,6 +88,7 @@ void read_rays(const table::JsonObject& bundle, Robot& robot) {
     const table::JsonObject from = bundle.child(
         "rays[" + std::to_string(i) + "]", (*rays)[i], names_at("ray", bundle_fields()));
     robot.rays.push_back(read_ray(from));
+    keys.push_back(read_range_keys(from, robot.rays.back().kind));
     const std::string& name = robot.rays.back().name;
     if (!names.insert(table::case_folded(name)).second) {
       from.reject("name", name, "ray names that differ when case is folded");
@@ -142,7 +144,7 @@ void read_if_given(const table::JsonObject& from, const std::string& key, double
 
 }  // namespace
 
-Robot read_robot(const table::JsonObject& bundle) {
+Robot read_robot(const table::JsonObject& bundle, std::vector<RangeKeys>& keys) {
   Robot robot;
   if (const nlohmann::json* value = bundle.require("robot")) {
     const table::JsonObject from =
@@ -152,7 +154,7 @@ Robot read_robot(const table::JsonObject& bundle) {
     read_if_given(from, "tracking_buffer_m", robot.tracking_buffer_m);
     read_if_given(from, "curvature_buffer_per_m", robot.curvature_buffer_per_m);
   }
-  read_rays(bundle, robot);
+  read_rays(bundle, robot, keys);
   if (!bundle.problems().has_error()) {
     try {
       validate(robot);
@@ -180,7 +182,7 @@ Course read_course(const table::JsonObject& bundle) {
   return course;
 }
 
-nlohmann::ordered_json ray_json(const Ray& ray) {
+nlohmann::ordered_json ray_json(const Ray& ray, const RangeKeys& keys) {
   nlohmann::ordered_json out{{"name", ray.name},
                              {"mount_x_m", ray.mount.x_m},
                              {"mount_y_m", ray.mount.y_m},
@@ -191,6 +193,7 @@ nlohmann::ordered_json ray_json(const Ray& ray) {
     out["calibration"] = {{"bend_rad", ray.calibration.bend_rad},
                           {"clearance_m", ray.calibration.clearance_m}};
   }
+  add_range_keys(keys, out);
   return out;
 }
 

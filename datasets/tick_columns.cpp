@@ -72,12 +72,16 @@ table::NumberOptions tick_columns(const Robot& robot) {
 }
 
 const char* interpret_tick(std::span<const double> row,
+                           const RangeRules& rules,
                            std::span<RayReading> readings,
+                           std::span<RangeCount> counts,
                            TickRow& tick) noexcept {
   tick.pose = {{row[0], row[1]}, row[2]};
   const double* cell = row.data() + kPoseColumns;
-  for (RayReading& reading : readings) {
-    reading = {cell[0], cell[1]};
+  bool silent = true;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    readings[k] = {rules.resolve(k, cell[0], counts[k]), cell[1]};
+    silent = silent && std::isnan(readings[k].value) && std::isnan(readings[k].fsr_n);
     cell += kColumnsPerRay;
   }
   tick.speed_cmd_mps = cell[0];
@@ -85,6 +89,7 @@ const char* interpret_tick(std::span<const double> row,
   if (!interpret_flag(cell[2], tick.stale)) {
     return "stale";
   }
+  tick.stale = tick.stale || (silent && !readings.empty());
   return interpret_flag(cell[3], tick.segment_start) ? nullptr : "segment_start";
 }
 

@@ -10,6 +10,7 @@
 #include <tcert/robot.hpp>
 #include <tcert/tick.hpp>
 
+#include "datasets/range_rule.hpp"
 #include "datasets/ticks.hpp"
 
 namespace tcert {
@@ -39,10 +40,14 @@ struct TickRow {
   bool segment_start = false;
 };
 
-/// Interprets a row that was read with tick_columns(): its readings go to `readings`, one per ray.
-/// Returns the name of a column whose value is neither 0 nor 1 nor missing, or null.
+/// Interprets a row that was read with tick_columns(): its readings go to `readings`, one per ray,
+/// as `rules` understand them, and are counted in `counts`. A tick at which no ray reads anything is
+/// stale: the touch was silent. Returns the name of a column whose value is neither 0 nor 1 nor
+/// missing, or null. \pre as many readings and counts as `rules` has rays.
 [[nodiscard]] const char* interpret_tick(std::span<const double> row,
+                                         const RangeRules& rules,
                                          std::span<RayReading> readings,
+                                         std::span<RangeCount> counts,
                                          TickRow& tick) noexcept;
 
 }  // namespace tcert

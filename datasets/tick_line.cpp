@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <table/cell_reading.hpp>
 #include <table/csv_write.hpp>
 #include <table/decimal.hpp>
 #include <table/flat_json.hpp>
@@ -36,7 +37,9 @@ TickLineParser::TickLineParser(const Robot& robot,
     : options_(std::move(options)),
       columns_(tick_columns(robot)),
       row_(columns_.columns.size(), kMissing),
-      readings_(robot.rays.size()) {
+      rules_(robot, options_.range_keys),
+      readings_(robot.rays.size()),
+      counts_(robot.rays.size()) {
   restart(first_line, problems);
 }
 
@@ -141,6 +144,13 @@ bool TickLineParser::parse_json(std::string_view text) {
 // The names of JSON keys are the time and then the columns.
 void TickLineParser::take_json_value(std::size_t position, const table::FlatMember& member) {
   const bool is_number = member.kind != table::FlatMember::Kind::other;
+  if (!is_number && position > 0 && columns_.columns[position - 1].may_be_infinite) {
+    const double value = table::read_cell(member.text).value;
+    if (std::isinf(value)) {
+      row_[position - 1] = value;
+      return;
+    }
+  }
   padded_.assign(member.text);
   const char* const begin = padded_.view().data();
   const char* const end = begin + member.text.size();
@@ -155,7 +165,8 @@ void TickLineParser::take_json_value(std::size_t position, const table::FlatMemb
 
 std::optional<TickLine> TickLineParser::to_tick() {
   TickRow row;
-  if (const char* bad_flag = interpret_tick(row_, readings_, row); bad_flag != nullptr) {
+  if (const char* bad_flag = interpret_tick(row_, rules_, readings_, counts_, row);
+      bad_flag != nullptr) {
     reject(bad_flag, "", "0 or 1");
     return std::nullopt;
   }

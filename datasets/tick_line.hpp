@@ -35,11 +35,13 @@ struct TickLineOptions {
   std::optional<double> trial_limit_s{};  ///< Ten times later a segment starts, as in a file.
   std::map<std::string, std::string> rename{};  ///< Foreign column name -> ours, of CSV.
   bool decimal_comma = false;                   ///< Of CSV whose separator is the semicolon.
+  std::vector<RangeKeys> range_keys{};          ///< Of the rays, as in bundle.json.
 };
 
-/// Reads lines of ticks.csv, or objects with the same keys of which null or none is missing. The
-/// same line gives the same tick as reading the whole file does. Allocates nothing for a good CSV
-/// line once it has seen one of that length.
+/// Reads lines of ticks.csv, or objects with the same keys of which null or none is missing; of a
+/// range "inf" and Infinity, as Python writes it, are the same. The same line gives the same tick as
+/// reading the whole file does. Allocates nothing for a good CSV line of plain numbers once it has
+/// seen one of that length.
 class TickLineParser {
  public:
   /// For a stream whose first line is `first_line`: a line that begins with '{' is the first tick
@@ -62,6 +64,9 @@ class TickLineParser {
   /// bad one; what is wrong with that is in problems(). `line` is its 1-based number. \pre ready().
   [[nodiscard]] std::optional<TickLine> parse(std::string_view text, std::size_t line);
 
+  /// What the readings of each ray were, over all lines.
+  [[nodiscard]] const std::vector<RangeCount>& range_counts() const noexcept { return counts_; }
+
   /// Of the last line; empty if it was good, blank or a comment.
   [[nodiscard]] const std::vector<table::Diagnostic>& problems() const noexcept {
     return problems_;
@@ -83,7 +88,9 @@ class TickLineParser {
   table::Bytes padded_;
   table::RowProblems row_problems_;
   std::vector<double> row_;
+  RangeRules rules_;
   std::vector<RayReading> readings_;
+  std::vector<RangeCount> counts_;
   std::int64_t time_ns_ = 0;
   std::optional<std::int64_t> first_ns_;
   std::optional<std::int64_t> last_ns_;

@@ -30,15 +30,17 @@ double value_or_missing(const std::vector<double>& values, std::size_t i) {
 
 }  // namespace
 
-TickFormat::TickFormat(const Robot& robot, const TickTable& ticks)
-    : has_command_(has_any(ticks.speed_cmd_mps) || has_any(ticks.yaw_rate_cmd_rps)) {
+TickFormat::TickFormat(const Robot& robot, const TickTable& ticks, std::span<const RangeKeys> keys)
+    : rules_(robot, keys),
+      has_command_(has_any(ticks.speed_cmd_mps) || has_any(ticks.yaw_rate_cmd_rps)) {
   for (std::size_t k = 0; k < robot.rays.size(); ++k) {
     has_force_.push_back(has_any_force(ticks, k) ? 1 : 0);
   }
   name_columns(robot);
 }
 
-TickFormat::TickFormat(const Robot& robot) : has_force_(robot.rays.size(), 1), has_command_(true) {
+TickFormat::TickFormat(const Robot& robot, std::span<const RangeKeys> keys)
+    : rules_(robot, keys), has_force_(robot.rays.size(), 1), has_command_(true) {
   name_columns(robot);
 }
 
@@ -70,7 +72,7 @@ void TickFormat::append_row(std::string& out,
   table::append_cell(out, tick.pose.position.y_m);
   table::append_cell(out, tick.pose.yaw_rad);
   for (std::size_t k = 0; k < has_force_.size(); ++k) {
-    table::append_cell(out, tick.rays[k].value);
+    table::append_cell(out, rules_.stated(k, tick.rays[k].value));
     if (has_force_[k] != 0) {
       table::append_cell(out, tick.rays[k].fsr_n);
     }
@@ -83,8 +85,10 @@ void TickFormat::append_row(std::string& out,
   out += tick.segment_start ? ",1\n" : ",0\n";
 }
 
-std::string to_ticks_csv(const Robot& robot, const TickTable& ticks) {
-  const TickFormat format(robot, ticks);
+std::string to_ticks_csv(const Robot& robot,
+                         const TickTable& ticks,
+                         std::span<const RangeKeys> keys) {
+  const TickFormat format(robot, ticks, keys);
   std::string out = format.header();
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     format.append_row(out, ticks, i);
@@ -93,10 +97,13 @@ std::string to_ticks_csv(const Robot& robot, const TickTable& ticks) {
 }
 
 TickTable to_tick_table(const table::NumberTable& rows,
-                        std::size_t rays,
+                        const RangeRules& rules,
                         std::span<const std::int64_t> breaks_ns,
                         const std::string& file,
+                        std::vector<RangeCount>& counts,
                         table::DiagnosticGroups& problems) {
+  const std::size_t rays = rules.rays();
+  counts.resize(rays);
   TickTable ticks;
   ticks.rays = rays;
   ticks.time_ns = rows.time_ns;
@@ -105,8 +112,8 @@ TickTable to_tick_table(const table::NumberTable& rows,
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     TickRow row;
     const auto values = std::span(rows.values).subspan(i * rows.columns, rows.columns);
-    const char* bad_flag =
-        interpret_tick(values, std::span(ticks.readings).subspan(i * rays, rays), row);
+    const char* bad_flag = interpret_tick(
+        values, rules, std::span(ticks.readings).subspan(i * rays, rays), counts, row);
     if (bad_flag != nullptr) {
       problems.add({table::Severity::error, file, rows.lines[i], bad_flag, "", "0 or 1", 1});
     }
@@ -133,10 +140,12 @@ std::optional<TickTable> read_ticks_csv(const table::Bytes& bytes,
   if (!rows) {
     return std::nullopt;
   }
-  put_in_order(*rows, csv.file, columns.time_column, false, EqualTimes::forbidden, problems);
+  put_in_order(
+      *rows, max_gap_s, {csv.file, columns.time_column, false, EqualTimes::forbidden}, problems);
   const ClockLimits limits{max_gap_s, std::nullopt};
   const auto breaks = find_breaks(*rows, csv.file, columns.time_column, limits, problems);
-  TickTable ticks = to_tick_table(*rows, robot.rays.size(), breaks, csv.file, problems);
+  std::vector<RangeCount> counts;
+  TickTable ticks = to_tick_table(*rows, RangeRules(robot, {}), breaks, csv.file, counts, problems);
   if (problems.has_error()) {
     return std::nullopt;
   }

@@ -9,20 +9,23 @@
 #include <table/csv.hpp>
 #include <table/diagnostic.hpp>
 #include <tcert/robot.hpp>
+#include <vector>
 
+#include "datasets/range_rule.hpp"
 #include "datasets/ticks.hpp"
 
 namespace tcert {
 
-/// Writes rows of ticks.csv. A force column is written only for a ray that has any force reading,
-/// the command columns only if there is any command.
+/// Writes rows of ticks.csv, for a bundle in which `keys` are declared of the rays. A force column is
+/// written only for a ray that has any force reading, the command columns only if there is any
+/// command.
 class TickFormat {
  public:
   /// The columns that `ticks` needs. \pre ticks.rays is the number of rays of `robot`.
-  TickFormat(const Robot& robot, const TickTable& ticks);
+  TickFormat(const Robot& robot, const TickTable& ticks, std::span<const RangeKeys> keys = {});
 
   /// All columns: for ticks that are not known yet.
-  explicit TickFormat(const Robot& robot);
+  explicit TickFormat(const Robot& robot, std::span<const RangeKeys> keys = {});
 
   /// With its line end.
   [[nodiscard]] const std::string& header() const noexcept { return header_; }
@@ -39,23 +42,29 @@ class TickFormat {
  private:
   void name_columns(const Robot& robot);
 
+  RangeRules rules_;
   std::vector<std::uint8_t> has_force_;  // per ray
   bool has_command_ = false;
   std::string header_;
 };
 
 /// Header and all rows.
-[[nodiscard]] std::string to_ticks_csv(const Robot& robot, const TickTable& ticks);
+[[nodiscard]] std::string to_ticks_csv(const Robot& robot,
+                                       const TickTable& ticks,
+                                       std::span<const RangeKeys> keys = {});
 
-/// Rows that were read with tick_columns() as ticks. `breaks_ns`, in order of time, start segments.
-/// A flag that is neither 0 nor 1 is an error. \pre times of `rows` increase strictly.
+/// Rows that were read with tick_columns() as ticks; what their readings were goes to `counts`, one
+/// a ray. `breaks_ns`, in order of time, start segments. A flag that is neither 0 nor 1 is an error.
+/// \pre times of `rows` increase strictly.
 [[nodiscard]] TickTable to_tick_table(const table::NumberTable& rows,
-                                      std::size_t rays,
+                                      const RangeRules& rules,
                                       std::span<const std::int64_t> breaks_ns,
                                       const std::string& file,
+                                      std::vector<RangeCount>& counts,
                                       table::DiagnosticGroups& problems);
 
-/// Reads a ticks.csv; empty iff it has an error. A step of more than `max_gap_s` starts a segment.
+/// Reads a ticks.csv of a robot of which no key of a range is declared; empty iff it has an error.
+/// A step of more than `max_gap_s` starts a segment.
 [[nodiscard]] std::optional<TickTable> read_ticks_csv(const table::Bytes& bytes,
                                                       const Robot& robot,
                                                       const table::CsvOptions& csv,

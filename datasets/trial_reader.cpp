@@ -1,13 +1,14 @@
 #include "datasets/trial_reader.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <table/csv_write.hpp>
-#include <tuple>
+#include <cmath>
+#include <span>
 #include <utility>
 
-#include "datasets/bundle_files.hpp"
-#include "datasets/stream_clock.hpp"
+#include "datasets/range_report.hpp"
+#include "datasets/range_rule.hpp"
+#include "datasets/stream_overlap.hpp"
+#include "datasets/stream_reader.hpp"
 #include "datasets/tick_columns.hpp"
 #include "datasets/tick_table.hpp"
 
@@ -15,111 +16,7 @@ namespace tcert {
 
 namespace {
 
-/// A file of the trial, read and in order of time.
-struct Stream {
-  table::NumberTable table;
-  std::string file;
-};
-
-enum class Presence { required, optional };
-
-/// Reads the files of one trial one after another, collecting the problems of all of them.
-class StreamReader {
- public:
-  StreamReader(const Bundle& bundle, const TrialRow& trial, const ReadOptions& options)
-      : bundle_(bundle),
-        files_(bundle.path),
-        folder_("logs/" + trial.trial_id + "/"),
-        options_(options) {
-    if (!files_.problem().empty()) {
-      report(
-          {table::Severity::error, bundle.path.string(), 0, "", files_.problem(), "a bundle", 1});
-    }
-  }
-
-  [[nodiscard]] bool has(const std::string& name) const {
-    return files_.find(folder_ + name).has_value();
-  }
-
-  void report(table::Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
-
-  /// Numbers of the file `name` of the trial.
-  [[nodiscard]] std::optional<Stream> read(const std::string& name,
-                                           table::NumberOptions columns,
-                                           Presence presence,
-                                           EqualTimes equal_times) {
-    const auto found = files_.find(folder_ + name);
-    if (!found) {
-      if (presence == Presence::required) {
-        report({table::Severity::error,
-                folder_ + name,
-                0,
-                "",
-                "",
-                "this file, or it with .gz or .zst, or ticks.csv instead",
-                1});
-      }
-      return std::nullopt;
-    }
-    table::BytesResult file = files_.read(*found);
-    if (!file.bytes) {
-      report({table::Severity::error, *found, 0, "", file.problem, "a readable file", 1});
-      return std::nullopt;
-    }
-    bytes_ += file.bytes->size();
-    table::DiagnosticGroups problems;
-    columns.repair = options_.repair;
-    std::optional<table::NumberTable> table =
-        table::read_numbers(*file.bytes, csv_options(name, *found), columns, problems);
-    if (table) {
-      put_in_order(*table, *found, columns.time_column, options_.repair, equal_times, problems);
-    }
-    const bool good = table && !problems.has_error();
-    take(problems);
-    return good ? std::optional(Stream{std::move(*table), *found}) : std::nullopt;
-  }
-
-  /// Breaks of a stream's clock.
-  [[nodiscard]] std::vector<std::int64_t> breaks_of(const Stream& stream) {
-    table::DiagnosticGroups problems;
-    const ClockLimits limits{bundle_.info.max_gap_s, bundle_.info.trial_limit_s};
-    auto breaks = find_breaks(stream.table, stream.file, "time_s", limits, problems);
-    take(problems);
-    return breaks;
-  }
-
-  [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
-  [[nodiscard]] bool has_error() const noexcept { return tcert::table::has_error(diagnostics_); }
-  [[nodiscard]] std::vector<table::Diagnostic> take_diagnostics() {
-    return std::move(diagnostics_);
-  }
-
- private:
-  [[nodiscard]] table::CsvOptions csv_options(const std::string& name,
-                                              const std::string& file) const {
-    table::CsvOptions csv;
-    csv.file = file;
-    csv.decimal_comma = bundle_.decimal_comma;
-    csv.fold_names = true;
-    if (const auto renames = bundle_.info.columns.find(name);
-        renames != bundle_.info.columns.end()) {
-      csv.rename = renames->second;
-    }
-    return csv;
-  }
-
-  void take(table::DiagnosticGroups& problems) {
-    std::vector<table::Diagnostic> more = problems.take();
-    std::move(more.begin(), more.end(), std::back_inserter(diagnostics_));
-  }
-
-  const Bundle& bundle_;
-  BundleFiles files_;
-  std::string folder_;
-  ReadOptions options_;
-  std::vector<table::Diagnostic> diagnostics_;
-  std::size_t bytes_ = 0;
-};
+constexpr const char* kControlFile = "control.csv";
 
 PoseStream to_pose_stream(table::NumberTable table) {
   PoseStream pose;
@@ -153,77 +50,167 @@ ControlStream to_control_stream(table::NumberTable table) {
   return control;
 }
 
-/// Pose and tactile must overlap; ends further apart than the gap are worth a warning.
-void compare_ends(const Stream& pose,
-                  const Stream& tactile,
-                  double max_gap_s,
-                  StreamReader& reader) {
-  const auto& a = pose.table.time_ns;
-  const auto& b = tactile.table.time_ns;
-  if (std::max(a.front(), b.front()) > std::min(a.back(), b.back())) {
+/// Leaves out rows in which nothing is known.
+void drop_empty_rows(table::NumberTable& table) {
+  std::size_t kept = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto values = std::span(table.values).subspan(row * table.columns, table.columns);
+    if (std::ranges::all_of(values, [](double value) { return std::isnan(value); })) {
+      ++table.empty_rows;
+      continue;
+    }
+    table.time_ns[kept] = table.time_ns[row];
+    table.lines[kept] = table.lines[row];
+    std::ranges::copy(values,
+                      table.values.begin() + static_cast<std::ptrdiff_t>(kept * table.columns));
+    ++kept;
+  }
+  table.time_ns.resize(kept);
+  table.lines.resize(kept);
+  table.values.resize(kept * table.columns);
+}
+
+/// Understands the readings of a tactile.csv by the rules of its rays. A row that says nothing then
+/// is no sample either.
+void resolve_readings(const Bundle& bundle, Stream& tactile, StreamReader& reader) {
+  const RangeRules rules(bundle.info.robot, bundle.info.range_keys);
+  std::vector<RangeCount> counts(rules.rays());
+  table::NumberTable& table = tactile.table;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t k = 0; k < rules.rays(); ++k) {
+      double& value = table.values[row * table.columns + 2 * k];
+      value = rules.resolve(k, value, counts[k]);
+    }
+  }
+  drop_empty_rows(table);
+  for (table::Diagnostic& one : range_report(bundle.info.robot, counts, tactile.file)) {
+    reader.report(std::move(one));
+  }
+  if (table.rows() == 0) {
     reader.report({table::Severity::error,
                    tactile.file,
                    0,
-                   "time_s",
-                   "no instant in common",
-                   "times that overlap those of the pose: streams share one clock",
-                   1});
-    return;
-  }
-  const std::int64_t apart = a.back() - b.back();
-  if (static_cast<double>(std::abs(apart)) > max_gap_s * 1e9) {
-    const Stream& shorter = apart < 0 ? pose : tactile;
-    std::string found = "its end ";
-    table::append_seconds(found, std::abs(apart));
-    reader.report({table::Severity::warning,
-                   shorter.file,
-                   shorter.table.lines.back(),
-                   "time_s",
-                   found + " s before the other stream's",
-                   "streams that end together; the ticks end where this one does",
+                   "",
+                   std::to_string(table.empty_rows) + " rows, none with a reading",
+                   "at least one reading of a ray",
                    1});
   }
 }
 
+/// Says how many rows were no samples of their stream.
+void note_empty_rows(const Stream& stream, StreamReader& reader) {
+  if (stream.table.empty_rows > 0) {
+    const std::size_t all = stream.table.rows() + stream.table.empty_rows;
+    reader.report({table::Severity::note,
+                   stream.file,
+                   0,
+                   "",
+                   std::to_string(stream.table.empty_rows) + " of " + std::to_string(all) +
+                       " rows without a value",
+                   "rows with one; the others are no samples of this stream",
+                   1});
+  }
+}
+
+/// Commands are not required: what is wrong with them costs them, never the trial.
+void drop_bad_control(StreamReader& reader, std::optional<Stream>& control) {
+  if (reader.forgive(kControlFile)) {
+    reader.report({table::Severity::warning,
+                   reader.path_of(kControlFile),
+                   0,
+                   "",
+                   "a file with errors",
+                   "commands; the trial is used without them",
+                   1});
+    control.reset();
+  }
+}
+
+/// Puts the streams that could be read in order of their common clock.
+void settle(StreamReader& reader,
+            std::optional<Stream>& pose,
+            std::optional<Stream>& tactile,
+            std::optional<Stream>& control) {
+  std::vector<Stream*> streams;
+  for (std::optional<Stream>* one : {&pose, &tactile}) {
+    if (*one) {
+      streams.push_back(&**one);
+    }
+  }
+  if (streams.empty()) {
+    return;
+  }
+  if (control && reader.step_alike(streams)) {
+    streams.push_back(&*control);
+    if (!reader.step_alike(streams)) {
+      streams.pop_back();
+      reader.report({table::Severity::error,
+                     control->file,
+                     0,
+                     "time_s",
+                     "steps back that pose.csv has not, or the other way round",
+                     "the clock of the other streams",
+                     1});
+    }
+  }
+  reader.settle_clocks(streams, EqualTimes::in_file_order);
+  drop_bad_control(reader, control);
+}
+
 void read_streams(StreamReader& reader, const Bundle& bundle, TrialLog& log) {
-  auto pose = reader.read(
-      "pose.csv", stream_columns("pose.csv"), Presence::required, EqualTimes::in_file_order);
-  auto tactile = reader.read("tactile.csv",
-                             tactile_columns(bundle.info.robot),
-                             Presence::required,
-                             EqualTimes::in_file_order);
-  auto control = reader.read(
-      "control.csv", stream_columns("control.csv"), Presence::optional, EqualTimes::in_file_order);
+  auto pose = reader.read("pose.csv", stream_columns("pose.csv"));
+  auto tactile = reader.read("tactile.csv", tactile_columns(bundle.info.robot));
+  if (tactile) {
+    resolve_readings(bundle, *tactile, reader);
+  }
+  std::optional<Stream> control;
+  if (reader.has(kControlFile)) {
+    control = reader.read(kControlFile, stream_columns(kControlFile));
+    drop_bad_control(reader, control);
+  }
+  settle(reader, pose, tactile, control);
   if (reader.has_error()) {
     return;
   }
-  compare_ends(*pose, *tactile, bundle.info.max_gap_s, reader);
+  compare_streams(*pose, *tactile, bundle.info, reader);
   for (const Stream* stream : {&*pose, &*tactile}) {
+    note_empty_rows(*stream, reader);
     const std::vector<std::int64_t> breaks = reader.breaks_of(*stream);
     log.breaks_ns.insert(log.breaks_ns.end(), breaks.begin(), breaks.end());
   }
   std::ranges::sort(log.breaks_ns);
-  log.pose = to_pose_stream(std::move(pose->table));
-  log.tactile = to_tactile_stream(std::move(tactile->table));
-  if (control) {
+  log.starts_with_pose = bundle.info.start_at == StartAt::pose;
+  if (control && shares_clock(*control, *pose, bundle.info.max_gap_s, reader)) {
     // A gap in what was commanded does not break the path that was driven.
-    static_cast<void>(reader.breaks_of(*control));
+    static_cast<void>(reader.breaks_of(*control, PathBreaks::none));
     log.control = to_control_stream(std::move(control->table));
   }
+  log.pose = to_pose_stream(std::move(pose->table));
+  log.tactile = to_tactile_stream(std::move(tactile->table));
 }
 
 void read_merged(StreamReader& reader, const Bundle& bundle, TrialLog& log) {
-  const auto stream = reader.read(
-      "ticks.csv", tick_columns(bundle.info.robot), Presence::required, EqualTimes::forbidden);
+  auto stream = reader.read("ticks.csv", tick_columns(bundle.info.robot));
   if (!stream) {
+    return;
+  }
+  Stream* const alone = &*stream;
+  reader.settle_clocks(std::span(&alone, 1), EqualTimes::forbidden);
+  if (reader.has_error()) {
     return;
   }
   log.breaks_ns = reader.breaks_of(*stream);
   table::DiagnosticGroups problems;
-  log.merged = to_tick_table(
-      stream->table, bundle.info.robot.rays.size(), log.breaks_ns, stream->file, problems);
-  for (table::Diagnostic& diagnostic : problems.take()) {
-    reader.report(std::move(diagnostic));
+  std::vector<RangeCount> counts;
+  log.merged = to_tick_table(stream->table,
+                             RangeRules(bundle.info.robot, bundle.info.range_keys),
+                             log.breaks_ns,
+                             stream->file,
+                             counts,
+                             problems);
+  reader.report(problems);
+  for (table::Diagnostic& one : range_report(bundle.info.robot, counts, stream->file)) {
+    reader.report(std::move(one));
   }
 }
 

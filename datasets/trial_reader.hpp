@@ -20,9 +20,9 @@ struct PoseStream {
 
 struct ControlStream {
   std::vector<std::int64_t> time_ns;
-  std::vector<double> speed_cmd_mps;
+  std::vector<double> speed_cmd_mps;  ///< NaN where missing, as in the other two.
   std::vector<double> yaw_rate_cmd_rps;
-  std::vector<double> loop_latency_ms;  ///< NaN where the column is missing.
+  std::vector<double> loop_latency_ms;
 };
 
 /// `readings` is row-major, samples x rays of the robot.
@@ -39,8 +39,9 @@ struct TrialLog {
   ControlStream control;  ///< Empty if the trial has none: it is not required.
   std::optional<TickTable> merged;
   std::vector<std::int64_t>
-      breaks_ns;          ///< Clock jumps: the path breaks at the first tick at or after.
-  std::size_t bytes = 0;  ///< Read from disk, decompressed.
+      breaks_ns;                  ///< Clock jumps: the path breaks at the first tick at or after.
+  bool starts_with_pose = false;  ///< Ticks begin with the poses, stale until there is a touch.
+  std::size_t bytes = 0;          ///< Read from disk, decompressed.
 };
 
 struct ReadOptions {

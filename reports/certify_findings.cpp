@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <statistics/basics/quantile.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reports/findings.hpp"
@@ -77,6 +79,67 @@ Finding issued_finding(std::span<const OutcomeGroup> groups) {
   return {"Certificates issued", "", evidence + "."};
 }
 
+/// Why a certificate was not issued, to follow "no certificate: "; of the first trial of many, its
+/// numbers.
+std::string reason_text(const study::NotIssued& why) {
+  using enum study::NotIssuedReason;
+  switch (why.reason) {
+    case no_goal:
+      return "the course has no goal (G)";
+    case no_evidence:
+      return "no tick has both a pose and a reading";
+    case start_outside:
+      return fmt::format("the first pose lies {} m outside the start (S)",
+                         fixed(why.distance_m, 2));
+    case goal_missed:
+      return fmt::format("the goal (G) was never entered, {} m off at the nearest",
+                         fixed(why.distance_m, 2));
+    case broken:
+      return "start (S) and goal (G) were never connected, for the path is broken";
+    case unconnected:
+      return "start (S) and goal (G) were never connected";
+    case narrow:
+      return fmt::format("the margin is {} m at ({}, {}), which is not above 0",
+                         fixed(why.margin_m, 3),
+                         fixed(why.place.x_m, 2),
+                         fixed(why.place.y_m, 2));
+  }
+  return "";
+}
+
+/// The reason of most of the trials without a certificate, with the first of them that has it.
+std::optional<Finding> most_frequent_reason(std::span<const FeatureRow> rows) {
+  const auto is_success = [](const FeatureRow& row) { return row.trial.success.value_or(false); };
+  const auto is_issued = [](const FeatureRow& row) { return !row.not_issued.has_value(); };
+  const bool any_success = std::ranges::any_of(rows, is_success);
+  std::map<study::NotIssuedReason, std::vector<const FeatureRow*>> by_reason;
+  std::size_t trials = 0;
+  for (const FeatureRow& row : rows) {
+    if (any_success && !is_success(row)) {
+      continue;
+    }
+    if (is_issued(row)) {
+      return std::nullopt;
+    }
+    ++trials;
+    by_reason[row.not_issued->reason].push_back(&row);
+  }
+  if (by_reason.empty()) {
+    return std::nullopt;
+  }
+  const auto most = std::ranges::max_element(
+      by_reason, {}, [](const auto& entry) { return entry.second.size(); });
+  const FeatureRow& first = *most->second.front();
+  return Finding{"Why none",
+                 "",
+                 fmt::format("in {} of {} {}: {} (in {}).",
+                             most->second.size(),
+                             trials,
+                             any_success ? "successes" : "trials",
+                             reason_text(*first.not_issued),
+                             first.trial.trial_id)};
+}
+
 Finding early_finding(std::span<const OutcomeGroup> groups) {
   return {"Early certificate", "", "TC_early: " + listed(groups, [](const OutcomeGroup& group) {
                                      if (group.tc_early.empty()) {
@@ -95,7 +158,9 @@ Finding early_finding(std::span<const OutcomeGroup> groups) {
 Finding trial_finding(const FeatureRow& row) {
   const study::Features& found = row.features;
   std::string evidence;
-  if (!found.certificate_m) {
+  if (row.not_issued) {
+    evidence = "no certificate: " + reason_text(*row.not_issued) + ".";
+  } else if (!found.certificate_m) {
     evidence = "no certificate: start (S) and goal (G) were never connected.";
   } else if (found.issued.value_or(false) && found.issued_s) {
     evidence = fmt::format("T_t is {} m at the end; a certificate is issued from {} s on.",
@@ -111,20 +176,28 @@ Finding trial_finding(const FeatureRow& row) {
 }  // namespace
 
 Table certify_findings(std::span<const FeatureRow> rows) {
-  std::vector<Finding> findings;
-  if (rows.size() <= kFew) {
-    for (const FeatureRow& row : rows) {
-      findings.push_back(trial_finding(row));
-    }
-    return findings_table(findings);
-  }
   std::array<OutcomeGroup, 3> groups{{{"success", "successes", true},
                                       {"failure", "failures", false},
                                       {"trial without outcome", "trials without outcome", {}}}};
   for (const FeatureRow& row : rows) {
     std::ranges::find(groups, row.trial.success, &OutcomeGroup::success)->add(row);
   }
-  return findings_table({issued_finding(groups), early_finding(groups)});
+  std::vector<Finding> findings;
+  if (rows.size() <= kFew) {
+    for (const FeatureRow& row : rows) {
+      findings.push_back(trial_finding(row));
+    }
+  }
+  if (rows.size() > 1) {
+    findings.push_back(issued_finding(groups));
+  }
+  if (rows.size() > kFew) {
+    findings.push_back(early_finding(groups));
+  }
+  if (auto reason = rows.size() > 1 ? most_frequent_reason(rows) : std::nullopt) {
+    findings.push_back(std::move(*reason));
+  }
+  return findings_table(findings);
 }
 
 }  // namespace tcert

@@ -10,7 +10,8 @@
 namespace tcert {
 
 /// In how many successes and failures a certificate was issued, why not in the others, and where
-/// the early certificate lies; of a few trials, each by itself.
+/// the early certificate lies; of a few trials, each by itself and then in how many. If no success
+/// has a certificate, or no trial, the reason that holds for most of them.
 [[nodiscard]] Table certify_findings(std::span<const study::FeatureRow> rows);
 
 }  // namespace tcert

@@ -16,6 +16,10 @@ Without it: the features on stdout.
 The ticks of synthetic logs (--ticks) begin with a line '# ...' that says so. pandas reads them by
 read_csv(FILE, comment='#'). R reads them by read.csv(FILE, comment.char = '#').
 
+Last it says in how many successes and failures a certificate was issued, why not if in none, and a
+line for each sign that values are not what their columns say: degrees in radians, millimetres, grams,
+another frame, a dead sensor, a run beside its course (each trial's in DIR/diagnostics.csv).
+
 Usage: tcert certify BUNDLE [options]
 
 Example:

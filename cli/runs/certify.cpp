@@ -52,6 +52,7 @@ ExitCode certify_to_text(const OpenedBundle& opened,
   table.n = static_cast<std::int64_t>(summary.trials);
   show_found(table, certify_findings(study.rows()), request.output, progress);
   failures.say(progress);
+  say_values(summary, progress);
   return conclude(summary, opened, progress);
 }
 
@@ -110,6 +111,7 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
   }
   folder.commit(manifest_of("certify", opened, written(request), summary));
   failures.say(progress);
+  say_values(summary, progress);
   sum_up(findings, progress);
   return conclude(summary, opened, progress);
 }

@@ -91,7 +91,8 @@ void write_trial_files(const study::StudiedTrial& trial,
                        const ResultFolder& folder,
                        const CertifyFiles& files,
                        const SeriesFormat& format,
-                       const Robot& robot) {
+                       const Robot& robot,
+                       std::span<const RangeKeys> range_keys) {
   const std::string name = trial.row->trial_id + ".csv";
   if (files.series) {
     folder.write(std::filesystem::path("series") / name, series_csv(trial, format, robot));
@@ -100,7 +101,7 @@ void write_trial_files(const study::StudiedTrial& trial,
   if (files.ticks) {
     // A log, so it is labelled as those of the corpus are.
     folder.write(std::filesystem::path("ticks") / name,
-                 comment_line(format.synthetic) + to_ticks_csv(robot, trial.ticks));
+                 comment_line(format.synthetic) + to_ticks_csv(robot, trial.ticks, range_keys));
   }
 }
 
@@ -110,6 +111,7 @@ struct CertifiedTrial {
   FileDigest digest;
   std::vector<TableCell> certificate;
   std::vector<table::Diagnostic> diagnostics;
+  std::vector<ValueFinding> values;
   bool rejected = false;
   std::size_t log_bytes = 0;
   std::function<void()> finish;
@@ -126,9 +128,13 @@ class Gathering {
     const std::string& id = trial.record.row.trial.trial_id;
     logs_.add(id, trial.digest);
     summary_.log_bytes += trial.log_bytes;
-    progress_.say(trial.diagnostics);
+    say(trial.diagnostics);
+    summary_.values.add(trial.values);
     if (tables_ != nullptr) {
       tables_->add_diagnostics(id, trial.diagnostics);
+      for (const ValueFinding& finding : trial.values) {
+        tables_->add_diagnostics(id, std::span(&finding.diagnostic, 1));
+      }
     }
     if (trial.rejected) {
       summary_.rejected.push_back(id);
@@ -150,6 +156,15 @@ class Gathering {
   [[nodiscard]] ListDigest& logs() noexcept { return logs_; }
 
  private:
+  /// Notes are for whoever looks into diagnostics.csv.
+  void say(std::span<const table::Diagnostic> diagnostics) {
+    for (const table::Diagnostic& one : diagnostics) {
+      if (one.severity != table::Severity::note) {
+        progress_.say(table::to_string(one));
+      }
+    }
+  }
+
   TrialTables* tables_;
   Progress& progress_;
   const TrialSink& sink_;
@@ -187,10 +202,14 @@ CertifySummary certify_trials(const OpenedBundle& opened,
       done->digest = log_digest(bundle, *trial.row);
     }
     if (folder != nullptr && !trial.rejected) {
-      write_trial_files(trial, *folder, files, format, robot);
+      write_trial_files(trial, *folder, files, format, robot, bundle.info.range_keys);
     }
     done->certificate = certificates_row(trial, done->digest.sha256);
     done->diagnostics = std::move(trial.diagnostics);
+    if (!trial.rejected) {
+      done->values =
+          check_values(bundle.info, *trial.row, opened.parameters.certificate, trial.ticks);
+    }
     if (extra && !trial.rejected) {
       done->finish = extra(trial);
     }
@@ -229,6 +248,12 @@ ExitCode conclude(const CertifySummary& summary, const OpenedBundle& opened, Pro
   }
   progress.say(line);
   return exit_rejected;
+}
+
+void say_values(const CertifySummary& summary, Progress& progress) {
+  for (const std::string& line : summary.values.lines()) {
+    progress.say(line);
+  }
 }
 
 Manifest manifest_of(std::string command,

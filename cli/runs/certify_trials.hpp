@@ -13,6 +13,7 @@
 #include "cli/runs/progress.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/written_options.hpp"
+#include "datasets/values/check_values.hpp"
 #include "reports/manifest.hpp"
 
 namespace tcert::cli {
@@ -28,6 +29,7 @@ struct CertifySummary {
   std::vector<std::string> rejected;
   std::size_t log_bytes = 0;
   std::vector<ManifestFile> inputs;
+  ValueSummary values;  ///< What the values of its trials are warned of.
 };
 
 /// What a caller wants to see of each trial that was certified, in order.
@@ -39,7 +41,8 @@ using TrialSink = std::function<void(study::TrialRecord&&)>;
 using TrialExtra = std::function<std::function<void()>(const study::StudiedTrial&)>;
 
 /// Writes features.csv, certificates.csv, diagnostics.csv and what `files` asks for into `folder`,
-/// if there is one. Under --strict it ends at the first rejected trial.
+/// if there is one. The findings of check_values() go into diagnostics.csv and the summary. Under
+/// --strict it ends at the first rejected trial.
 /// \throws BadData under --strict; WriteError.
 [[nodiscard]] CertifySummary certify_trials(const OpenedBundle& opened,
                                             std::int64_t threads,
@@ -53,6 +56,9 @@ using TrialExtra = std::function<std::function<void()>(const study::StudiedTrial
 [[nodiscard]] ExitCode conclude(const CertifySummary& summary,
                                 const OpenedBundle& opened,
                                 Progress& progress);
+
+/// Says what the values of the trials are warned of, a line a kind.
+void say_values(const CertifySummary& summary, Progress& progress);
 
 /// The manifest of a command that certified a bundle.
 [[nodiscard]] Manifest manifest_of(std::string command,

@@ -15,6 +15,7 @@
 #include "datasets/check_trial.hpp"
 #include "datasets/import/draft_map.hpp"
 #include "datasets/import/source_kind.hpp"
+#include "datasets/values/check_course.hpp"
 #include "reports/check_table.hpp"
 #include "reports/diagnostics_table.hpp"
 #include "reports/features_table.hpp"
@@ -158,6 +159,9 @@ ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
   Table problems = diagnostics_table(label);
   for (const table::Diagnostic& diagnostic : opened.diagnostics) {
     problems.add_row(diagnostics_row("", diagnostic));
+  }
+  if (const auto note = check_goal_is_known(opened.bundle.info.course)) {
+    problems.add_row(diagnostics_row("", *note));
   }
   Stage stage(progress, "trials checked", opened.trials.size());
   for (std::size_t begin = 0; begin < opened.trials.size(); begin += kBatch) {

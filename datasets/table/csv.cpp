@@ -1,6 +1,7 @@
 #include <table/csv.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <table/cell_reading.hpp>
 #include <table/text_file.hpp>
@@ -12,7 +13,7 @@ namespace {
 
 /// What becomes of a bad row.
 enum class BadRow {
-  rejects,      ///< The file is rejected, and would not be with repair.
+  rejects,      ///< The file is rejected, and would not be with repair if it has good rows too.
   is_dropped,   ///< By repair.
   is_left_out,  ///< And is an error all the same.
 };
@@ -45,26 +46,33 @@ class RowReporter {
           "a whole last line with its line end; the row is not used");
       return;
     }
-    const bool dropped = bad_row_ == BadRow::is_dropped;
-    const Severity severity = dropped ? Severity::warning : Severity::error;
-    const std::string way_out = dropped                       ? "; the row is dropped"
-                                : bad_row_ == BadRow::rejects ? "; --repair drops such rows"
-                                                              : "";
     if (row.open_quote) {
+      can_be_repaired_ = false;
       add(Severity::error, line, "", "a quote that is never closed", "a closing quote");
     } else if (row.fields != 0) {
-      add(severity,
-          line,
-          "",
-          std::to_string(row.fields) + " fields",
-          std::to_string(header_.names.size()) + " fields" + way_out);
+      add_bad_row(line,
+                  "",
+                  std::to_string(row.fields) + " fields",
+                  std::to_string(header_.names.size()) + " fields");
     }
     for (const CellProblem& cell : row.cells) {
-      add(severity,
-          line,
-          header_.names[cell.cell],
-          shortened(cell.value),
-          expectation(plan.cells[cell.cell].kind) + way_out);
+      add_bad_row(line,
+                  header_.names[cell.cell],
+                  shortened(cell.value),
+                  expectation(plan.cells[cell.cell].kind));
+    }
+  }
+
+  /// Reports the bad rows, with the way out: repair helps a file only if it has good rows too, and
+  /// nothing worse than bad rows.
+  void finish(bool has_good_rows) {
+    const char* const way_out = bad_row_ == BadRow::is_dropped ? "; the row is dropped"
+                                : bad_row_ == BadRow::rejects && has_good_rows && can_be_repaired_
+                                    ? "; --repair drops such rows"
+                                    : "";
+    for (Diagnostic& bad : bad_rows_.take()) {
+      bad.expectation += way_out;
+      problems_.add(std::move(bad));
     }
   }
 
@@ -78,7 +86,13 @@ class RowReporter {
     }
   }
 
-  void report_no_rows() { add(Severity::error, 0, "", "no rows", "at least one row"); }
+  void report_no_rows(std::size_t empty) {
+    add(Severity::error,
+        0,
+        "",
+        empty > 0 ? std::to_string(empty) + " rows, none with a value" : "no rows",
+        empty > 0 ? "at least one row with a value" : "at least one row");
+  }
 
  private:
   static std::string expectation(CellKind kind) {
@@ -89,6 +103,8 @@ class RowReporter {
         return "0 or 1, true or false";
       case CellKind::optional_number:
         return "a finite number (" + std::string(kHowMissingIsWritten) + ")";
+      case CellKind::optional_range:
+        return "a number or inf (" + std::string(kHowMissingIsWritten) + ")";
       case CellKind::number:
       case CellKind::ignored:
         break;
@@ -105,13 +121,39 @@ class RowReporter {
         {severity, csv_.file, line, std::move(column), std::move(value), std::move(expected), 1});
   }
 
+  void add_bad_row(std::size_t line, std::string column, std::string value, std::string expected) {
+    const Severity severity = bad_row_ == BadRow::is_dropped ? Severity::warning : Severity::error;
+    bad_rows_.add(
+        {severity, csv_.file, line, std::move(column), std::move(value), std::move(expected), 1});
+  }
+
   const CsvOptions& csv_;
   const CsvHeader& header_;
   BadRow bad_row_;
   bool ends_with_line_end_;
   bool cut_short_ = false;
+  bool can_be_repaired_ = true;
+  DiagnosticGroups bad_rows_;
   DiagnosticGroups& problems_;
 };
+
+bool holds_nothing(double value) { return std::isnan(value); }
+
+/// True if nothing is wrong with the row but that cells are missing, and all wanted ones are.
+bool is_empty_row(const RowPlan& plan, const RowProblems& wrong, const std::vector<double>& row) {
+  if (wrong.fields != 0 || wrong.open_quote) {
+    return false;
+  }
+  std::vector<std::uint8_t> known(row.size(), 0);
+  for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+    if (plan.cells[i].kind != CellKind::ignored && plan.cells[i].kind != CellKind::seconds) {
+      known[plan.cells[i].slot] = holds_nothing(row[plan.cells[i].slot]) ? 0 : 1;
+    }
+  }
+  return std::ranges::none_of(known, [](std::uint8_t flag) { return flag != 0; }) &&
+         std::ranges::all_of(wrong.cells,
+                             [](const CellProblem& cell) { return is_missing_cell(cell.value); });
+}
 
 std::vector<std::string> required_names(const NumberOptions& options) {
   std::vector<std::string> names;
@@ -158,9 +200,10 @@ RowPlan plan_row(const CsvHeader& header, const NumberOptions& options) {
   for (std::size_t i = 0; i < options.columns.size(); ++i) {
     const NumberColumn& column = options.columns[i];
     if (const auto position = header.find(column.name)) {
-      plan.cells[*position] = {column.is_flag        ? CellKind::optional_flag
-                               : column.may_be_empty ? CellKind::optional_number
-                                                     : CellKind::number,
+      plan.cells[*position] = {column.is_flag           ? CellKind::optional_flag
+                               : column.may_be_infinite ? CellKind::optional_range
+                               : column.may_be_empty    ? CellKind::optional_number
+                                                        : CellKind::number,
                                i};
     }
   }
@@ -187,7 +230,13 @@ std::optional<NumberTable> read_numbers(const Bytes& bytes,
   while (skip_to_record(cursor)) {
     const std::size_t line = cursor.line;
     RowProblems wrong;
-    if (!scan_row(plan, cursor, time_ns, row.data(), wrong)) {
+    const bool good = scan_row(plan, cursor, time_ns, row.data(), wrong);
+    if (options.skip_empty_rows &&
+        (good ? std::ranges::all_of(row, holds_nothing) : is_empty_row(plan, wrong, row))) {
+      ++table.empty_rows;
+      continue;
+    }
+    if (!good) {
       reporter.report(plan, wrong, line, cursor);
       continue;
     }
@@ -197,8 +246,9 @@ std::optional<NumberTable> read_numbers(const Bytes& bytes,
       table.time_ns.push_back(time_ns);
     }
   }
+  reporter.finish(table.rows() > 0);
   if (table.rows() == 0 && !problems.has_error()) {
-    reporter.report_no_rows();
+    reporter.report_no_rows(table.empty_rows);
   }
   if (problems.has_error()) {
     return std::nullopt;
@@ -242,6 +292,7 @@ TextTable read_text_rows(const Bytes& bytes,
     table.cells.insert(table.cells.end(), record.begin(), record.end());
     table.lines.push_back(line);
   }
+  reporter.finish(table.rows() > 0);
   reporter.report_missing_line_end();
   return table;
 }

@@ -20,12 +20,14 @@ struct NumberColumn {
   bool required = true;       ///< The file must have the column.
   bool may_be_empty = false;  ///< A missing cell (empty, NA, nan) is NaN, not an error.
   bool is_flag = false;       ///< A truth value (True, F, ...) is 1 or 0, not an error.
+  bool may_be_infinite = false;  ///< And missing.
 };
 
 struct NumberOptions {
   std::string time_column = "time_s";  ///< Required; read as exact nanoseconds. Empty: none.
   std::vector<NumberColumn> columns;
   bool repair = false;  ///< Drop a bad row, counted, instead of reporting an error.
+  bool skip_empty_rows = false;  ///< A row in which every wanted cell is missing is none.
 };
 
 /// Rows of numbers in file order; `values` is row-major, rows x wanted columns, NaN where missing.
@@ -35,6 +37,7 @@ struct NumberTable {
   std::vector<double> values;
   std::vector<std::uint32_t> lines;   ///< 1-based line of each row.
   std::vector<std::uint8_t> present;  ///< Per wanted column: the file has it.
+  std::size_t empty_rows = 0;         ///< Rows that were skipped as empty.
 
   [[nodiscard]] std::size_t rows() const noexcept { return lines.size(); }
   [[nodiscard]] double at(std::size_t row, std::size_t column) const noexcept {

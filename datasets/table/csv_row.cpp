@@ -32,7 +32,7 @@ class CellReader {
     values_[cell.slot] = reading.value;
     switch (reading.meaning) {
       case CellMeaning::number:
-        return std::isfinite(reading.value);
+        return std::isfinite(reading.value) || cell.kind == CellKind::optional_range;
       case CellMeaning::missing:
         return cell.kind != CellKind::number;
       case CellMeaning::truth:
@@ -101,6 +101,7 @@ inline const char* scan_plain(const CellPlan& cell,
                               double* values) noexcept {
   switch (cell.kind) {
     case CellKind::optional_number:
+    case CellKind::optional_range:
     case CellKind::optional_flag:
       if (*p == dialect.separator || *p == '\n' || *p == '\r') {
         values[cell.slot] = std::numeric_limits<double>::quiet_NaN();

@@ -15,13 +15,14 @@ enum class CellKind : std::uint8_t {
   seconds,          ///< Exact decimal -> integer nanoseconds.
   number,           ///< Finite; a missing cell is an error.
   optional_number,  ///< Finite or missing.
+  optional_range,   ///< The same, or infinite.
   optional_flag,    ///< The same, or a truth value, which is 1 or 0.
 };
 
 /// What to do with the field at one position of a row.
 struct CellPlan {
   CellKind kind = CellKind::ignored;
-  std::size_t slot = 0;  ///< Index into the row's values, for the two number kinds.
+  std::size_t slot = 0;  ///< Index into the row's values, for the number kinds.
 };
 
 struct RowPlan {

@@ -1,7 +1,9 @@
 #include <table/flat_json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <unordered_set>
 #include <utility>
 
@@ -75,9 +77,48 @@ class FlatHandler final : public nlohmann::json_sax<json> {
   std::unordered_set<std::string> known_;
 };
 
+struct PythonWord {
+  std::string_view word;
+  std::string_view json;
+};
+
+constexpr std::array kPythonWords{PythonWord{"NaN", "null"},
+                                  PythonWord{"-Infinity", "\"-inf\""},
+                                  PythonWord{"Infinity", "\"inf\""}};
+
+/// The text with Python's words for numbers that JSON lacks replaced, texts in quotes left alone.
+std::string without_python_words(std::string_view text) {
+  std::string out;
+  bool quoted = false;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto* const found =
+        quoted ? kPythonWords.end()
+               : std::ranges::find_if(kPythonWords, [rest = text.substr(at)](PythonWord one) {
+                   return rest.starts_with(one.word);
+                 });
+    if (found != kPythonWords.end()) {
+      out += found->json;
+      at += found->word.size();
+      continue;
+    }
+    quoted = quoted != (text[at] == '"');
+    if (quoted && text[at] == '\\' && at + 1 < text.size()) {
+      out += text[at++];
+    }
+    out += text[at++];
+  }
+  return out;
+}
+
 }  // namespace
 
 std::optional<std::vector<FlatMember>> parse_flat_json(std::string_view text) {
+  std::string replaced;
+  if (text.find("NaN") != std::string_view::npos ||
+      text.find("Infinity") != std::string_view::npos) {
+    replaced = without_python_words(text);
+    text = replaced;
+  }
   FlatHandler handler;
   if (!json::sax_parse(text.begin(), text.end(), &handler)) {
     return std::nullopt;

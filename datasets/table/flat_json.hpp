@@ -17,7 +17,8 @@ struct FlatMember {
 };
 
 /// Members in the order of the text; empty if it is not exactly one object, or holds a key twice,
-/// an array or another object.
+/// an array or another object. What Python writes beyond JSON is understood: NaN as null, Infinity
+/// and -Infinity as the texts inf and -inf.
 [[nodiscard]] std::optional<std::vector<FlatMember>> parse_flat_json(std::string_view text);
 
 }  // namespace tcert::table

@@ -26,9 +26,10 @@ constexpr const char* kFull = R"({
   "robot": {"body_width_m":0.4,"min_turn_radius_m":0.3,"tracking_buffer_m":0.01,"curvature_buffer_per_m":0.02},
   "rays": [{"name":"left","mount_x_m":0.2,"mount_y_m":0.1,"bearing_rad":1.5708,"reach_m":0.6,"kind":"bend",
             "calibration":{"bend_rad":[0,1.2],"clearance_m":[0.6,0.0]}},
-           {"name":"b0","bearing_rad":0,"reach_m":8,"kind":"range"}],
+           {"name":"b0","bearing_rad":0,"reach_m":8,"kind":"range","no_return":[0,"inf",-1],"range_min_m":0.1,
+            "range_max_m":60}],
   "course": {"start":{"disc":{"x_m":1,"y_m":2,"radius_m":0.5}}, "goal":{"polygon":[[0,0],[1,0],[1,1]]}},
-  "lighting": ["Dark","Indoor"], "trial_limit_s": 180, "max_gap_s": 2.5,
+  "lighting": ["Dark","Indoor"], "trial_limit_s": 180, "max_gap_s": 2.5, "start_at": "pose",
   "columns": {"pose.csv":{"x":"x_m"}},
   "parameters": {"edge_length_m": 1.5, "curvature": "none"}
 })";
@@ -67,6 +68,10 @@ TEST(ParseBundleJson, ReadsEveryKey) {
   EXPECT_EQ(std::get<Polygon>(*info->course.goal).vertices.size(), 3U);
   EXPECT_EQ(info->trial_limit_s, 180);
   EXPECT_EQ(info->max_gap_s, 2.5);
+  EXPECT_EQ(info->start_at, StartAt::pose);
+  EXPECT_EQ(info->range_keys[1].no_return, (std::vector<double>{0, -1}));
+  EXPECT_EQ(info->range_keys[1].range_min_m, 0.1);
+  EXPECT_EQ(info->range_keys[1].range_max_m, 60);
   EXPECT_EQ(info->columns.at("pose.csv").at("x"), "x_m");
   EXPECT_EQ(info->parameters.at("edge_length_m"), "1.5");
   EXPECT_EQ(info->parameters.at("curvature"), "none");
@@ -119,6 +124,23 @@ TEST(ParseBundleJson, NamesEveryWrongValue) {
                 "or a polygon",
                 "bundle.json: error: column 'max_gap_s': found '0.0', expected a number above "
                 "0"}));
+}
+
+TEST(ParseBundleJson, NamesWhatARangeCannotMean) {
+  const std::string keys = R"("no_return":[0,"inf",-1],"range_min_m":0.1)";
+  EXPECT_EQ(json_problems(with(kFull, keys, R"("no_return":[0,"none"],"range_min_m":-1)")),
+            (Messages{"bundle.json: error: column 'rays[1].no_return': found '[0,\"none\"]', "
+                      "expected a list of at most 16 numbers and \"inf\"",
+                      "bundle.json: error: column 'rays[1].range_min_m': found '-1.0', expected a "
+                      "number from 0"}));
+  EXPECT_EQ(json_problems(with(kFull, "\"range_min_m\":0.1", "\"range_min_m\":60")).size(), 1U);
+  EXPECT_EQ(json_problems(with(kFull, R"("reach_m":0.6,)", R"("reach_m":0.6,"no_return":[0],)")),
+            (Messages{"bundle.json: error: column 'rays[0].no_return': found '[0]', expected none: "
+                      "only a ray of kind range reads ranges"}));
+  EXPECT_EQ(
+      json_problems(with(kFull, R"("start_at": "pose")", R"("start_at": "touch")")),
+      (Messages{"bundle.json: error: column 'start_at': found '\"touch\"', expected \"both\" or "
+                "\"pose\""}));
 }
 
 TEST(ParseBundleJson, SaysWhatTheRobotCannotBe) {

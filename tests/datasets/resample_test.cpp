@@ -115,7 +115,7 @@ TEST(Resample, SkipsASilenceThatAWrongClockMakes) {
     times->push_back(kFar + 100 * kMs);
   }
   log.pose.poses.resize(13);
-  log.tactile.readings.resize(13);
+  log.tactile.readings.resize(13, {1.0, kMissing});
   log.breaks_ns = {kFar};
   const TickTable ticks = resample(log);
   EXPECT_LT(ticks.size(), 700U);
@@ -128,7 +128,14 @@ TEST(Resample, SkipsASilenceThatAWrongClockMakes) {
 }
 
 /// Each tick from its definition, by looking at all samples.
-TickTable resample_by_definition(const TrialLog& log) {
+TickTable resample_by_definition(TrialLog log) {
+  for (std::size_t i = log.tactile.time_ns.size(); i-- > 0;) {
+    const auto first = log.tactile.readings.begin() + static_cast<std::ptrdiff_t>(2 * i);
+    if (std::isnan(first[0].value) && std::isnan(first[1].value)) {
+      log.tactile.time_ns.erase(log.tactile.time_ns.begin() + static_cast<std::ptrdiff_t>(i));
+      log.tactile.readings.erase(first, first + 2);
+    }
+  }
   TickTable ticks;
   ticks.rays = log.tactile.rays;
   const auto& pose = log.pose.time_ns;
@@ -204,6 +211,43 @@ TEST(Resample, GivesWhatTheDefinitionSaysOnRandomStreams) {
       const double b = slow.readings[i].value;
       ASSERT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << i << ": " << a << " " << b;
     }
+  }
+}
+
+TEST(Resample, TakesASampleWithoutAnyReadingForNone) {
+  TrialLog log = steady_log(100, 100, 3000);
+  TrialLog without = log;
+  without.tactile.time_ns.clear();
+  without.tactile.readings.clear();
+  for (std::size_t i = 0; i < log.tactile.time_ns.size(); ++i) {
+    if (i < 3 || (i > 8 && i < 20) || i % 5 == 0) {
+      log.tactile.readings[i] = {kMissing, kMissing};
+    } else {
+      without.tactile.time_ns.push_back(log.tactile.time_ns[i]);
+      without.tactile.readings.push_back(log.tactile.readings[i]);
+    }
+  }
+  const TickTable ticks = resample(log);
+  const TickTable expected = resample(without);
+  EXPECT_EQ(ticks.time_ns, expected.time_ns);
+  EXPECT_EQ(ticks.time_ns.front(), 300 * kMs);
+  EXPECT_EQ(ticks.stale, expected.stale);
+  EXPECT_EQ(std::ranges::count(ticks.stale, 1), 7);  // 1.4 to 2.0 s: the last reading is of 0.8 s
+  log.tactile.readings[9].fsr_n = 0.2;               // a force alone is a reading
+  EXPECT_LT(std::ranges::count(resample(log).stale, 1), 7);
+}
+
+TEST(Resample, StartsWithThePoseIfTheLogSaysSo) {
+  TrialLog log = steady_log(100, 100, 2000);
+  log.tactile.time_ns.erase(log.tactile.time_ns.begin(), log.tactile.time_ns.begin() + 8);
+  log.tactile.readings.erase(log.tactile.readings.begin(), log.tactile.readings.begin() + 8);
+  EXPECT_EQ(resample(log).time_ns.front(), 800 * kMs);
+  log.starts_with_pose = true;
+  const TickTable ticks = resample(log);
+  EXPECT_EQ(ticks.time_ns.front(), 0);
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    EXPECT_EQ(ticks.stale[k], k < 8 ? 1 : 0) << k;
+    EXPECT_EQ(std::isnan(ticks.readings[k].value), k < 8) << k;
   }
 }
 

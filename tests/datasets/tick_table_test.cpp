@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,10 +37,15 @@ TickTable random_ticks(std::mt19937_64& random, std::size_t size, bool force, bo
     ticks.time_ns.push_back(t);
     ticks.poses.push_back({{number(), number()}, number()});
     for (int k = 0; k < 2; ++k) {
-      ticks.readings.push_back({random() % 4 == 0 ? kMissing : number(),
+      // A range below 0 is missing.
+      const double value = k == 0 ? number() : std::abs(number());
+      ticks.readings.push_back({random() % 4 == 0 ? kMissing : value,
                                 force && k == 0 && random() % 2 == 0 ? number() : kMissing});
     }
-    ticks.stale.push_back(random() % 5 == 0 ? 1 : 0);
+    const auto now = std::span(ticks.readings).last(2);
+    const bool silent = std::ranges::all_of(
+        now, [](RayReading r) { return std::isnan(r.value) && std::isnan(r.fsr_n); });
+    ticks.stale.push_back(silent || random() % 5 == 0 ? 1 : 0);
     ticks.segment_start.push_back(random() % 9 == 0 ? 1 : 0);
     ticks.speed_cmd_mps.push_back(command ? number() : kMissing);
     ticks.yaw_rate_cmd_rps.push_back(command && i > 0 ? number() : kMissing);
@@ -230,6 +237,51 @@ TEST(TickLineParser, ReadsJsonLinesToTheNanosecond) {
   EXPECT_EQ(line->tick.rays[0].fsr_n, 1.5);
   EXPECT_TRUE(std::isnan(line->tick.rays[1].value));
   EXPECT_TRUE(line->tick.stale);
+}
+
+// Nothing within reach, as files say it and as Python writes JSON.
+TEST(TickLineParser, TakesInfOfARangeForItsReachAsAFileDoes) {
+  table::DiagnosticGroups problems;
+  const std::string header = "time_s,x_m,y_m,yaw_rad,left_bend_rad,b0_range_m\n";
+  TickLineOptions options;
+  options.range_keys = {{}, {{0.0}, 0.05, 60.0}};
+  TickLineParser csv(robot_of_two(), header, options, problems);
+  TickLineParser json(robot_of_two(), "{}", options, problems);
+  const std::vector<std::pair<std::string, double>> readings{
+      {"inf", 8.0}, {"-inf", 0.0}, {"0", 8.0}, {"0.01", kMissing}, {"70", kMissing}, {"3", 3.0}};
+  int time = 0;
+  int json_time = 0;
+  for (const auto& [text, expected] : readings) {
+    ++time;
+    const auto line = csv.parse(std::to_string(time) + ",0,0,0,0.1," + text, 2);
+    ASSERT_TRUE(line) << text;
+    EXPECT_TRUE(same_bits(line->tick.rays[1].value, expected)) << text;
+    const std::string bare = text == "inf" ? "Infinity" : text == "-inf" ? "-Infinity" : text;
+    const std::string quoted = text.ends_with("inf") ? '"' + text + '"' : text;
+    for (const std::string& value : {bare, quoted}) {
+      const std::string stamp = std::to_string(++json_time);
+      const auto same = json.parse(R"({"time_s":)" + stamp +
+                                       R"(,"x_m":0,"y_m":0,"yaw_rad":0,"left_bend_rad":NaN,)" +
+                                       R"("b0_range_m":)" + value + "}",
+                                   2);
+      ASSERT_TRUE(same) << value;
+      EXPECT_TRUE(same_bits(same->tick.rays[1].value, expected)) << value;
+      EXPECT_TRUE(std::isnan(same->tick.rays[0].value));
+    }
+  }
+  EXPECT_EQ(csv.range_counts()[1].below_min, 1U);
+  EXPECT_EQ(csv.range_counts()[1].above_max, 1U);
+  EXPECT_FALSE(csv.parse("50,0,0,0,inf,1", 3)) << "no bend is infinite";
+  EXPECT_FALSE(json.parse(R"({"time_s":60,"x_m":Infinity,"y_m":0,"yaw_rad":0})", 4));
+}
+
+TEST(TickLineParser, CallsATickStaleAtWhichNoRayReadsAnything) {
+  table::DiagnosticGroups problems;
+  TickLineParser parser(robot_of_two(), kHeader, {}, problems);
+  EXPECT_FALSE(parser.parse("0,0,0,0,,,1", 2)->tick.stale);
+  EXPECT_FALSE(parser.parse("0.1,0,0,0,,0.2,", 3)->tick.stale) << "a force is a reading";
+  EXPECT_TRUE(parser.parse("0.2,0,0,0,,,", 4)->tick.stale);
+  EXPECT_TRUE(parser.parse("0.3,0,0,0,,,-1", 5)->tick.stale) << "no distance";
 }
 
 TEST(TickLineParser, NamesAllThatIsWrongWithAJsonLine) {

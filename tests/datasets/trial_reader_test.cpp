@@ -3,53 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "support/temporary_folder.hpp"
+#include "support/trial_folder.hpp"
 
 namespace tcert {
 namespace {
 
 using Messages = std::vector<std::string>;
-using test_support::TemporaryFolder;
 
-/// A bundle of one trial "t" on disk, with a good log that each test spoils in one place.
-class ReadTrial : public ::testing::Test {
+/// A good log that each test spoils in one place.
+class ReadTrial : public test_support::TrialFolder {
  protected:
   ReadTrial() {
     write("pose.csv", "time_s,x_m,y_m,yaw_rad\n0,0,0,0\n0.5,1,0,0\n1,2,0,0\n");
     write("tactile.csv", "time_s,left_bend_rad,left_fsr_n\n0,0.1,\n0.5,0.2,1\n1,0.3,2\n");
-    bundle_.path = folder_.path();
     Ray left{"left", {}, 1.5, 0.6, RayKind::bend, {{0.0, 1.0}, {0.6, 0.0}}};
     bundle_.info.robot.rays = {left};
-    trial_.trial_id = "t";
   }
-
-  void write(const std::string& name, std::string_view text) {
-    folder_.write("logs/t/" + name, text);
-  }
-  void remove(const std::string& name) {
-    std::filesystem::remove(folder_.path() / "logs/t" / name);
-  }
-
-  /// Messages of the trial; `log_` is what was read.
-  Messages read(bool repair = false) {
-    TrialResult result = read_trial(bundle_, trial_, {repair});
-    log_ = std::move(result.log);
-    EXPECT_EQ(log_.has_value(), !table::has_error(result.diagnostics));
-    Messages out;
-    for (const table::Diagnostic& diagnostic : result.diagnostics) {
-      out.push_back(table::to_string(diagnostic));
-    }
-    return out;
-  }
-
-  TemporaryFolder folder_;
-  Bundle bundle_;
-  TrialRow trial_;
-  std::optional<TrialLog> log_;
 };
 
 TEST_F(ReadTrial, ReadsTheStreamsOfAGoodLog) {
@@ -115,24 +87,37 @@ TEST_F(ReadTrial, NotANumberIsAnErrorAndRepairDropsTheRow) {
 }
 
 TEST_F(ReadTrial, EmptyPoseCellIsAnErrorAndEmptyForceIsMissing) {
-  write("pose.csv", "time_s,x_m,y_m,yaw_rad\n0,,0,0\n");
+  write("pose.csv", "time_s,x_m,y_m,yaw_rad\n0,,0,0\n1,2,0,0\n");
   EXPECT_EQ(read(),
             (Messages{"logs/t/pose.csv:2: error: column 'x_m': expected a finite number; "
                       "--repair drops such rows"}));
 }
 
-TEST_F(ReadTrial, TimeNotIncreasingIsAnErrorAndRepairSortsAndMerges) {
-  write("pose.csv", "time_s,x_m,y_m,yaw_rad\n1,2,0,0\n0,0,0,0\n0.5,1,0,0\n0.5,1,0,0\n");
+TEST_F(ReadTrial, RepairIsNotAdvisedWhereNoRowWouldBeLeft) {
+  write("pose.csv", "time_s,x_m,y_m,yaw_rad\n0,,0,0\n1,2,a,0\n");
   EXPECT_EQ(read(),
-            (Messages{"logs/t/pose.csv:3: error: column 'time_s': found '0 after 1', "
+            (Messages{"logs/t/pose.csv:2: error: column 'x_m': expected a finite number",
+                      "logs/t/pose.csv:3: error: column 'y_m': found 'a', expected a finite "
+                      "number"}));
+  EXPECT_EQ(read(true).back(),
+            "logs/t/pose.csv: error: found 'no rows', expected at least one row");
+}
+
+TEST_F(ReadTrial, TimeNotIncreasingIsAnErrorAndRepairSortsAndMerges) {
+  write("pose.csv", "time_s,x_m,y_m,yaw_rad\n1,2,0,0\n0.1,0,0,0\n0.5,1,0,0\n0.5,1,0,0\n");
+  EXPECT_EQ(read(),
+            (Messages{"logs/t/pose.csv:3: error: column 'time_s': found '0.1 after 1', "
                       "expected a time after that of the row before; --repair sorts the "
-                      "rows (and 1 more)"}));
+                      "rows (and 2 more)",
+                      "logs/t/pose.csv:5: error: column 'time_s': found '1 row equal to another', "
+                      "expected each row once; --repair merges these"}));
   EXPECT_EQ(read(true),
-            (Messages{"logs/t/pose.csv:3: warning: column 'time_s': found '0 after 1', expected a "
-                      "time after that of the row before; the rows are sorted (and 1 more)",
-                      "logs/t/pose.csv: warning: column 'time_s': found '1 rows equal to another', "
+            (Messages{"logs/t/pose.csv:3: warning: column 'time_s': found '3 rows late by up to "
+                      "0.9 s', expected rows in order of time; they are sorted",
+                      "logs/t/pose.csv: warning: column 'time_s': found '1 row equal to another', "
                       "expected each row once; exact duplicates are merged"}));
-  EXPECT_EQ(log_->pose.time_ns, (std::vector<std::int64_t>{0, 500'000'000, 1'000'000'000}));
+  EXPECT_EQ(log_->pose.time_ns,
+            (std::vector<std::int64_t>{100'000'000, 500'000'000, 1'000'000'000}));
 }
 
 TEST_F(ReadTrial, RepairKeepsRowsOfOneTimeThatDifferInFileOrder) {
@@ -224,7 +209,7 @@ TEST_F(ReadTrial, NamesTheProblemsOfAllFilesAtOnce) {
   write("pose.csv", "time_s,x_m,y_m,yaw_rad\n0,a,0,0\n");
   write("tactile.csv", "time_s,left_bend_rad\n0,b\n");
   write("control.csv", "time_s,speed_cmd_mps\n0,c\n");
-  EXPECT_EQ(read().size(), 3U);
+  EXPECT_EQ(read().size(), 4U);  // the last says that the commands are not used
 }
 
 TEST_F(ReadTrial, RenamesForeignColumns) {

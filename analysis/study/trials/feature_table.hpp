@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "analysis/study/trials/features.hpp"
+#include "analysis/study/trials/not_issued.hpp"
 #include "datasets/bundle.hpp"
 
 namespace tcert::study {
@@ -14,6 +15,7 @@ namespace tcert::study {
 struct FeatureRow {
   TrialRow trial;
   Features features;
+  std::optional<NotIssued> not_issued{};  ///< Of a trial that was certified here.
 };
 
 /// A column of the table that is a feature. Truth values are 0 and 1.

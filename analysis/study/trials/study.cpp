@@ -71,6 +71,7 @@ void study_trials(const Bundle& bundle,
       }
       trial.features =
           early_features(robot, trial.ticks, trial.series.ticks, parameters.early_window);
+      trial.not_issued = why_not_issued(bundle.info.course, trial.ticks, trial.series);
     }
     return work(std::move(trial));
   });

@@ -13,6 +13,7 @@
 
 #include "analysis/study/trials/certify_trial.hpp"
 #include "analysis/study/trials/features.hpp"
+#include "analysis/study/trials/not_issued.hpp"
 #include "analysis/study/trials/parameters.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/ticks.hpp"
@@ -30,6 +31,7 @@ struct StudiedTrial {
   TrialSeries series;
   std::vector<double> ray_margins;  ///< Row-major, ticks x rays; empty unless asked for.
   Features features;
+  std::optional<NotIssued> not_issued;
   std::vector<double> speed_cmd_mps;    ///< Of the raw control stream, or of merged ticks.
   std::vector<double> loop_latency_ms;  ///< Of the raw control stream; NaN where missing.
 };

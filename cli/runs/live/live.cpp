@@ -274,6 +274,7 @@ ExitCode live(const LiveRequest& request, Progress& progress) {
   }
   const bool audited = !audit || audit->close(status);
   const bool recorded = !record || record->close(status);
+  source.report_ranges();
   report(source, *producer, rows, status, has_reader);
   const bool written = rows.disk_error() == 0 || rows.dropped() == 0;
   if (!recorded || !audited || !written) {

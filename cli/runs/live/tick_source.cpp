@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/runs/errors.hpp"
+#include "datasets/range_report.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -20,6 +21,7 @@ TickSource::TickSource(const Robot& robot,
   lines_.max_gap_s = info.max_gap_s;
   lines_.trial_limit_s = info.trial_limit_s;
   lines_.decimal_comma = options_.decimal_comma;
+  lines_.range_keys = info.range_keys;
   if (const auto renames = info.columns.find("ticks.csv"); renames != info.columns.end()) {
     lines_.rename = renames->second;
   }
@@ -85,6 +87,15 @@ std::optional<TickLine> TickSource::take(std::string_view line) {
     say(parser_->problems());
   }
   return read;
+}
+
+void TickSource::report_ranges() {
+  if (parser_) {
+    for (const table::Diagnostic& one :
+         range_report(robot_, parser_->range_counts(), options_.name)) {
+      status_.say(table::to_string(one));
+    }
+  }
 }
 
 }  // namespace tcert::cli

@@ -36,6 +36,9 @@ class TickSource {
   /// A line that is none of a tick, said and counted.
   void reject(const std::string& problem);
 
+  /// At the end: what readings of ranges may mean something else than a distance.
+  void report_ranges();
+
   [[nodiscard]] std::size_t bad_lines() const noexcept { return bad_; }
 
  private:

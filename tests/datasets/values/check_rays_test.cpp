@@ -1,4 +1,4 @@
-#include "datasets/check_rays.hpp"
+#include "datasets/values/check_rays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include "datasets/corpus/micro_study.hpp"
 #include "datasets/corpus/simulated_trial.hpp"
 #include "datasets/corpus/tentacles.hpp"
+#include "datasets/travelled_way.hpp"
 
 namespace tcert {
 namespace {
@@ -20,9 +21,11 @@ constexpr std::size_t kFront = 2;
 
 std::vector<std::string> warnings(const TickTable& ticks, const Robot& robot = corpus_robot()) {
   std::vector<std::string> found;
-  for (const table::Diagnostic& diagnostic : check_rays(robot, {}, ticks, "logs/t")) {
-    EXPECT_EQ(diagnostic.severity, table::Severity::warning);
-    found.push_back(table::to_string(diagnostic));
+  const std::vector<double> way_m = travelled_way(ticks);
+  for (ValueFinding& finding : check_rays(robot, {}, ticks, scan_rays(ticks, way_m))) {
+    EXPECT_EQ(finding.diagnostic.severity, table::Severity::warning);
+    finding.diagnostic.file = "logs/t";
+    found.push_back(table::to_string(finding.diagnostic));
   }
   return found;
 }
@@ -149,6 +152,23 @@ TEST(CheckRays, NameTwoRaysThatAreOne) {
   EXPECT_NE(found[1].find("column 'front_bend_rad'"), std::string::npos);
   ticks.readings[3 * 9 + kFront].value += 1e-4;
   EXPECT_EQ(warnings(ticks).size(), 1U);
+}
+
+TEST(CheckRays, NameARayWithoutReadingsBesideOthersThatHaveThem) {
+  const auto no_force = [](std::size_t) { return kMissing; };
+  const auto rare = [](std::size_t i) { return i % 11 == 0 ? swaying(i) : kMissing; };
+  const auto found = warnings(run(400, rare, no_force));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].find("column 'left_bend_rad': found 'readings at 37 of 400 ticks'"),
+            std::string::npos)
+      << found[0];
+  const auto seldom = [](std::size_t i) { return i % 9 == 0 ? swaying(i) : kMissing; };
+  EXPECT_TRUE(warnings(run(400, seldom, no_force)).empty());
+  TickTable none = run(400, rare, no_force);
+  for (RayReading& reading : none.readings) {
+    reading.value = kMissing;
+  }
+  EXPECT_TRUE(warnings(none).empty()) << "no ray reads anything: the touch is silent, and stale";
 }
 
 TEST(CheckRays, SayNothingOfARobotThatHardlyMovedOrOfAShortLog) {

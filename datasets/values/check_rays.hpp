@@ -1,20 +1,20 @@
 #pragma once
 /// \file
 /// Rays that say what no working ray would: a contact that outlives its wall, a reading that never
-/// moves, two rays that are one.
+/// moves, two rays that are one, none at all.
 
-#include <string>
-#include <table/diagnostic.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/robot.hpp>
 #include <vector>
 
 #include "datasets/ticks.hpp"
+#include "datasets/values/ray_scan.hpp"
+#include "datasets/values/value_finding.hpp"
 
 namespace tcert {
 
-/// A warning per ray and fault, in the order of the rays; `file` is what they name. Fresh ticks
-/// alone count, and a trial with fewer than 50 of them or less than 1 m of way says nothing.
+/// A finding per ray and fault, in the order of the rays. Fresh ticks alone count, and a trial with
+/// fewer than 50 of them or less than 1 m of way says nothing.
 ///
 /// - *Never releases*: a tip force that, once at contact_on_n, does not fall below contact_off_n
 ///   before the log ends, while the ray's own reading is free (within contact_slack_m of the
@@ -25,12 +25,13 @@ namespace tcert {
 ///   is there. A tentacle's sensor is never that still, bent or not.
 /// - *Identical*: a ray whose readings are those of an earlier ray at every tick, the missing ones
 ///   too. Rays that never move are left out.
+/// - *Silent*: readings at less than a tenth of the ticks, while another ray has them at half of
+///   them. A ray of a lower rate has them at all: its last ones are held.
 ///
-/// O(ticks x rays), and O(rays^2) comparisons that end at the first difference.
-/// \pre ticks.rays is the number of rays of `robot`.
-[[nodiscard]] std::vector<table::Diagnostic> check_rays(const Robot& robot,
-                                                        const CertificateParameters& parameters,
-                                                        const TickTable& ticks,
-                                                        const std::string& file);
+/// O(rays) after the scan, but for rays that are suspect. \pre `scan` is that of `ticks`.
+[[nodiscard]] std::vector<ValueFinding> check_rays(const Robot& robot,
+                                                   const CertificateParameters& parameters,
+                                                   const TickTable& ticks,
+                                                   const TrialScan& scan);
 
 }  // namespace tcert
