@@ -17,7 +17,11 @@ T& hold(Value& value) {
 class MessageReader {
  public:
   MessageReader(const MessageType& type, std::span<const std::byte> body, const WireRules& rules)
-      : type_(type), rules_(rules), cursor_(body, rules.alignment, rules.swap) {}
+      : type_(type),
+        rules_(rules),
+        cursor_(body, rules.alignment, rules.swap),
+        // A byte is at most a leaf below all levels of the type; elements without bytes end here.
+        most_values_(std::min(kMostValues, kMostFields + 2 * (kDeepestType + 1) * body.size())) {}
 
   bool read(std::size_t structure, Value& out);
 
@@ -34,7 +38,8 @@ class MessageReader {
   }
   bool count(std::size_t values) {
     values_ += values;
-    return values_ <= kMostValues || fail("it holds more than 2000000 values");
+    return values_ <= most_values_ ||
+           fail("it holds more than " + std::to_string(most_values_) + " values");
   }
   bool read_field(const Field& field, Value& out);
   bool read_scalar(const Field& field, Value& out);
@@ -55,6 +60,7 @@ class MessageReader {
   const MessageType& type_;
   const WireRules& rules_;
   CdrCursor cursor_;
+  std::size_t most_values_;
   std::size_t values_ = 0;
   std::string reason_;
   std::string failed_field_;
