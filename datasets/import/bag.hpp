@@ -71,8 +71,9 @@ class Bag {
 
 enum class BagKind { none, mcap, sqlite, folder };
 
-/// What `path` is by its first bytes, never by its name: a folder is one if it holds a
-/// metadata.yaml of rosbag2, a .db3 or a .mcap. `none` also if it cannot be read.
+/// What `path` is by its first bytes, never by its name: a folder is one if it is
+/// that of one recording: with a metadata.yaml of rosbag2, or with .db3 or .mcap files whose names
+/// differ in their numbers alone ("run_0.db3", "run_1.db3"). `none` also if it cannot be read.
 [[nodiscard]] BagKind bag_kind(const std::filesystem::path& path);
 
 /// Whatever bag_kind() says:

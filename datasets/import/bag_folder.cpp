@@ -40,6 +40,18 @@ fs::path listed_file(const fs::path& folder, const std::string& name) {
   return is_packed_name(beside) && fs::exists(expanded, error) ? expanded : beside;
 }
 
+/// "run" of "run_3.db3" and "run_3.mcap.zstd": what the files of one recording have in common.
+std::string recording_of(const fs::path& file) {
+  const fs::path bare = is_packed_name(file) ? file.stem().stem() : file.stem();
+  std::string name = bare.string();
+  const std::size_t last = name.find_last_not_of("0123456789");
+  if (last != std::string::npos && name[last] == '_') {
+    name.resize(last);
+  }
+  return name;
+}
+
+/// In the order of their numbers; none if they are of several recordings.
 std::vector<fs::path> files_by_name(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -56,7 +68,10 @@ std::vector<fs::path> files_by_name(const fs::path& folder) {
     return is_packed_name(file) &&
            std::ranges::count(files, fs::path(file).replace_extension()) > 0;
   });
-  return files;
+  const bool is_one = std::ranges::all_of(files, [&files](const fs::path& file) {
+    return recording_of(file) == recording_of(files.front());
+  });
+  return is_one ? files : std::vector<fs::path>{};
 }
 
 std::vector<fs::path> files_of(const fs::path& folder) {
@@ -187,7 +202,7 @@ std::unique_ptr<Bag> open_bag_folder(const fs::path& path, table::DiagnosticGrou
                   0,
                   "",
                   "",
-                  "a folder of rosbag2, with .db3 or .mcap files",
+                  "a folder of rosbag2, with the .db3 or .mcap files of one recording",
                   1});
   }
   return bag->empty() ? nullptr : std::move(bag);

@@ -10,8 +10,9 @@
 
 namespace tcert::recording {
 
-/// True if the folder has recordings: what its metadata.yaml lists, else files whose names end in
-/// .db3 or .mcap (or in those and .zstd).
+/// True if the folder is one recording: has what its metadata.yaml lists, or, without one, files
+/// whose names end in .db3 or .mcap (or in those and .zstd) and differ in the number alone that
+/// rosbag2 puts behind them ("run_0.db3", "run_1.db3"). A folder of several recordings is none.
 [[nodiscard]] bool is_bag_folder(const std::filesystem::path& path);
 
 /// As open_bag(). A file that cannot be read is left out (warning) unless it is the only one;

@@ -85,6 +85,13 @@ std::optional<std::span<const std::byte>> ChunkExpander::expand(const ChunkRecor
               std::to_string(chunk.uncompressed_size);
     return std::nullopt;
   }
+  packed_bytes_ += chunk.records.size();
+  expanded_bytes_ += static_cast<std::size_t>(chunk.uncompressed_size);
+  if (!table::is_plausible_expansion(packed_bytes_, expanded_bytes_)) {
+    problem =
+        "all chunks up to it expand to more than 200 times their length, as those of no log do";
+    return std::nullopt;
+  }
   const auto out = buffer_.room(static_cast<std::size_t>(chunk.uncompressed_size));
   if (out.empty()) {
     return out;
@@ -111,6 +118,8 @@ std::optional<std::span<const std::byte>> ChunkExpander::expand_zstd_frame(
 }
 
 void ChunkExpander::release() noexcept {
+  packed_bytes_ = 0;
+  expanded_bytes_ = 0;
   buffer_.release();
   zstd_.reset();
   lz4_.reset();

@@ -31,9 +31,9 @@ class ChunkExpander {
 
   /// The records of `chunk`, valid until the next call (those of one that is not packed as long as
   /// the chunk itself); nothing, with the reason, if they cannot be had: damaged, packed by an
-  /// unknown method, not of the size that the chunk says, larger than kLargestChunk or not
-  /// table::is_plausible_expansion(). Its checksum is the caller's affair.
-  /// \throws table::OutOfResources.
+  /// unknown method, not of the size that the chunk says, larger than kLargestChunk, or not
+  /// table::is_plausible_expansion() by itself or with all since release(). Its checksum is the
+  /// caller's affair. \throws table::OutOfResources.
   [[nodiscard]] std::optional<std::span<const std::byte>> expand(const ChunkRecord& chunk,
                                                                  std::string& problem);
 
@@ -41,7 +41,7 @@ class ChunkExpander {
   [[nodiscard]] std::optional<std::span<const std::byte>> expand_zstd_frame(
       std::span<const std::byte> packed, std::string& problem);
 
-  /// Gives the memory back; the next expand() takes it again.
+  /// Ends a pass: gives the memory back, which the next expand() takes again.
   void release() noexcept;
 
  private:
@@ -55,6 +55,8 @@ class ChunkExpander {
     void operator()(LZ4F_dctx_s* context) const noexcept;
   };
   Buffer buffer_;
+  std::size_t packed_bytes_ = 0;
+  std::size_t expanded_bytes_ = 0;
   std::unique_ptr<ZSTD_DCtx_s, FreeZstd> zstd_;
   std::unique_ptr<LZ4F_dctx_s, FreeLz4> lz4_;
 };

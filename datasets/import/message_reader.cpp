@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "datasets/import/wide_text.hpp"
+
 namespace tcert::recording {
 namespace {
 
@@ -12,49 +14,14 @@ T& hold(Value& value) {
   return held != nullptr ? *held : value.data.emplace<T>();
 }
 
-void append_utf8(std::uint32_t code, std::string& out) {
-  const auto put = [&out](std::uint32_t byte) {
-    out.push_back(static_cast<char>(static_cast<unsigned char>(byte)));
-  };
-  if (code < 0x80U) {
-    put(code);
-  } else if (code < 0x800U) {
-    put(0xC0U | (code >> 6U));
-    put(0x80U | (code & 0x3FU));
-  } else if (code < 0x10000U) {
-    put(0xE0U | (code >> 12U));
-    put(0x80U | ((code >> 6U) & 0x3FU));
-    put(0x80U | (code & 0x3FU));
-  } else {
-    put(0xF0U | (code >> 18U));
-    put(0x80U | ((code >> 12U) & 0x3FU));
-    put(0x80U | ((code >> 6U) & 0x3FU));
-    put(0x80U | (code & 0x3FU));
-  }
-}
-
-/// UTF-8 of UTF-16 or UTF-32 units; false if one is no character.
-bool to_utf8(const std::vector<std::uint64_t>& units, std::string& out) {
-  out.clear();
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    auto code = static_cast<std::uint32_t>(units[i]);
-    const bool is_high = code >= 0xD800U && code < 0xDC00U;
-    if (is_high && i + 1 < units.size() && units[i + 1] >= 0xDC00U && units[i + 1] < 0xE000U) {
-      ++i;
-      code = 0x10000U + ((code - 0xD800U) << 10U) + static_cast<std::uint32_t>(units[i] - 0xDC00U);
-    }
-    if (code > 0x10FFFFU || (code >= 0xD800U && code < 0xE000U)) {
-      return false;
-    }
-    append_utf8(code, out);
-  }
-  return true;
-}
-
 class MessageReader {
  public:
   MessageReader(const MessageType& type, std::span<const std::byte> body, const WireRules& rules)
-      : type_(type), rules_(rules), cursor_(body, rules.alignment, rules.swap) {}
+      : type_(type),
+        rules_(rules),
+        cursor_(body, rules.alignment, rules.swap),
+        // A byte is at most a leaf below all levels of the type; elements without bytes end here.
+        most_values_(std::min(kMostValues, kMostFields + 2 * (kDeepestType + 1) * body.size())) {}
 
   bool read(std::size_t structure, Value& out);
 
@@ -71,7 +38,8 @@ class MessageReader {
   }
   bool count(std::size_t values) {
     values_ += values;
-    return values_ <= kMostValues || fail("it holds more than 2000000 values");
+    return values_ <= most_values_ ||
+           fail("it holds more than " + std::to_string(most_values_) + " values");
   }
   bool read_field(const Field& field, Value& out);
   bool read_scalar(const Field& field, Value& out);
@@ -92,6 +60,7 @@ class MessageReader {
   const MessageType& type_;
   const WireRules& rules_;
   CdrCursor cursor_;
+  std::size_t most_values_;
   std::size_t values_ = 0;
   std::string reason_;
   std::string failed_field_;

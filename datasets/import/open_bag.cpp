@@ -51,6 +51,10 @@ std::unique_ptr<Bag> open_bag(const std::filesystem::path& path,
     case BagKind::none:
       break;
   }
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    return open_bag_folder(path, problems);  // which says why it is none
+  }
   problems.add({table::Severity::error,
                 path.string(),
                 0,

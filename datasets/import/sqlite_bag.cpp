@@ -1,15 +1,12 @@
 #include "datasets/import/sqlite_bag.hpp"
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "datasets/import/chunk_contents.hpp"
-#include "datasets/import/definition_text.hpp"
-#include "datasets/import/message_type.hpp"
 #include "datasets/import/sqlite_database.hpp"
+#include "datasets/import/sqlite_topics.hpp"
 
 namespace tcert::recording {
 namespace {
@@ -35,7 +32,7 @@ class SqliteBag final : public Bag {
   /// False, with an error, if no message can be read.
   bool open(table::DiagnosticGroups& problems);
 
-  [[nodiscard]] const std::vector<Topic>& topics() const override { return topics_; }
+  [[nodiscard]] const std::vector<Topic>& topics() const override { return topics_.topics; }
 
   void for_each(std::span<const std::size_t> wanted,
                 const MessageVisitor& visit,
@@ -47,8 +44,6 @@ class SqliteBag final : public Bag {
            std::string found,
            std::string expectation,
            std::size_t count = 1);
-  bool read_topics(table::DiagnosticGroups& problems);
-  void read_definitions();
   bool count_messages(table::DiagnosticGroups& problems);
   bool show(const Query& rows, std::size_t topic, const MessageVisitor& visit, Leftovers& left);
   std::optional<std::size_t> topic_of(const Query& rows, Leftovers& left) const;
@@ -59,8 +54,7 @@ class SqliteBag final : public Bag {
 
   Database database_;
   std::string name_;
-  std::vector<Topic> topics_;
-  std::map<std::int64_t, std::size_t> topic_of_id_;
+  SqliteTopics topics_;
   std::set<std::string> said_;  // expectations, each of which is said once
   ChunkExpander expander_;
 };
@@ -76,68 +70,27 @@ void SqliteBag::say(table::DiagnosticGroups& problems,
 }
 
 bool SqliteBag::open(table::DiagnosticGroups& problems) {
-  return read_topics(problems) && count_messages(problems);
-}
-
-bool SqliteBag::read_topics(table::DiagnosticGroups& problems) {
-  constexpr std::array<std::string_view, 4> kOfTopics{"id", "name", "type", "serialization_format"};
-  constexpr std::array<std::string_view, 3> kOfMessages{"topic_id", "timestamp", "data"};
-  if (!database_.has_table("topics", kOfTopics) || !database_.has_table("messages", kOfMessages)) {
+  auto topics = sqlite_topics(database_);
+  if (!topics) {
     say(problems,
         Severity::error,
         "",
         "an undamaged database of rosbag2, with its tables 'topics' and 'messages'");
     return false;
   }
-  Query rows = database_.query(
-      "SELECT id, name, type, serialization_format FROM topics ORDER BY id LIMIT 65536");
-  std::map<std::array<std::string, 3>, std::size_t> index;
-  while (rows.next()) {
-    Topic topic;
-    topic.name = rows.text(1);
-    topic.type = canonical_type(rows.text(2));
-    topic.encoding = rows.text(3);
-    const auto [place, is_new] =
-        index.try_emplace({topic.name, topic.type, topic.encoding}, topics_.size());
-    if (is_new) {
-      topics_.push_back(std::move(topic));
-    }
-    topic_of_id_.try_emplace(rows.integer(0), place->second);
-  }
-  if (!rows.problem().empty()) {
+  topics_ = std::move(*topics);
+  if (!topics_.problem.empty()) {
     say(problems,
         Severity::warning,
-        rows.problem(),
+        topics_.problem,
         "a table of topics that can be read to its end" + std::string(kWayOut));
   }
-  read_definitions();
-  return true;
-}
-
-/// Of newer recorders; where they are not, the built-in types have to do.
-void SqliteBag::read_definitions() {
-  constexpr std::array<std::string_view, 3> kColumns{
-      "topic_type", "encoding", "encoded_message_definition"};
-  if (!database_.has_table("message_definitions", kColumns)) {
-    return;
-  }
-  Query rows = database_.query(
-      "SELECT topic_type, encoding, substr(encoded_message_definition, 1, 1048577) "
-      "FROM message_definitions LIMIT 65536");
-  while (rows.next()) {
-    const std::string type = canonical_type(rows.text(0));
-    for (Topic& topic : topics_) {
-      if (topic.type == type && topic.definition_encoding.empty() && rows.text(1) != "unknown") {
-        topic.definition_encoding = rows.text(1);
-        topic.definition = rows.text(2);
-      }
-    }
-  }
+  return count_messages(problems);
 }
 
 std::optional<std::size_t> SqliteBag::topic_of(const Query& rows, Leftovers& left) const {
-  const auto found = topic_of_id_.find(rows.integer(1));
-  if (found == topic_of_id_.end()) {
+  const auto found = topics_.of_id.find(rows.integer(1));
+  if (found == topics_.of_id.end()) {
     ++left.unlisted;
     return std::nullopt;
   }
@@ -170,7 +123,7 @@ bool SqliteBag::count_messages(table::DiagnosticGroups& problems) {
     last = rows.integer(0);
     const auto topic = in_order ? topic_of(rows, left) : std::nullopt;
     if (topic) {
-      ++topics_[*topic].messages;
+      ++topics_.topics[*topic].messages;
       ++messages;
     }
   }
@@ -211,7 +164,7 @@ bool SqliteBag::show(const Query& rows,
 void SqliteBag::for_each(std::span<const std::size_t> wanted,
                          const MessageVisitor& visit,
                          table::DiagnosticGroups& problems) {
-  std::vector<char> is_wanted(topics_.size(), 0);
+  std::vector<char> is_wanted(topics().size(), 0);
   for (const std::size_t topic : wanted) {
     is_wanted.at(topic) = 1;
   }

@@ -145,10 +145,11 @@ std::optional<Database> Database::open(const std::filesystem::path& path, std::s
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
-  static_cast<void>(database.query(kCacheSize).next());
+  // Before anything is read: only then does the index of the log stay in memory.
   if (log > 0) {
     static_cast<void>(database.query("PRAGMA locking_mode = EXCLUSIVE").next());
   }
+  static_cast<void>(database.query(kCacheSize).next());
   return database;
 }
 

@@ -205,6 +205,17 @@ TEST(Cdr, TreesOfTooManyValuesAreRefused) {
   EXPECT_EQ(size(*find(decoded("uint8[] a", bytes), "a")), 3'000'000U) << "packed numbers are none";
 }
 
+TEST(Ros1, ElementsWithoutBytesAreBoundedByTheMessage) {
+  std::string problem;
+  const auto type =
+      message_type("a/B", "P[] p\n=====\nMSG: a/P\nE[1000000] e\n=====\nMSG: a/E\n", problem, true);
+  ASSERT_TRUE(type) << problem;
+  Value value;
+  const std::string bytes = std::string("\xFF\0\0\0", 4) + std::string(1000, '\0');
+  EXPECT_FALSE(decode_ros1(*type, bytes_of(bytes), value, problem));
+  EXPECT_NE(problem.find("values"), std::string::npos);
+}
+
 TEST(Ros1, IsNeitherAlignedNorEndedByZeros) {
   std::string problem;
   const auto type =

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <zstd.h>
 
 #include <filesystem>
 #include <sstream>
@@ -282,6 +283,24 @@ TEST(Mcap, ChunksThatWouldFillTheMemoryAreRefused) {
     EXPECT_EQ(read.says("chunks that can be expanded"), 1U);
     EXPECT_EQ(read.says("(and 4 more)"), 1U);
   }
+}
+
+TEST(Mcap, ManyChunksThatEachExpandPlausiblyDoNotFillHours) {
+  const TemporaryFolder folder;
+  const std::string zeros(std::size_t{60} << 20U, '\0');
+  std::string packed(ZSTD_compressBound(zeros.size()), '\0');
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), zeros.data(), zeros.size(), 1));
+  std::ostringstream out;
+  McapWriter writer(out, {true, "", 1000, true, true, false});
+  write_topics(writer);
+  write_messages(writer);
+  for (int i = 0; i < 1000; ++i) {
+    writer.record(0x06, chunk_content(zeros.size(), "zstd", packed));
+  }
+  writer.finish();
+  const ReadBag read = read_bytes(folder, out.str());
+  expect_first_messages(read, kMessages);
+  EXPECT_EQ(read.says("expand to more than 200 times their length"), 1U);
 }
 
 TEST(Mcap, ASummaryThatDoesNotHoldTogetherIsNotUsed) {

@@ -353,6 +353,17 @@ TEST(Rosbag2Folder, StopsInTheMiddleOfItsFiles) {
   EXPECT_EQ(shown, 3U);
 }
 
+TEST(Rosbag2Folder, OfSeveralRecordingsIsNoneWithoutItsMetadata) {
+  const TemporaryFolder folder;
+  database(folder, "monday.db3", 4);
+  EXPECT_EQ(bag_kind(folder.path()), BagKind::folder);
+  database(folder, "tuesday_0.db3", 4);
+  EXPECT_EQ(bag_kind(folder.path()), BagKind::none);
+  EXPECT_EQ(read_bag(folder.path()).says("of one recording"), 1U);
+  folder.write("metadata.yaml", "relative_file_paths:\n- monday.db3\n- tuesday_0.db3\n");
+  EXPECT_EQ(read_bag(folder.path()).messages.size(), 8U);
+}
+
 TEST(Rosbag2Folder, WithoutRecordingsIsNone) {
   const TemporaryFolder folder;
   folder.write("metadata.yaml", "nothing: 1\n");
