@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <table/check_csv.hpp>
 
 #include "cli/runs/inputs.hpp"
 #include "datasets/check_trial.hpp"
 #include "datasets/values/check_course.hpp"
+#include "datasets/values/check_sides.hpp"
 #include "reports/check_table.hpp"
 #include "reports/diagnostics_table.hpp"
 #include "reports/features_table.hpp"
@@ -93,8 +95,11 @@ ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
   for (const table::Diagnostic& diagnostic : opened.diagnostics) {
     problems.add_row(diagnostics_row("", diagnostic));
   }
-  if (const auto note = check_goal_is_known(opened.bundle.info.course)) {
-    problems.add_row(diagnostics_row("", *note));
+  for (const std::optional<table::Diagnostic>& one :
+       {check_goal_is_known(opened.bundle.info.course), check_sides(opened.bundle.info.robot)}) {
+    if (one) {
+      problems.add_row(diagnostics_row("", *one));
+    }
   }
   Stage stage(progress, "trials checked", opened.trials.size());
   for (std::size_t begin = 0; begin < opened.trials.size(); begin += kBatch) {
