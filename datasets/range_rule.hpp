@@ -31,6 +31,9 @@ struct RangeCount {
   double highest = -std::numeric_limits<double>::infinity();  ///< Of the undeclared ones.
   double below_highest = -std::numeric_limits<double>::infinity();  ///< The next lower one.
   std::size_t at_highest = 0;
+
+  /// True if a reading that was stated is missing.
+  [[nodiscard]] bool has_missing() const noexcept { return negative + below_min + above_max > 0; }
 };
 
 /// The rule of every ray of a robot, for logs, ticks and live lines alike:
@@ -57,7 +60,7 @@ class RangeRules {
   [[nodiscard]] double stated(std::size_t ray, double reading) const noexcept;
 
   [[nodiscard]] std::size_t rays() const noexcept { return rays_.size(); }
-  [[nodiscard]] double reach_m(std::size_t ray) const noexcept { return rays_[ray].reach_m; }
+  [[nodiscard]] bool is_range(std::size_t ray) const noexcept { return rays_[ray].is_range; }
 
  private:
   struct RayRule {

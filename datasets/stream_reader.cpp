@@ -92,7 +92,8 @@ std::optional<Stream> StreamReader::read(const std::string& name, table::NumberO
     return std::nullopt;
   }
   Stream stream{std::move(*table), *found};
-  if (!increases(stream.table.time_ns)) {
+  stream.rises = increases(stream.table.time_ns);
+  if (!stream.rises) {
     settle_stamps(*file.bytes, csv, stream, problems);
   }
   const bool good = !problems.has_error();
@@ -126,6 +127,9 @@ void StreamReader::settle_stamps(const table::Bytes& bytes,
 }
 
 void StreamReader::settle_clocks(std::span<Stream* const> streams, EqualTimes equal_times) {
+  if (std::ranges::all_of(streams, &Stream::rises)) {
+    return;
+  }
   const SharedClock clock(streams, gap_in_nanoseconds(bundle_.info.max_gap_s));
   for (std::size_t i = 0; i < streams.size(); ++i) {
     table::DiagnosticGroups problems;
@@ -139,7 +143,8 @@ void StreamReader::settle_clocks(std::span<Stream* const> streams, EqualTimes eq
 }
 
 bool StreamReader::step_alike(std::span<Stream* const> streams) const {
-  return SharedClock(streams, gap_in_nanoseconds(bundle_.info.max_gap_s)).shifts.has_value();
+  return std::ranges::all_of(streams, &Stream::rises) ||
+         SharedClock(streams, gap_in_nanoseconds(bundle_.info.max_gap_s)).shifts.has_value();
 }
 
 std::vector<std::int64_t> StreamReader::breaks_of(const Stream& stream, PathBreaks path) {

@@ -21,6 +21,7 @@ namespace tcert {
 struct Stream {
   table::NumberTable table;
   std::string file;
+  bool rises = true;                        ///< Each time is after the one before, as in most logs.
   std::vector<std::int64_t> set_back_ns{};  ///< Where its path breaks since its clock was set back.
 };
 

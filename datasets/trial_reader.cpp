@@ -76,13 +76,15 @@ void resolve_readings(const Bundle& bundle, Stream& tactile, StreamReader& reade
   const RangeRules rules(bundle.info.robot, bundle.info.range_keys);
   std::vector<RangeCount> counts(rules.rays());
   table::NumberTable& table = tactile.table;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t k = 0; k < rules.rays(); ++k) {
+  for (std::size_t k = 0; k < rules.rays(); ++k) {
+    for (std::size_t row = 0; rules.is_range(k) && row < table.rows(); ++row) {
       double& value = table.values[row * table.columns + 2 * k];
       value = rules.resolve(k, value, counts[k]);
     }
   }
-  drop_empty_rows(table);
+  if (std::ranges::any_of(counts, &RangeCount::has_missing)) {
+    drop_empty_rows(table);
+  }
   for (table::Diagnostic& one : range_report(bundle.info.robot, counts, tactile.file)) {
     reader.report(std::move(one));
   }

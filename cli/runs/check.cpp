@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <table/atomic_file.hpp>
@@ -16,6 +17,7 @@
 #include "datasets/import/draft_map.hpp"
 #include "datasets/import/source_kind.hpp"
 #include "datasets/values/check_course.hpp"
+#include "datasets/values/check_sides.hpp"
 #include "reports/check_table.hpp"
 #include "reports/diagnostics_table.hpp"
 #include "reports/features_table.hpp"
@@ -160,8 +162,11 @@ ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
   for (const table::Diagnostic& diagnostic : opened.diagnostics) {
     problems.add_row(diagnostics_row("", diagnostic));
   }
-  if (const auto note = check_goal_is_known(opened.bundle.info.course)) {
-    problems.add_row(diagnostics_row("", *note));
+  for (const std::optional<table::Diagnostic>& one :
+       {check_goal_is_known(opened.bundle.info.course), check_sides(opened.bundle.info.robot)}) {
+    if (one) {
+      problems.add_row(diagnostics_row("", *one));
+    }
   }
   Stage stage(progress, "trials checked", opened.trials.size());
   for (std::size_t begin = 0; begin < opened.trials.size(); begin += kBatch) {

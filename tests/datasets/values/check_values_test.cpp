@@ -20,6 +20,7 @@
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/corpus/trial_course.hpp"
 #include "datasets/import_carmen.hpp"
+#include "datasets/values/check_sides.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tcert {
@@ -279,6 +280,23 @@ TEST(CheckValues, LeaveAFastCarAloneThatDoesWhatItIsTold) {
   EXPECT_TRUE(has(check_values(info, {}, {}, ticks), ValueKind::speed));
   ticks.speed_cmd_mps.assign(400, kMissing);
   EXPECT_TRUE(has(check_values(info, {}, {}, ticks), ValueKind::speed));
+}
+
+TEST(CheckSides, NameRaysWhoseNamesSayAnotherSideThanTheirPlace) {
+  Robot robot = corpus_robot();
+  EXPECT_FALSE(check_sides(robot));
+  for (Ray& ray : robot.rays) {
+    ray.bearing_rad = -ray.bearing_rad;  // clockwise, as a compass
+    ray.mount.y_m = -ray.mount.y_m;
+  }
+  const auto found = check_sides(robot);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->value, "left, right on the other sides");
+  robot = corpus_robot();
+  robot.rays[0].bearing_rad = -1.5;
+  EXPECT_FALSE(check_sides(robot)) << "mounted on the left, it looks across the body";
+  robot.rays[0].mount.y_m = 0.0;
+  EXPECT_TRUE(check_sides(robot));
 }
 
 // Standing, turning on the spot and driving back are no other frame.
