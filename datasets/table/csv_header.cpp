@@ -76,6 +76,32 @@ std::optional<Candidate> best_header(std::string_view text,
   return best;
 }
 
+/// A word that is read as a number or as missing names no column.
+bool holds_text(const std::vector<std::string>& record, char decimal_point) {
+  return std::ranges::any_of(record, [decimal_point](const std::string& cell) {
+    const CellMeaning meaning = read_cell(cell, decimal_point).meaning;
+    return meaning != CellMeaning::number && meaning != CellMeaning::missing;
+  });
+}
+
+/// What to say of a file whose columns nobody named, instead of what each column lacks.
+void report_no_header(const CsvHeader& header,
+                      const CsvOptions& options,
+                      std::span<const std::string> required,
+                      DiagnosticGroups& problems) {
+  std::string names;
+  for (const std::string& name : required) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  problems.add({Severity::error,
+                options.file,
+                header.line,
+                "",
+                "numbers where the names of columns should be",
+                "a header line before the rows, which names " + names,
+                1});
+}
+
 void report_missing(const CsvHeader& header,
                     const CsvOptions& options,
                     std::span<const std::string> required,
@@ -138,14 +164,6 @@ void report_no_record(const CsvOptions& options, DiagnosticGroups& problems) {
   problems.add({Severity::error, options.file, 0, "", "", "a header line and rows", 1});
 }
 
-/// A word that is read as a number or as missing names no column.
-bool holds_text(const std::vector<std::string>& record, char decimal_point) {
-  return std::ranges::any_of(record, [decimal_point](const std::string& cell) {
-    const CellMeaning meaning = read_cell(cell, decimal_point).meaning;
-    return meaning != CellMeaning::number && meaning != CellMeaning::missing;
-  });
-}
-
 }  // namespace
 
 std::optional<std::size_t> CsvHeader::find(std::string_view name) const noexcept {
@@ -163,6 +181,11 @@ std::optional<CsvHeader> find_header(std::string_view text,
   std::optional<Candidate> best = best_header(text, options, required);
   if (!best) {
     report_no_record(options, problems);
+    return std::nullopt;
+  }
+  if (best->matches == 0 && !required.empty() &&
+      !holds_text(best->header.names, best->header.dialect.decimal_point)) {
+    report_no_header(best->header, options, required, problems);
     return std::nullopt;
   }
   report_missing(best->header, options, required, problems);
