@@ -17,7 +17,7 @@ carmen: a Carnegie Mellon log becomes a bundle of one trial.
 barn: public outcomes of the BARN challenge, with the metrics of its worlds, become a feature table.
 
 Usage: tcert import carmen LOG --output DIR [options]
-       tcert import barn --trials FILE --metrics FILE --output FILE [options]
+       tcert import barn --trials FILE... --metrics FILE --output FILE [options]
 
 'tcert import carmen --help' and 'tcert import barn --help' list the options.
 

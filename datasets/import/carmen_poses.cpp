@@ -6,14 +6,14 @@
 namespace tcert {
 namespace {
 
-constexpr double kMountSpread_m = 0.005;
-constexpr double kMountSpread_rad = 0.005;
-constexpr double kFurthestMount_m = 1.0;
-constexpr double kNoMount_m = 0.001;
-constexpr double kNoMount_rad = 0.001;
-constexpr double kLeastTurn_rad = 0.5;
-constexpr double kOnTheWay_m = 0.002;
-constexpr double kOnTheWay_rad = 0.002;
+constexpr double kMountSpreadMetres = 0.005;
+constexpr double kMountSpreadRadians = 0.005;
+constexpr double kFurthestMountMetres = 1.0;
+constexpr double kNoMountMetres = 0.001;
+constexpr double kNoMountRadians = 0.001;
+constexpr double kLeastTurnRadians = 0.5;
+constexpr double kOnTheWayMetres = 0.002;
+constexpr double kOnTheWayRadians = 0.002;
 constexpr std::size_t kRecordsBefore = 5;
 
 double middle_of(std::vector<double> values) {
@@ -29,7 +29,7 @@ bool are_near(const Pose& a, const Pose& b, double within_m, double within_rad) 
 
 bool has_turned(std::span<const Pose> poses) noexcept {
   return std::ranges::any_of(poses, [&](const Pose& pose) {
-    return std::abs(angle_between(poses.front().yaw_rad, pose.yaw_rad)) >= kLeastTurn_rad;
+    return std::abs(angle_between(poses.front().yaw_rad, pose.yaw_rad)) >= kLeastTurnRadians;
   });
 }
 
@@ -46,7 +46,7 @@ bool is_on_step(const Pose& pose, const Pose& from, const Pose& to) noexcept {
   }
   share = std::clamp(share, 0.0, 1.0);
   const Pose nearest{from.position + share * step, from.yaw_rad + share * turn};
-  return are_near(pose, nearest, kOnTheWay_m, kOnTheWay_rad);
+  return are_near(pose, nearest, kOnTheWayMetres, kOnTheWayRadians);
 }
 
 bool are_equal(const Pose& a, const Pose& b) noexcept {
@@ -94,13 +94,13 @@ std::optional<Pose> laser_mount(const CarmenTrack& track, bool turned) {
   }
   const Pose middle{{middle_of(std::move(x)), middle_of(std::move(y))}, middle_of(std::move(yaw))};
   const auto agree = std::ranges::count_if(mounts, [&](const Pose& mount) {
-    return are_near(mount, middle, kMountSpread_m, kMountSpread_rad);
+    return are_near(mount, middle, kMountSpreadMetres, kMountSpreadRadians);
   });
   if (10 * static_cast<std::size_t>(agree) < 9 * scans ||
-      norm(middle.position) > kFurthestMount_m) {
+      norm(middle.position) > kFurthestMountMetres) {
     return std::nullopt;
   }
-  return are_near(middle, {}, kNoMount_m, kNoMount_rad) ? Pose{} : middle;
+  return are_near(middle, {}, kNoMountMetres, kNoMountRadians) ? Pose{} : middle;
 }
 
 CarmenPoses origin_of(std::span<const Pose> poses, const CarmenTrack& track) {

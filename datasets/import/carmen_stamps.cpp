@@ -62,8 +62,8 @@ const char* CarmenStamps::field() const noexcept {
 std::string CarmenStamps::summary() const {
   std::vector<std::string_view> stamps = stamps_;
   std::ranges::sort(stamps);
-  const auto repeated = std::ranges::unique(stamps);
-  const std::size_t different = stamps.size() - repeated.size();
+  const auto last = std::unique(stamps.begin(), stamps.end());
+  const auto different = static_cast<std::size_t>(last - stamps.begin());
   return std::to_string(different) + (different == 1 ? " different stamp" : " different stamps") +
          " in " + std::to_string(stamps.size()) + " scans";
 }

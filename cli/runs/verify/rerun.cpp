@@ -8,6 +8,7 @@
 #include <table/temporary_name.hpp>
 #include <utility>
 
+#include "cli/runs/calibrate_rays.hpp"
 #include "cli/runs/certify.hpp"
 #include "cli/runs/experiment/batch.hpp"
 #include "cli/runs/explore.hpp"
@@ -210,6 +211,7 @@ constexpr std::array kEntries{
     Entry{"simulate", "terrain", false, again<SimulateTerrainRequest, simulate_terrain>},
     Entry{"simulate", "", false, again<SimulateRequest, simulate>},
     Entry{"import", "barn", true, again<ImportBarnRequest, import_barn>},
+    Entry{"calibrate", "rays", true, again<CalibrateRaysRequest, calibrate_rays>},
     Entry{"certify", "", false, again<CertifyRequest, certify>},
     Entry{"replay", "", false, again<ReplayRequest, replay>},
     Entry{"ablate", "", false, again<AblateRequest, ablate>},
