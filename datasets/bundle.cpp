@@ -32,33 +32,51 @@ std::optional<table::Bytes> read_required(const BundleFiles& files,
   return std::move(result.bytes);
 }
 
+table::Diagnostic no_bundle(const std::filesystem::path& path, const BundleFiles& files) {
+  return {table::Severity::error,
+          path.string(),
+          0,
+          "",
+          files.problem(),
+          "a folder or a .zip with a bundle.json",
+          1};
+}
+
+/// Empty, and said why, if bundle.json cannot be used.
+std::optional<BundleInfo> info_in(const BundleFiles& files, table::DiagnosticGroups& problems) {
+  const auto bytes = read_required(files, "bundle.json", problems);
+  return bytes ? parse_bundle_json(bytes->view(), problems) : std::nullopt;
+}
+
 }  // namespace
+
+BundleInfoResult read_bundle_info(const std::filesystem::path& path) {
+  BundleInfoResult result;
+  const BundleFiles files(path);
+  if (!files.problem().empty()) {
+    result.diagnostics.push_back(no_bundle(path, files));
+    return result;
+  }
+  table::DiagnosticGroups problems;
+  result.info = info_in(files, problems);
+  result.diagnostics = problems.take();
+  return result;
+}
 
 BundleResult open_bundle(const std::filesystem::path& path, const BundleOptions& options) {
   BundleResult result;
   const BundleFiles files(path);
   if (!files.problem().empty()) {
-    result.diagnostics.push_back({table::Severity::error,
-                                  path.string(),
-                                  0,
-                                  "",
-                                  files.problem(),
-                                  "a folder or a .zip with a bundle.json",
-                                  1});
+    result.diagnostics.push_back(no_bundle(path, files));
     return result;
   }
   Bundle bundle;
   bundle.path = path;
   bundle.decimal_comma = options.decimal_comma;
-  bool usable = true;
   table::DiagnosticGroups problems;
-  if (const auto bytes = read_required(files, "bundle.json", problems)) {
-    std::optional<BundleInfo> info = parse_bundle_json(bytes->view(), problems);
-    usable = info.has_value();
-    bundle.info = std::move(info).value_or(BundleInfo{});
-  } else {
-    usable = false;
-  }
+  std::optional<BundleInfo> info = info_in(files, problems);
+  const bool usable = info.has_value();
+  bundle.info = std::move(info).value_or(BundleInfo{});
   append(result.diagnostics, problems);
   if (const auto bytes = read_required(files, "trials.csv", problems)) {
     read_trial_table(*bytes, bundle, problems);

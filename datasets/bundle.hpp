@@ -78,4 +78,12 @@ struct BundleOptions {
 [[nodiscard]] BundleResult open_bundle(const std::filesystem::path& path,
                                        const BundleOptions& options = {});
 
+struct BundleInfoResult {
+  std::optional<BundleInfo> info;  ///< Empty iff it cannot be used.
+  std::vector<table::Diagnostic> diagnostics;
+};
+
+/// Reads bundle.json alone: the rest of the bundle need not be there.
+[[nodiscard]] BundleInfoResult read_bundle_info(const std::filesystem::path& path);
+
 }  // namespace tcert

@@ -8,12 +8,6 @@ namespace {
 
 constexpr double kSinglePrecision = 1e-6;  // of a value: more than a float's rounding
 
-bool is_declared(const std::vector<double>& no_return, double value) noexcept {
-  return std::ranges::any_of(no_return, [value](double declared) {
-    return std::abs(value - declared) <= kSinglePrecision * std::abs(declared);
-  });
-}
-
 void count_undeclared(double value, RangeCount& count) noexcept {
   ++count.undeclared;
   count.zero += value == 0.0 ? 1 : 0;
@@ -29,6 +23,12 @@ void count_undeclared(double value, RangeCount& count) noexcept {
 }
 
 }  // namespace
+
+bool is_no_return(std::span<const double> declared, double value) noexcept {
+  return std::ranges::any_of(declared, [value](double one) {
+    return std::abs(value - one) <= kSinglePrecision * std::abs(one);
+  });
+}
 
 RangeRules::RangeRules(const Robot& robot, std::span<const RangeKeys> keys) {
   for (std::size_t k = 0; k < robot.rays.size(); ++k) {
@@ -52,7 +52,7 @@ double RangeRules::resolve(std::size_t ray, double value, RangeCount& count) con
   if (std::isinf(value)) {
     return value > 0.0 ? rule.reach_m : 0.0;
   }
-  if (is_declared(rule.keys.no_return, value)) {
+  if (is_no_return(rule.keys.no_return, value)) {
     return rule.reach_m;
   }
   if (value < 0.0) {

@@ -27,14 +27,18 @@ struct RangeCount {
   std::size_t above_max = 0;   ///< Missing.
   std::size_t undeclared = 0;  ///< All others that are finite and no declared no_return.
   std::size_t zero = 0;        ///< Of the undeclared ones.
-  double lowest = std::numeric_limits<double>::infinity();    ///< Of the negative ones.
-  double highest = -std::numeric_limits<double>::infinity();  ///< Of the undeclared ones.
+  double lowest = std::numeric_limits<double>::infinity();          ///< Of the negative ones.
+  double highest = -std::numeric_limits<double>::infinity();        ///< Of the undeclared ones.
   double below_highest = -std::numeric_limits<double>::infinity();  ///< The next lower one.
   std::size_t at_highest = 0;
 
   /// True if a reading that was stated is missing.
   [[nodiscard]] bool has_missing() const noexcept { return negative + below_min + above_max > 0; }
 };
+
+/// True if `value` is one of those that mean "nothing within reach", to 1e-6 of itself: logs keep
+/// single precision.
+[[nodiscard]] bool is_no_return(std::span<const double> declared, double value) noexcept;
 
 /// The rule of every ray of a robot, for logs, ticks and live lines alike:
 ///
@@ -55,8 +59,8 @@ class RangeRules {
   /// The same, counted.
   double resolve(std::size_t ray, double value, RangeCount& count) const noexcept;
 
-  /// What to write for a reading of ray `ray` so that resolve() gives it again: -inf for a 0 and inf
-  /// for the reach where the number itself is declared to mean something else.
+  /// What to write for a reading of ray `ray` so that resolve() gives it again: -inf for a 0 and
+  /// inf for the reach where the number itself is declared to mean something else.
   [[nodiscard]] double stated(std::size_t ray, double reading) const noexcept;
 
   [[nodiscard]] std::size_t rays() const noexcept { return rays_.size(); }

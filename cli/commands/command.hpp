@@ -24,6 +24,7 @@ struct Command {
 
 extern const Command kSimulate;
 extern const Command kImport;
+extern const Command kCalibrate;
 extern const Command kCheck;
 extern const Command kCertify;
 extern const Command kWorld;

@@ -56,10 +56,10 @@ Example:
 Cost: none.
 )";
 
-constexpr std::array kCommands = {&kSimulate, &kImport,     &kCheck,  &kCertify, &kWorld,
-                                  &kFit,      &kHypotheses, &kAblate, &kSweep,   &kReplay,
-                                  &kExplore,  &kGate,       &kStudy,  &kReport,  &kReproduce,
-                                  &kFigures,  &kVerify,     &kLive,   &kHelp,    &kVersion};
+constexpr std::array kCommands = {
+    &kSimulate,   &kImport,    &kCalibrate, &kCheck,  &kCertify, &kWorld, &kFit,
+    &kHypotheses, &kAblate,    &kSweep,     &kReplay, &kExplore, &kGate,  &kStudy,
+    &kReport,     &kReproduce, &kFigures,   &kVerify, &kLive,    &kHelp,  &kVersion};
 
 struct HelpRequest {
   std::string topic;

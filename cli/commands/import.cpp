@@ -20,7 +20,7 @@ barn: public outcomes of the BARN challenge, with the metrics of its worlds, bec
 
 Usage: tcert import log SOURCE... --map FILE --output DIR [options]
        tcert import carmen LOG --output DIR [options]
-       tcert import barn --trials FILE --metrics FILE --output FILE [options]
+       tcert import barn --trials FILE... --metrics FILE --output FILE [options]
 
 'tcert import log --help' and so on list the options.
 

@@ -9,9 +9,16 @@ namespace {
 constexpr std::string_view kText =
     R"(Make a bundle from a Carnegie Mellon log (plain, .gz or .zst).
 
-Each FLASER record, with its corrected pose,
-becomes a tick with one range ray a beam; ODOM records are raw odometry in another frame and are only
-counted. The bundle's parameters suit scans up to about a metre apart (of the Intel log: 0.67 m,
+Each FLASER record (or ROBOTLASER1, by the first that the log has) becomes a tick with one range ray a
+beam, at the pose of the record. ODOM records are only compared with those poses: where they lie on the
+way of the odometry they are the odometry, not scan-matched, and that is said.
+
+Beam i points to -90 degrees + i for 180 or 181 beams, + i/2 for 360 or 361, as in CARMEN's own reader;
+other numbers need --fov. ROBOTLASER1 records state their angles, and where the laser is on the robot.
+Stamps often carry no order (rounded to six digits, wrapped, zero): where nine of ten scans cannot be
+used nothing is written (exit code 65); --clock order makes times from the order of the records.
+
+The bundle's parameters suit scans up to about a metre apart (of the Intel log: 0.67 m,
 the median of all steps; it is printed for every log); change them with --set when certifying. S is a disc round the first pose; G is where you say, and without it there is the on-policy
 corridor value but no certificate.
 
@@ -20,6 +27,7 @@ Usage: tcert import carmen LOG --output DIR [options]
 Example:
   tcert import carmen intel.gfs.log.gz --output intel --goal-x -2 --goal-y -14.5 --goal-radius 1
   tcert certify intel --output results
+  tcert import carmen belgioioso-corrected.log.gz --output belgioioso --clock order --rate 0.5
 
 Cost: one pass over the log.
 )";

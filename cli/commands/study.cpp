@@ -13,6 +13,7 @@ STUDY is one of
   coverage     do the intervals of AUCs and Cs cover the truth, where trials of a day are alike
   equivalence  how often are lightings found equivalent, or different
   gate         do the sets of the 50 % point of the micro-study cover it
+  rays         does the bound of a calibration of rays hold on all of a new day as often as its law says
   null         does H1 find nothing where there is nothing to be found
   terrain      what do the rules of exploration hold safe that is not; with TERRAIN, a file like the
                thesis' own (600 x 400 numbers, its first line dropped): the scenarios of the thesis
@@ -20,7 +21,7 @@ STUDY is one of
 
 With --output DIR/ (it ends with /, or is a folder): every table in every format. Another PATH, though
 it had no ending, is one file of what would be printed, in --format. csv has the first table, or that
-of --table: soundness, tightness; coverage; equivalence; gate_coverage; null,
+of --table: soundness, tightness; coverage; equivalence; gate_coverage; ray_coverage; null,
 null_corpora; terrain_soundness, terrain_trust; scenarios, baselines.
 
 Usage: tcert study STUDY [TERRAIN] [options]
@@ -31,7 +32,7 @@ Example:
   tcert study coverage --data-sets 200 --replicates 499 --output coverage/
 
 Cost in CPU time, as they are: soundness 12 minutes, coverage 17, equivalence 10, gate 6, null 5,
-terrain 40 s, but with TERRAIN an hour or more; in proportion to --worlds, --data-sets, --terrains.
+rays 1, terrain 40 s, but with TERRAIN an hour or more; in proportion to --worlds, --data-sets, --terrains.
 )";
 
 int run(Arguments arguments) { return run_command(kText, arguments, study); }

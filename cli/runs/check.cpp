@@ -11,9 +11,11 @@
 #include <string_view>
 #include <table/atomic_file.hpp>
 #include <table/check_csv.hpp>
+#include <table/text_file.hpp>
 
 #include "cli/runs/inputs.hpp"
 #include "datasets/check_trial.hpp"
+#include "datasets/import/carmen_log.hpp"
 #include "datasets/import/draft_map.hpp"
 #include "datasets/import/source_kind.hpp"
 #include "datasets/values/check_course.hpp"
@@ -191,10 +193,29 @@ ExitCode check_bundle(const CheckRequest& request, Progress& progress) {
   return show(trials, problems, "trial", request.output, progress);
 }
 
-[[noreturn]] void throw_other(const CheckRequest& request,
-                              const std::string& what,
-                              const std::string& command) {
-  throw BadData(request.path + " is " + what + ": '" + command + "' reads it");
+ExitCode check_carmen(const CheckRequest& request, Progress& progress) {
+  const table::BytesResult file = table::read_text_file(request.path);
+  if (!file.bytes) {
+    throw BadData(request.path + ": " + file.problem);
+  }
+  table::DiagnosticGroups found;
+  const CarmenLog log = read_carmen_log(*file.bytes, request.path, {}, found);
+  const std::vector<table::Diagnostic> problems = found.take();
+  progress.say(problems);
+  progress.sum_up(fmt::format(
+      "{} is a CARMEN log: {} of {} {} records can be used, {} ODOM and {} other records. 'tcert "
+      "import carmen {} --output DIR' makes a bundle of it.",
+      request.path,
+      log.scans(),
+      log.records,
+      log.kind,
+      log.odometry_records,
+      log.other_records,
+      request.path));
+  const bool is_clean = std::ranges::all_of(problems, [](const table::Diagnostic& problem) {
+    return problem.severity == table::Severity::note;
+  });
+  return is_clean ? exit_done : exit_differences;
 }
 
 }  // namespace
@@ -217,8 +238,10 @@ ExitCode check(const CheckRequest& request, Progress& progress) {
   }
   using recording::SourceKind;
   const SourceKind kind = recording::source_kind(request.path);
-  if (kind == SourceKind::bundle && !request.write_map.empty()) {
-    throw UsageError("--write-map: " + request.path + " is a bundle already");
+  const bool takes_map =
+      kind == SourceKind::bag || kind == SourceKind::csv || kind == SourceKind::csv_folder;
+  if (!takes_map && !request.write_map.empty()) {
+    throw UsageError("--write-map: " + request.path + " is no bag and no CSV file");
   }
   switch (kind) {
     case SourceKind::bundle:
@@ -228,11 +251,13 @@ ExitCode check(const CheckRequest& request, Progress& progress) {
     case SourceKind::csv_folder:
       return check_folder(request, progress);
     case SourceKind::carmen:
-      throw_other(request, "a CARMEN log", "tcert import carmen " + request.path + " --output DIR");
+      return check_carmen(request, progress);
     case SourceKind::barn:
-      throw_other(request,
-                  "result text of the BARN challenge",
-                  "tcert import barn --trials " + request.path + " --metrics FILE --output FILE");
+      progress.sum_up(request.path +
+                      " is result text of the BARN challenge: 'tcert import barn "
+                      "--trials " +
+                      request.path + " --metrics FILE --output FILE' reads it.");
+      return exit_done;
     case SourceKind::csv:
     case SourceKind::binary:
     case SourceKind::unreadable:

@@ -8,19 +8,14 @@
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/written_options.hpp"
-#include "datasets/import_barn.hpp"
+#include "datasets/import/barn_results.hpp"
+#include "datasets/import/import_barn.hpp"
 #include "reports/sha256.hpp"
 
 namespace tcert::cli {
 namespace {
 
-table::TextTable table_of(const std::string& option, const std::string& file, Progress& progress) {
-  if (file.empty()) {
-    throw UsageError("needs --" + option + " FILE");
-  }
-  if (!std::filesystem::exists(file)) {
-    throw NoInput("no table at '" + file + "'");
-  }
+BarnTable table_of(const std::string& file, Progress& progress) {
   table::TextTableResult result = table::read_text_table(std::filesystem::path(file), {"world"});
   for (table::Diagnostic& diagnostic : result.diagnostics) {
     // There is no bundle.json to rename columns in.
@@ -31,7 +26,65 @@ table::TextTable table_of(const std::string& option, const std::string& file, Pr
   if (!result.table) {
     throw BadData("'" + file + "' cannot be read");
   }
-  return std::move(*result.table);
+  return {std::move(*result.table), file};
+}
+
+std::string planner_of(const std::string& file, const std::string& told) {
+  const std::string planner = told.empty() ? planner_of_file(file) : told;
+  if (planner.empty()) {
+    throw UsageError("'" + file + "' names no planner: --planner NAME says whose trials these are");
+  }
+  return planner;
+}
+
+void require_file(const std::string& option, const std::string& file) {
+  if (file.empty()) {
+    throw UsageError("needs --" + option + " FILE");
+  }
+  if (!std::filesystem::exists(file)) {
+    throw NoInput("no table at '" + file + "'");
+  }
+}
+
+struct BarnTrials {
+  std::vector<BarnTable> tables;
+  bool has_errors = false;  ///< Lines of result text that are left out.
+};
+
+/// Tables and result text, each as what it is.
+BarnTrials read_trials(const ImportBarnRequest& request,
+                       const std::vector<std::string>& files,
+                       Progress& progress) {
+  BarnTrials trials;
+  bool has_results = false;
+  for (const std::string& file : files) {
+    const table::BytesResult bytes = table::read_file(file);
+    if (!bytes.bytes || !is_barn_results(bytes.bytes->view())) {
+      trials.tables.push_back(table_of(file, progress));
+      continue;
+    }
+    has_results = true;
+    table::DiagnosticGroups problems;
+    trials.tables.push_back(
+        {read_barn_results(*bytes.bytes, file, planner_of(file, request.planner), problems), file});
+    trials.has_errors = trials.has_errors || problems.has_error();
+    progress.say(problems.take());
+  }
+  if (!request.planner.empty() && !has_results) {
+    throw UsageError("--planner: the trials are no result text, but tables with a header");
+  }
+  return trials;
+}
+
+std::vector<std::string> files_of(const ImportBarnRequest& request) {
+  std::vector<std::string> files = request.trials;
+  files.insert(files.end(), request.more_trials.begin(), request.more_trials.end());
+  return files;
+}
+
+std::string in_quotes(const std::vector<std::string>& files) {
+  return "'" + files.front() + "'" +
+         (files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : "");
 }
 
 void require_known(const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
@@ -73,7 +126,15 @@ void sum_up(const BarnSummary& s, Progress& progress) {
 OptionTable options_of(ImportBarnRequest& request) {
   OptionTable table(request.given);
   table.argument({"FORMAT", &request.format, true, OptionRole::shapes, {"barn"}});
-  table.add_input("trials", request.trials, "FILE", "outcomes: trials.csv or mlda_dated.csv");
+  table.rest(request.more_trials);
+  table.add_inputs("trials",
+                   request.trials,
+                   "FILE",
+                   "outcomes: result text (dwa_out.txt), trials.csv or mlda_dated.csv; repeatable");
+  table.add("planner",
+            request.planner,
+            "NAME",
+            "whose trials result text holds; else by the file: dwa of dwa_out.txt");
   table.add_input("metrics", request.metrics, "FILE", "difficulty_metrics.csv");
   table.add(
       "planners", request.planners, "NAMES", "keep these, comma between; all if it is not given");
@@ -89,35 +150,42 @@ ExitCode import_barn(const ImportBarnRequest& request, Progress& progress) {
     throw UsageError("needs --output FILE");
   }
   require_own_file(output);
-  const table::TextTable trials = table_of("trials", request.trials, progress);
-  const table::TextTable metrics = table_of("metrics", request.metrics, progress);
+  const std::vector<std::string> files = files_of(request);
+  require_file("trials", request.trials.empty() ? "" : request.trials.front());
+  for (const std::string& file : files) {
+    require_file("trials", file);
+  }
+  require_file("metrics", request.metrics);
+  const BarnTrials trials = read_trials(request, files, progress);
+  const BarnTable metrics = table_of(request.metrics, progress);
   BarnImportOptions barn;
   barn.planners = words_of(request.planners);
   if (!request.planners.empty() && (',' + request.planners + ',').find(",,") != std::string::npos) {
     throw UsageError("--planners: found '" + request.planners + "', expected names, comma between");
   }
   barn.other_ports = !request.same_port;
-  require_known(barn.planners, planners_of(trials));
-  if (request.same_port && planners_of(trials).empty()) {
+  require_known(barn.planners, planners_of(trials.tables));
+  if (request.same_port && planners_of(trials.tables).empty()) {
     throw UsageError("--same-port: the trials have no column planner");
   }
-  const BarnImportResult result =
-      tcert::import_barn(trials, request.trials, metrics, request.metrics, barn);
+  const BarnImportResult result = tcert::import_barn(trials.tables, metrics, barn);
   progress.say(result.diagnostics);
   sum_up(result.summary, progress);
   if (!result.csv) {
     const bool measured = result.summary.unmeasured == 0;
-    throw BadData(measured ? "'" + request.trials + "' holds no trial that can be used"
-                           : "'" + request.metrics + "' has no metrics for the worlds of '" +
-                                 request.trials + "'");
+    throw BadData(measured ? "no trial of " + in_quotes(files) + " can be used"
+                           : "'" + request.metrics + "' has no metrics for the worlds of " +
+                                 in_quotes(files));
   }
   Manifest manifest;
   manifest.command = "import barn";
   record(written(request), manifest);
-  manifest.inputs = {{name_of(request.trials), digest_file(request.trials)},
-                     {name_of(request.metrics), digest_file(request.metrics)}};
+  for (const std::string& file : files) {
+    manifest.inputs.push_back({name_of(file), digest_file(file)});
+  }
+  manifest.inputs.push_back({name_of(request.metrics), digest_file(request.metrics)});
   write_with_manifest(output, *result.csv, std::move(manifest));
-  return table::has_error(result.diagnostics) ? exit_rejected : exit_done;
+  return trials.has_errors || table::has_error(result.diagnostics) ? exit_rejected : exit_done;
 }
 
 }  // namespace tcert::cli

@@ -10,7 +10,9 @@ namespace tcert::cli {
 
 struct ImportBarnRequest {
   std::string format;  ///< "barn".
-  std::string trials;
+  std::vector<std::string> trials;
+  std::vector<std::string> more_trials;  ///< Those behind the first, as a pattern of a shell gives.
+  std::string planner;                   ///< Of result text; empty: by the names of the files.
   std::string metrics;
   std::string planners;
   bool same_port = false;

@@ -5,7 +5,7 @@
 #include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
-#include "datasets/import_carmen.hpp"
+#include "datasets/import/import_carmen.hpp"
 
 namespace tcert::cli {
 
@@ -15,6 +15,9 @@ struct ImportCarmenRequest {
   std::optional<double> goal_x_m;
   std::optional<double> goal_y_m;
   double goal_radius_m = 1.0;
+  std::optional<double> fov_deg;
+  std::string clock = "ipc";  ///< "ipc", "logger" or "order".
+  std::optional<double> rate_hz;
   CarmenImportOptions carmen;
   OutputPath output;
   std::vector<std::string> given;

@@ -57,6 +57,13 @@ OptionTable& OptionTable::add_input(std::string name,
   return append({std::move(name), std::move(shown), std::move(text), &value, OptionRole::input});
 }
 
+OptionTable& OptionTable::add_inputs(std::string name,
+                                     std::vector<std::string>& values,
+                                     std::string shown,
+                                     std::string text) {
+  return append({std::move(name), std::move(shown), std::move(text), &values, OptionRole::input});
+}
+
 OptionTable& OptionTable::add_output(std::string name,
                                      std::string& value,
                                      std::string shown,

@@ -78,6 +78,11 @@ class OptionTable {
     return append({std::move(name), std::move(shown), std::move(text), &value});
   }
   OptionTable& add_input(std::string name, std::string& value, std::string shown, std::string text);
+  /// Of several files, each with the option's name before it.
+  OptionTable& add_inputs(std::string name,
+                          std::vector<std::string>& values,
+                          std::string shown,
+                          std::string text);
   OptionTable& add_output(std::string name,
                           std::string& value,
                           std::string shown,

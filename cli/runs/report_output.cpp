@@ -114,6 +114,9 @@ void ReportOutput::write_folder(FitReport report, Manifest manifest) {
     folder_->write(one.name + ".csv", render(labelled(one), TableFormat::csv));
     folder_->write(one.name + ".json", render(one, TableFormat::json));
   }
+  for (const Attachment& one : report.attachments) {
+    folder_->write(one.name + ".json", one.json);
+  }
   folder_->commit(std::move(manifest));
 }
 

@@ -13,6 +13,19 @@ std::string named(const std::string& text, OptionRole role) {
   return role == OptionRole::input ? name_of(text) : text;
 }
 
+/// The value as text; of inputs their names.
+std::string written_text(const Option& option) {
+  const auto* const several = std::get_if<std::vector<std::string>*>(&option.value);
+  if (several == nullptr) {
+    return named(text_of(option.value), option.role);
+  }
+  std::vector<std::string> names;
+  for (const std::string& one : **several) {
+    names.push_back(named(one, option.role));
+  }
+  return text_of(&names);
+}
+
 void append_option(const Option& option, std::vector<ManifestArgument>& arguments) {
   if (const auto* const flag = std::get_if<bool*>(&option.value)) {
     if (**flag) {
@@ -51,7 +64,7 @@ WrittenOptions written_options(const OptionTable& table, const OptionTable& usua
       continue;
     }
     const std::string text = text_of(option.value);
-    written.options.emplace_back(option.name, named(text, option.role));
+    written.options.emplace_back(option.name, written_text(option));
     const Option* const as_usual = usual.find(option.name);
     if (is_given(table.given(), option.name) ||
         (as_usual != nullptr && text_of(as_usual->value) != text)) {

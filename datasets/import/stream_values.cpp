@@ -1,9 +1,10 @@
 #include "datasets/import/stream_values.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tcert/tick.hpp>
+
+#include "datasets/range_rule.hpp"
 
 namespace tcert::recording {
 namespace {
@@ -35,8 +36,8 @@ double range_of(double reading,
     return kMissing;
   }
   ++use.readings;
-  const bool declared = std::ranges::any_of(
-      rule.values, [&](double value) { return value * source.scale + source.add == reading; });
+  // The rule's values are as the file has them, the reading is in metres.
+  const bool declared = is_no_return(rule.values, (reading - source.add) / source.scale);
   if (declared || (reading == std::numeric_limits<double>::infinity() && rule.infinite)) {
     ++use.no_return;
     return reach_m;

@@ -1,6 +1,7 @@
 #include <table/csv_header.hpp>
 
 #include <algorithm>
+#include <table/cell_reading.hpp>
 #include <table/header_report.hpp>
 #include <table/nearest_name.hpp>
 #include <utility>
@@ -63,6 +64,32 @@ std::optional<Candidate> best_header(std::string_view text,
   return best;
 }
 
+/// A word that is read as a number or as missing names no column.
+bool holds_text(const std::vector<std::string>& record, char decimal_point) {
+  return std::ranges::any_of(record, [decimal_point](const std::string& cell) {
+    const CellMeaning meaning = read_cell(cell, decimal_point).meaning;
+    return meaning != CellMeaning::number && meaning != CellMeaning::missing;
+  });
+}
+
+/// What to say of a file whose columns nobody named, instead of what each column lacks.
+void report_no_header(const CsvHeader& header,
+                      const CsvOptions& options,
+                      std::span<const std::string> required,
+                      DiagnosticGroups& problems) {
+  std::string names;
+  for (const std::string& name : required) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  problems.add({Severity::error,
+                options.file,
+                header.line,
+                "",
+                "numbers where the names of columns should be",
+                "a header line before the rows, which names " + names,
+                1});
+}
+
 void report_missing(const CsvHeader& header,
                     const CsvOptions& options,
                     std::span<const std::string> required,
@@ -100,6 +127,11 @@ std::optional<CsvHeader> find_header(std::string_view text,
   std::optional<Candidate> best = best_header(text, options, required);
   if (!best) {
     report_no_record(options, problems);
+    return std::nullopt;
+  }
+  if (best->matches == 0 && !required.empty() &&
+      !holds_text(best->header.names, best->header.dialect.decimal_point)) {
+    report_no_header(best->header, options, required, problems);
     return std::nullopt;
   }
   report_missing(best->header, options, required, problems);

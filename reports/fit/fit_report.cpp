@@ -79,6 +79,9 @@ std::string json_document(const FitReport& report) {
       json[table.name] = std::move(rows);
     }
   }
+  for (const Attachment& one : report.attachments) {
+    json[one.name] = Json::parse(one.json);
+  }
   json["conditions"] = json_of(report.conditions);
   return dumped(json, 1);
 }
@@ -93,6 +96,17 @@ std::string tables_of(const FitReport& report, const Print& print) {
   return out + print(name_and_value(report.summary));
 }
 
+/// Each below its title, between two lines if it is to be told from the text round it.
+std::string attachments_text(const FitReport& report, std::string_view fence) {
+  std::string out;
+  for (const Attachment& one : report.attachments) {
+    out += '\n' + one.title + "\n\n";
+    out +=
+        fence.empty() ? one.json : std::string(fence) + '\n' + one.json + std::string(fence) + '\n';
+  }
+  return out;
+}
+
 /// Says once that its data were made. What was found is first, or last on a terminal.
 std::string text_document(const FitReport& report, std::size_t width) {
   std::string out = report.synthetic ? to_string(*report.synthetic) + "\n\n" : "";
@@ -101,6 +115,7 @@ std::string text_document(const FitReport& report, std::size_t width) {
     out += findings + '\n';
   }
   out += tables_of(report, [&](const Table& one) { return render(one, TableFormat::text, width); });
+  out += attachments_text(report, "");
   if (!report.conditions.empty()) {
     out += "\nConditions\n\n" + conditions_text(report.conditions, width);
   }
@@ -118,6 +133,7 @@ std::string markdown_document(const FitReport& report) {
     out += print(report.findings) + '\n';
   }
   out += tables_of(report, print);
+  out += attachments_text(report, "```");
   if (!report.conditions.empty()) {
     out += '\n' + print(conditions_table(report.conditions));
   }

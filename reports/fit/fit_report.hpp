@@ -14,6 +14,13 @@
 
 namespace tcert {
 
+/// A JSON document that goes with a report, for another program to take as it is.
+struct Attachment {
+  std::string name;  ///< snake_case: the file name without its ending.
+  std::string title;
+  std::string json;  ///< Ends with a line end.
+};
+
 struct FitReport {
   std::string model;           ///< "cox".
   Settings settings;           ///< Formula, data, options; in this order.
@@ -21,6 +28,7 @@ struct FitReport {
   Table summary;               ///< One row: n, events, tests of the whole model, how the fit ended.
   std::vector<Table> tables;   ///< For people and programs; the first one is the main table.
   std::vector<Table> details;  ///< For programs: covariances, residuals, curves.
+  std::vector<Attachment> attachments;
   statistics::Conditions conditions;
   std::optional<SyntheticLabel> synthetic;
 
@@ -44,13 +52,14 @@ struct FitReport {
 [[nodiscard]] std::string conditions_text(const statistics::Conditions& conditions,
                                           std::size_t width = 0);
 
-/// Text: the findings as lines, `tables`, the summary and the conditions; for a terminal of
-/// `width`, on which the end is what one sees, the findings are last. Markdown: likewise, the
-/// findings as a table. LaTeX: `tables` and the summary, for a text has words of its own. JSON: one
-/// document with everything; the summary is an object, every table a list of objects, each
-/// condition an object with name, severity, column, detail. CSV and JSON Lines: the main table.
-/// With `table` only the table of that name, in any format; it is to be there. After an error
-/// without a single number in the main table, text, Markdown and LaTeX have the conditions alone.
+/// Text: the findings as lines, `tables`, the summary, the attachments and the conditions; for a
+/// terminal of `width`, on which the end is what one sees, the findings are last. Markdown:
+/// likewise, the findings as a table. LaTeX: `tables` and the summary, for a text has words of its
+/// own. JSON: one document with everything; the summary is an object, every table a list of
+/// objects, each condition an object with name, severity, column, detail, each attachment what it
+/// is. CSV and JSON Lines: the main table. With `table` only the table of that name, in any format;
+/// it is to be there. After an error without a single number in the main table, text, Markdown and
+/// LaTeX have the conditions alone.
 [[nodiscard]] std::string render(const FitReport& report,
                                  TableFormat format,
                                  std::string_view table = {},

@@ -11,6 +11,7 @@
 #include "analysis/study/coverage/coverage_study.hpp"
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
+#include "analysis/study/coverage/ray_study.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {
@@ -26,6 +27,10 @@ using ScenarioRates =
 
 [[nodiscard]] FitReport gate_coverage_report(const study::coverage::GateSummary& summary,
                                              const study::coverage::GateOptions& options);
+
+/// Of the bound of ray calibrations.
+[[nodiscard]] FitReport ray_coverage_report(const std::vector<study::coverage::RayCoverage>& rows,
+                                            std::uint64_t seed);
 
 /// H1's AUC of the certificate on a corpus whose outcomes have nothing to do with it.
 struct NullAuc {

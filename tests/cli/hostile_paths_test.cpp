@@ -17,7 +17,7 @@ const std::vector<std::string>& writers() {
   static const std::vector<std::string> all = {
       "simulate --trials 6 --output",
       "simulate terrain --rows 4 --columns 4 --output",
-      "import carmen log.clf --output",
+      "import carmen log.clf --fov 180 --output",
       "certify tree/corpus --output",
       "replay tree/corpus --output",
       "ablate tree/corpus --replicates 20 --no-cache --output",

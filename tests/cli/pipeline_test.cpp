@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <table/csv.hpp>
 #include <thread>
 #include <utility>
 
@@ -225,9 +227,60 @@ TEST(Pipeline, ARealRobotsLogHasACertificate) {
                         "--goal-y=-15.87"}));
   expect_done(work.run({"certify", "intel", "--output", "out", "--format", "json"}));
   const std::string certificates = work.read("out/certificates.csv");
-  // The door of 1.06 m in the west corridor, passed northward.
   EXPECT_NE(certificates.find(",1,"), std::string::npos) << certificates;
+  // The door of 1.06 m in the west corridor, passed northward: beam 161 of 0.62 m, 71 degrees to
+  // the left, and beam 45 of 0.67 m, 45 degrees to the right, less the body of 0.45 m.
   EXPECT_NE(certificates.find("-6.04"), std::string::npos) << certificates;
+  const double degree = std::acos(-1.0) / 180.0;
+  const double margin = 0.62 * std::sin(71.0 * degree) + 0.67 * std::sin(45.0 * degree) - 0.45;
+  const table::TextTableResult table = table::read_text_table(work.path() / "out/certificates.csv");
+  ASSERT_TRUE(table.table);
+  EXPECT_NEAR(
+      std::stod(table.table->at(0, table.table->find("certificate_m").value())), margin, 1e-9);
+}
+
+/// What run.py of the challenge appends, from any number of files.
+TEST(Pipeline, BarnResultTextOfSeveralPlannersBecomesOneTable) {
+  Workdir work(TCERT_BINARY);
+  work.write("dwa_out.txt", "0 1 0 0 22.2800 4.1806\n301 1 0 0 20 4\n0 0 1 0 5.5\n");
+  work.write("res/lics-out.txt", "0 0 0 1 100.0 0\n");
+  work.write("out.txt", "0 1 0 0 9.5 1\n");
+  work.write("metrics.csv", "world,m1,m2,m3,m4,m5\n0,1,2,3,4,5\n");
+  const std::string header = "planner,world,success,collided,timeout,time_s,m1,m2,m3,m4,m5\n";
+  const std::string dwa = "dwa,0,1,0,0,22.2800,1,2,3,4,5\ndwa,0,0,1,0,5.5,1,2,3,4,5\n";
+  const std::string lics = "lics,0,0,0,1,100.0,1,2,3,4,5\n";
+  const std::vector<std::string> end{"--metrics", "metrics.csv", "--output", "a.csv"};
+  const auto import = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"import", "barn"});
+    arguments.insert(arguments.end(), end.begin(), end.end());
+    return work.run(arguments);
+  };
+  expect_done(import({"--trials", "dwa_out.txt", "res/lics-out.txt"}));
+  EXPECT_EQ(work.read("a.csv"), header + dwa + lics);
+  expect_done(work.run({"verify", "a.csv", "--inputs", "res"}));
+  expect_done(import({"--trials", "res/lics-out.txt", "--trials", "dwa_out.txt"}));
+  EXPECT_EQ(work.read("a.csv"), header + lics + dwa);
+  expect_done(import({"--trials", "out.txt", "--planner", "mine"}));
+  EXPECT_EQ(work.read("a.csv"), header + "mine,0,1,0,0,9.5,1,2,3,4,5\n");
+  expect_done(import({"--trials", "dwa_out.txt", "res/lics-out.txt", "--planners", "lics"}));
+  EXPECT_EQ(work.read("a.csv"), header + lics);
+  const ProcessResult nameless = import({"--trials", "out.txt"});
+  EXPECT_EQ(nameless.exit_code, 2);
+  EXPECT_NE(nameless.err.find("'out.txt' names no planner: --planner NAME"), std::string::npos)
+      << to_string(nameless);
+  work.write("table.csv", "planner,world,success,collided,timeout,time_s\ndwa,0,1,0,0,2\n");
+  EXPECT_EQ(import({"--trials", "table.csv", "--planner", "x"}).exit_code, 2);
+  expect_done(import({"--trials", "table.csv", "res/lics-out.txt"}));
+  EXPECT_EQ(work.read("a.csv"), header + "dwa,0,1,0,0,2,1,2,3,4,5\n" + lics);
+  // Numbers that are no result text: the advice is to name the columns.
+  work.write("numbers.txt", "1 1 0 0\n2 1 0 0\n");
+  const ProcessResult headless = import({"--trials", "numbers.txt"});
+  EXPECT_EQ(headless.exit_code, 65);
+  EXPECT_NE(headless.err.find("found 'numbers where the names of columns should be', expected a "
+                              "header line before the rows, which names world"),
+            std::string::npos)
+      << to_string(headless);
+  EXPECT_EQ(headless.err.find("case is folded"), std::string::npos);
 }
 
 TEST(Pipeline, BarnOutcomesBecomeOneTable) {

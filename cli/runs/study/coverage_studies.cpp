@@ -1,6 +1,7 @@
 #include "analysis/study/coverage/coverage_study.hpp"
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
+#include "analysis/study/coverage/ray_study.hpp"
 #include "cli/runs/study/studies.hpp"
 #include "cli/runs/watched_stages.hpp"
 #include "reports/study/coverage_report.hpp"
@@ -11,6 +12,7 @@ namespace {
 /// Of each scenario its own stream of random numbers.
 constexpr std::uint32_t kCoverageStream = 10;
 constexpr std::uint32_t kEquivalenceStream = 200;
+constexpr std::uint32_t kRayStream = 400;
 
 std::size_t number(const std::optional<std::int64_t>& told, std::size_t usual) {
   return told ? static_cast<std::size_t>(*told) : usual;
@@ -57,6 +59,21 @@ FitReport gate_coverage_study(const StudyRequest& request, Progress& progress) {
   options.first_seed = static_cast<std::uint64_t>(request.seed);
   WatchedStages stages(progress);
   return gate_coverage_report(study::coverage::run_gates(options, stages.watch()), options);
+}
+
+FitReport ray_study(const StudyRequest& request, Progress& progress) {
+  constexpr std::size_t kNewDays = 100;
+  const std::size_t calibrations = number(request.data_sets, 10000);
+  const auto seed = static_cast<std::uint64_t>(request.seed);
+  const auto scenarios = study::coverage::ray_scenarios();
+  std::vector<study::coverage::RayCoverage> rows;
+  Stage stage(progress, "scenarios", scenarios.size());
+  std::uint32_t stream = kRayStream;
+  for (const study::coverage::RayScenario& scenario : scenarios) {
+    rows.push_back(study::coverage::run_rays(scenario, stream++, calibrations, kNewDays, seed));
+    stage.advance();
+  }
+  return ray_coverage_report(rows, seed);
 }
 
 }  // namespace tcert::cli

@@ -11,6 +11,7 @@ namespace tcert::cli {
 [[nodiscard]] FitReport coverage_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] FitReport equivalence_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] FitReport gate_coverage_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] FitReport ray_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] FitReport null_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] FitReport terrain_study(const StudyRequest& request, Progress& progress);
 

@@ -26,6 +26,7 @@ constexpr std::array kStudies{
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
+    Study{"rays", "ray_coverage", "data-sets", ray_study},
     Study{"null", "null null_corpora", "data-sets", null_study},
     Study{"terrain", "terrain_soundness terrain_trust", "terrains", terrain_study}};
 
@@ -54,7 +55,7 @@ const Study& study_of(const StudyRequest& request) {
   const auto* const found = std::ranges::find(kStudies, request.study, &Study::name);
   if (found == kStudies.end()) {
     throw UsageError("unknown study '" + request.study +
-                     "', expected soundness, coverage, equivalence, gate, null or terrain" +
+                     "', expected soundness, coverage, equivalence, gate, rays, null or terrain" +
                      did_you_mean(request.study, names()));
   }
   const Study& one = request.study == "terrain" && !request.terrain.empty() ? kScenarios : *found;
@@ -95,7 +96,8 @@ OptionTable options_of(StudyRequest& request) {
       .add("data-sets",
            request.data_sets,
            "N",
-           "coverage, equivalence: 2000; gate: 1000 micro-studies; null: 40 corpora")
+           "coverage, equivalence: 2000; gate: 1000 micro-studies; rays: 10000 calibrations; null: "
+           "40 corpora")
       .within(1, 1e6);
   table.add("replicates", request.replicates, "R", "of the bootstrap; coverage: 1999; gate: 999")
       .within(1, 1e6);

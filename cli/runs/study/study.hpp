@@ -9,7 +9,7 @@
 namespace tcert::cli {
 
 struct StudyRequest {
-  std::string study;    ///< "soundness", "coverage", "equivalence", "gate", "null", "terrain".
+  std::string study;    ///< "soundness" or another of those that options_of() has.
   std::string terrain;  ///< A file, for the scenarios of `terrain`; without it random terrains.
   std::int64_t worlds = 100000;
   std::int64_t u_turns = 10000;

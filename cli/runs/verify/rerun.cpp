@@ -8,6 +8,7 @@
 #include <table/temporary_name.hpp>
 #include <utility>
 
+#include "cli/runs/calibrate_rays.hpp"
 #include "cli/runs/certify.hpp"
 #include "cli/runs/experiment/batch.hpp"
 #include "cli/runs/explore.hpp"
@@ -202,25 +203,27 @@ Rerun again(const std::string& command, Words words, const FindInput& find) {
 struct Entry {
   std::string_view command;
   std::string_view first_word;  ///< Of what belongs to the command: "terrain"; or empty.
+  bool is_argument;             ///< The first word is one of its request's arguments too.
   Rerun (*again)(const std::string& command, Words words, const FindInput& find);
 };
 
 constexpr std::array kEntries{
-    Entry{"simulate", "terrain", again<SimulateTerrainRequest, simulate_terrain>},
-    Entry{"simulate", "", again<SimulateRequest, simulate>},
-    Entry{"import", "barn", again<ImportBarnRequest, import_barn>},
-    Entry{"certify", "", again<CertifyRequest, certify>},
-    Entry{"replay", "", again<ReplayRequest, replay>},
-    Entry{"ablate", "", again<AblateRequest, ablate>},
-    Entry{"sweep", "", again<SweepRequest, sweep>},
-    Entry{"gate", "", again<GateRequest, gate>},
-    Entry{"study", "", again<StudyRequest, study>},
-    Entry{"hypotheses", "", again<HypothesesRequest, hypotheses>},
-    Entry{"fit", "", again<FitRequest, fit>},
-    Entry{"world", "", again<WorldRequest, world>},
-    Entry{"explore", "", again<ExploreRequest, explore>},
-    Entry{"figures", "", again<FiguresRequest, figures>},
-    Entry{"report", "", again<ReportRequest, report>}};
+    Entry{"simulate", "terrain", false, again<SimulateTerrainRequest, simulate_terrain>},
+    Entry{"simulate", "", false, again<SimulateRequest, simulate>},
+    Entry{"import", "barn", true, again<ImportBarnRequest, import_barn>},
+    Entry{"calibrate", "rays", true, again<CalibrateRaysRequest, calibrate_rays>},
+    Entry{"certify", "", false, again<CertifyRequest, certify>},
+    Entry{"replay", "", false, again<ReplayRequest, replay>},
+    Entry{"ablate", "", false, again<AblateRequest, ablate>},
+    Entry{"sweep", "", false, again<SweepRequest, sweep>},
+    Entry{"gate", "", false, again<GateRequest, gate>},
+    Entry{"study", "", false, again<StudyRequest, study>},
+    Entry{"hypotheses", "", false, again<HypothesesRequest, hypotheses>},
+    Entry{"fit", "", false, again<FitRequest, fit>},
+    Entry{"world", "", false, again<WorldRequest, world>},
+    Entry{"explore", "", false, again<ExploreRequest, explore>},
+    Entry{"figures", "", false, again<FiguresRequest, figures>},
+    Entry{"report", "", false, again<ReportRequest, report>}};
 
 }  // namespace
 
@@ -241,8 +244,8 @@ Rerun rerun_of(const WrittenResult& manifest, const FindInput& find) {
     throw NotReproducible("its manifest names the command '" + name +
                           "', which makes no result that can be made again");
   }
-  if (!entry->first_word.empty() && !words.empty() && !words.front().is_input &&
-      words.front().text == entry->first_word) {
+  if (!entry->first_word.empty() && !entry->is_argument && !words.empty() &&
+      !words.front().is_input && words.front().text == entry->first_word) {
     words = words.subspan(1);
   }
   return entry->again(name, words, find);

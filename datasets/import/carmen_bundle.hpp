@@ -1,18 +1,13 @@
 #pragma once
 /// \file
-/// A CARMEN log made into a bundle of one trial.
+/// The bundle.json of a CARMEN log.
 
-#include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <table/atomic_file.hpp>
-#include <table/diagnostic.hpp>
 #include <tcert/region.hpp>
-#include <vector>
 
 #include "datasets/bundle.hpp"
-#include "datasets/carmen_log.hpp"
+#include "datasets/import/carmen_log.hpp"
 
 namespace tcert {
 
@@ -22,6 +17,7 @@ struct CarmenImportOptions {
   double start_radius_m = 0.5;  ///< S is the disc of this radius at the first pose.
   std::optional<Disc> goal;     ///< G; without one there is only the on-policy corridor value.
   double reach_m = 8.0;         ///< Readings of this and more are clamped to it.
+  CarmenReading reading;
 };
 
 /// What was imported.
@@ -30,20 +26,20 @@ struct CarmenSummary {
   std::size_t beams = 0;
   std::size_t odometry_records = 0;  ///< Not used.
   std::size_t clamped_readings = 0;
+  std::size_t missing_readings = 0;
+  double reach_m = 0.0;  ///< That readings were clamped to: the option, or what the laser measures.
   double duration_s = 0.0;
-  double distance_m = 0.0;     ///< Length of the polyline through the corrected poses.
+  double distance_m = 0.0;     ///< Length of the polyline through the poses.
   double median_step_m = 0.0;  ///< Of all steps between consecutive scans, standing ones included.
   double longest_step_m = 0.0;
   double longest_silence_s = 0.0;
 };
 
-struct CarmenImportResult {
-  std::optional<CarmenSummary> summary;  ///< Empty iff nothing was written.
-  std::vector<table::Diagnostic> diagnostics;
-};
+/// Everything but the counts of readings. \pre the log has a scan.
+[[nodiscard]] CarmenSummary summarise(const CarmenLog& log, const CarmenImportOptions& options);
 
-/// The bundle.json of an imported log: a range ray b000, b001, ... per beam, no limit on the turn
-/// radius, and parameters for scans that were kept only every half metre or so:
+/// The bundle.json of an imported log: a range ray b000, b001, ... per beam, where the laser is, no
+/// limit on the turn radius, and parameters for scans that were kept only every half metre or so:
 ///
 /// - `edge_length_m` 1.0, `max_step_m` 1.5: with 0.67 m between scans (median of all steps of the
 ///   Intel Research Lab log; 90 % below 1.02, all below 1.16) an edge holds two or three scans, and
@@ -60,17 +56,11 @@ struct CarmenImportResult {
 /// - `memory_weight_m` 0: a beam's return is not a contact, so there is no contact memory.
 ///
 /// `max_gap_s` is 60: the logger kept a scan only once the robot had moved, so a silence is a stop,
-/// and a break of the path shows as a step in space instead.
+/// and a break of the path shows as a step in space instead. The provenance says what the poses
+/// are, where the beams point if the log did not say it, and what the times are made from.
+/// \pre the log has a scan.
 [[nodiscard]] BundleInfo carmen_bundle_info(const CarmenLog& log,
                                             const std::string& source,
                                             const CarmenImportOptions& options);
-
-/// Reads `log` (plain, .gz or .zst) and writes the bundle folder `output`: bundle.json, trials.csv
-/// with one row whose success is missing, and logs/<trial_id>/ticks.csv with one tick per scan.
-/// \throws WriteError if the folder cannot be written; std::invalid_argument on options out of
-/// range.
-[[nodiscard]] CarmenImportResult import_carmen(const std::filesystem::path& log,
-                                               const std::filesystem::path& output,
-                                               const CarmenImportOptions& options = {});
 
 }  // namespace tcert

@@ -1,4 +1,4 @@
-#include "datasets/import_barn.hpp"
+#include "datasets/import/import_barn.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,8 @@ table::TextTable table(std::string_view text) {
 }
 
 BarnImportResult import_of(std::string_view trials, const BarnImportOptions& options = {}) {
-  return import_barn(table(trials), "trials.csv", table(kMetrics), "metrics.csv", options);
+  const BarnTable some[] = {{table(trials), "trials.csv"}};
+  return import_barn(some, {table(kMetrics), "metrics.csv"}, options);
 }
 
 bool says(const BarnImportResult& result, const std::string& line) {
@@ -136,6 +137,32 @@ TEST(ImportBarn, NamesMissingColumns) {
   EXPECT_TRUE(says(result, "trials.csv: error: column 'time_s': expected a column of this name"));
 }
 
+TEST(ImportBarn, WritesOneTableAfterAnother) {
+  constexpr const char* kHeader = "planner,world,success,collided,timeout,time_s\n";
+  const BarnTable some[] = {
+      {table(std::string(kHeader) + "dwa,1,1,0,0,5\ndwa,0,x,0,0,5\n"), "a.csv"},
+      {table(std::string(kHeader) + "lics,0,0,1,0,6\n"), "b.csv"}};
+  const BarnImportResult result = import_barn(some, {table(kMetrics), "metrics.csv"});
+  EXPECT_EQ(result.csv,
+            "planner,world,success,collided,timeout,time_s,m1,m2,m3,m4,m5\n"
+            "dwa,1,1,0,0,5,2.25,5,4,3,1.5\n"
+            "lics,0,0,1,0,6,3.5,6,3,5,1\n");
+  EXPECT_EQ(result.summary.read, 3U);
+  EXPECT_EQ(planners_of(some), (std::vector<std::string>{"dwa", "lics"}));
+  EXPECT_TRUE(says(result,
+                   "a.csv:3: error: column 'success': found 'x', expected 0 or 1, true or false; "
+                   "the row is left out"));
+}
+
+TEST(ImportBarn, MixesNoTablesByPlannerAndByDate) {
+  const BarnTable some[] = {
+      {table("planner,world,success,collided,timeout,time_s\ndwa,1,1,0,0,5\n"), "a.csv"},
+      {table("first_commit_date,world,success,collided,timeout,time_s\nx,1,1,0,0,5\n"), "b.csv"}};
+  const BarnImportResult result = import_barn(some, {table(kMetrics), "metrics.csv"});
+  EXPECT_FALSE(result.csv);
+  EXPECT_TRUE(says(result, "b.csv: error: column 'planner': expected a column of this name"));
+}
+
 TEST(ImportBarn, ReadsThePublicOutcomes) {
   const auto folder = test_support::shared_data();
   const auto read = [&](const char* name) { return table::read_text_table(folder / name); };
@@ -145,13 +172,15 @@ TEST(ImportBarn, ReadsThePublicOutcomes) {
   if (!metrics.table || !planners.table || !dated.table) {
     GTEST_SKIP() << "no real data: the CSV files of " << folder << " are missing";
   }
-  const BarnImportResult a = import_barn(*planners.table, "t", *metrics.table, "m");
+  const BarnTable by_planner[] = {{*planners.table, "t"}};
+  const BarnTable by_date[] = {{*dated.table, "d"}};
+  const BarnImportResult a = import_barn(by_planner, {*metrics.table, "m"});
   EXPECT_EQ(a.summary.read, 7476U);
   EXPECT_EQ(a.summary.moving, 604U);
   EXPECT_EQ(a.summary.written, 6872U);
   EXPECT_EQ(a.summary.bad, 0U);
   EXPECT_EQ(a.summary.unmeasured, 0U);
-  const BarnImportResult b = import_barn(*dated.table, "t", *metrics.table, "m");
+  const BarnImportResult b = import_barn(by_date, {*metrics.table, "m"});
   EXPECT_EQ(b.summary.written, 6917U);
   EXPECT_EQ(b.summary.successes, 4864U);
   EXPECT_EQ(b.summary.groups.size(), 17U);

@@ -5,11 +5,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
-#include <table/csv.hpp>
 #include <table/diagnostic.hpp>
 #include <utility>
 #include <vector>
+
+#include "datasets/import/barn_table.hpp"
 
 namespace tcert {
 
@@ -47,19 +49,18 @@ struct BarnImportResult {
   std::vector<table::Diagnostic> diagnostics;
 };
 
-/// `trials` has world, success, collided, timeout, time_s and either planner or first_commit_date
-/// (written as `date`); `metrics` has world and m1 to m5, and norm1 to norm5 or not. Exactly one of
-/// success, collided and timeout is true (1, True, ...: outcome_of_cell()); time_s is above 0. A
-/// row that breaks this is left out with an error that names its line; rows are left out in the
-/// order of the counts in `BarnSummary`. Written: planner or date, world, success, collided,
-/// timeout, time_s, the metrics; the three as 0 and 1, the other cells as they stand. O(size).
-[[nodiscard]] BarnImportResult import_barn(const table::TextTable& trials,
-                                           const std::string& trials_file,
-                                           const table::TextTable& metrics,
-                                           const std::string& metrics_file,
+/// Each of `trials` has world, success, collided, timeout, time_s and either planner or
+/// first_commit_date (written as `date`), all the same of the two; `metrics` has world and m1 to
+/// m5, and norm1 to norm5 or not. Exactly one of success, collided and timeout is true (1, True,
+/// ...: outcome_of_cell()); time_s is above 0. A row that breaks this is left out with an error
+/// that names its line; rows are left out in the order of the counts in `BarnSummary`. Written:
+/// planner or date, world, success, collided, timeout, time_s, the metrics; the three as 0 and 1,
+/// the other cells as they stand, one table after another. O(size).
+[[nodiscard]] BarnImportResult import_barn(std::span<const BarnTable> trials,
+                                           const BarnTable& metrics,
                                            const BarnImportOptions& options = {});
 
-/// Names in the column `planner`, sorted; empty if there is none.
-[[nodiscard]] std::vector<std::string> planners_of(const table::TextTable& trials);
+/// Names in the columns `planner`, sorted; empty if there is none.
+[[nodiscard]] std::vector<std::string> planners_of(std::span<const BarnTable> trials);
 
 }  // namespace tcert
