@@ -7,7 +7,7 @@
 namespace tcert {
 namespace {
 
-constexpr double kOneTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 void read_stamps(CarmenWords& words, CarmenScan& scan) {
   scan.ipc_timestamp = words.text();
@@ -47,20 +47,20 @@ std::optional<CarmenFault> read_robot_laser(std::string_view rest, CarmenScan& s
   words.number(
       "start_angle",
       first_rad,
-      [](double v) { return std::abs(v) <= kOneTurn; },
+      [](double v) { return std::abs(v) <= kFullTurn; },
       "an angle in radians, -6.28 to 6.28");
   words.number("field_of_view", ignored);
   words.number(
       "angular_resolution",
       step_rad,
-      [](double v) { return v > 0.0 && v <= kOneTurn; },
+      [](double v) { return v > 0.0 && v <= kFullTurn; },
       "an angle in radians between two beams, above 0");
   words.number(
       "maximum_range", furthest_m, [](double v) { return v > 0.0; }, "metres, above 0");
   words.number("accuracy", ignored);
   words.number("remission_mode", ignored);
   read_ranges(words, scan);
-  words.require(step_rad * (static_cast<double>(scan.beams.count) - 1.0) <= 1.001 * kOneTurn,
+  words.require(step_rad * (static_cast<double>(scan.beams.count) - 1.0) <= 1.001 * kFullTurn,
                 "angular_resolution",
                 "an angle in radians with which all beams lie within one turn",
                 table::number_text(step_rad));
