@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kLeastWords = 5;
 constexpr std::size_t kMostWords = 6;
 
-bool is_value(std::string_view word) {
+bool is_result_word(std::string_view word) {
   const table::CellMeaning meaning = table::read_cell(word).meaning;
   return meaning == table::CellMeaning::number || meaning == table::CellMeaning::truth;
 }
@@ -25,7 +25,7 @@ bool is_barn_results(std::string_view text) {
   table::CsvCursor cursor = table::csv_begin(text);
   std::vector<std::string> words;
   return table::skip_to_record(cursor) && table::scan_record(cursor, ' ', words) &&
-         has_result_words(words) && std::ranges::all_of(words, is_value);
+         has_result_words(words) && std::ranges::all_of(words, is_result_word);
 }
 
 std::string planner_of_file(std::string_view path) {
