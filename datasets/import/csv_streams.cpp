@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <table/cell_reading.hpp>
 #include <table/csv_header.hpp>
 #include <table/file_kind.hpp>
@@ -21,8 +22,36 @@ struct OpenedCsv {
   table::CsvHeader header;
 };
 
+/// True if all columns of the stream are named by their position: then the header does not matter.
+bool is_by_position(const StreamSource& stream, const std::string& trial_column) {
+  const auto is_position = [](const std::string& column) { return column.starts_with('#'); };
+  std::vector<ValueSource> sources = stream.values;
+  for (const MappedRay& ray : stream.rays) {
+    sources.push_back(ray.value);
+    sources.push_back(ray.force);
+  }
+  return !stream.scan && trial_column.empty() && !stream.time.columns.empty() &&
+         std::ranges::all_of(stream.time.columns, is_position) &&
+         std::ranges::all_of(sources, [&](const ValueSource& source) {
+           return std::ranges::all_of(source.columns, is_position);
+         });
+}
+
+/// Of a file whose first line names another number of columns than its rows have.
+std::optional<table::CsvHeader> header_below_first_line(std::string_view text,
+                                                        const table::CsvOptions& csv,
+                                                        table::DiagnosticGroups& problems) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  auto header = table::guess_header(text.substr(std::min(end + 1, text.size())), csv, problems);
+  if (header) {
+    ++header->data.line;
+  }
+  return header;
+}
+
 std::optional<OpenedCsv> open_csv(const std::filesystem::path& path,
                                   const CsvReadOptions& options,
+                                  bool by_position,
                                   table::DiagnosticGroups& problems) {
   const auto fail = [&](std::string found, std::string expectation) {
     problems.add(
@@ -42,7 +71,12 @@ std::optional<OpenedCsv> open_csv(const std::filesystem::path& path,
   csv.decimal_comma = options.decimal_comma;
   table::DiagnosticGroups of_header;
   auto header = table::guess_header(file.bytes->view(), csv, of_header);
-  const bool good = header && !of_header.has_error();
+  bool good = header && !of_header.has_error();
+  if (!good && by_position) {
+    of_header = table::DiagnosticGroups();
+    header = header_below_first_line(file.bytes->view(), csv, of_header);
+    good = header && !of_header.has_error();
+  }
   for (table::Diagnostic& problem : of_header.take()) {
     problems.add(std::move(problem));
   }
@@ -130,7 +164,7 @@ std::optional<std::vector<RayLayout>> find_layouts(const StreamFiles& files,
       continue;
     }
     const std::filesystem::path& path = files[k + 1];
-    const auto csv = open_csv(path, options, problems);
+    const auto csv = open_csv(path, options, false, problems);
     const std::string prefix = map.rays.size() > 1 ? "s" + std::to_string(k) + "_b" : "b";
     auto layout =
         csv ? scan_layout(*csv, path.string(), stream, key_of(map, k + 1), prefix, problems)
@@ -154,7 +188,8 @@ bool read_csv_streams(const StreamFiles& files,
       continue;
     }
     table::DiagnosticGroups of_file;
-    const auto csv = open_csv(files[i], options, of_file);
+    const bool by_position = is_by_position(stream_at(map, i), map.trials.column);
+    const auto csv = open_csv(files[i], options, by_position, of_file);
     bool read = false;
     if (csv) {
       const StreamSource& stream = stream_at(map, i);
