@@ -169,7 +169,7 @@ Table findings_of_rays(const study::RayCalibration& made) {
 std::string rays_json(const CalibratedRays& rays) {
   std::string text = "[";
   for (std::size_t i = 0; i < rays.rays.size(); ++i) {
-    OrderedJson one = ray_json(rays.rays[i]);
+    OrderedJson one = ray_json(rays.rays[i], {});  // rays that bend have no keys of ranges
     if (!rays.of_a_bundle) {
       for (const char* const key : {"mount_x_m", "mount_y_m", "bearing_rad", "reach_m"}) {
         one.erase(key);
