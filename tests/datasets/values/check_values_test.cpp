@@ -19,7 +19,7 @@
 #include "datasets/corpus/simulated_trial.hpp"
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/corpus/trial_course.hpp"
-#include "datasets/import_carmen.hpp"
+#include "datasets/import/import_carmen.hpp"
 #include "datasets/values/check_sides.hpp"
 #include "support/temporary_folder.hpp"
 
