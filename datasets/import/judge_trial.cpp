@@ -27,11 +27,13 @@ std::string seconds_in_words(std::int64_t time_ns) {
 std::string reason_against(const StreamResult& stream, const std::string& key) {
   const StreamUse& use = stream.use;
   if (use.used == 0) {
-    return fmt::format("no sample of {}: {} rows, {} of them empty, {} not readable",
-                       key,
-                       use.rows + use.empty,
-                       use.empty,
-                       use.unreadable);
+    return fmt::format(
+        "no sample of {}: {} rows, {} of them empty, {} without a time or a whole "
+        "pose (a quaternion has the length 1)",
+        key,
+        use.rows + use.empty,
+        use.empty,
+        use.unreadable);
   }
   if (static_cast<double>(use.used) >= kLeastUsed * static_cast<double>(use.rows)) {
     return "";
@@ -49,7 +51,8 @@ std::string reason_against(const StreamResult& stream, const std::string& key) {
         use.same_time);
   }
   if (use.unreadable > 0) {
-    why += fmt::format("; {} have no time or only a part of their values", use.unreadable);
+    why += fmt::format("; {} have no time or no whole pose (a quaternion has the length 1)",
+                       use.unreadable);
   }
   return why;
 }

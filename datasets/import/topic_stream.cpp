@@ -87,8 +87,8 @@ bool TopicStream::values(const Value& message,
                          std::vector<double>& out,
                          std::string& prefix) {
   out.clear();
-  prefix.clear();
-  if (role_ == StreamRole::transforms) {
+  prefix = role_ == StreamRole::transforms ? "transforms[0]." : "";
+  if (is_frame_) {
     const auto index = index_of_transform(message, source_->parent_frame, source_->child_frame);
     if (!index) {
       return false;
@@ -100,7 +100,7 @@ bool TopicStream::values(const Value& message,
     return true;
   }
   for (std::size_t i = 0; i < sources_.size(); ++i) {
-    out.push_back(value_at(message, prefix, i));
+    out.push_back(value_at(message, is_frame_ ? prefix : std::string(), i));
   }
   return true;
 }
@@ -129,9 +129,11 @@ bool TopicStream::find_fields(const Topic& topic) {
     return role_ == StreamRole::scan || !source_->scan->ranges.empty();
   }
   sources_ = source_->values;
-  if (role_ == StreamRole::transforms) {
-    const std::vector<ValueSource> plain = fields_of("geometry_msgs/msg/TransformStamped");
-    std::ranges::copy(plain, sources_.begin());
+  // A pose that is the place of a frame, wherever in a message it stands.
+  is_frame_ = role_ == StreamRole::transforms && sources_.size() == pose_columns().size() &&
+              std::ranges::none_of(sources_, &ValueSource::is_given);
+  if (is_frame_) {
+    sources_ = fields_of("geometry_msgs/msg/TransformStamped");
     return true;
   }
   const std::vector<ValueSource> plain = fields_of(topic.type);

@@ -59,6 +59,7 @@ class TopicStream {
   const StreamSource* source_ = nullptr;
   std::size_t topic_ = 0;
   StreamRole role_ = StreamRole::none;
+  bool is_frame_ = false;  // one transform of many is the pose
   std::optional<Decoder> decoder_;
   std::vector<ValueSource> sources_;
   std::vector<std::vector<FieldPath>> paths_;  // of the columns of each source

@@ -67,7 +67,8 @@ TEST_F(RealLogs, TumTrajectory) {
   SKIP_WITHOUT("evo/V102.txt");
   const Imported imported = import("evo/V102.txt", kTumMap);
   ASSERT_TRUE(imported.result.is_written);
-  EXPECT_EQ(use(imported, 0).used, 807U);
+  EXPECT_EQ(use(imported, 0).rows, 807U);
+  EXPECT_EQ(use(imported, 0).same_time, 4U);  // the file has four times twice
   EXPECT_EQ(imported.ticks.time_ns.front(), 1403715529112143517);
   EXPECT_NEAR(imported.ticks.poses.front().position.x_m, -0.06151, 1e-9);
   EXPECT_NEAR(imported.ticks.readings.front().value, 3.17712, 1e-9);
@@ -126,10 +127,11 @@ TEST_F(RealLogs, DatabaseOfTransforms) {
   EXPECT_GT(imported.ticks.size(), 100U);
 }
 
+// Its quaternions are (5, 6, 7, 8), no heading: the map names another field.
 TEST_F(RealLogs, DatabaseWithoutDefinitions) {
   SKIP_WITHOUT("plotjuggler/rosbag2_test_0.db3");
   const Imported imported = import("plotjuggler/rosbag2_test_0.db3",
-                                   R"({"pose": {"from": "/pose"},
+                                   R"({"pose": {"from": "/pose", "yaw_rad": "pose.position.z"},
     "rays": {"from": "/pose", "rays": [{"name": "z", "kind": "range", "bearing_rad": 0,
       "reach_m": 99, "range_m": {"column": "pose.position.z", "add": 50}}]}})");
   ASSERT_TRUE(imported.result.is_written);
