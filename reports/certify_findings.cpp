@@ -35,8 +35,9 @@ struct OutcomeGroup {
 
   void add(const FeatureRow& row) {
     ++trials;
-    issued += row.features.issued.value_or(false) ? 1 : 0;
-    unconnected += row.features.certificate_m ? 0 : 1;
+    const bool is_issued = row.features.issued.value_or(false);
+    issued += is_issued ? 1 : 0;
+    unconnected += is_issued || row.features.certificate_m ? 0 : 1;
     if (row.features.tc_early) {
       tc_early.push_back(*row.features.tc_early);
     }

@@ -258,6 +258,10 @@ ExitCode check(const CheckRequest& request, Progress& progress) {
                       "--trials " +
                       request.path + " --metrics FILE --output FILE' reads it.");
       return exit_done;
+    case SourceKind::json:
+      throw BadData(request.path +
+                    " is JSON, not a log: of a bundle name its folder; a map is checked by 'tcert "
+                    "import log', a world by 'tcert world'");
     case SourceKind::csv:
     case SourceKind::binary:
     case SourceKind::unreadable:

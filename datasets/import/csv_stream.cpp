@@ -194,7 +194,9 @@ class CsvStreamReader {
           line,
           header_.names[position],
           table::shortened(row[position]),
-          "a number; the cell is taken as empty");
+          table::read_cell(row[position], ',').meaning == table::CellMeaning::number
+              ? "a number: --decimal-comma takes it for one; the cell is taken as empty"
+              : "a number; the cell is taken as empty");
     }
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -94,7 +94,11 @@ std::string pattern_of(const std::vector<std::string>& names) {
   while (!end.empty() && is_word_byte(end.front())) {
     end.erase(0, 1);
   }
-  // Folders of trials: the trial is the whole name of one folder or file.
+  // Where folders differ, the trial is the whole name of one.
+  if (const std::size_t slash = end.find('/'); slash != std::string::npos) {
+    begin.resize(begin.rfind('/') == std::string::npos ? 0 : begin.rfind('/') + 1);
+    end.erase(0, slash);
+  }
   return begin + "{trial}" + end;
 }
 

@@ -114,8 +114,20 @@ class Importer {
     table::DiagnosticGroups problems;
     const std::vector<TrialSource> found = find_trials(sources_, map_, problems);
     const bool usable = !found.empty() && !problems.has_error();
-    layouts_ = usable ? layouts_of(found.front(), problems) : std::nullopt;
+    const auto whole = std::ranges::find(found, std::string(), &TrialSource::problem);
+    layouts_ = usable && whole != found.end() ? layouts_of(*whole, problems) : std::nullopt;
     info_ = layouts_ ? bundle_info(map_, *layouts_, map_file_.string(), problems) : std::nullopt;
+    if (info_ &&
+        !(map_.bundle.contains("robot") && map_.bundle["robot"].contains("body_width_m"))) {
+      problems.add({Severity::warning,
+                    map_file_.string(),
+                    0,
+                    "robot.body_width_m",
+                    "",
+                    fmt::format("the width of the body; without it {} m is taken",
+                                info_->robot.body_width_m),
+                    1});
+    }
     take(problems);
     for (std::size_t i = 0; i < number_of_streams(map_); ++i) {
       result_.streams.push_back(key_of(map_, i));
@@ -166,13 +178,22 @@ class Importer {
       return set.get();
     };
     bool read_all = false;
-    std::string file = source.bag.string();
-    if (source.bag.empty()) {
-      file = source.files.front().string();
+    std::vector<fs::path> files = source.files;
+    if (!source.problem.empty()) {
+      problems.add({Severity::error,
+                    source.place.string(),
+                    0,
+                    "",
+                    "no file",
+                    source.problem + "; the trial is rejected",
+                    1});
+    } else if (source.bag.empty()) {
       read_all = read_csv_streams(
           source.files, map_, *layouts_, {options_.decimal_comma}, set_of, problems);
     } else if (const auto bag = open_bag(source.bag, problems)) {
-      read_all = read_bag_streams(*bag, file, map_, *layouts_, *set_of(""), problems);
+      files = {source.bag};
+      read_all =
+          read_bag_streams(*bag, source.bag.string(), map_, *layouts_, *set_of(""), problems);
     }
     if (order.empty()) {
       result_.trials.push_back({source.trial_id, true, {}, {}});
@@ -180,8 +201,7 @@ class Importer {
     for (const std::string& trial : order) {
       ImportedTrial imported{trial, !read_all, {}, sets[trial]->finish()};
       if (read_all) {
-        const std::string place = order.size() == 1 ? file : file + " (trial " + trial + ")";
-        judge_trial(map_, imported, logs / trial, place, problems);
+        judge_trial(map_, imported, logs / trial, files, problems);
       }
       std::error_code ignored;
       if (imported.rejected) {

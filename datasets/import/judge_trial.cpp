@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 using table::Severity;
 
 constexpr double kLeastUsed = 0.9;
+constexpr double kMostNoRanges = 0.05;
 constexpr std::int64_t kTickNs = 100'000'000;
 constexpr std::int64_t kLeastTicks = 10;
 
@@ -71,16 +72,36 @@ StreamUse use_of_rays(const LogMap& map, const ImportedTrial& trial) {
 void judge_trial(const LogMap& map,
                  ImportedTrial& trial,
                  const fs::path& folder,
-                 const std::string& file,
+                 const std::vector<fs::path>& files,
                  table::DiagnosticGroups& problems) {
+  const auto add_of =
+      [&](std::size_t stream, Severity severity, std::string found, std::string expectation) {
+        const std::string file = files[std::min(stream, files.size() - 1)].string();
+        const std::string place =
+            map.trials.column.empty() ? file : file + " (" + trial.trial_id + ")";
+        problems.add({severity, place, 0, "", std::move(found), std::move(expectation), 1});
+      };
   const auto add = [&](Severity severity, std::string found, std::string expectation) {
-    problems.add({severity, file, 0, "", std::move(found), std::move(expectation), 1});
+    add_of(0, severity, std::move(found), std::move(expectation));
   };
   for (std::size_t i = 0; i <= map.rays.size(); ++i) {
     const std::string reason = reason_against(trial.streams[i], key_of(map, i));
     if (!reason.empty()) {
-      add(Severity::error, reason, "at least 90 % of its rows; the trial is rejected");
+      add_of(i, Severity::error, reason, "at least 90 % of its rows; the trial is rejected");
       trial.rejected = true;
+    }
+    const RangeUse& ranges = trial.streams[i].ranges;
+    if (static_cast<double>(ranges.not_ranges) >
+        kMostNoRanges * static_cast<double>(ranges.readings)) {
+      add_of(i,
+             Severity::warning,
+             fmt::format("{:.0f} % of the readings of {} that are no range: 0, negative, or beyond "
+                         "the limits",
+                         100.0 * static_cast<double>(ranges.not_ranges) /
+                             static_cast<double>(ranges.readings),
+                         key_of(map, i)),
+             "ranges; these are missing. If they mean that nothing was within reach, list them as "
+             "'no_return' in the map, as the file has them");
     }
   }
   if (trial.rejected) {

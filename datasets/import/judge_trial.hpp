@@ -23,13 +23,15 @@ struct ImportedTrial {
 /// Of all streams of rays, which are one file: when the first begins and the last ends.
 [[nodiscard]] StreamUse use_of_rays(const LogMap& map, const ImportedTrial& trial);
 
-/// Rejects the trial, with an error, if a stream that is required uses less than 90 % of its rows,
-/// if pose and rays have no common time, or if fewer than 10 ticks would come of it. Commands that
-/// have no time in common with them are removed from `folder`, with a warning.
+/// `files` has the file of each stream, or one of all. Rejects the trial, with an error, if a
+/// stream that is required uses less than 90 % of its rows, if pose and rays have no common time,
+/// or if fewer than 10 ticks would come of it. Commands that have no time in common with them are
+/// removed from `folder`, with a warning. Readings of ranges of which more than 5 % are none, and
+/// not declared, are a warning.
 void judge_trial(const LogMap& map,
                  ImportedTrial& trial,
                  const std::filesystem::path& folder,
-                 const std::string& file,
+                 const std::vector<std::filesystem::path>& files,
                  table::DiagnosticGroups& problems);
 
 }  // namespace tcert::recording

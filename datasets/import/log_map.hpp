@@ -63,6 +63,7 @@ struct MappedRay {
   nlohmann::json ray;  ///< As bundle.json has it.
   ValueSource value;   ///< Its bend or its range.
   ValueSource force;
+  NoReturn no_return;  ///< Of the ray, beside those of its stream.
 };
 
 /// A topic, or a file of columns.

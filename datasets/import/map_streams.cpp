@@ -30,6 +30,29 @@ StreamSource read_stream(const JsonObject& from) {
   return stream;
 }
 
+void read_no_return(const JsonObject& from, NoReturn& rule) {
+  if (const PlainJson* list = from.find("no_return")) {
+    rule.infinite = false;
+    const bool is_list = list->is_array();
+    if (!is_list) {
+      from.reject("no_return", *list, R"(a list of numbers and "inf")");
+    }
+    for (const PlainJson& one : is_list ? *list : PlainJson::array()) {
+      if (one == "inf") {
+        rule.infinite = true;
+      } else if (one.is_number()) {
+        rule.values.push_back(one.get<double>());
+      } else {
+        from.reject("no_return", one, R"(a number or "inf")");
+      }
+    }
+  }
+  rule.range_min_m = from.number("range_min_m");
+  rule.range_max_m = from.number("range_max_m");
+}
+
+/// The keys of a range ray that say how to read it are used up here: the bundle gets what they
+/// make.
 MappedRay read_ray(const JsonObject& rays, const std::string& path, const PlainJson& value) {
   std::vector<std::string> keys = map_keys({"mapped ray"});
   const std::vector<std::string> ours = names_at("ray", bundle_fields());
@@ -41,6 +64,10 @@ MappedRay read_ray(const JsonObject& rays, const std::string& path, const PlainJ
   }
   ray.ray = value;
   for (const std::string& key : map_keys({"mapped ray"})) {
+    ray.ray.erase(key);
+  }
+  read_no_return(from, ray.no_return);
+  for (const char* const key : {"no_return", "range_min_m", "range_max_m"}) {
     ray.ray.erase(key);
   }
   if (const auto degrees = from.number("bearing_deg")) {
@@ -78,27 +105,6 @@ ScanOffset read_offset(const JsonObject& from) {
   offset.y_m = object.number("y_m").value_or(0.0);
   offset.yaw_rad = object.number("yaw_rad").value_or(0.0);
   return offset;
-}
-
-void read_no_return(const JsonObject& from, NoReturn& rule) {
-  if (const PlainJson* list = from.find("no_return")) {
-    rule.infinite = false;
-    const bool is_list = list->is_array();
-    if (!is_list) {
-      from.reject("no_return", *list, R"(a list of numbers and "inf")");
-    }
-    for (const PlainJson& one : is_list ? *list : PlainJson::array()) {
-      if (one == "inf") {
-        rule.infinite = true;
-      } else if (one.is_number()) {
-        rule.values.push_back(one.get<double>());
-      } else {
-        from.reject("no_return", one, R"(a number or "inf")");
-      }
-    }
-  }
-  rule.range_min_m = from.number("range_min_m");
-  rule.range_max_m = from.number("range_max_m");
 }
 
 StreamSource read_ray_stream(const JsonObject& map,

@@ -21,6 +21,16 @@ std::string text_of(const nlohmann::json& ray, const char* key) {
   return found != ray.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+/// What a ray says goes before what its stream says; their values that mean no return count both.
+NoReturn together(const NoReturn& of_ray, const NoReturn& of_stream) {
+  NoReturn rule = of_ray;
+  rule.infinite = of_ray.infinite && of_stream.infinite;
+  rule.values.insert(rule.values.end(), of_stream.values.begin(), of_stream.values.end());
+  rule.range_min_m = rule.range_min_m ? rule.range_min_m : of_stream.range_min_m;
+  rule.range_max_m = rule.range_max_m ? rule.range_max_m : of_stream.range_max_m;
+  return rule;
+}
+
 }  // namespace
 
 bool ScanGeometry::has_beams_of(const ScanGeometry& other) const noexcept {
@@ -41,13 +51,13 @@ std::vector<std::string> RayLayout::column_names() const {
 
 RayLayout layout_of(const StreamSource& stream) {
   RayLayout layout;
-  layout.no_return = stream.no_return;
   for (const MappedRay& mapped : stream.rays) {
     layout.columns.push_back({text_of(mapped.ray, "name"),
                               text_of(mapped.ray, "kind") == "bend",
                               number_of(mapped.ray, "reach_m"),
                               mapped.value,
-                              mapped.force});
+                              mapped.force,
+                              together(mapped.no_return, stream.no_return)});
     layout.rays.push_back(mapped.ray);
   }
   return layout;
@@ -58,20 +68,16 @@ RayLayout layout_of(const StreamSource& stream,
                     const std::string& prefix) {
   RayLayout layout;
   layout.geometry = geometry;
-  layout.no_return = stream.no_return;
-  if (!layout.no_return.range_min_m) {
-    layout.no_return.range_min_m = geometry.range_min_m;
-  }
-  if (!layout.no_return.range_max_m) {
-    layout.no_return.range_max_m = geometry.range_max_m;
-  }
+  NoReturn no_return = stream.no_return;
+  no_return.range_min_m = no_return.range_min_m ? no_return.range_min_m : geometry.range_min_m;
+  no_return.range_max_m = no_return.range_max_m ? no_return.range_max_m : geometry.range_max_m;
   const double reach_m = stream.scan->reach_m.value_or(geometry.range_max_m.value_or(0.0));
   const ScanOffset& offset = geometry.offset;
   for (std::size_t i = 0; i < geometry.beams; i += stream.scan->every) {
     const double turned = geometry.angle_min_rad +
                           static_cast<double>(i) * geometry.angle_increment_rad + offset.yaw_rad;
     const std::string name = fmt::format("{}{:03}", prefix, i);
-    layout.columns.push_back({name, false, reach_m, {{"#"}, 1.0, 0.0}, {}});
+    layout.columns.push_back({name, false, reach_m, {{"#"}, 1.0, 0.0}, {}, no_return});
     layout.rays.push_back({{"name", name},
                            {"kind", "range"},
                            {"mount_x_m", offset.x_m},

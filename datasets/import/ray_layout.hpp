@@ -29,15 +29,15 @@ struct RayColumns {
   std::string name;
   bool bends = false;
   double reach_m = 0.0;
-  ValueSource value;  ///< Of a scan: its beam, plain.
-  ValueSource force;  ///< Not given: the ray has no column of force.
+  ValueSource value;   ///< Of a scan: its beam, plain.
+  ValueSource force;   ///< Not given: the ray has no column of force.
+  NoReturn no_return;  ///< Of the ray and its stream together.
 };
 
 struct RayLayout {
   std::vector<RayColumns> columns;
   std::vector<nlohmann::json> rays;      ///< For bundle.json, one a column.
   std::optional<ScanGeometry> geometry;  ///< Of a scan.
-  NoReturn no_return;                    ///< Of the map, with the range limits of the scan.
 
   /// Of its columns: their names in tactile.csv, the value and, if it is given, the force of each.
   [[nodiscard]] std::vector<std::string> column_names() const;

@@ -116,6 +116,10 @@ SourceKind source_kind(const fs::path& path) {
   if (table::kind_of_binary(text, "")) {
     return SourceKind::binary;
   }
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos && (text[first] == '{' || text[first] == '[')) {
+    return SourceKind::json;
+  }
   const std::vector<std::string_view> lines = first_lines(text);
   if (is_carmen(lines)) {
     return SourceKind::carmen;

@@ -15,6 +15,7 @@ enum class SourceKind : std::uint8_t {
   bag,         ///< MCAP, rosbag2.
   carmen,      ///< FLASER, ROBOTLASER1 and ODOM records.
   barn,        ///< Result text of the BARN challenge.
+  json,        ///< A map, a bundle.json, a world, JSON Lines.
   csv,         ///< Any table in columns.
   csv_folder,  ///< A folder below which such files lie.
   binary,      ///< Named by table::kind_of_binary().

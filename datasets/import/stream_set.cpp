@@ -131,8 +131,7 @@ void StreamSet::take_rays(Stream& stream, std::span<const double> values) {
     const RayColumns& ray = layout.columns[i];
     const double value = values[2 * i];
     stream.row.push_back(
-        ray.bends ? value
-                  : range_of(value, ray.value, layout.no_return, ray.reach_m, stream.ranges));
+        ray.bends ? value : range_of(value, ray.value, ray.no_return, ray.reach_m, stream.ranges));
     if (ray.force.is_given()) {
       stream.row.push_back(values[2 * i + 1]);
     }

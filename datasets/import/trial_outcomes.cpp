@@ -236,6 +236,35 @@ std::vector<std::size_t> rows_of(const table::TextTable& table,
   return rows;
 }
 
+/// Words of the lists that no cell of the table has: misspelt, or of another column.
+void warn_of_unused_words(const LogMap& map,
+                          const table::TextTable& table,
+                          const std::string& file,
+                          table::DiagnosticGroups& problems) {
+  for (const OutcomeSource& source : map.trials.outcomes) {
+    std::vector<std::string> words = source.success_words;
+    words.insert(words.end(), source.failure_words.begin(), source.failure_words.end());
+    const std::size_t column = table.find(source.column).value();
+    std::vector<std::string> cells;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      cells.push_back(table::case_folded(table.at(row, column)));
+    }
+    for (const std::string& word : words) {
+      if (std::ranges::find(cells, table::case_folded(word)) == cells.end()) {
+        const auto nearest = table::nearest_name(word, cells);
+        problems.add({Severity::warning,
+                      file,
+                      0,
+                      source.column,
+                      "no cell '" + table::shortened(word) + "'",
+                      "the words of the map in the table" +
+                          (nearest ? "; did you mean '" + table::shortened(*nearest) + "'?" : ""),
+                      1});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void read_outcomes(const LogMap& map,
@@ -300,6 +329,7 @@ void read_outcomes(const LogMap& map,
                     1});
     }
   }
+  warn_of_unused_words(map, table, file, problems);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (!is_used[row]) {
       outcomes.add(Severity::note, row, id, "a trial of the source; the row is not used");

@@ -25,6 +25,15 @@ void fail(const fs::path& place,
       {Severity::error, place.string(), 0, "", std::move(found), std::move(expectation), 1});
 }
 
+std::string without_compression(std::string name) {
+  for (const char* const end : {".gz", ".zst"}) {
+    if (name.ends_with(end)) {
+      name.resize(name.size() - std::string_view(end).size());
+    }
+  }
+  return name;
+}
+
 /// "run_07" of "run_07.csv.gz", of "run_07/", of "run_07.mcap".
 std::string name_of_trial(const fs::path& source) {
   fs::path path = source;
@@ -35,11 +44,7 @@ std::string name_of_trial(const fs::path& source) {
   path = fs::is_directory(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   std::string name = path.filename().string();
   if (!fs::is_directory(path, ignored)) {
-    for (const char* const end : {".gz", ".zst"}) {
-      if (name.ends_with(end)) {
-        name.resize(name.size() - std::string_view(end).size());
-      }
-    }
+    name = without_compression(std::move(name));
     const std::size_t dot = name.rfind('.');
     name.resize(dot == 0 ? name.size() : std::min(dot, name.size()));
   }
@@ -101,41 +106,44 @@ std::string with_trial(std::string pattern, const std::string& trial) {
   return pattern;
 }
 
-/// The files of a trial; false if one that is required is missing.
-bool find_files(const fs::path& source,
-                const LogMap& map,
-                TrialSource& trial,
-                table::DiagnosticGroups& problems) {
-  bool all = true;
+/// `path`, or it with the end of a compressed file.
+fs::path existing(const fs::path& path) {
+  std::error_code ignored;
+  for (const char* const end : {"", ".gz", ".zst"}) {
+    fs::path candidate = path;
+    candidate += end;
+    if (fs::is_regular_file(candidate, ignored)) {
+      return candidate;
+    }
+  }
+  return {};
+}
+
+/// Fills the files of a trial, and what is wrong with them.
+void find_files(const fs::path& source, const LogMap& map, TrialSource& trial) {
   std::error_code ignored;
   const bool is_folder = fs::is_directory(source, ignored);
   for (std::size_t i = 0; i < number_of_streams(map); ++i) {
     const std::string& name = stream_at(map, i).file;
     const bool is_control = i > map.rays.size();
-    fs::path file = !is_folder && name.empty() ? source : source / with_trial(name, trial.trial_id);
-    if (is_folder && name.empty()) {
-      fail(source,
-           "a folder",
-           "a file, or 'file' of " + key_of(map, i) + " in the map: which of its files",
-           problems);
-      all = false;
-    } else if (!fs::is_regular_file(file, ignored)) {
-      if (!is_control) {
-        fail(file, "no file", "the file of " + key_of(map, i) + ", as the map names it", problems);
-        all = false;
-      }
-      file.clear();
+    const fs::path wanted =
+        !is_folder && name.empty() ? source : source / with_trial(name, trial.trial_id);
+    fs::path file = existing(wanted);
+    if (file.empty() && !is_control && trial.problem.empty()) {
+      trial.place = wanted;
+      trial.problem = is_folder && name.empty()
+                          ? "'file' of " + key_of(map, i) + " in the map: which file of this folder"
+                          : "the file of " + key_of(map, i) + ", as the map names it";
     }
     trial.files.push_back(std::move(file));
   }
-  return all;
 }
 
 void find_bags(const fs::path& source,
                std::vector<TrialSource>& trials,
                table::DiagnosticGroups& problems) {
   if (bag_kind(source) != BagKind::none) {
-    trials.push_back({name_of_trial(source), source, {}});
+    trials.push_back({name_of_trial(source), source, {}, {}, {}});
     return;
   }
   std::vector<fs::path> bags;
@@ -155,7 +163,7 @@ void find_bags(const fs::path& source,
   }
   std::ranges::sort(bags);
   for (const fs::path& bag : bags) {
-    trials.push_back({name_of_trial(bag), bag, {}});
+    trials.push_back({name_of_trial(bag), bag, {}, {}, {}});
   }
 }
 
@@ -167,7 +175,10 @@ void find_csv_trials(const fs::path& source,
   if (pattern.find(kMark) == std::string::npos) {
     TrialSource trial;
     trial.trial_id = map.trials.column.empty() ? name_of_trial(source) : "";
-    if (find_files(source, map, trial, problems)) {
+    find_files(source, map, trial);
+    if (!trial.problem.empty()) {
+      fail(trial.place, "no file", trial.problem, problems);
+    } else {
       trials.push_back(std::move(trial));
     }
     return;
@@ -178,8 +189,9 @@ void find_csv_trials(const fs::path& source,
       continue;
     }
     TrialSource trial;
-    trial.trial_id = trial_in(pattern, file);
-    if (!trial.trial_id.empty() && find_files(source, map, trial, problems)) {
+    trial.trial_id = trial_in(pattern, without_compression(file));
+    if (!trial.trial_id.empty()) {
+      find_files(source, map, trial);
       trials.push_back(std::move(trial));
     }
   }

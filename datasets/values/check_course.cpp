@@ -43,6 +43,13 @@ std::vector<ValueFinding> check_course(const Course& course,
                                   region_distance(*course.start, start)),
                       "a run that starts in S; otherwise there is never a certificate"));
   }
+  if (course.goal && contains(*course.goal, start)) {
+    found.push_back(value_finding(ValueKind::goal_at_start,
+                                  "",
+                                  "a first pose in the goal region",
+                                  "a run that enters G later: where S and G overlap there is "
+                                  "nothing to pass, and the certificate says nothing"));
+  }
   if (course.goal && success.value_or(false)) {
     const double nearest_m = nearest_to(*course.goal, ticks);
     if (nearest_m > 0.0) {

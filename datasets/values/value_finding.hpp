@@ -18,6 +18,7 @@ enum class ValueKind : std::uint8_t {
   duration,       ///< A log much longer or shorter than its trial: another unit of time?
   start_outside,  ///< The first pose lies outside S.
   goal_missed,    ///< A success that never entered G.
+  goal_at_start,  ///< The first pose lies in G.
   contact_stuck,  ///< A contact that outlives its wall.
   ray_stuck,      ///< A reading that never moves.
   ray_twin,       ///< Two rays that are one.
