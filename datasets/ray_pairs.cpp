@@ -8,27 +8,15 @@
 #include <table/cell_reading.hpp>
 #include <utility>
 
+#include "datasets/ray_pair_units.hpp"
+
 namespace tcert {
 namespace {
-
-constexpr double kLargestBendRadians = 3.2;       // a little more than half a turn
-constexpr double kLongestClearanceMetres = 10.0;  // of a tentacle, by far
-constexpr std::size_t kMostOddShare = 5;          // one in so many
 
 /// Names in a column, and which of them each row that is used has.
 struct NamedRows {
   std::vector<std::string> names;
   std::vector<std::uint32_t> of_row;
-};
-
-/// Values that cannot be in the unit of their column.
-struct OddValues {
-  const char* column;
-  const char* unit_words;
-  double limit;
-  std::size_t count = 0;
-  std::size_t line = 0;
-  std::string value;
 };
 
 class PairReader {
@@ -49,9 +37,11 @@ class PairReader {
       if (!bend || !clearance) {
         continue;
       }
-      look_at(bend_, row, bend_column, std::abs(*bend));
-      look_at(clearance_, row, clearance_column, *clearance);
-      look_at(negative_, row, clearance_column, -*clearance);
+      units_.look_at(*bend,
+                     *clearance,
+                     rows_.lines[row],
+                     rows_.at(row, bend_column),
+                     rows_.at(row, clearance_column));
       used.push_back(row);
       result.pairs.push_back({0, 0, *bend, std::max(*clearance, 0.0)});
     }
@@ -124,26 +114,8 @@ class PairReader {
     return std::nullopt;
   }
 
-  void look_at(OddValues& odd, std::size_t row, std::size_t column, double size) {
-    if (size > odd.limit && odd.count++ == 0) {
-      odd.line = rows_.lines[row];
-      odd.value = table::shortened(rows_.at(row, column));
-    }
-  }
-
   void say(const RayPairs& result) {
-    for (const OddValues& odd : {bend_, clearance_, negative_}) {
-      if (odd.count == 0) {
-        continue;
-      }
-      const bool most = kMostOddShare * odd.count > result.pairs.size() && odd.limit > 0.0;
-      add(most ? table::Severity::error : table::Severity::warning,
-          odd.line,
-          odd.column,
-          odd.value,
-          odd.unit_words,
-          odd.count);
-    }
+    units_.say(file_, problems_);
     if (result.missing > 0) {
       add(table::Severity::note,
           0,
@@ -160,30 +132,15 @@ class PairReader {
            std::size_t line,
            std::string column,
            std::string value,
-           std::string expectation,
-           std::size_t count = 1) {
-    problems_.add({severity,
-                   file_,
-                   line,
-                   std::move(column),
-                   std::move(value),
-                   std::move(expectation),
-                   count});
+           std::string expectation) {
+    problems_.add(
+        {severity, file_, line, std::move(column), std::move(value), std::move(expectation), 1});
   }
 
   const table::TextTable& rows_;
   const std::string& file_;
   table::DiagnosticGroups& problems_;
-  OddValues bend_{
-      "bend_rad", "bends in radians, -3.2 to 3.2: degrees?", kLargestBendRadians, 0, 0, {}};
-  OddValues clearance_{"clearance_m",
-                       "clearances in metres, at most 10: millimetres?",
-                       kLongestClearanceMetres,
-                       0,
-                       0,
-                       {}};
-  OddValues negative_{
-      "clearance_m", "clearances of 0 or more; a negative one counts as 0", 0.0, 0, 0, {}};
+  RayPairUnits units_;
 };
 
 }  // namespace

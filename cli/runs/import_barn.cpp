@@ -3,80 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "cli/runs/barn_trials.hpp"
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/written_options.hpp"
-#include "datasets/import/barn_results.hpp"
 #include "datasets/import/import_barn.hpp"
 #include "reports/sha256.hpp"
 
 namespace tcert::cli {
 namespace {
 
-BarnTable table_of(const std::string& file, Progress& progress) {
-  table::TextTableResult result = table::read_text_table(std::filesystem::path(file), {"world"});
-  for (table::Diagnostic& diagnostic : result.diagnostics) {
-    // There is no bundle.json to rename columns in.
-    const auto advice = diagnostic.expectation.find("; rename");
-    diagnostic.expectation.resize(std::min(advice, diagnostic.expectation.size()));
+std::vector<std::string> trial_files(const ImportBarnRequest& request) {
+  if (request.trials.empty()) {
+    throw UsageError("needs --trials FILE");
   }
-  progress.say(result.diagnostics);
-  if (!result.table) {
-    throw BadData("'" + file + "' cannot be read");
-  }
-  return {std::move(*result.table), file};
-}
-
-std::string planner_of(const std::string& file, const std::string& told) {
-  const std::string planner = told.empty() ? planner_of_file(file) : told;
-  if (planner.empty()) {
-    throw UsageError("'" + file + "' names no planner: --planner NAME says whose trials these are");
-  }
-  return planner;
-}
-
-void require_file(const std::string& option, const std::string& file) {
-  if (file.empty()) {
-    throw UsageError("needs --" + option + " FILE");
-  }
-  if (!std::filesystem::exists(file)) {
-    throw NoInput("no table at '" + file + "'");
-  }
-}
-
-struct BarnTrials {
-  std::vector<BarnTable> tables;
-  bool has_errors = false;  ///< Lines of result text that are left out.
-};
-
-/// Tables and result text, each as what it is.
-BarnTrials read_trials(const ImportBarnRequest& request,
-                       const std::vector<std::string>& files,
-                       Progress& progress) {
-  BarnTrials trials;
-  bool has_results = false;
-  for (const std::string& file : files) {
-    const table::BytesResult bytes = table::read_file(file);
-    if (!bytes.bytes || !is_barn_results(bytes.bytes->view())) {
-      trials.tables.push_back(table_of(file, progress));
-      continue;
-    }
-    has_results = true;
-    table::DiagnosticGroups problems;
-    trials.tables.push_back(
-        {read_barn_results(*bytes.bytes, file, planner_of(file, request.planner), problems), file});
-    trials.has_errors = trials.has_errors || problems.has_error();
-    progress.say(problems.take());
-  }
-  if (!request.planner.empty() && !has_results) {
-    throw UsageError("--planner: the trials are no result text, but tables with a header");
-  }
-  return trials;
-}
-
-std::vector<std::string> files_of(const ImportBarnRequest& request) {
   std::vector<std::string> files = request.trials;
   files.insert(files.end(), request.more_trials.begin(), request.more_trials.end());
   return files;
@@ -150,14 +91,9 @@ ExitCode import_barn(const ImportBarnRequest& request, Progress& progress) {
     throw UsageError("needs --output FILE");
   }
   require_own_file(output);
-  const std::vector<std::string> files = files_of(request);
-  require_file("trials", request.trials.empty() ? "" : request.trials.front());
-  for (const std::string& file : files) {
-    require_file("trials", file);
-  }
-  require_file("metrics", request.metrics);
-  const BarnTrials trials = read_trials(request, files, progress);
-  const BarnTable metrics = table_of(request.metrics, progress);
+  const std::vector<std::string> files = trial_files(request);
+  const BarnTrials trials = read_barn_trials(files, request.planner, progress);
+  const BarnTable metrics = read_barn_table("metrics", request.metrics, progress);
   BarnImportOptions barn;
   barn.planners = words_of(request.planners);
   if (!request.planners.empty() && (',' + request.planners + ',').find(",,") != std::string::npos) {

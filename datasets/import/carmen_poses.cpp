@@ -12,8 +12,8 @@ constexpr double kFurthestMountMetres = 1.0;
 constexpr double kNoMountMetres = 0.001;
 constexpr double kNoMountRadians = 0.001;
 constexpr double kLeastTurnRadians = 0.5;
-constexpr double kOnTheWayMetres = 0.002;
-constexpr double kOnTheWayRadians = 0.002;
+constexpr double kOnTheWayMetres = 0.005;
+constexpr double kOnTheWayRadians = 0.005;
 constexpr std::size_t kRecordsBefore = 5;
 
 double middle_of(std::vector<double> values) {

@@ -32,11 +32,11 @@ struct CarmenTrack {
 [[nodiscard]] std::optional<Pose> laser_mount(const CarmenTrack& track, bool turned);
 
 /// Compares each of the poses with the ODOM records: it is on the way of the odometry if it lies
-/// within 2 mm and 2 mrad of a step between two of the last five records before it, or of the step
+/// within 5 mm and 5 mrad of a step between two of the last five records before it, or of the step
 /// to the next one. Most on the way: odometry. A pose that equals the next record to the last digit
 /// and not the one before is none: programs that correct poses write it there once more.
-/// (Of thirteen corrected public logs at most 4 % of the scans are on the way; raw logs interpolate
-/// between records, so nearly all are.) \pre a pose per scan of the track. O(n).
+/// (Of thirteen corrected public logs at most 10 % of the scans are on the way; raw logs
+/// interpolate between records, so nearly all are.) \pre a pose per scan of the track. O(n).
 [[nodiscard]] CarmenPoses origin_of(std::span<const Pose> poses, const CarmenTrack& track);
 
 /// `local`, given in the frame of `pose`, in the frame that `pose` is given in.

@@ -88,9 +88,9 @@ class BarnJoin {
 
  private:
   /// Why a row is not written; null if it is.
-  std::size_t BarnSummary::*reason_against(const BarnSource& trials,
-                                           std::size_t row,
-                                           const std::string& group) const {
+  [[nodiscard]] std::size_t BarnSummary::*reason_against(const BarnSource& trials,
+                                                         std::size_t row,
+                                                         const std::string& group) const {
     if (by_planner_ && !options_.planners.empty() && !contains(options_.planners, group)) {
       return &BarnSummary::not_asked_for;
     }
