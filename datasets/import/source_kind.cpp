@@ -113,7 +113,7 @@ SourceKind source_kind(const fs::path& path) {
   if (text.starts_with("PK\x03\x04")) {
     return SourceKind::bundle;
   }
-  if (table::kind_of_binary(text, "")) {
+  if (const auto kind = table::kind_of_binary(text, ""); kind && kind->name != table::kBinaryFile) {
     return SourceKind::binary;
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -170,7 +170,10 @@ class CsvChecker {
   }
 
   [[nodiscard]] bool is_stream() const {
-    return roles_.of_trials || roles_.of_stream ? roles_.of_stream : clock_->goes_forward();
+    if (roles_.of_trials || roles_.of_stream) {
+      return roles_.of_stream;
+    }
+    return roles_.may_be_stream || clock_->goes_forward();
   }
 
   /// Columns whose every text would be a number with a decimal comma.
@@ -223,6 +226,12 @@ class CsvChecker {
   std::vector<TimesOfColumn> times_;
 };
 
+/// True if the first line is long enough to tell, and holds no NUL.
+bool begins_as_text(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  return line.size() < text.size() && line.find('\0') == std::string_view::npos;
+}
+
 }  // namespace
 
 CsvCheckResult check_csv_file(const std::filesystem::path& path,
@@ -241,8 +250,8 @@ CsvCheckResult check_csv_file(const std::filesystem::path& path,
   }
   const std::string_view text = file.bytes->view();
   const auto kind = kind_of_binary(text, path.filename().string());
-  // A text with colours of a terminal in it is one all the same.
-  if (kind && (kind->name != kBinaryFile || text.find('\0') != std::string_view::npos)) {
+  // Text that was cut off or has colours of a terminal in it is text all the same.
+  if (kind && (kind->name != kBinaryFile || !begins_as_text(text))) {
     result.diagnostics.push_back(
         {Severity::error, csv.file, 0, "", kind->name, "text; " + kind->way_out, 1});
     return result;

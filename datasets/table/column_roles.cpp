@@ -46,10 +46,11 @@ ColumnRoles column_roles(const std::vector<std::string>& names, const std::strin
     }
     roles.of_trials = roles.of_trials || std::ranges::find(kTrialNames, name) != kTrialNames.end();
     const std::vector<std::string> words = name_words(name);
-    roles.of_stream = roles.of_stream || holds_part(name, kStreamParts) ||
-                      std::ranges::any_of(words, [](const std::string& word) {
-                        return std::ranges::find(kStreamWords, word) != kStreamWords.end();
-                      });
+    roles.of_stream = roles.of_stream || holds_part(name, kStreamParts);
+    roles.may_be_stream =
+        roles.may_be_stream || std::ranges::any_of(words, [](const std::string& word) {
+          return std::ranges::find(kStreamWords, word) != kStreamWords.end();
+        });
   }
   return roles;
 }

@@ -15,6 +15,7 @@ struct ColumnRoles {
   std::vector<std::size_t> times;    ///< Columns of times, the clock among them.
   bool of_trials = false;            ///< Some column is one that only a table of trials has.
   bool of_stream = false;            ///< Some column is a sensor's.
+  bool may_be_stream = false;        ///< Some column is called as other programs call a sensor's.
 };
 
 /// `clock` is the column that is the clock whatever it is called; empty: by its name.

@@ -157,7 +157,7 @@ TEST_F(Manual, CompletesInBash) {
   EXPECT_EQ(offered("tcert fit co"), " cox concordance \n");
   EXPECT_EQ(offered("tcert fit --level 0.9 co"), " cox concordance \n");
   EXPECT_EQ(offered("tcert fit cox co"), "  \n") << "the kind is there; what follows is no kind";
-  EXPECT_EQ(offered("tcert import "), " barn carmen \n");
+  EXPECT_EQ(offered("tcert import "), " barn carmen log \n");
   EXPECT_EQ(offered("tcert import carmen --goal-r"), " --goal-radius \n");
   EXPECT_EQ(offered("tcert help para"), " parameters \n");
   for (const std::string& form : forms()) {

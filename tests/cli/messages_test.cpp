@@ -40,7 +40,7 @@ TEST(Messages, OfOptionsNameWhatWasFoundAndExpected) {
               2,
               "--replicates: found 'abc', expected a whole number");
   expect_said(work.run({"fit", "glm", "--level", "high"}), 2, "expected a number");
-  expect_said(work.run({"import", "foo"}), 2, "unknown format 'foo', expected barn or carmen");
+  expect_said(work.run({"import", "foo"}), 2, "unknown format 'foo', expected log, carmen or barn");
   expect_said(work.run({"hypotheses", "h1", "--features", "t.csv", "--trials", "t1"}),
               2,
               "--trials is for a bundle");
