@@ -114,7 +114,6 @@ ExitCode check_file(const CheckRequest& request, Progress& progress) {
                              progress);
   if (!request.write_map.empty()) {
     recording::CsvGroup group;
-    group.pattern = std::filesystem::path(request.path).filename().string();
     group.files = {request.path};
     group.check = *result.check;
     recording::DraftedMap map = recording::draft_map(std::span(&group, 1));

@@ -95,19 +95,22 @@ class CsvStreamReader {
   void show_rows(const std::vector<ValueSource>& sources, const CsvSampleSink& sink) {
     std::vector<double> values(sources.size());
     std::vector<double> cells;
-    each_row(false, [&](const std::vector<std::string>& row, std::size_t line) {
-      std::size_t next = 0;
-      for (std::size_t i = 0; i < sources.size(); ++i) {
-        cells.clear();
-        for (std::size_t k = 0; k < sources[i].columns.size(); ++k) {
-          cells.push_back(number_in(row, positions_[next++], line));
-        }
-        values[i] =
-            cells.empty() ? std::numeric_limits<double>::quiet_NaN() : value_of(sources[i], cells);
-      }
-      sink({time_in(row), values, line, trial_ ? std::string_view(row[*trial_]) : ""});
-      return true;
-    });
+    each_row(
+        false,
+        [&](const std::vector<std::string>& row, std::size_t line) {
+          std::size_t next = 0;
+          for (std::size_t i = 0; i < sources.size(); ++i) {
+            cells.clear();
+            for (std::size_t k = 0; k < sources[i].columns.size(); ++k) {
+              cells.push_back(number_in(row, positions_[next++], line));
+            }
+            values[i] = cells.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                      : value_of(sources[i], cells);
+          }
+          sink({time_in(row), values, line, trial_ ? std::string_view(row[*trial_]) : ""});
+          return true;
+        },
+        sink);
   }
 
  private:
@@ -154,7 +157,7 @@ class CsvStreamReader {
 
   /// `quiet` passes over rows of another length without a word.
   template <class Take>
-  void each_row(bool quiet, const Take& take_row) {
+  void each_row(bool quiet, const Take& take_row, const CsvSampleSink& unreadable = {}) {
     table::CsvCursor cursor = header_.data;
     std::vector<std::string> row;
     while (table::skip_to_record(cursor)) {
@@ -170,8 +173,9 @@ class CsvStreamReader {
         add(Severity::warning,
             line,
             "",
-            std::to_string(row.size()) + " fields",
+            closed ? std::to_string(row.size()) + " fields" : "a quote that is never closed",
             std::to_string(header_.names.size()) + " fields; the row is not used");
+        unreadable({std::nullopt, {}, line, ""});
         continue;
       }
       if (!take_row(row, line)) {
@@ -216,7 +220,8 @@ class CsvStreamReader {
         !table::read_time(row[*clock_.nanoseconds], table::TimeUnit::nanoseconds, point, rest_ns)) {
       return std::nullopt;
     }
-    return time_ns + rest_ns;
+    constexpr std::int64_t kSecondNs = 1'000'000'000;
+    return rest_ns >= 0 && rest_ns < kSecondNs ? std::optional(time_ns + rest_ns) : std::nullopt;
   }
 
   void add(Severity severity,

@@ -20,7 +20,8 @@ namespace tcert::recording {
 /// A row: where a value has no number, NaN; infinite ones as they are.
 struct CsvSample {
   std::optional<std::int64_t> time_ns;  ///< Empty if its cell is no time.
-  std::span<const double> values;       ///< Of the sources, in their order. Valid during the call.
+  std::span<const double> values;  ///< Of the sources, in their order; none of a row of another
+                                   ///< length than the header. Valid during the call.
   std::size_t line = 0;
   std::string_view trial;  ///< The cell of the map's column of trials; valid during the call.
 };

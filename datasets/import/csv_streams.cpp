@@ -212,8 +212,15 @@ bool read_csv_streams(const StreamFiles& files,
                          sources,
                          map.trials.column,
                          [&](const CsvSample& sample) {
-                           if (StreamSet* const set = streams_of(sample.trial)) {
+                           const bool is_whole = !sample.values.empty();
+                           // Whose a broken row is cannot be told where a column would say it.
+                           StreamSet* const set = is_whole || map.trials.column.empty()
+                                                      ? streams_of(sample.trial)
+                                                      : nullptr;
+                           if (set != nullptr && is_whole) {
                              set->take(i, sample.time_ns, sample.values, sample.line);
+                           } else if (set != nullptr) {
+                             set->take_unreadable(i);
                            }
                          },
                          of_file);

@@ -114,7 +114,11 @@ OrderedJson time_of(const table::CsvCheck& check) {
 }
 
 OrderedJson stream_of(const CsvGroup& group) {
-  OrderedJson stream{{"file", group.pattern}, {"time", time_of(group.check)}};
+  OrderedJson stream = OrderedJson::object();
+  if (!group.pattern.empty()) {  // else the source is the file
+    stream["file"] = group.pattern;
+  }
+  stream["time"] = time_of(group.check);
   if (stream["time"].is_null()) {
     stream.erase("time");
   }

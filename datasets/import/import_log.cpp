@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 #include <table/atomic_file.hpp>
 #include <table/path_name.hpp>
 #include <table/text_file.hpp>
@@ -164,11 +165,23 @@ class Importer {
     std::map<std::string, std::unique_ptr<StreamSet>, std::less<>> sets;
     std::vector<std::string> order;
     const auto window_ns = to_nanoseconds(info_->max_gap_s);
+    const auto reject = [&](const std::string& found, const std::string& expectation) {
+      problems.add({Severity::error,
+                    source.files.empty() ? "" : source.files.front().string(),
+                    0,
+                    map_.trials.column,
+                    table::shortened(found),
+                    expectation,
+                    1});
+      return nullptr;
+    };
     const auto set_of = [&](std::string_view name) -> StreamSet* {
-      const std::string trial =
-          source.trial_id.empty() ? table::as_file_name(name) : source.trial_id;
-      if (trial.empty() || !table::is_file_name(trial)) {
-        return nullptr;
+      const std::string trial = source.trial_id.empty() ? std::string(name) : source.trial_id;
+      if (!table::is_file_name(trial)) {
+        return reject(trial, std::string(table::kFileNameRule) + "; its rows are not used");
+      }
+      if (!sets.contains(trial) && !names_.insert(trial).second) {
+        return reject(trial, "each trial in one source; its rows are not used");
       }
       auto& set = sets[trial];
       if (!set) {
@@ -196,6 +209,9 @@ class Importer {
           read_bag_streams(*bag, source.bag.string(), map_, *layouts_, *set_of(""), problems);
     }
     if (order.empty()) {
+      if (!problems.has_error()) {
+        reject("no rows", "rows below the header; the trial is rejected");
+      }
       result_.trials.push_back({source.trial_id, true, {}, {}});
     }
     for (const std::string& trial : order) {
@@ -271,6 +287,7 @@ class Importer {
   LogImportOptions options_;
   std::optional<std::vector<RayLayout>> layouts_;
   std::optional<BundleInfo> info_;
+  std::set<std::string> names_;  // of the trials so far
   LogImportResult result_;
 };
 

@@ -111,7 +111,14 @@ void judge_trial(const LogMap& map,
   const StreamUse rays = use_of_rays(map, trial);
   const std::int64_t begin_ns = std::max(pose.first_ns, rays.first_ns);
   const std::int64_t end_ns = std::min(pose.last_ns, rays.last_ns);
-  if (begin_ns > end_ns) {
+  // Each stream of rays has some time in common with the pose.
+  const bool all_overlap = std::all_of(
+      trial.streams.begin() + 1,
+      trial.streams.begin() + 1 + static_cast<std::ptrdiff_t>(map.rays.size()),
+      [&](const StreamResult& stream) {
+        return stream.use.first_ns <= pose.last_ns && stream.use.last_ns >= pose.first_ns;
+      });
+  if (begin_ns > end_ns || !all_overlap) {
     add(Severity::error,
         fmt::format("pose from {} to {} s, rays from {} to {} s",
                     seconds_in_words(pose.first_ns),

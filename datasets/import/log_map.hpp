@@ -53,8 +53,7 @@ struct ScanSource {
 /// Which readings of a range say that nothing was in reach. All other readings that are no range
 /// (not finite, below range_min_m or at most 0, above range_max_m) are missing.
 struct NoReturn {
-  bool infinite = true;
-  std::vector<double> values;
+  std::vector<double> values;  ///< As the file has them, beside inf, which always is one.
   std::optional<double> range_min_m;
   std::optional<double> range_max_m;
 };

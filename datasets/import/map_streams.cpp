@@ -32,17 +32,14 @@ StreamSource read_stream(const JsonObject& from) {
 
 void read_no_return(const JsonObject& from, NoReturn& rule) {
   if (const PlainJson* list = from.find("no_return")) {
-    rule.infinite = false;
     const bool is_list = list->is_array();
     if (!is_list) {
       from.reject("no_return", *list, R"(a list of numbers and "inf")");
     }
     for (const PlainJson& one : is_list ? *list : PlainJson::array()) {
-      if (one == "inf") {
-        rule.infinite = true;
-      } else if (one.is_number()) {
+      if (one.is_number()) {
         rule.values.push_back(one.get<double>());
-      } else {
+      } else if (one != "inf") {  // which always is none
         from.reject("no_return", one, R"(a number or "inf")");
       }
     }

@@ -75,6 +75,10 @@ ValueSource read_value(const JsonObject& from, const std::string& key, std::stri
   } else if (source.columns.empty() && value->is_object()) {
     from.reject(key, *value, "a column or a quaternion");
   }
+  if (source.is_quaternion() &&
+      (object.find("unit") != nullptr || object.find("scale") != nullptr)) {
+    from.reject(key, *value, "a quaternion without a unit or a scale: it gives radians");
+  }
   read_scale(object, name, source.scale);
   source.add = object.number("add").value_or(0.0);
   return source;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -24,7 +25,6 @@ std::string text_of(const nlohmann::json& ray, const char* key) {
 /// What a ray says goes before what its stream says; their values that mean no return count both.
 NoReturn together(const NoReturn& of_ray, const NoReturn& of_stream) {
   NoReturn rule = of_ray;
-  rule.infinite = of_ray.infinite && of_stream.infinite;
   rule.values.insert(rule.values.end(), of_stream.values.begin(), of_stream.values.end());
   rule.range_min_m = rule.range_min_m ? rule.range_min_m : of_stream.range_min_m;
   rule.range_max_m = rule.range_max_m ? rule.range_max_m : of_stream.range_max_m;
@@ -71,7 +71,9 @@ RayLayout layout_of(const StreamSource& stream,
   NoReturn no_return = stream.no_return;
   no_return.range_min_m = no_return.range_min_m ? no_return.range_min_m : geometry.range_min_m;
   no_return.range_max_m = no_return.range_max_m ? no_return.range_max_m : geometry.range_max_m;
-  const double reach_m = stream.scan->reach_m.value_or(geometry.range_max_m.value_or(0.0));
+  // What the sensor cannot see is not known to be free.
+  const double asked_m = stream.scan->reach_m.value_or(geometry.range_max_m.value_or(0.0));
+  const double reach_m = std::min(asked_m, geometry.range_max_m.value_or(asked_m));
   const ScanOffset& offset = geometry.offset;
   for (std::size_t i = 0; i < geometry.beams; i += stream.scan->every) {
     const double turned = geometry.angle_min_rad +

@@ -117,7 +117,13 @@ SourceKind source_kind(const fs::path& path) {
     return SourceKind::binary;
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && (text[first] == '{' || text[first] == '[')) {
+  const std::size_t second =
+      first == std::string_view::npos ? first : text.find_first_not_of(" \t\r\n", first + 1);
+  // "[s]" is the name of a column, "[1" and "[{" are not.
+  const bool is_list =
+      second != std::string_view::npos && text[first] == '[' &&
+      std::string_view("{[\"-0123456789]").find(text[second]) != std::string_view::npos;
+  if (is_list || (first != std::string_view::npos && text[first] == '{')) {
     return SourceKind::json;
   }
   const std::vector<std::string_view> lines = first_lines(text);

@@ -38,7 +38,7 @@ double range_of(double reading,
   ++use.readings;
   // The rule's values are as the file has them, the reading is in metres.
   const bool declared = is_no_return(rule.values, (reading - source.add) / source.scale);
-  if (declared || (reading == std::numeric_limits<double>::infinity() && rule.infinite)) {
+  if (declared || reading == std::numeric_limits<double>::infinity()) {
     ++use.no_return;
     return reach_m;
   }

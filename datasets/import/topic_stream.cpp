@@ -70,10 +70,14 @@ std::unique_ptr<TopicStream> TopicStream::of(const Bag& bag,
     return fail(source.topic + " of type " + topic.type, problem);
   }
   stream->role_ = role_of(topic.type);
-  if (!stream->find_fields(topic)) {
+  if (!stream->find_fields(topic, key == "pose")) {
     return fail(source.topic + " of type " + topic.type,
                 "a type that says what it is, or columns in the map: fields such as "
                 "pose.position.x ('tcert check' lists them)");
+  }
+  if (stream->is_frame_ && source.child_frame.empty()) {
+    return fail(source.topic + " of type " + topic.type,
+                "'frame' and 'parent' in the map: which of the transforms is the robot's");
   }
   return stream;
 }
@@ -124,19 +128,21 @@ std::optional<ScanGeometry> TopicStream::geometry(const Value& message) const {
   return scan;
 }
 
-bool TopicStream::find_fields(const Topic& topic) {
+bool TopicStream::find_fields(const Topic& topic, bool is_pose) {
   if (source_->scan) {
     return role_ == StreamRole::scan || !source_->scan->ranges.empty();
   }
   sources_ = source_->values;
   // A pose that is the place of a frame, wherever in a message it stands.
-  is_frame_ = role_ == StreamRole::transforms && sources_.size() == pose_columns().size() &&
+  is_frame_ = is_pose && role_ == StreamRole::transforms &&
               std::ranges::none_of(sources_, &ValueSource::is_given);
   if (is_frame_) {
     sources_ = fields_of("geometry_msgs/msg/TransformStamped");
     return true;
   }
-  const std::vector<ValueSource> plain = fields_of(topic.type);
+  // An Odometry is no command, a Twist no pose.
+  const bool fits = role_ == (is_pose ? StreamRole::pose : StreamRole::control);
+  const std::vector<ValueSource> plain = fits ? fields_of(topic.type) : std::vector<ValueSource>{};
   bool any = false;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     if (!sources_[i].is_given() && i < plain.size()) {

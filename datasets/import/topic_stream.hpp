@@ -51,7 +51,7 @@ class TopicStream {
   [[nodiscard]] std::optional<ScanGeometry> geometry(const Value& message) const;
 
  private:
-  [[nodiscard]] bool find_fields(const Topic& topic);
+  [[nodiscard]] bool find_fields(const Topic& topic, bool is_pose);
   [[nodiscard]] std::string ranges_field() const;
   [[nodiscard]] double value_at(const Value& message, const std::string& prefix, std::size_t i);
   void scan_values(const Value& message, const RayLayout& layout, std::vector<double>& out);

@@ -74,7 +74,7 @@ class Outcomes {
           words, [&](const std::string& one) { return table::case_folded(one) == word; });
     };
     const bool listed = !source.success_words.empty() || !source.failure_words.empty();
-    if (table::is_missing_cell(word)) {
+    if (table::is_missing_cell(table_.at(row, column))) {
       return std::nullopt;
     }
     if (listed) {
@@ -91,7 +91,7 @@ class Outcomes {
       add(Severity::error, row, column, "a word of the lists 'true' and 'false' in the map");
       return std::nullopt;
     }
-    switch (table::outcome_of_cell(word)) {
+    switch (table::outcome_of_cell(table_.at(row, column))) {
       case table::OutcomeWord::success:
         return true;
       case table::OutcomeWord::failure:
@@ -155,7 +155,7 @@ class Outcomes {
         return reason;
       }
     }
-    if (!table::is_missing_cell(word)) {
+    if (!table::is_missing_cell(table_.at(row, column))) {
       add(Severity::warning,
           row,
           column,

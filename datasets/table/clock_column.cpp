@@ -66,12 +66,17 @@ ClockColumn with_nanoseconds(const std::vector<std::string>& names,
     return found;
   }
   found.named_unit = clock->unit;
-  if (clock->unit != TimeUnit::seconds) {
+  // time_s beside time_ns is the same time twice; sec beside nanosec is one time in two parts.
+  const auto ends_with_part = [](const std::string& name, std::string_view part) {
+    return name_words(name).back().find(part) != std::string::npos;
+  };
+  if (clock->unit != TimeUnit::seconds || !ends_with_part(names[column], "sec")) {
     return found;
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto other = clock_name(names[i]);
-    if (other && other->stem == clock->stem && other->unit == TimeUnit::nanoseconds) {
+    if (other && other->stem == clock->stem && other->unit == TimeUnit::nanoseconds &&
+        ends_with_part(names[i], "sec")) {
       found.nanoseconds = i;
     }
   }

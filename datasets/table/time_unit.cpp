@@ -226,11 +226,16 @@ TimeUnitGuess guess_time_unit(std::optional<TimeUnit> named, std::span<const dou
   if (times.empty()) {
     return {said, ""};
   }
+  constexpr double kLongestS = 4e9;
+  const bool is_possible = std::abs(times.front()) * seconds_in(said) <= kLongestS;
+  if (named && is_possible) {
+    return {said, ""};
+  }
   if (const auto stamp = unit_of_stamp(times.front())) {
     const bool agrees = *stamp == said && (named || said == TimeUnit::seconds);
     return {*stamp, agrees ? "" : "stamps since 1970 in " + std::string(name_of(*stamp))};
   }
-  constexpr double kLongestStepS = 5.0;
+  constexpr double kLongestStepS = 1.0;
   const double step = median_step(times);
   if (!named && std::ranges::all_of(times, is_whole) && step > kLongestStepS) {
     const TimeUnit unit = unit_of_step(step);

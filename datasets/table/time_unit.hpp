@@ -27,8 +27,9 @@ struct TimeUnitGuess {
   std::string reason;
 };
 
-/// By the size of the times (since 1970) or else, of whole numbers, by their median step: steps of
-/// seconds are no log of a robot. `named` is the unit that the column's name has. O(n log n).
+/// `named`, the unit that the column's name has, if the times are possible in it; else by the size
+/// of the times (since 1970) or, of whole numbers, by their median step: steps of more than a
+/// second are no log of a robot. O(n).
 [[nodiscard]] TimeUnitGuess guess_time_unit(std::optional<TimeUnit> named,
                                             std::span<const double> times);
 

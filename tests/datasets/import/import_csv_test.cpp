@@ -227,6 +227,55 @@ TEST_F(ImportCsv, NamesColumnsThatAreNotThere) {
   EXPECT_TRUE(says(result.diagnostics, "pos_x_mm"));
 }
 
+TEST_F(ImportCsv, RejectsTheTrialWhoseFileIsMissingAlone) {
+  write_run(folder, "runs/a", 100);
+  write_run(folder, "runs/b", 100);
+  fs::remove(folder.path() / "runs/a/touch.csv");
+  folder.write("runs.csv", "run,verdict,took_ms,day\na,ok,1000,mon\nb,ok,1000,mon\n");
+  const LogImportResult result = import(kMap);
+  ASSERT_TRUE(result.is_written);
+  EXPECT_TRUE(result.trials[0].rejected);
+  EXPECT_FALSE(result.trials[1].rejected);
+  EXPECT_TRUE(says(result.diagnostics, "touch.csv"));
+}
+
+TEST_F(ImportCsv, ARaysOwnNoReturnIsUsedUp) {
+  write_run(folder, "runs/a", 100);
+  std::string map = kMap;
+  map.replace(map.find(", 0]"), 4, "]");
+  map.replace(map.find("\"name\": \"right\","), 16, "\"name\": \"right\", \"no_return\": [0],");
+  folder.write("runs.csv", "run,verdict,took_ms,day\na,ok,1000,mon\n");
+  const LogImportResult result = import(map);
+  ASSERT_TRUE(result.is_written);
+  EXPECT_EQ(result.trials[0].streams[1].ranges.no_return, 20U);
+  EXPECT_EQ(test_support::read_text(output / "bundle.json").find("no_return"), std::string::npos);
+}
+
+TEST_F(ImportCsv, SaysReadingsThatAreNoRangeAndWordsThatNoCellHas) {
+  write_run(folder, "runs/a", 100);
+  std::string map = kMap;
+  map.replace(map.find(", 0]"), 4, "]");
+  map.replace(map.find("[\"ok\"]"), 6, "[\"okk\"]");
+  folder.write("runs.csv", "run,verdict,took_ms,day\na,ok,1000,mon\n");
+  const LogImportResult result = import(map);
+  EXPECT_TRUE(says(result.diagnostics, "10 % of the readings of rays that are no range"));
+  EXPECT_TRUE(says(result.diagnostics, "did you mean 'ok'?"));
+}
+
+TEST_F(ImportCsv, RowsOfAnotherLengthCountAsRows) {
+  std::string text = "t,x,y,th,l\n";
+  for (int i = 0; i < 100; ++i) {
+    text += std::to_string(0.1 * i) + (i % 3 == 0 ? ",1\n" : ",1,0,0,0.4\n");
+  }
+  folder.write("wide.csv", text);
+  const LogImportResult result = import(R"({"pose": {"x_m": "x", "y_m": "y", "yaw_rad": "th"},
+    "rays": {"rays": [{"name": "l", "kind": "range", "bearing_deg": 90, "reach_m": 1,
+                       "range_m": "l"}]}})",
+                                        "wide.csv");
+  EXPECT_FALSE(result.is_written);
+  EXPECT_TRUE(says(result.diagnostics, "66 of 100 rows of pose"));
+}
+
 TEST_F(ImportCsv, TakesRowsOfOutcomesByTheNumberInTheName) {
   write_run(folder, "runs/run_07", 100);
   write_run(folder, "runs/run_08", 100);

@@ -42,7 +42,6 @@ TEST(LogMap, ReadsTopics) {
   ASSERT_TRUE(map.rays[0].scan);
   EXPECT_EQ(map.rays[0].scan->every, 4U);
   EXPECT_TRUE(map.rays[0].scan->offset.by_transforms);
-  EXPECT_TRUE(map.rays[0].no_return.infinite);
   EXPECT_EQ(map.rays[0].no_return.values, std::vector<double>{0.0});
   EXPECT_EQ(map.control->topic, "/cmd_vel");
   EXPECT_EQ(map.bundle.at("robot").at("body_width_m"), 0.3);

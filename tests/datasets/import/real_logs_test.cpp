@@ -118,8 +118,9 @@ TEST_F(RealLogs, McapOfTwoClocks) {
 
 TEST_F(RealLogs, DatabaseOfTransforms) {
   SKIP_WITHOUT("evo/tf_example.db3");
-  const Imported imported = import("evo/tf_example.db3",
-                                   R"({"pose": {"from": "/tf"}, "max_gap_s": 5,
+  const Imported imported =
+      import("evo/tf_example.db3",
+             R"({"pose": {"from": "/tf", "frame": "base_footprint"}, "max_gap_s": 5,
     "rays": {"from": "/tf", "rays": [{"name": "z", "kind": "range", "bearing_rad": 0,
       "reach_m": 9, "range_m": {"column": "transforms[0].transform.translation.z", "add": 5}}]}})");
   ASSERT_TRUE(imported.result.is_written);

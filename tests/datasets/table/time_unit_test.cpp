@@ -79,9 +79,19 @@ TEST(GuessTimeUnit, GoesByTheStepOfWholeNumbersSinceTheStart) {
   EXPECT_EQ(unit(100000), TimeUnit::microseconds);
   EXPECT_EQ(unit(20), TimeUnit::milliseconds);
   EXPECT_EQ(unit(100000000), TimeUnit::nanoseconds);
+  EXPECT_EQ(unit(5), TimeUnit::milliseconds);
   EXPECT_EQ(unit(1), TimeUnit::seconds);
   EXPECT_EQ(guess_time_unit(TimeUnit::seconds, std::vector<double>{0, 20, 40}).unit,
             TimeUnit::seconds);
+}
+
+TEST(GuessTimeUnit, BelievesTheNameWhereThatIsPossible) {
+  const auto unit = [](TimeUnit named, double time) {
+    return guess_time_unit(named, std::vector<double>{time, time + 1e5}).unit;
+  };
+  EXPECT_EQ(unit(TimeUnit::microseconds, 1.5e9), TimeUnit::microseconds);
+  EXPECT_EQ(unit(TimeUnit::nanoseconds, 1.5e12), TimeUnit::nanoseconds);
+  EXPECT_EQ(unit(TimeUnit::seconds, 1.6e18), TimeUnit::nanoseconds);
 }
 
 TEST(FindClock, KnowsTheNamesOfTheTools) {
@@ -123,6 +133,7 @@ TEST(FindClock, FindsTheUnitAndTheNanoseconds) {
   ASSERT_TRUE(pair);
   EXPECT_EQ(pair->column, 0U);
   EXPECT_EQ(pair->nanoseconds, 1U);
+  EXPECT_FALSE(find_clock({"time_s", "time_ns"})->nanoseconds);
   EXPECT_FALSE(find_clock({"x", "y"}));
 }
 
