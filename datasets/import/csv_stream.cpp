@@ -6,6 +6,7 @@
 #include <limits>
 #include <table/cell_reading.hpp>
 #include <table/clock_column.hpp>
+#include <table/date_cell.hpp>
 #include <table/nearest_name.hpp>
 #include <utility>
 

@@ -14,6 +14,7 @@
 #include "datasets/bundle_json.hpp"
 #include "datasets/import/bag_streams.hpp"
 #include "datasets/import/csv_streams.hpp"
+#include "datasets/import/import_words.hpp"
 #include "datasets/import/judge_trial.hpp"
 #include "datasets/import/trial_outcomes.hpp"
 #include "datasets/import/trial_sources.hpp"
@@ -50,53 +51,6 @@ std::optional<BundleInfo> bundle_info(const LogMap& map,
     problems.add(std::move(problem));
   }
   return info;
-}
-
-/// How much of the streams of all trials was used, in words.
-std::string use_in_words(const LogMap& map, const std::vector<ImportedTrial>& trials) {
-  std::string text;
-  for (std::size_t i = 0; i < number_of_streams(map); ++i) {
-    StreamUse all;
-    RangeUse ranges;
-    for (const ImportedTrial& trial : trials) {
-      if (!trial.rejected) {
-        const StreamUse& one = trial.streams[i].use;
-        all.rows += one.rows;
-        all.used += one.used;
-        all.empty += one.empty;
-        all.moved += one.moved;
-        all.same_time += one.same_time;
-        ranges.readings += trial.streams[i].ranges.readings;
-        ranges.no_return += trial.streams[i].ranges.no_return;
-        ranges.not_ranges += trial.streams[i].ranges.not_ranges;
-      }
-    }
-    text += fmt::format("; {}: {} of {} rows used, {} moved, {} of the time of another, {} empty",
-                        key_of(map, i),
-                        all.used,
-                        all.rows,
-                        all.moved,
-                        all.same_time,
-                        all.empty);
-    if (ranges.readings > 0) {
-      text += fmt::format(", {} of {} readings nothing in reach, {} no range",
-                          ranges.no_return,
-                          ranges.readings,
-                          ranges.not_ranges);
-    }
-  }
-  return text;
-}
-
-std::string places(const std::vector<fs::path>& sources) {
-  std::string text;
-  for (const fs::path& source : sources) {
-    text += (text.empty() ? "" : ", ") + source.filename().string();
-    if (text.size() > 200) {
-      return text + ", ... (" + std::to_string(sources.size()) + " in all)";
-    }
-  }
-  return text;
 }
 
 /// One import, from the map to the bundle.
@@ -261,8 +215,8 @@ class Importer {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       result_.trials[places_of[i]].success = rows[i].success;
     }
-    info_->provenance =
-        "Imported from " + places(sources_) + " by map.json" + use_in_words(map_, result_.trials);
+    info_->provenance = "Imported from " + places_in_words(sources_) + " by map.json" +
+                        use_in_words(map_, result_.trials);
     table::write_file_atomically(folder.staging() / "bundle.json", to_bundle_json(*info_));
     table::write_file_atomically(folder.staging() / "trials.csv", to_trials_csv(rows, {}));
     table::write_file_atomically(folder.staging() / "map.json", map_.document.dump(2) + "\n");

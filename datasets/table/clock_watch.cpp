@@ -4,6 +4,7 @@
 #include <cmath>
 #include <table/cell_reading.hpp>
 #include <table/csv_write.hpp>
+#include <table/date_cell.hpp>
 #include <utility>
 
 namespace tcert::table {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <table/bytes.hpp>
 #include <table/csv_header.hpp>
+#include <table/date_cell.hpp>
 #include <table/text_file.hpp>
 #include <table/time_unit.hpp>
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <table/clock_column.hpp>
+#include <table/date_cell.hpp>
 #include <vector>
 
 namespace tcert::table {
