@@ -50,8 +50,17 @@ bool has_hot_journal(const std::filesystem::path& path) {
   return journal.get(first) && first != 0;
 }
 
-void require_memory(int code) {
-  if (code == SQLITE_NOMEM) {
+/// \throws table::OutOfResources if `code` says that there is too little memory, and there is.
+/// SQLite says it of some damaged files too: then there is room for the longest row, and more.
+void require_memory(sqlite3* database, int code) {
+  if (code != SQLITE_NOMEM) {
+    return;
+  }
+  const int longest = database == nullptr ? 0 : sqlite3_limit(database, SQLITE_LIMIT_LENGTH, -1);
+  void* room = sqlite3_malloc64(static_cast<std::uint64_t>(longest) + kSlack);
+  const bool has_room = room != nullptr;
+  sqlite3_free(room);
+  if (!has_room || database == nullptr) {
     throw table::OutOfResources("there is not enough memory for the database of a recording");
   }
 }
@@ -71,7 +80,7 @@ bool Query::next() {
     return false;
   }
   const int code = sqlite3_step(statement_.get());
-  require_memory(code);
+  require_memory(sqlite3_db_handle(statement_.get()), code);
   if (code != SQLITE_ROW && code != SQLITE_DONE) {
     problem_ = reason_of(sqlite3_db_handle(statement_.get()));
   }
@@ -97,7 +106,8 @@ std::string_view Query::text(int column) const {
   const auto* text = sqlite3_column_text(statement_.get(), column);
   const auto length = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   if (text == nullptr) {
-    require_memory(sqlite3_errcode(sqlite3_db_handle(statement_.get())));
+    sqlite3* database = sqlite3_db_handle(statement_.get());
+    require_memory(database, sqlite3_errcode(database));
     return {};
   }
   return {reinterpret_cast<const char*>(text), length};
@@ -107,7 +117,8 @@ std::span<const std::byte> Query::blob(int column) const {
   const void* bytes = sqlite3_column_blob(statement_.get(), column);
   const auto length = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   if (bytes == nullptr) {
-    require_memory(sqlite3_errcode(sqlite3_db_handle(statement_.get())));
+    sqlite3* database = sqlite3_db_handle(statement_.get());
+    require_memory(database, sqlite3_errcode(database));
     return {};
   }
   return {static_cast<const std::byte*>(bytes), length};
@@ -134,7 +145,7 @@ std::optional<Database> Database::open(const std::filesystem::path& path, std::s
       uri.c_str(), &handle, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
   Database database;
   database.handle_.reset(handle);
-  require_memory(code);
+  require_memory(handle, code);
   if (code != SQLITE_OK) {
     table::require_resources(path, sqlite3_system_errno(handle));
     problem = reason_of(handle);
@@ -174,7 +185,7 @@ Query Database::query(std::string_view sql) {
   const int code = sqlite3_prepare_v2(
       handle_.get(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
   query.statement_.reset(statement);
-  require_memory(code);
+  require_memory(handle_.get(), code);
   if (code != SQLITE_OK) {
     query.problem_ = reason_of(handle_.get());
   }

@@ -277,6 +277,17 @@ TEST(Rosbag2, ADamagedDatabaseIsReadAsFarAsItGoesAndSaysSo) {
   }
 }
 
+TEST(Rosbag2, DamageThatSqliteTakesForAShortageOfMemoryIsDamage) {
+  const TemporaryFolder folder;
+  const fs::path path = database(folder, "a.db3");
+  std::string bytes = test_support::read_text(path);
+  // The root of the schema as an interior page whose only child is far away: "out of memory".
+  bytes.replace(100, 12, std::string("\x05\0\0\0\0\x01\xFB\0\0\0\0\x07", 12));
+  const ReadBag read = read_bag(folder.write("b.db3", bytes));
+  EXPECT_FALSE(read.is_open);
+  EXPECT_FALSE(read.said.empty());
+}
+
 /// The values of all messages, which data_of() made.
 std::vector<double> values_of(const ReadBag& read) {
   std::vector<double> values;
