@@ -69,11 +69,11 @@ std::vector<std::int64_t> find_breaks(const table::NumberTable& table,
                  gaps.size());
     return breaks;
   }
+  const std::string limit = fmt::format("steps of at most {} s{}", gap_text, here);
   for (const std::size_t row : gaps) {
-    reporter.add(table::Severity::warning,
-                 row,
-                 "a step of " + seconds_text(table.time_ns[row] - table.time_ns[row - 1]) + " s",
-                 "steps of at most " + gap_text + " s" + here);
+    const std::int64_t step = table.time_ns[row] - table.time_ns[row - 1];
+    reporter.add(
+        table::Severity::warning, row, fmt::format("a step of {} s", seconds_text(step)), limit);
   }
   return breaks;
 }

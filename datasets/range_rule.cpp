@@ -77,7 +77,10 @@ double RangeRules::stated(std::size_t ray, double reading) const noexcept {
   if (std::isnan(reading) || resolve(ray, reading) == reading) {
     return reading;
   }
-  return reading == 0.0 ? -kInfinity : reading == rays_[ray].reach_m ? kInfinity : reading;
+  if (reading == 0.0) {
+    return -kInfinity;
+  }
+  return reading == rays_[ray].reach_m ? kInfinity : reading;
 }
 
 }  // namespace tcert

@@ -3,12 +3,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "datasets/empty_samples.hpp"
 #include "datasets/stream_clock.hpp"
 #include "datasets/trial_reader.hpp"
 
@@ -182,35 +181,6 @@ class Resampler {
   std::size_t segment_begin_ = 0;
   TickTable ticks_;
 };
-
-bool says_something(const TactileStream& stream, std::size_t sample) noexcept {
-  const auto readings = std::span(stream.readings).subspan(sample * stream.rays, stream.rays);
-  return std::ranges::any_of(readings, [](const RayReading& reading) {
-    return !std::isnan(reading.value) || !std::isnan(reading.fsr_n);
-  });
-}
-
-/// The samples that say something, if any says nothing; of a robot without rays all are kept.
-std::optional<TactileStream> without_empty_samples(const TactileStream& stream) {
-  std::size_t sample = 0;
-  while (sample < stream.time_ns.size() && says_something(stream, sample)) {
-    ++sample;
-  }
-  if (sample == stream.time_ns.size() || stream.rays == 0) {
-    return std::nullopt;
-  }
-  TactileStream kept;
-  kept.rays = stream.rays;
-  for (sample = 0; sample < stream.time_ns.size(); ++sample) {
-    if (says_something(stream, sample)) {
-      const auto first = stream.readings.begin() + static_cast<std::ptrdiff_t>(sample * kept.rays);
-      kept.time_ns.push_back(stream.time_ns[sample]);
-      kept.readings.insert(
-          kept.readings.end(), first, first + static_cast<std::ptrdiff_t>(kept.rays));
-    }
-  }
-  return kept;
-}
 
 }  // namespace
 

@@ -1,10 +1,10 @@
 #include "datasets/trial_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
+#include "datasets/empty_samples.hpp"
 #include "datasets/range_report.hpp"
 #include "datasets/range_rule.hpp"
 #include "datasets/stream_overlap.hpp"
@@ -48,26 +48,6 @@ ControlStream to_control_stream(table::NumberTable table) {
   }
   control.time_ns = std::move(table.time_ns);
   return control;
-}
-
-/// Leaves out rows in which nothing is known.
-void drop_empty_rows(table::NumberTable& table) {
-  std::size_t kept = 0;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto values = std::span(table.values).subspan(row * table.columns, table.columns);
-    if (std::ranges::all_of(values, [](double value) { return std::isnan(value); })) {
-      ++table.empty_rows;
-      continue;
-    }
-    table.time_ns[kept] = table.time_ns[row];
-    table.lines[kept] = table.lines[row];
-    std::ranges::copy(values,
-                      table.values.begin() + static_cast<std::ptrdiff_t>(kept * table.columns));
-    ++kept;
-  }
-  table.time_ns.resize(kept);
-  table.lines.resize(kept);
-  table.values.resize(kept * table.columns);
 }
 
 /// Understands the readings of a tactile.csv by the rules of its rays. A row that says nothing then

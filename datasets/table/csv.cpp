@@ -143,13 +143,11 @@ bool is_empty_row(const RowPlan& plan, const RowProblems& wrong, const std::vect
   if (wrong.fields != 0 || wrong.open_quote) {
     return false;
   }
-  std::vector<std::uint8_t> known(row.size(), 0);
-  for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-    if (plan.cells[i].kind != CellKind::ignored && plan.cells[i].kind != CellKind::seconds) {
-      known[plan.cells[i].slot] = holds_nothing(row[plan.cells[i].slot]) ? 0 : 1;
-    }
-  }
-  return std::ranges::none_of(known, [](std::uint8_t flag) { return flag != 0; }) &&
+  const auto states_a_value = [&row](const CellPlan& cell) {
+    return cell.kind != CellKind::ignored && cell.kind != CellKind::seconds &&
+           !holds_nothing(row[cell.slot]);
+  };
+  return std::ranges::none_of(plan.cells, states_a_value) &&
          std::ranges::all_of(wrong.cells,
                              [](const CellProblem& cell) { return is_missing_cell(cell.value); });
 }

@@ -44,7 +44,8 @@ struct Looked {
 
 std::optional<ValueFinding> check_bend(const Looked& of) {
   const std::vector<double>& bend = of.ray.calibration.bend_rad;
-  const double margin = kMarginOfSpan * (bend.back() - bend.front());
+  // One knot is a clearance whatever the bend: nothing lies outside of it.
+  const double margin = bend.size() > 1 ? kMarginOfSpan * (bend.back() - bend.front()) : kOneTurn;
   const double low = bend.front() - margin;
   const double high = bend.back() + margin;
   if (of.scan.least >= low && of.scan.largest <= high) {

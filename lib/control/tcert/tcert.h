@@ -221,7 +221,8 @@ typedef struct tcert_parameters {
 
 /** Reading of one ray. */
 typedef struct tcert_reading {
-  double value;   /**< Bend in rad or range in m, by the ray's kind; NaN is missing. */
+  double value;   /**< Bend in rad or range in m, by the ray's kind; NaN is missing. A range of
+                       nothing within reach, inf of a laser, is to be given as the reach. */
   double force_n; /**< NaN if the ray has no force sensor. */
 } tcert_reading;
 
