@@ -21,6 +21,16 @@ void require_there(const std::string& path) {
   }
 }
 
+/// A calibration is of a bundle, not in it.
+void require_outside(const std::filesystem::path& bundle, const std::filesystem::path& output) {
+  const auto outer = std::filesystem::weakly_canonical(bundle);
+  const auto inner = std::filesystem::weakly_canonical(output);
+  if (std::ranges::mismatch(outer, inner).in1 == outer.end()) {
+    throw UsageError("the output " + output.string() + " lies in the bundle " + bundle.string() +
+                     "; name a folder outside of it");
+  }
+}
+
 RayPairs pairs_of(const CalibrateRaysRequest& request, Progress& progress) {
   require_there(request.pairs);
   table::CsvOptions csv;
@@ -145,6 +155,7 @@ ExitCode calibrate_rays(const CalibrateRaysRequest& request, Progress& progress)
   }
   if (!request.bundle.empty() && !request.output.path.empty()) {
     require_apart(request.bundle, request.output.path);
+    require_outside(request.bundle, request.output.path);
   }
   ReportOutput output(request.output, "calibrate");
   RayPairs pairs = pairs_of(request, progress);
