@@ -26,14 +26,14 @@ ColumnsOf<Named<Part>> named_columns(const char* curve) {
 }  // namespace
 
 Table h1_roc_table(const study::H1Table& h1) {
-  using Point = statistics::RocPoint;
-  const auto columns = named_columns<Point>("predictor")
-                           .number("threshold", "threshold", &Point::threshold)
-                           .fixed("sensitivity", "sensitivity", &Point::sensitivity)
-                           .fixed("specificity", "specificity", &Point::specificity);
+  using RocRow = statistics::RocPoint;
+  const auto columns = named_columns<RocRow>("predictor")
+                           .number("threshold", "threshold", &RocRow::threshold)
+                           .fixed("sensitivity", "sensitivity", &RocRow::sensitivity)
+                           .fixed("specificity", "specificity", &RocRow::specificity);
   Table table = columns.table("h1_roc", "ROC curves");
   for (const auto& roc : rows_of(h1, &study::H1Panel::roc)) {
-    for (const Point& point : roc->curve.points) {
+    for (const RocRow& point : roc->curve.points) {
       table.add_row(columns.row({{point}, roc.name, roc->name}));
     }
   }

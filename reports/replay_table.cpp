@@ -47,7 +47,7 @@ ColumnsOf<study::ReplanSummary> replan_columns() {
       .integer("scratch_expansions", "from scratch", &Replans::scratch_expansions);
 }
 
-ColumnsOf<TrialRow> trial_columns() {
+ColumnsOf<TrialRow> replayed_trial_columns() {
   return ColumnsOf<TrialRow>()
       .text("trial_id", "trial", &TrialRow::trial_id)
       .text("algorithm", "algorithm", &TrialRow::algorithm)
@@ -73,7 +73,7 @@ ColumnsOf<study::ReplayRecord> replay_columns() {
                           .fixed("creep_m", "creeping", "m", 2, &Replay::creep_m)
                           .part(trip_columns(), [](auto& r) { return &r; });
   return ColumnsOf<Record>()
-      .part(trial_columns(), [](auto& r) { return &r.trial; })
+      .part(replayed_trial_columns(), [](auto& r) { return &r.trial; })
       .part(law_columns(), [](auto& r) { return &r.law; })
       .part(times, [](auto& r) { return &r.replay; })
       .fixed("loop_latency_ms", "latency", "ms", 2, &Record::loop_latency_ms)

@@ -11,7 +11,7 @@
 namespace tcert {
 namespace {
 
-using Json = nlohmann::json;
+using ReadJson = nlohmann::json;
 
 ColumnKind kind_of(const std::string& word) {
   constexpr std::array kKinds{ColumnKind::text,
@@ -27,12 +27,12 @@ ColumnKind kind_of(const std::string& word) {
   return *kind;
 }
 
-double number_of(const Json& row, const std::string& name) {
-  const Json& value = row.at(name);
+double number_of(const ReadJson& row, const std::string& name) {
+  const ReadJson& value = row.at(name);
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
-TableCell cell_of(const Json& row, const Column& column) {
+TableCell cell_of(const ReadJson& row, const Column& column) {
   if (row.at(column.name).is_null() && column.kind != ColumnKind::estimate) {
     return {};
   }
@@ -57,11 +57,11 @@ TableCell cell_of(const Json& row, const Column& column) {
   return {};
 }
 
-void take_own_decimals(const Json& json, Table& table) {
+void take_own_decimals(const ReadJson& json, Table& table) {
   if (!json.contains("cell_decimals")) {
     return;
   }
-  for (const Json& one : json.at("cell_decimals")) {
+  for (const ReadJson& one : json.at("cell_decimals")) {
     TableCell& cell = table.rows.at(one.at(0).get<std::size_t>()).at(one.at(1).get<std::size_t>());
     if (auto* const number = std::get_if<Number>(&cell)) {
       number->decimals = one.at(2).get<int>();
@@ -71,7 +71,7 @@ void take_own_decimals(const Json& json, Table& table) {
   }
 }
 
-Table table_of(const Json& json) {
+Table table_of(const ReadJson& json) {
   Table table;
   table.name = json.at("table").get<std::string>();
   table.title = json.at("title").get<std::string>();
@@ -84,7 +84,7 @@ Table table_of(const Json& json) {
   if (!json.at("n").is_null()) {
     table.n = json.at("n").get<std::int64_t>();
   }
-  for (const Json& one : json.at("columns")) {
+  for (const ReadJson& one : json.at("columns")) {
     table.columns.push_back({one.at("name").get<std::string>(),
                              one.at("heading").get<std::string>(),
                              one.at("unit").get<std::string>(),
@@ -92,7 +92,7 @@ Table table_of(const Json& json) {
                              one.at("decimals").get<int>(),
                              one.at("significant").get<int>()});
   }
-  for (const Json& one : json.at("rows")) {
+  for (const ReadJson& one : json.at("rows")) {
     std::vector<TableCell> cells;
     for (const Column& column : table.columns) {
       cells.push_back(cell_of(one, column));
@@ -111,8 +111,8 @@ Table table_from_json(std::string_view text) {
     throw std::invalid_argument("not a table: " + std::string(shape));
   }
   try {
-    return table_of(Json::parse(text));
-  } catch (const Json::exception& error) {
+    return table_of(ReadJson::parse(text));
+  } catch (const ReadJson::exception& error) {
     throw std::invalid_argument(std::string("not a table: ") + error.what());
   } catch (const std::out_of_range&) {
     throw std::invalid_argument("not a table: decimals of a cell that is not there");

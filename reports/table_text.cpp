@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kBetween = "  ";
 
-std::string heading_of(const Column& column) {
+std::string plain_heading(const Column& column) {
   return column.unit.empty() ? column.heading : column.heading + " [" + column.unit + "]";
 }
 
@@ -19,7 +19,7 @@ using Grid = std::vector<std::vector<std::string>>;
 Grid grid_of(const Table& table) {
   Grid grid(table.rows.size() + 1);
   for (const Column& column : table.columns) {
-    grid[0].push_back(heading_of(column));
+    grid[0].push_back(plain_heading(column));
   }
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -191,7 +191,7 @@ bool has_headings(const Grid& grid) {
       grid[0].begin(), grid[0].end(), [](const std::string& text) { return !text.empty(); });
 }
 
-std::string escaped(std::string_view text) {
+std::string markdown_escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     if (c == '\n' || c == '\r') {
@@ -241,7 +241,7 @@ std::string render_markdown(const Table& table) {
   if (table.synthetic) {
     out += "**" + to_string(*table.synthetic) + "**\n\n";
   }
-  out += "### " + escaped(title_of(table)) + "\n\n";
+  out += "### " + markdown_escaped(title_of(table)) + "\n\n";
   Grid grid = grid_of(table);
   for (auto& row : grid) {
     std::transform(row.begin(), row.end(), row.begin(), escaped);
@@ -264,7 +264,7 @@ std::string render_markdown(const Table& table) {
     out += '\n';
   }
   for (const std::string& note : table.footnotes) {
-    out += '\n' + escaped(note) + '\n';
+    out += '\n' + markdown_escaped(note) + '\n';
   }
   return out;
 }

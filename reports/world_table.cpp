@@ -9,7 +9,7 @@
 namespace tcert {
 namespace {
 
-constexpr int kDecimals = 4;
+constexpr int kWorldDecimals = 4;
 
 struct KnownWorld {
   const World& world;
@@ -19,22 +19,24 @@ struct KnownWorld {
 };
 
 ColumnsOf<KnownWorld> world_columns() {
-  const auto bottleneck = ColumnsOf<Point>()
-                              .fixed("bottleneck_x_m", "bottleneck x", "m", kDecimals, &Point::x_m)
-                              .fixed("bottleneck_y_m", "y", "m", kDecimals, &Point::y_m);
+  const auto bottleneck =
+      ColumnsOf<Point>()
+          .fixed("bottleneck_x_m", "bottleneck x", "m", kWorldDecimals, &Point::x_m)
+          .fixed("bottleneck_y_m", "y", "m", kWorldDecimals, &Point::y_m);
   return ColumnsOf<KnownWorld>()
       .text("world", "world", [](auto& r) { return r.world.name; })
-      .fixed("T_lower_m", "T at least", "m", kDecimals, [](auto& r) { return r.truth.lower_m; })
-      .fixed("T_upper_m", "T at most", "m", kDecimals, [](auto& r) { return r.truth.upper_m; })
+      .fixed(
+          "T_lower_m", "T at least", "m", kWorldDecimals, [](auto& r) { return r.truth.lower_m; })
+      .fixed("T_upper_m", "T at most", "m", kWorldDecimals, [](auto& r) { return r.truth.upper_m; })
       .fixed("clearance_m",
              "clearance",
              "m",
-             kDecimals,
+             kWorldDecimals,
              [](auto& r) { return r.truth.clearance.clearance_m; })
       .fixed("clearance_error_m",
              "error at most",
              "m",
-             kDecimals,
+             kWorldDecimals,
              [](auto& r) { return r.truth.clearance.upper_m - r.truth.clearance.clearance_m; })
       .integer("connected", "connected", &KnownWorld::is_connected)
       .part(bottleneck, [](auto& r) { return r.truth.clearance.bottleneck; })

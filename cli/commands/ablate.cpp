@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kAblateText =
     R"(Leave parts of the method out and see what that does to H1 and to the issuing of certificates.
 
 The cells: A1 no contact memory, A2 unknown space taken for free, A3 no curvature, their pairs and
@@ -26,13 +26,13 @@ Cost: that of 'tcert certify' for each cell that changes the series, less what t
 about a second a cell.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, ablate); }
+int run_ablate(Arguments arguments) { return run_command(kAblateText, arguments, ablate); }
 
-std::vector<CommandForm> forms() { return {form_for<AblateRequest>(kText)}; }
+std::vector<CommandForm> ablate_forms() { return {form_for<AblateRequest>(kAblateText)}; }
 
 }  // namespace
 
 const Command kAblate = {
-    "ablate", "leave parts of the method out, beside the full one", run, forms};
+    "ablate", "leave parts of the method out, beside the full one", run_ablate, ablate_forms};
 
 }  // namespace tcert::cli

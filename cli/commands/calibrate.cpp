@@ -10,7 +10,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kCalibrateText =
     R"(Calibrate what a robot feels with.
 
 rays: bends beside measured clearances become the calibrations of a bundle's rays, with a lower bound
@@ -38,26 +38,28 @@ OptionTable options_of(CalibrateRequest& request) {
   return table;
 }
 
-int run(Arguments arguments) {
+int run_calibrate(Arguments arguments) {
   if (std::ranges::find(arguments, "rays") != arguments.end()) {
     return calibrate_rays_command(arguments);
   }
   CalibrateRequest request;
   Manner manner;
-  if (parse(kText, options_of(request), manner, arguments)) {
+  if (parse(kCalibrateText, options_of(request), manner, arguments)) {
     throw UsageError("unknown kind '" + request.kind + "', expected rays" +
                      did_you_mean(request.kind, {"rays"}));
   }
   return exit_done;
 }
 
-std::vector<CommandForm> forms() {
-  return {form_for<CalibrateRequest>(kText), calibrate_rays_form()};
+std::vector<CommandForm> calibrate_forms() {
+  return {form_for<CalibrateRequest>(kCalibrateText), calibrate_rays_form()};
 }
 
 }  // namespace
 
-const Command kCalibrate = {
-    "calibrate", "calibrate rays: a curve with a bound that holds on a new day", run, forms};
+const Command kCalibrate = {"calibrate",
+                            "calibrate rays: a curve with a bound that holds on a new day",
+                            run_calibrate,
+                            calibrate_forms};
 
 }  // namespace tcert::cli

@@ -6,7 +6,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kCalibrateRaysText =
     R"(Calibrate rays: from bends beside measured clearances to a curve with a lower bound.
 
 PAIRS is a table with the columns ray, run, day, bend_rad, clearance_m, a row a tick: the bend as ticks
@@ -35,10 +35,12 @@ Cost: a second for a million pairs.
 
 }  // namespace
 
-CommandForm calibrate_rays_form() { return form_for<CalibrateRaysRequest>(kText, "rays"); }
+CommandForm calibrate_rays_form() {
+  return form_for<CalibrateRaysRequest>(kCalibrateRaysText, "rays");
+}
 
 int calibrate_rays_command(Arguments arguments) {
-  return run_command(kText, arguments, calibrate_rays);
+  return run_command(kCalibrateRaysText, arguments, calibrate_rays);
 }
 
 }  // namespace tcert::cli

@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kCertifyText =
     R"(Certify the trials of a bundle: the certificate at every tick, and each trial's features.
 
 With --output DIR: DIR/series/<trial_id>.csv (one row a tick), DIR/edges/<trial_id>.csv (one row an
@@ -30,12 +30,13 @@ Cost: one pass over the logs, a few trials in memory at a time; the series take 
 as logs at 20 Hz (--no-series leaves them out).
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, certify); }
+int run_certify(Arguments arguments) { return run_command(kCertifyText, arguments, certify); }
 
-std::vector<CommandForm> forms() { return {form_for<CertifyRequest>(kText)}; }
+std::vector<CommandForm> certify_forms() { return {form_for<CertifyRequest>(kCertifyText)}; }
 
 }  // namespace
 
-const Command kCertify = {"certify", "certify the trials of a bundle, tick by tick", run, forms};
+const Command kCertify = {
+    "certify", "certify the trials of a bundle, tick by tick", run_certify, certify_forms};
 
 }  // namespace tcert::cli

@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kCheckText =
     R"(Look at logs before anything is computed from them, whatever they are.
 
 What it is is found out by what it holds, never by its name.
@@ -33,13 +33,15 @@ Example:
 Cost: one pass over the logs; of alike CSV files over the first.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, check); }
+int run_check(Arguments arguments) { return run_command(kCheckText, arguments, check); }
 
-std::vector<CommandForm> forms() { return {form_for<CheckRequest>(kText)}; }
+std::vector<CommandForm> check_forms() { return {form_for<CheckRequest>(kCheckText)}; }
 
 }  // namespace
 
-const Command kCheck = {
-    "check", "look at logs of any format before anything is computed from them", run, forms};
+const Command kCheck = {"check",
+                        "look at logs of any format before anything is computed from them",
+                        run_check,
+                        check_forms};
 
 }  // namespace tcert::cli

@@ -4,7 +4,7 @@ namespace tcert::cli {
 namespace {
 
 /// What the functions below it say is the only thing that is about tcert.
-constexpr std::string_view kFunctions = R"bash(
+constexpr std::string_view kBashFunctions = R"bash(
 # Sets 'form' to the command at the cursor, with its word if it has one, and 'at' to how many words it has.
 _tcert_form() {
   form=${line[0]} at=1
@@ -107,7 +107,7 @@ std::string bash_completion(const std::vector<NamedForm>& forms) {
       first += one_case(one.name, joined(words));
     }
   }
-  std::string functions(kFunctions);
+  std::string functions(kBashFunctions);
   const std::string mark = "@FORMS@";
   functions.replace(functions.find(mark), mark.size(), with_word);
   return completion_mark("bash") + "_tcert_commands='" + commands + "'\n_tcert_keys='" +

@@ -25,7 +25,7 @@ std::string option_line(const std::string& form, const OptionForm& option) {
   return line + " -d " + quoted(option.text) + '\n';
 }
 
-constexpr std::string_view kFunctions = R"fish(
+constexpr std::string_view kFishFunctions = R"fish(
 # The command at the cursor, with its word if it has one.
 function __tcert_form
     set -l line (commandline -opc)
@@ -70,7 +70,7 @@ std::string fish_completion(const std::vector<NamedForm>& forms) {
       lines += option_line(one.name, option);
     }
   }
-  std::string functions(kFunctions);
+  std::string functions(kFishFunctions);
   const std::string mark = "@FORMS@";
   functions.replace(functions.find(mark), mark.size(), with_word);
   return completion_mark("fish") + functions + lines;

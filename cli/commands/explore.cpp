@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kExploreText =
     R"(Explore a terrain that is felt one cell at a time: measure, grow the ground that is certified
 safe, go to the next cell, until the goal is joined or no cell can make the ground grow.
 
@@ -45,13 +45,13 @@ Example:
 Cost: 5 to 30 ms a step at 240,000 cells, and 60 MB at 500 measurements.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, explore); }
+int run_explore(Arguments arguments) { return run_command(kExploreText, arguments, explore); }
 
-std::vector<CommandForm> forms() { return {form_for<ExploreRequest>(kText)}; }
+std::vector<CommandForm> explore_forms() { return {form_for<ExploreRequest>(kExploreText)}; }
 
 }  // namespace
 
 const Command kExplore = {
-    "explore", "explore a terrain that is felt one cell at a time", run, forms};
+    "explore", "explore a terrain that is felt one cell at a time", run_explore, explore_forms};
 
 }  // namespace tcert::cli

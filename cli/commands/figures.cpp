@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kFiguresText =
     R"(Draw the figures of results for a paper.
 
 RESULTS is a folder as 'tcert reproduce' makes it, or any folder of folders that the commands wrote.
@@ -22,12 +22,13 @@ Example:
 Cost: a few seconds.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, figures); }
+int run_figures(Arguments arguments) { return run_command(kFiguresText, arguments, figures); }
 
-std::vector<CommandForm> forms() { return {form_for<FiguresRequest>(kText)}; }
+std::vector<CommandForm> figures_forms() { return {form_for<FiguresRequest>(kFiguresText)}; }
 
 }  // namespace
 
-const Command kFigures = {"figures", "draw the figures of results for a paper", run, forms};
+const Command kFigures = {
+    "figures", "draw the figures of results for a paper", run_figures, figures_forms};
 
 }  // namespace tcert::cli

@@ -8,7 +8,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kFitText =
     R"(Fit a model to any CSV table, with R's formulas and R's numbers.
 
 KIND is one of
@@ -69,7 +69,7 @@ Cost: a pass over the table and a few over its rows; a million rows take seconds
 
 /// The help of one kind, or of all.
 std::string help_of(std::string_view kind) {
-  std::string text(kText);
+  std::string text(kFitText);
   const std::string mark = "@TABLES@\n";
   return text.replace(text.find(mark), mark.size(), tables_in_words(kind) + '\n');
 }
@@ -90,17 +90,17 @@ bool prints_help_of_kind(Arguments arguments) {
   return !parse(help_of(kind), table, manner, arguments);
 }
 
-int run(Arguments arguments) {
+int run_fit(Arguments arguments) {
   return prints_help_of_kind(arguments) ? exit_done : run_command(help_of(""), arguments, fit);
 }
 
-std::vector<CommandForm> forms() { return {form_for<FitRequest>(help_of(""))}; }
+std::vector<CommandForm> fit_forms() { return {form_for<FitRequest>(help_of(""))}; }
 
 }  // namespace
 
 const Command kFit = {"fit",
                       "fit a model to any table: glm, glmm, calibration, cox, km, roc, concordance",
-                      run,
-                      forms};
+                      run_fit,
+                      fit_forms};
 
 }  // namespace tcert::cli

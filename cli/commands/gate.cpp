@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kGateText =
     R"(The bottleneck micro-study: is the chance to pass a gate even where the margin is 0?
 
 Fits logit Pr(success) = alpha + beta m to passes through gates about as wide as the body, m the
@@ -27,13 +27,13 @@ Example:
 Cost: a second for 60 passes.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, gate); }
+int run_gate(Arguments arguments) { return run_command(kGateText, arguments, gate); }
 
-std::vector<CommandForm> forms() { return {form_for<GateRequest>(kText)}; }
+std::vector<CommandForm> gate_forms() { return {form_for<GateRequest>(kGateText)}; }
 
 }  // namespace
 
 const Command kGate = {
-    "gate", "the bottleneck micro-study: the margin of an even chance", run, forms};
+    "gate", "the bottleneck micro-study: the margin of an even chance", run_gate, gate_forms};
 
 }  // namespace tcert::cli

@@ -18,7 +18,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kHelpText =
     R"(Print help: of the tool, of one command or kind, or of a topic.
 
 TOPIC is one of
@@ -138,7 +138,7 @@ void show_completion(const HelpRequest& request) {
 int run_help(Arguments arguments) {
   HelpRequest request;
   Manner manner;
-  if (!parse(kText, options_of(request), manner, arguments)) {
+  if (!parse(kHelpText, options_of(request), manner, arguments)) {
     return exit_done;
   }
   const auto& [topic, kind, output, given] = request;
@@ -185,7 +185,7 @@ int run_version(Arguments arguments) {
   return exit_done;
 }
 
-std::vector<CommandForm> help_forms() { return {form_for<HelpRequest>(kText)}; }
+std::vector<CommandForm> help_forms() { return {form_for<HelpRequest>(kHelpText)}; }
 
 std::vector<CommandForm> version_forms() {
   std::vector<std::string> given;

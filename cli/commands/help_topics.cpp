@@ -36,10 +36,10 @@ Table parameter_listing() {
 }
 
 Table column_listing() {
-  struct Row : RowOf<ColumnDoc> {
+  struct ListedColumn : RowOf<ColumnDoc> {
     const char* file;
   };
-  const auto columns = ColumnsOf<Row>()
+  const auto columns = ColumnsOf<ListedColumn>()
                            .text("file", "file", [](auto& row) { return std::string(row.file); })
                            .text("column", "column", &ColumnDoc::name)
                            .text("unit", "unit", &ColumnDoc::unit)

@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kHypothesesText =
     R"(Test a hypothesis of the paper on a bundle or on any table of trials.
 
 h1: does the early certificate margin tell successes from failures, and fast trials from slow ones,
@@ -59,13 +59,17 @@ Example:
 Cost: that of 'tcert certify' for a bundle; some seconds per 1,000 trials and 2,000 resamples.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, hypotheses); }
+int run_hypotheses(Arguments arguments) {
+  return run_command(kHypothesesText, arguments, hypotheses);
+}
 
-std::vector<CommandForm> forms() { return {form_for<HypothesesRequest>(kText)}; }
+std::vector<CommandForm> hypotheses_forms() {
+  return {form_for<HypothesesRequest>(kHypothesesText)};
+}
 
 }  // namespace
 
 const Command kHypotheses = {
-    "hypotheses", "test a hypothesis of the paper: h1, h2, h3", run, forms};
+    "hypotheses", "test a hypothesis of the paper: h1, h2, h3", run_hypotheses, hypotheses_forms};
 
 }  // namespace tcert::cli

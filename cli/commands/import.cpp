@@ -11,7 +11,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kImportText =
     R"(Make a bundle or a feature table from data in a foreign format.
 
 log: bags of ROS 2 (MCAP, rosbag2) and CSV files of any columns become a bundle, by a map.
@@ -53,7 +53,7 @@ constexpr std::array kFormats{Format{"barn", import_barn_command},
                               Format{"carmen", import_carmen_command},
                               Format{"log", import_log_command}};
 
-int run(Arguments arguments) {
+int run_import(Arguments arguments) {
   for (const auto& argument : arguments) {
     const auto* const format = std::ranges::find(kFormats, argument, &Format::name);
     if (format != kFormats.end()) {
@@ -62,21 +62,25 @@ int run(Arguments arguments) {
   }
   ImportRequest request;
   Manner manner;
-  if (parse(kText, options_of(request), manner, arguments)) {
+  if (parse(kImportText, options_of(request), manner, arguments)) {
     throw UsageError("unknown format '" + request.format + "', expected log, carmen or barn" +
                      did_you_mean(request.format, {"barn", "carmen", "log"}));
   }
   return exit_done;
 }
 
-std::vector<CommandForm> forms() {
-  return {
-      form_for<ImportRequest>(kText), import_log_form(), import_carmen_form(), import_barn_form()};
+std::vector<CommandForm> import_forms() {
+  return {form_for<ImportRequest>(kImportText),
+          import_log_form(),
+          import_carmen_form(),
+          import_barn_form()};
 }
 
 }  // namespace
 
-const Command kImport = {
-    "import", "make a bundle or a feature table from data in a foreign format", run, forms};
+const Command kImport = {"import",
+                         "make a bundle or a feature table from data in a foreign format",
+                         run_import,
+                         import_forms};
 
 }  // namespace tcert::cli

@@ -6,7 +6,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kImportBarnText =
     R"(Make a feature table from public outcomes of the BARN challenge.
 
 Trials are the result text of the challenge's own runner (run.py appends a line a trial to out.txt:
@@ -34,8 +34,10 @@ Cost: one pass over the files.
 
 }  // namespace
 
-CommandForm import_barn_form() { return form_for<ImportBarnRequest>(kText, "barn"); }
+CommandForm import_barn_form() { return form_for<ImportBarnRequest>(kImportBarnText, "barn"); }
 
-int import_barn_command(Arguments arguments) { return run_command(kText, arguments, import_barn); }
+int import_barn_command(Arguments arguments) {
+  return run_command(kImportBarnText, arguments, import_barn);
+}
 
 }  // namespace tcert::cli

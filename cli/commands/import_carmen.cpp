@@ -6,7 +6,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kImportCarmenText =
     R"(Make a bundle from a Carnegie Mellon log (plain, .gz or .zst).
 
 Each FLASER record (or ROBOTLASER1, by the first that the log has) becomes a tick with one range ray a
@@ -34,10 +34,12 @@ Cost: one pass over the log.
 
 }  // namespace
 
-CommandForm import_carmen_form() { return form_for<ImportCarmenRequest>(kText, "carmen"); }
+CommandForm import_carmen_form() {
+  return form_for<ImportCarmenRequest>(kImportCarmenText, "carmen");
+}
 
 int import_carmen_command(Arguments arguments) {
-  return run_command(kText, arguments, import_carmen);
+  return run_command(kImportCarmenText, arguments, import_carmen);
 }
 
 }  // namespace tcert::cli

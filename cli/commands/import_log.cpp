@@ -6,7 +6,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kImportLogText =
     R"(Make a bundle from logs as a robot's own programs write them.
 
 A source is a bag of ROS 2 (an MCAP file, a rosbag2 database or its folder), a folder of CSV files, or
@@ -30,8 +30,10 @@ Cost: one pass over the logs; memory does not grow with the length of a bag.
 
 }  // namespace
 
-CommandForm import_log_form() { return form_for<ImportLogRequest>(kText, "log"); }
+CommandForm import_log_form() { return form_for<ImportLogRequest>(kImportLogText, "log"); }
 
-int import_log_command(Arguments arguments) { return run_command(kText, arguments, import_log); }
+int import_log_command(Arguments arguments) {
+  return run_command(kImportLogText, arguments, import_log);
+}
 
 }  // namespace tcert::cli

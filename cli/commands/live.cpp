@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kLiveText =
     R"(Certify ticks as they arrive: reads ticks, writes one row of the series per tick, at once.
 
 The rows are those that 'certify' writes for the same ticks, byte for byte; with --guards those that
@@ -38,12 +38,12 @@ Example:
 Cost: about a microsecond of certifying per tick; memory does not grow with the run.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, live); }
+int run_live(Arguments arguments) { return run_command(kLiveText, arguments, live); }
 
-std::vector<CommandForm> forms() { return {form_for<LiveRequest>(kText)}; }
+std::vector<CommandForm> live_forms() { return {form_for<LiveRequest>(kLiveText)}; }
 
 }  // namespace
 
-const Command kLive = {"live", "certify ticks as they arrive", run, forms};
+const Command kLive = {"live", "certify ticks as they arrive", run_live, live_forms};
 
 }  // namespace tcert::cli

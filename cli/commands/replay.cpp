@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kReplayText =
     R"(Drive the logged trials again at gated speed: same path, every interval re-timed by the margin.
 
 Each trial is replayed at every law of --laws and beta of --betas, guards G1-G3 on. Where the law or
@@ -26,12 +26,13 @@ Example:
 Cost: that of 'tcert certify', and about as much again with --replan.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, replay); }
+int run_replay(Arguments arguments) { return run_command(kReplayText, arguments, replay); }
 
-std::vector<CommandForm> forms() { return {form_for<ReplayRequest>(kText)}; }
+std::vector<CommandForm> replay_forms() { return {form_for<ReplayRequest>(kReplayText)}; }
 
 }  // namespace
 
-const Command kReplay = {"replay", "drive logged trials again at gated speed", run, forms};
+const Command kReplay = {
+    "replay", "drive logged trials again at gated speed", run_replay, replay_forms};
 
 }  // namespace tcert::cli

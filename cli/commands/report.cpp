@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kReportText =
     R"(One page of a tree of results, to look at and to send: report.html, which needs no network.
 
 Tables, figures with the numbers behind them, every trial (sorted, filtered, opened tick by tick
@@ -24,13 +24,13 @@ Example:
 Cost: two seconds and 6 MB of page for 660 trials.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, report); }
+int run_report(Arguments arguments) { return run_command(kReportText, arguments, report); }
 
-std::vector<CommandForm> forms() { return {form_for<ReportRequest>(kText)}; }
+std::vector<CommandForm> report_forms() { return {form_for<ReportRequest>(kReportText)}; }
 
 }  // namespace
 
 const Command kReport = {
-    "report", "one page of a tree of results, to look at and to send", run, forms};
+    "report", "one page of a tree of results, to look at and to send", run_report, report_forms};
 
 }  // namespace tcert::cli

@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kReproduceText =
     R"(From end to end: logs, certificates, features, every hypothesis, every table.
 
 Without a BUNDLE it makes the synthetic corpus in DIR/corpus, and the gate passes of the micro-study
@@ -29,13 +29,15 @@ Example:
 Cost: a quarter of a minute and about 200 MB for the 660 trials; a minute more with --sensitivity.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, reproduce); }
+int run_reproduce(Arguments arguments) { return run_command(kReproduceText, arguments, reproduce); }
 
-std::vector<CommandForm> forms() { return {form_for<ReproduceRequest>(kText)}; }
+std::vector<CommandForm> reproduce_forms() { return {form_for<ReproduceRequest>(kReproduceText)}; }
 
 }  // namespace
 
-const Command kReproduce = {
-    "reproduce", "from logs to the tables of the paper, end to end", run, forms};
+const Command kReproduce = {"reproduce",
+                            "from logs to the tables of the paper, end to end",
+                            run_reproduce,
+                            reproduce_forms};
 
 }  // namespace tcert::cli

@@ -6,7 +6,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kSimulateText =
     R"(Make the synthetic corpus: a bundle with everything that the paper publishes about its 660 trials
 built in, and everything else declared. It tests and shows the tool; it says nothing about a robot.
 
@@ -37,20 +37,20 @@ Example:
 Cost: 0.2 s at 600 x 400 cells.
 )";
 
-int run(Arguments arguments) {
+int run_simulate(Arguments arguments) {
   if (!arguments.empty() && arguments.front() == "terrain") {
     return run_command(kTerrainText, arguments.subspan(1), simulate_terrain);
   }
-  return run_command(kText, arguments, simulate);
+  return run_command(kSimulateText, arguments, simulate);
 }
 
-std::vector<CommandForm> forms() {
-  return {form_for<SimulateRequest>(kText),
+std::vector<CommandForm> simulate_forms() {
+  return {form_for<SimulateRequest>(kSimulateText),
           form_for<SimulateTerrainRequest>(kTerrainText, "terrain")};
 }
 
 }  // namespace
 
-const Command kSimulate = {"simulate", "make the synthetic corpus", run, forms};
+const Command kSimulate = {"simulate", "make the synthetic corpus", run_simulate, simulate_forms};
 
 }  // namespace tcert::cli

@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kStudyText =
     R"(How often is the tool itself right? Studies on data that are made, so that the truth is known.
 
 STUDY is one of
@@ -35,13 +35,15 @@ Cost in CPU time, as they are: soundness 12 minutes, coverage 17, equivalence 10
 rays 1, terrain 40 s, but with TERRAIN an hour or more; in proportion to --worlds, --data-sets, --terrains.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, study); }
+int run_study(Arguments arguments) { return run_command(kStudyText, arguments, study); }
 
-std::vector<CommandForm> forms() { return {form_for<StudyRequest>(kText)}; }
+std::vector<CommandForm> study_forms() { return {form_for<StudyRequest>(kStudyText)}; }
 
 }  // namespace
 
-const Command kStudy = {
-    "study", "how often the tool itself is right, where the truth is known", run, forms};
+const Command kStudy = {"study",
+                        "how often the tool itself is right, where the truth is known",
+                        run_study,
+                        study_forms};
 
 }  // namespace tcert::cli

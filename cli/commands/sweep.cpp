@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kSweepText =
     R"(Run the whole way from log to H1 under many parameter values.
 
 --grid KEY=V1,V2,... gives a parameter several values; several --grid give every combination. --cells
@@ -28,12 +28,12 @@ Cost: that of 'tcert certify' for each distinct series; results are kept in the 
 a run that was stopped goes on where it was.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, sweep); }
+int run_sweep(Arguments arguments) { return run_command(kSweepText, arguments, sweep); }
 
-std::vector<CommandForm> forms() { return {form_for<SweepRequest>(kText)}; }
+std::vector<CommandForm> sweep_forms() { return {form_for<SweepRequest>(kSweepText)}; }
 
 }  // namespace
 
-const Command kSweep = {"sweep", "run under many parameter values", run, forms};
+const Command kSweep = {"sweep", "run under many parameter values", run_sweep, sweep_forms};
 
 }  // namespace tcert::cli

@@ -5,7 +5,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kVerifyText =
     R"(Do these results stand? Makes them again from their inputs and compares every byte.
 
 RESULTS is a folder with a manifest.json, a folder of such folders, as 'tcert reproduce' makes, or a
@@ -31,12 +31,13 @@ Example:
 Cost: that of the commands; without making anything again, of reading the files once.
 )";
 
-int run(Arguments arguments) { return run_command(kText, arguments, verify); }
+int run_verify(Arguments arguments) { return run_command(kVerifyText, arguments, verify); }
 
-std::vector<CommandForm> forms() { return {form_for<VerifyRequest>(kText)}; }
+std::vector<CommandForm> verify_forms() { return {form_for<VerifyRequest>(kVerifyText)}; }
 
 }  // namespace
 
-const Command kVerify = {"verify", "make results again and compare every byte", run, forms};
+const Command kVerify = {
+    "verify", "make results again and compare every byte", run_verify, verify_forms};
 
 }  // namespace tcert::cli

@@ -7,7 +7,7 @@
 namespace tcert::cli {
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kWorldText =
     R"(The truth of known worlds: the best margin that any path from S to G has.
 
 T is the largest value, over all paths, of min(clearance slack, turn radius - least turn radius).
@@ -32,7 +32,7 @@ million cells of a grid.
 
 /// With the file of our own format, key by key, which no other text has.
 std::string help() {
-  std::string text(kText);
+  std::string text(kWorldText);
   text +=
       "\nThe world file, version 1, is a JSON object (* is required; another key is an error):\n";
   return text + fields_in_words(world_fields()) +
@@ -41,13 +41,13 @@ std::string help() {
          "leaves the\nbounds; a polygon is simple, and closed by itself.\n";
 }
 
-int run(Arguments arguments) { return run_command(help(), arguments, world); }
+int run_world(Arguments arguments) { return run_command(help(), arguments, world); }
 
-std::vector<CommandForm> forms() { return {form_for<WorldRequest>(help())}; }
+std::vector<CommandForm> world_forms() { return {form_for<WorldRequest>(help())}; }
 
 }  // namespace
 
 const Command kWorld = {
-    "world", "the truth of known worlds: the best margin a path has", run, forms};
+    "world", "the truth of known worlds: the best margin a path has", run_world, world_forms};
 
 }  // namespace tcert::cli

@@ -25,25 +25,25 @@
 namespace tcert::cli {
 namespace {
 
-struct Study {
+struct H1Study {
   DataFile file;
   Manifest manifest;
   ExitCode code = exit_done;
 };
 
-Study study_of_table(const HypothesesRequest& request,
-                     const std::vector<std::string>& columns,
-                     Progress& progress) {
-  Study study;
+H1Study h1_study_of_table(const HypothesesRequest& request,
+                          const std::vector<std::string>& columns,
+                          Progress& progress) {
+  H1Study study;
   study.file = read_data_file(request.features, columns, request.logs.decimal_comma, progress);
   study.manifest = manifest_of("hypotheses", study.file, written(request));
   return study;
 }
 
-Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
+H1Study h1_study_of_bundle(const HypothesesRequest& request, Progress& progress) {
   const OpenedBundle opened = open_for(request.bundle, request.logs, progress);
   FeatureData features(opened.bundle);
-  Study study;
+  H1Study study;
   const CertifySummary summary = certify_trials(
       opened, request.threads, progress, nullptr, {}, [&](study::TrialRecord&& trial) {
         features.add(trial);
@@ -145,8 +145,9 @@ ExitCode hypotheses(const HypothesesRequest& request, Progress& progress) {
   }
   const ThreadLimit limit(request.threads);
   ReportOutput output(request.output, "hypotheses");
-  Study study = request.features.empty() ? study_of_bundle(request, progress)
-                                         : study_of_table(request, hypothesis.columns, progress);
+  H1Study study = request.features.empty()
+                      ? h1_study_of_bundle(request, progress)
+                      : h1_study_of_table(request, hypothesis.columns, progress);
   FitReport report;
   try {
     refuse_missing_words(hypothesis.columns, study.file.table);

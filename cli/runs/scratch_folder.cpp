@@ -22,10 +22,10 @@ fs::path place() {
   std::error_code error;
   const fs::path folder = fs::temp_directory_path(error);
   if (error) {
-    const char* const told = std::getenv("TMPDIR");
+    const char* const variable = std::getenv("TMPDIR");
     throw table::WriteError("cannot make a scratch folder in '" +
-                            std::string(told != nullptr ? told : "/tmp") + "': " + error.message() +
-                            "; TMPDIR must name a folder");
+                            std::string(variable != nullptr ? variable : "/tmp") +
+                            "': " + error.message() + "; TMPDIR must name a folder");
   }
   return folder / "tcert";
 }

@@ -60,17 +60,17 @@ study::TruthOptions truth_options(const WorldRequest& request) {
   return truth;
 }
 
-struct Answer {
+struct WorldAnswer {
   study::Truth truth;
   std::string picture;
   std::string problem;
 };
 
-Answer answer(const World& world,
-              const Robot& robot,
-              const study::TruthOptions& options,
-              bool picture) {
-  Answer result;
+WorldAnswer answer(const World& world,
+                   const Robot& robot,
+                   const study::TruthOptions& options,
+                   bool picture) {
+  WorldAnswer result;
   try {
     result.truth = study::truth_of(world, robot, options);
     if (picture) {
@@ -188,7 +188,7 @@ ExitCode world(const WorldRequest& request, Progress& progress) {
     pictures.emplace(request.picture, "world");
   }
   const ThreadLimit limit(request.threads);
-  std::vector<Answer> answers(worlds.size());
+  std::vector<WorldAnswer> answers(worlds.size());
   Stage stage(progress, "worlds", worlds.size());
   std::mutex counting;
   tbb::parallel_for(std::size_t{0}, worlds.size(), [&](std::size_t i) {

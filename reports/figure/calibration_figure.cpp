@@ -1,20 +1,15 @@
 #include "reports/figure/h1_figures.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_table.hpp"
 
 namespace tcert {
-namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 std::optional<Figure> calibration_figure(const Table& h1_calibration) {
   const Table& from = h1_calibration;
   Figure figure = named("calibration", "Success: out-of-fold calibration", from.synthetic);
@@ -43,8 +38,10 @@ std::optional<Figure> calibration_figure(const Table& h1_calibration) {
   }
   const double low = std::max(0.0, std::floor(least * 10.0) / 10.0);
   for (const std::string& panel : distinct(from, "panel")) {
-    add_figure_row(figure.data, "ideal", {panel, ""}, {low, low, kNaN, kNaN, kNaN});
-    add_figure_row(figure.data, "ideal", {panel, ""}, {1.0, 1.0, kNaN, kNaN, kNaN});
+    add_figure_row(
+        figure.data, "ideal", {panel, ""}, {low, low, table::kNaN, table::kNaN, table::kNaN});
+    add_figure_row(
+        figure.data, "ideal", {panel, ""}, {1.0, 1.0, table::kNaN, table::kNaN, table::kNaN});
     Panel one;
     one.title = panel_title(panel);
     one.name = panel;

@@ -1,7 +1,8 @@
 #include "reports/figure/set_figures.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "reports/figure/figure_parts.hpp"
@@ -10,8 +11,6 @@
 namespace tcert {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 double margin_of(const Table& equality, const std::string& panel, const std::string& quantity) {
   for (std::size_t row = 0; row < equality.rows.size(); ++row) {
     if (text_at(equality, row, "panel") == panel &&
@@ -19,7 +18,7 @@ double margin_of(const Table& equality, const std::string& panel, const std::str
       return number_at(equality, row, "margin");
     }
   }
-  return kNaN;
+  return table::kNaN;
 }
 
 }  // namespace

@@ -1,18 +1,13 @@
 #include "reports/figure/set_figures.hpp"
 
-#include <limits>
+#include <table/not_a_number.hpp>
+
 #include <utility>
 
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_table.hpp"
 
 namespace tcert {
-namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 std::optional<Figure> gate_figure(const Table& gate,
                                   const Table& passes,
                                   const Table& curve,
@@ -41,11 +36,13 @@ std::optional<Figure> gate_figure(const Table& gate,
                     number_at(curve, row, "chance_high")});
   }
   for (std::size_t row = 0; row < passes.rows.size(); ++row) {
-    add_figure_row(
-        figure.data,
-        "pass",
-        {},
-        {number_at(passes, row, "bottleneck_m"), number_at(passes, row, "success"), kNaN, kNaN});
+    add_figure_row(figure.data,
+                   "pass",
+                   {},
+                   {number_at(passes, row, "bottleneck_m"),
+                    number_at(passes, row, "success"),
+                    table::kNaN,
+                    table::kNaN});
   }
   for (std::size_t row = 0; row < calibration.rows.size(); ++row) {
     add_figure_row(figure.data,

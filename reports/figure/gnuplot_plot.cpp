@@ -129,7 +129,7 @@ std::string key_entry(const Layer& layer, const Look& look, const std::string& n
   return "keyentry " + style_of(sample, look) + " title " + quoted(name);
 }
 
-struct Polygon {
+struct PlottedPolygon {
   std::string vertices;
   std::string first;
 };
@@ -165,12 +165,12 @@ std::string polygon_objects(const Figure& figure, const Panel& panel) {
       continue;
     }
     std::vector<std::string> order;
-    std::map<std::string, Polygon> polygons;
+    std::map<std::string, PlottedPolygon> polygons;
     for (const std::size_t row : drawn_rows(figure, panel, layer)) {
       const std::string name = text_at(figure.data, row, layer.group);
       const std::string vertex = number(number_at(figure.data, row, layer.x)) + "," +
                                  number(number_at(figure.data, row, layer.y));
-      Polygon& polygon = polygons[name];
+      PlottedPolygon& polygon = polygons[name];
       if (polygon.vertices.empty()) {
         order.push_back(name);
         polygon = {vertex, vertex};

@@ -1,8 +1,9 @@
 #include "reports/figure/h1_figures.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "reports/figure/figure_parts.hpp"
@@ -11,7 +12,6 @@
 namespace tcert {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kRiskTimes = 6;
 
 /// One group of one panel of the incidence curve.
@@ -45,29 +45,33 @@ void add_incidence_rows(const std::string& panel,
                         const Incidence& curve,
                         const std::vector<double>& times,
                         Table& data) {
-  add_figure_row(data, "curve", {panel, group, ""}, {0.0, 0.0, kNaN, kNaN});
-  double low = kNaN;
-  double high = kNaN;
+  add_figure_row(data, "curve", {panel, group, ""}, {0.0, 0.0, table::kNaN, table::kNaN});
+  double low = table::kNaN;
+  double high = table::kNaN;
   for (std::size_t i = 0; i < curve.time.size(); ++i) {
     const bool last = i + 1 == curve.time.size();
     if (i > 0 && curve.estimate[i] == curve.estimate[i - 1] && !last) {
       continue;
     }
-    add_figure_row(
-        data, "curve", {panel, group, ""}, {curve.time[i], curve.estimate[i], kNaN, kNaN});
+    add_figure_row(data,
+                   "curve",
+                   {panel, group, ""},
+                   {curve.time[i], curve.estimate[i], table::kNaN, table::kNaN});
     // The band has corners: what it was until now, and what it is from now on.
     if (std::isfinite(low)) {
-      add_figure_row(data, "band", {panel, group, ""}, {curve.time[i], kNaN, low, high});
+      add_figure_row(data, "band", {panel, group, ""}, {curve.time[i], table::kNaN, low, high});
     }
     low = curve.low[i];
     high = curve.high[i];
     if (std::isfinite(low)) {
-      add_figure_row(data, "band", {panel, group, ""}, {curve.time[i], kNaN, low, high});
+      add_figure_row(data, "band", {panel, group, ""}, {curve.time[i], table::kNaN, low, high});
     }
   }
   for (const double time : times) {
-    add_figure_row(
-        data, "risk", {panel, group, fixed(at_risk(curve, time), 0)}, {time, kNaN, kNaN, kNaN});
+    add_figure_row(data,
+                   "risk",
+                   {panel, group, fixed(at_risk(curve, time), 0)},
+                   {time, table::kNaN, table::kNaN, table::kNaN});
   }
 }
 

@@ -1,7 +1,8 @@
 #include "reports/figure/set_figures.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <cmath>
-#include <limits>
 #include <statistics/basics/quantile.hpp>
 #include <utility>
 
@@ -11,8 +12,6 @@
 
 namespace tcert {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> values_of_group(const table::DataTable& features,
                                     const std::string& column,
@@ -73,20 +72,28 @@ std::optional<Figure> speed_figure(const Table& speed,
     const std::vector<double> values =
         values_of_group(features, grouped_by, group == "(none)" ? "" : group);
     const auto at = [&](double share) {
-      return statistics::quantile(values, share).value_or(kNaN);
+      return statistics::quantile(values, share).value_or(table::kNaN);
     };
     const double pooled = number_at(speed, row, "speed_mps");
     measured = measured || std::isfinite(pooled) || !values.empty();
-    const double in_paper = is_of_paper ? number_at(speed, row, "published_speed_mps") : kNaN;
+    const double in_paper =
+        is_of_paper ? number_at(speed, row, "published_speed_mps") : table::kNaN;
     for (const double value : {pooled, at(0.95), in_paper}) {
       extent.add(value);
     }
+    add_figure_row(
+        figure.data,
+        "spread",
+        {group},
+        {table::kNaN, at(0.05), at(0.25), at(0.75), at(0.95), number_at(speed, row, "trials")});
     add_figure_row(figure.data,
-                   "spread",
+                   "pooled",
                    {group},
-                   {kNaN, at(0.05), at(0.25), at(0.75), at(0.95), number_at(speed, row, "trials")});
-    add_figure_row(figure.data, "pooled", {group}, {pooled, kNaN, kNaN, kNaN, kNaN, kNaN});
-    add_figure_row(figure.data, "published", {group}, {in_paper, kNaN, kNaN, kNaN, kNaN, kNaN});
+                   {pooled, table::kNaN, table::kNaN, table::kNaN, table::kNaN, table::kNaN});
+    add_figure_row(figure.data,
+                   "published",
+                   {group},
+                   {in_paper, table::kNaN, table::kNaN, table::kNaN, table::kNaN, table::kNaN});
   }
   if (!measured) {
     return std::nullopt;

@@ -1,5 +1,7 @@
 #include "reports/figure/trial_figures.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +15,6 @@
 namespace tcert {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kContact = "new contact";
 constexpr int kDiscCorners = 36;
 constexpr double kGradientHigh = 0.3;  // Metres; wider edges are as bright.
@@ -43,9 +44,9 @@ class MapData {
   void add(const char* part,
            const std::string& shape,
            Point from,
-           Point to = {kNaN, kNaN},
-           double margin_m = kNaN,
-           double time_s = kNaN) {
+           Point to = {table::kNaN, table::kNaN},
+           double margin_m = table::kNaN,
+           double time_s = table::kNaN) {
     add_figure_row(table_, part, {shape}, {from.x_m, from.y_m, to.x_m, to.y_m, margin_m, time_s});
     for (const Point p : {from, to}) {
       if (std::isfinite(p.x_m) && std::isfinite(p.y_m)) {
@@ -92,7 +93,7 @@ void add_world(const World& world, MapData& data) {
       centre.y_m += p.y_m / static_cast<double>(points.size());
     }
     data.add("region", name, points.front());
-    data.add("region", name, {kNaN, kNaN});  // The next outline is another line.
+    data.add("region", name, {table::kNaN, table::kNaN});  // The next outline is another line.
     data.add("name", name, centre);
   }
 }
@@ -121,11 +122,16 @@ void add_path(const TrialPicture& trial, MapData& data) {
   for (std::size_t row = 0; row < series.rows; ++row) {
     const Point p{number_at(series, row, "x_m"), number_at(series, row, "y_m")};
     if (text_at(series, row, "flags").find("break") != std::string::npos) {
-      data.add("path", "", {kNaN, kNaN});
+      data.add("path", "", {table::kNaN, table::kNaN});
     }
-    data.add("path", "", p, {kNaN, kNaN}, kNaN, times[row]);
+    data.add("path", "", p, {table::kNaN, table::kNaN}, table::kNaN, times[row]);
     if (!issued && number_at(series, row, "issued") == 1.0) {
-      data.add("issued", "", p, {kNaN, kNaN}, number_at(series, row, "certificate_m"), times[row]);
+      data.add("issued",
+               "",
+               p,
+               {table::kNaN, table::kNaN},
+               number_at(series, row, "certificate_m"),
+               times[row]);
       issued = true;
     }
   }
@@ -139,8 +145,8 @@ void add_contacts(const table::DataTable& series, MapData& data) {
       data.add("contact",
                "",
                {number_at(series, row, "x_m"), number_at(series, row, "y_m")},
-               {kNaN, kNaN},
-               kNaN,
+               {table::kNaN, table::kNaN},
+               table::kNaN,
                times[row]);
     }
   }

@@ -1,7 +1,8 @@
 #include "reports/figure/trial_figures.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "reports/figure/figure_parts.hpp"
@@ -10,7 +11,6 @@
 namespace tcert {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpeedWindow = 1.0;  // Seconds.
 
 struct Line {
@@ -36,7 +36,7 @@ double measured_speed(const table::DataTable& series,
     --i;
   }
   const double duration = time[row] - time[i];
-  return duration >= 0.5 * kSpeedWindow ? way / duration : kNaN;
+  return duration >= 0.5 * kSpeedWindow ? way / duration : table::kNaN;
 }
 
 /// A line over time as rows; the value is held, so rows that repeat it are left out.
@@ -44,7 +44,7 @@ void add_series(const table::DataTable& series,
                 const std::vector<double>& time,
                 const Line& line,
                 Table& data) {
-  double last = kNaN;
+  double last = table::kNaN;
   bool first = true;
   for (std::size_t row = 0; row < series.rows; ++row) {
     const double value = number_at(series, row, line.column);

@@ -1,7 +1,8 @@
 #include "reports/figure/set_figures.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "reports/figure/figure_parts.hpp"
@@ -10,7 +11,6 @@
 namespace tcert {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kSuccess = "success (dot: upper bound of T)";
 constexpr const char* kFailure = "failure (dot: upper bound of T)";
 constexpr const char* kUnknown = "outcome not known (dot: upper bound of T)";
@@ -51,8 +51,8 @@ std::optional<Figure> truth_figure(const table::DataTable& features,
       add_figure_row(figure.data, "refuted", texts, {certificate, low, high});
     }
   }
-  add_figure_row(figure.data, "equal", {"", ""}, {extent.low, kNaN, extent.low});
-  add_figure_row(figure.data, "equal", {"", ""}, {extent.high, kNaN, extent.high});
+  add_figure_row(figure.data, "equal", {"", ""}, {extent.low, table::kNaN, extent.low});
+  add_figure_row(figure.data, "equal", {"", ""}, {extent.high, table::kNaN, extent.high});
   Panel one;
   one.x = axis("certificate T_t", "m");
   one.y = axis("truth T(E; A)", "m");

@@ -13,7 +13,7 @@ namespace {
 
 using Json = OrderedJson;
 
-constexpr double kPanelHeight = 280.0;  // Pixels.
+constexpr double kPanelPixels = 280.0;  // Pixels.
 constexpr double kPanelWidth = 380.0;
 constexpr double kMapWidth = 620.0;
 
@@ -43,7 +43,7 @@ Json panel_of(const Figure& figure, const Panel& panel, bool alone) {
         std::round(kMapWidth * (*panel.y.high - *panel.y.low) / (*panel.x.high - *panel.x.low));
   } else {
     view["width"] = alone ? Json("container") : Json(figure.columns > 1 ? kPanelWidth : kMapWidth);
-    view["height"] = std::round(kPanelHeight * panel.height);
+    view["height"] = std::round(kPanelPixels * panel.height);
   }
   Json layers = Json::array();
   for (const Reference& reference : panel.references) {

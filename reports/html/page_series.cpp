@@ -1,13 +1,13 @@
 #include "reports/html/page_series.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace tcert {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpeedWindowS = 1.0;
 
 table::NumberOptions series_options() {
@@ -23,7 +23,7 @@ double seconds(std::int64_t time_ns) { return static_cast<double>(time_ns) * 1e-
 
 std::vector<double> speeds(const table::NumberTable& series) {
   const std::vector<double> travel = series_column(series, "travel_m");
-  std::vector<double> speed(series.rows(), kNan);
+  std::vector<double> speed(series.rows(), table::kNaN);
   std::size_t from = 0;
   for (std::size_t i = 0; i < speed.size(); ++i) {
     while (seconds(series.time_ns[i] - series.time_ns[from]) > kSpeedWindowS) {
@@ -102,7 +102,7 @@ std::optional<table::NumberTable> read_page_series(const table::Bytes& bytes,
 }
 
 std::vector<double> series_column(const table::NumberTable& series, std::string_view name) {
-  std::vector<double> values(series.rows(), kNan);
+  std::vector<double> values(series.rows(), table::kNaN);
   for (std::size_t c = 0; c < page_series_columns().size(); ++c) {
     if (page_series_columns()[c] == name && series.present[c] != 0) {
       for (std::size_t i = 0; i < values.size(); ++i) {

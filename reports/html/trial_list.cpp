@@ -1,5 +1,7 @@
 #include "reports/html/trial_list.hpp"
 
+#include <table/not_a_number.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -18,7 +20,6 @@ namespace {
 using Json = OrderedJson;
 
 constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSparkScale = 1000.0;
 
 struct ListColumn {
@@ -45,9 +46,9 @@ constexpr ListColumn kColumns[] = {
 };
 
 double parsed(std::string_view text) {
-  double value = kNan;
+  double value = table::kNaN;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  return read.ec == std::errc{} && read.ptr == text.data() + text.size() ? value : kNan;
+  return read.ec == std::errc{} && read.ptr == text.data() + text.size() ? value : table::kNaN;
 }
 
 Json json_cell(const TrialList& trials, std::size_t trial, const ListColumn& column) {

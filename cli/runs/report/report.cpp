@@ -22,7 +22,7 @@ namespace tcert::cli {
 namespace {
 
 /// Every column keeps its peaks: fewer ticks than this would not be fewer.
-constexpr double kFewestTicks = 60;
+constexpr double kFewestTicksOfAPage = 60;
 
 /// share/tcert/page beside the program's own folder: in an installation and in a build alike.
 std::filesystem::path page_folder() {
@@ -167,7 +167,7 @@ OptionTable options_of(ReportRequest& request) {
 
 ExitCode report(const ReportRequest& request, Progress& progress) {
   if (request.ticks != 0) {
-    require_range("ticks", static_cast<double>(request.ticks), kFewestTicks, 1e6);
+    require_range("ticks", static_cast<double>(request.ticks), kFewestTicksOfAPage, 1e6);
   }
   const std::string output = request.output.path.empty() ? "report.html" : request.output.path;
   require_own_file(output);
