@@ -51,6 +51,19 @@ std::string recording_of(const fs::path& file) {
   return name;
 }
 
+/// rosbag2 calls the files of one recording by its folder and counts from 0.
+bool is_one_recording(const std::vector<fs::path>& files, const fs::path& folder) {
+  if (files.size() == 1) {
+    return true;
+  }
+  const std::string name = recording_of(files.front());
+  const bool has_one_name = std::ranges::all_of(
+      files, [&name](const fs::path& file) { return recording_of(file) == name; });
+  const fs::path first = is_packed_name(files.front()) ? files.front().stem() : files.front();
+  return has_one_name && (name == fs::weakly_canonical(folder).filename().string() ||
+                          first.stem().string() == name + "_0");
+}
+
 /// In the order of their numbers; none if they are of several recordings.
 std::vector<fs::path> files_by_name(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -68,10 +81,7 @@ std::vector<fs::path> files_by_name(const fs::path& folder) {
     return is_packed_name(file) &&
            std::ranges::count(files, fs::path(file).replace_extension()) > 0;
   });
-  const bool is_one = std::ranges::all_of(files, [&files](const fs::path& file) {
-    return recording_of(file) == recording_of(files.front());
-  });
-  return is_one ? files : std::vector<fs::path>{};
+  return !files.empty() && is_one_recording(files, folder) ? files : std::vector<fs::path>{};
 }
 
 std::vector<fs::path> files_of(const fs::path& folder) {
@@ -187,6 +197,16 @@ std::unique_ptr<Bag> open_bag_folder(const fs::path& path, table::DiagnosticGrou
     if (auto opened = open_file(file, of_files)) {
       bag->add(std::move(opened));
     }
+  }
+  std::error_code error;
+  if (files.size() > 1 && !fs::exists(path / kMetadata, error)) {
+    problems.add({Severity::note,
+                  path.string(),
+                  0,
+                  "",
+                  std::to_string(files.size()) + " files without metadata.yaml",
+                  "the parts of one recording; if each is a trial, name each of them as a source",
+                  1});
   }
   // A file less is a recording with a hole; none is no recording.
   for (table::Diagnostic problem : of_files.take()) {

@@ -138,6 +138,37 @@ std::optional<std::vector<RayLayout>> find_layouts(Bag& bag,
   return layouts.size() == map.rays.size() ? std::optional(std::move(layouts)) : std::nullopt;
 }
 
+namespace {
+
+/// Whether the bag's scanners are those of the first trial; else why not, as an error.
+bool has_scans_of(const std::vector<RayLayout>& first,
+                  Bag& bag,
+                  const std::string& file,
+                  const LogMap& map,
+                  table::DiagnosticGroups& problems) {
+  if (std::ranges::none_of(map.rays, [](auto& stream) { return stream.scan.has_value(); })) {
+    return true;
+  }
+  const auto found = find_layouts(bag, file, map, problems);
+  bool same = found.has_value();
+  for (std::size_t k = 0; found && k < first.size(); ++k) {
+    if (!are_same_rays(first[k], (*found)[k])) {
+      problems.add(
+          {Severity::error,
+           file,
+           0,
+           key_of(map, k + 1),
+           "another scanner: " + in_words((*found)[k].geometry.value()),
+           in_words(first[k].geometry.value()) + ", as in the first trial; the trial is rejected",
+           1});
+      same = false;
+    }
+  }
+  return same;
+}
+
+}  // namespace
+
 bool read_bag_streams(Bag& bag,
                       const std::string& file,
                       const LogMap& map,
@@ -146,6 +177,9 @@ bool read_bag_streams(Bag& bag,
                       table::DiagnosticGroups& problems) {
   const TopicStreams streams = topic_streams(bag, file, map, problems);
   if (streams.empty()) {
+    return false;
+  }
+  if (!has_scans_of(layouts, bag, file, map, problems)) {
     return false;
   }
   std::vector<std::size_t> wanted;

@@ -161,6 +161,9 @@ class CsvStreamReader {
   void each_row(bool quiet, const Take& take_row, const CsvSampleSink& unreadable = {}) {
     table::CsvCursor cursor = header_.data;
     std::vector<std::string> row;
+    std::size_t last_width = 0;
+    const char last = cursor.at == cursor.end ? '\n' : cursor.end[-1];
+    const bool ends_open = last != '\n' && last != '\r';
     while (table::skip_to_record(cursor)) {
       const std::size_t line = cursor.line;
       const bool closed = table::scan_record(cursor, header_.dialect.separator, row);
@@ -179,6 +182,17 @@ class CsvStreamReader {
         unreadable({std::nullopt, {}, line, ""});
         continue;
       }
+      if (ends_open && cursor.at == cursor.end && row.back().size() < last_width) {
+        if (!quiet) {
+          add(Severity::note,
+              line,
+              header_.names.back(),
+              table::shortened(row.back()),
+              "a line end: the last row may be cut inside its number and is not used");
+        }
+        return;
+      }
+      last_width = row.back().size();
       if (!take_row(row, line)) {
         return;
       }

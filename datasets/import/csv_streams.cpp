@@ -150,6 +150,37 @@ std::optional<RayLayout> scan_layout(const OpenedCsv& csv,
 
 bool is_control(const LogMap& map, std::size_t stream) { return stream > map.rays.size(); }
 
+/// In front of the number of a beam, if there are several streams of rays.
+std::string beam_prefix(const LogMap& map, std::size_t stream) {
+  return map.rays.size() > 1 ? "s" + std::to_string(stream - 1) + "_b" : "b";
+}
+
+/// Whether the file is of the scanner of the first trial; else why not, as an error.
+bool has_scan_of(const RayLayout& first,
+                 const OpenedCsv& csv,
+                 const std::filesystem::path& file,
+                 const LogMap& map,
+                 std::size_t stream,
+                 table::DiagnosticGroups& problems) {
+  const auto found = scan_layout(csv,
+                                 file.string(),
+                                 stream_at(map, stream),
+                                 key_of(map, stream),
+                                 beam_prefix(map, stream),
+                                 problems);
+  const bool fits = found && are_same_rays(first, *found);
+  if (found && !fits) {
+    problems.add({Severity::error,
+                  file.string(),
+                  csv.header.line,
+                  key_of(map, stream),
+                  "another scanner: " + in_words(*found->geometry),
+                  in_words(*first.geometry) + ", as in the first trial; the trial is rejected",
+                  1});
+  }
+  return fits;
+}
+
 }  // namespace
 
 std::optional<std::vector<RayLayout>> find_layouts(const StreamFiles& files,
@@ -165,10 +196,13 @@ std::optional<std::vector<RayLayout>> find_layouts(const StreamFiles& files,
     }
     const std::filesystem::path& path = files[k + 1];
     const auto csv = open_csv(path, options, false, problems);
-    const std::string prefix = map.rays.size() > 1 ? "s" + std::to_string(k) + "_b" : "b";
-    auto layout =
-        csv ? scan_layout(*csv, path.string(), stream, key_of(map, k + 1), prefix, problems)
-            : std::nullopt;
+    auto layout = csv ? scan_layout(*csv,
+                                    path.string(),
+                                    stream,
+                                    key_of(map, k + 1),
+                                    beam_prefix(map, k + 1),
+                                    problems)
+                      : std::nullopt;
     if (layout) {
       layouts.push_back(std::move(*layout));
     }
@@ -195,16 +229,7 @@ bool read_csv_streams(const StreamFiles& files,
       const StreamSource& stream = stream_at(map, i);
       const std::vector<ValueSource> sources = sources_of(stream, csv->header);
       const bool fits =
-          is_control(map, i) || i == 0 || sources.size() == 2 * layouts[i - 1].columns.size();
-      if (!fits) {
-        of_file.add({Severity::error,
-                     files[i].string(),
-                     csv->header.line,
-                     key_of(map, i),
-                     std::to_string(sources.size() / 2) + " rays",
-                     std::to_string(layouts[i - 1].columns.size()) + ", as in the first trial",
-                     1});
-      }
+          !stream.scan || has_scan_of(layouts[i - 1], *csv, files[i], map, i, of_file);
       read = fits && read_csv_stream(
                          files[i].string(),
                          csv->header,

@@ -87,7 +87,7 @@ class Importer {
     for (std::size_t i = 0; i < number_of_streams(map_); ++i) {
       result_.streams.push_back(key_of(map_, i));
     }
-    if (!info_) {
+    if (!info_ || !outcomes_are_good(found)) {
       return std::move(result_);
     }
     result_.rays = info_->robot.rays.size();
@@ -111,6 +111,33 @@ class Importer {
     }
     const auto bag = open_bag(trial.bag, problems);
     return bag ? find_layouts(*bag, trial.bag.string(), map_, problems) : std::nullopt;
+  }
+
+  [[nodiscard]] std::vector<fs::path> table_folders() const {
+    const fs::path beside = map_file_.parent_path();
+    std::vector<fs::path> folders{beside.empty() ? fs::path(".") : beside};
+    for (const fs::path& source : sources_) {
+      std::error_code ignored;
+      folders.push_back(fs::is_directory(source, ignored) ? source : source.parent_path());
+    }
+    return folders;
+  }
+
+  /// A table that would refuse the import is said before the hours that the streams may take.
+  [[nodiscard]] bool outcomes_are_good(const std::vector<TrialSource>& found) {
+    std::vector<TrialRow> rows;
+    for (const TrialSource& trial : found) {
+      rows.emplace_back().trial_id = trial.trial_id;
+    }
+    table::DiagnosticGroups problems;
+    if (map_.trials.column.empty()) {
+      read_outcomes(map_, table_folders(), options_.decimal_comma, rows, problems);
+    }
+    const bool good = !problems.has_error();
+    if (!good) {
+      take(problems);
+    }
+    return good;
   }
 
   void read(const TrialSource& source, const fs::path& logs) {
@@ -198,14 +225,8 @@ class Importer {
       }
     }
     table::DiagnosticGroups problems;
-    const fs::path beside = map_file_.parent_path();
-    std::vector<fs::path> folders{beside.empty() ? fs::path(".") : beside};
-    for (const fs::path& source : sources_) {
-      std::error_code ignored;
-      folders.push_back(fs::is_directory(source, ignored) ? source : source.parent_path());
-    }
     if (!rows.empty()) {
-      read_outcomes(map_, folders, options_.decimal_comma, rows, problems);
+      read_outcomes(map_, table_folders(), options_.decimal_comma, rows, problems);
     }
     const bool good = !rows.empty() && !problems.has_error();
     take(problems);

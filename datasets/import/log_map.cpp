@@ -140,6 +140,12 @@ std::optional<LogMap> parse_log_map(std::string_view text,
     log.control = read_valued_stream(map, "control", control_columns());
   }
   log.trials = read_trials(map);
+  if (!log.trials.column.empty() &&
+      (!log.pose.topic.empty() || log.pose.file.find("{trial}") != std::string::npos)) {
+    map.reject("trials",
+               log.document.value("trials", Json()),
+               "no column of trials: each bag, each file of a pattern with {trial}, is a trial");
+  }
   require_one_kind(map, log);
   for (const std::string& key : of_bundle) {
     if (const Json* value = map.find(key)) {

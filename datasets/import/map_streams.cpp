@@ -1,6 +1,9 @@
 #include "datasets/import/map_streams.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <initializer_list>
 #include <numbers>
 #include <utility>
 
@@ -16,6 +19,17 @@ using PlainJson = nlohmann::json;
 
 constexpr std::size_t kMostRayStreams = 256;
 
+/// A key that would be read and then not count is an error.
+void reject_idle(const JsonObject& from,
+                 std::initializer_list<const char*> keys,
+                 const char* expectation) {
+  for (const char* const key : keys) {
+    if (const PlainJson* value = from.find(key)) {
+      from.reject(key, *value, expectation);
+    }
+  }
+}
+
 /// Where the stream comes from, and its clock.
 StreamSource read_stream(const JsonObject& from) {
   StreamSource stream;
@@ -23,6 +37,15 @@ StreamSource read_stream(const JsonObject& from) {
   stream.file = from.text("file").value_or("");
   if (!stream.topic.empty() && !stream.file.empty()) {
     from.reject("file", stream.file, "either 'from', a topic, or 'file', of columns");
+  }
+  const std::filesystem::path file(stream.file);
+  if (file.is_absolute() || std::ranges::find(file, "..") != file.end()) {
+    from.reject("file", stream.file, "a file below the source, which the command line names");
+  }
+  if (stream.topic.empty()) {
+    reject_idle(from, {"frame", "parent"}, "no such key: only topics of transforms have frames");
+  } else {
+    reject_idle(from, {"time"}, "no such key: the clock of topics is 'clock' of the map");
   }
   stream.time = read_time(from);
   stream.child_frame = from.text("frame").value_or("");
@@ -115,9 +138,16 @@ StreamSource read_ray_stream(const JsonObject& map,
       from.reject("rays", *rays, "a list of at least one ray");
     } else {
       for (std::size_t i = 0; i < rays->size(); ++i) {
-        stream.rays.push_back(read_ray(from, "rays[" + std::to_string(i) + "]", (*rays)[i]));
+        const std::string place = "rays[" + std::to_string(i) + "]";
+        stream.rays.push_back(read_ray(from, place, (*rays)[i]));
+        if (stream.topic.empty() && !stream.rays.back().value.is_given()) {
+          from.reject(place, (*rays)[i], "a ray with its value: bend_rad or range_m, a column");
+        }
       }
     }
+    reject_idle(from,
+                {"ranges", "every", "angle_min_rad", "angle_increment_rad", "reach_m", "offset"},
+                "no such key beside 'rays': it is of a scan, and these rays are listed");
     return stream;
   }
   ScanSource scan;
@@ -146,6 +176,10 @@ StreamSource read_valued_stream(const JsonObject& map,
   StreamSource stream = read_stream(from);
   for (const std::string& column : columns) {
     stream.values.push_back(read_value(from, column, column));
+    // What a topic has is known by its type; columns must be named.
+    if (key == "pose" && stream.topic.empty() && from.find(column) == nullptr) {
+      from.reject(column, PlainJson(), "a column of the pose's file");
+    }
   }
   return stream;
 }

@@ -110,6 +110,8 @@ TimeSource read_time(const JsonObject& stream) {
     time.unit = table::time_unit_of_word(word);
     if (!time.dates && !time.unit) {
       object.reject("unit", *unit, "s, ms, us, ns or iso");
+    } else if (time.columns.size() == 2) {
+      object.reject("unit", *unit, "no unit: the columns are of seconds and of nanoseconds");
     }
   }
   if (const nlohmann::json* origin = object.find("origin")) {

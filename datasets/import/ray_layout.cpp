@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -11,6 +12,7 @@ namespace tcert::recording {
 namespace {
 
 constexpr double kSameAngleRad = 1e-6;
+constexpr double kSameLengthM = 1e-6;
 
 double number_of(const nlohmann::json& ray, const char* key) {
   const auto found = ray.find(key);
@@ -29,6 +31,19 @@ NoReturn together(const NoReturn& of_ray, const NoReturn& of_stream) {
   rule.range_min_m = rule.range_min_m ? rule.range_min_m : of_stream.range_min_m;
   rule.range_max_m = rule.range_max_m ? rule.range_max_m : of_stream.range_max_m;
   return rule;
+}
+
+bool is_same_limit(const std::optional<double>& a, const std::optional<double>& b) {
+  return a.has_value() == b.has_value() && std::abs(a.value_or(0) - b.value_or(0)) < kSameLengthM;
+}
+
+bool is_same_ray(const nlohmann::json& a, const nlohmann::json& b) {
+  const double turned = number_of(a, "bearing_rad") - number_of(b, "bearing_rad");
+  return text_of(a, "name") == text_of(b, "name") &&
+         std::abs(std::remainder(turned, 2.0 * std::numbers::pi)) < kSameAngleRad &&
+         std::ranges::all_of(std::array{"mount_x_m", "mount_y_m", "reach_m"}, [&](auto* key) {
+           return std::abs(number_of(a, key) - number_of(b, key)) < kSameLengthM;
+         });
 }
 
 }  // namespace
@@ -88,6 +103,29 @@ RayLayout layout_of(const StreamSource& stream,
                            {"reach_m", reach_m}});
   }
   return layout;
+}
+
+std::string in_words(const ScanGeometry& scan) {
+  const auto limit = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:g}", *value) : std::string("?");
+  };
+  return fmt::format("{} beams from {:g} rad by {:g}, {} to {} m, at ({:g}, {:g}, {:g})",
+                     scan.beams,
+                     scan.angle_min_rad,
+                     scan.angle_increment_rad,
+                     limit(scan.range_min_m),
+                     limit(scan.range_max_m),
+                     scan.offset.x_m,
+                     scan.offset.y_m,
+                     scan.offset.yaw_rad);
+}
+
+bool are_same_rays(const RayLayout& a, const RayLayout& b) {
+  return std::ranges::equal(a.rays, b.rays, is_same_ray) &&
+         std::ranges::equal(a.columns, b.columns, [](auto& one, auto& other) {
+           return is_same_limit(one.no_return.range_min_m, other.no_return.range_min_m) &&
+                  is_same_limit(one.no_return.range_max_m, other.no_return.range_max_m);
+         });
 }
 
 }  // namespace tcert::recording

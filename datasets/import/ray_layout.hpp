@@ -53,4 +53,11 @@ struct RayLayout {
                                   const ScanGeometry& geometry,
                                   const std::string& prefix);
 
+/// "181 beams from -1.57 rad by 0.0175, 0.1 to 8 m, at (0.2, 0, 0)".
+[[nodiscard]] std::string in_words(const ScanGeometry& scan);
+
+/// True if two scans have the same rays to a micrometre and a microradian, mounts and limits with
+/// them: one robot carried both.
+[[nodiscard]] bool are_same_rays(const RayLayout& a, const RayLayout& b);
+
 }  // namespace tcert::recording

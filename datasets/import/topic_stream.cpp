@@ -2,21 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <table/nearest_name.hpp>
 #include <tcert/tick.hpp>
 #include <utility>
 
 #include "datasets/import/stream_values.hpp"
 #include "datasets/import/transforms.hpp"
+#include "datasets/range_rule.hpp"
 
 namespace tcert::recording {
 namespace {
 
 using table::Severity;
 
+// Counted with the readings that are no range, and none that a map can list.
+constexpr double kNoRange = -std::numeric_limits<double>::denorm_min();
+
 std::optional<double> positive_at(const Value& message, const char* path) {
   const auto value = number_at(message, path);
   return value && std::isfinite(*value) && *value > 0.0 ? value : std::nullopt;
+}
+
+/// A sensor_msgs/Range says itself what it can measure.
+bool is_beyond_limits(const Value& message, double range_m) {
+  const auto min_m = positive_at(message, "min_range");
+  const auto max_m = positive_at(message, "max_range");
+  return std::isfinite(range_m) &&
+         (range_m < min_m.value_or(range_m) || range_m > max_m.value_or(range_m));
 }
 
 }  // namespace
@@ -106,6 +119,15 @@ bool TopicStream::values(const Value& message,
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     out.push_back(value_at(message, is_frame_ ? prefix : std::string(), i));
   }
+  if (role_ == StreamRole::range && layout != nullptr) {
+    for (std::size_t ray = 0; ray < source_->rays.size(); ++ray) {
+      double& range_m = out[2 * ray];
+      if (!source_->rays[ray].value.is_given() && is_beyond_limits(message, range_m) &&
+          !is_no_return(layout->columns[ray].no_return.values, range_m)) {
+        range_m = kNoRange;
+      }
+    }
+  }
   return true;
 }
 
@@ -150,14 +172,16 @@ bool TopicStream::find_fields(const Topic& topic, bool is_pose) {
     }
     any = any || sources_[i].is_given();
   }
+  bool all_rays = true;
   for (const MappedRay& ray : source_->rays) {
     sources_.push_back(ray.value);
     if (role_ == StreamRole::range && !ray.value.is_given()) {
       sources_.back() = {{"range"}, 1.0, 0.0};
     }
     sources_.push_back(ray.force);
-    any = any || sources_[sources_.size() - 2].is_given();
+    all_rays = all_rays && sources_[sources_.size() - 2].is_given();
   }
+  any = all_rays && (any || !source_->rays.empty());
   for (const ValueSource& source : sources_) {
     paths_.emplace_back();
     for (const std::string& column : source.columns) {

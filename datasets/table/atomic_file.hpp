@@ -99,6 +99,7 @@ class AtomicFolder {
  private:
   std::filesystem::path path_;
   std::filesystem::path staging_;
+  std::vector<std::filesystem::path> created_;  // above it, the deepest first
   int lock_ = -1;
   bool replace_ = false;
 };

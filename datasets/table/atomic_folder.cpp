@@ -44,7 +44,7 @@ AtomicFolder::AtomicFolder(const fs::path& path, bool replace, Leftover leftover
     throw WriteError("cannot replace the folder '" + path_.string() +
                      "': it is not empty; name another folder or remove this one");
   }
-  create_folders(folder_of(path_));
+  created_ = create_folders(folder_of(path_));
   bool created = false;
   while (!created) {
     staging_ = temporary_name(path_, leftover);
@@ -68,6 +68,9 @@ AtomicFolder::~AtomicFolder() {
     std::error_code ignored;
     fs::remove_all(staging_, ignored);
     forget_interrupted(staging_);
+    for (const fs::path& folder : created_) {
+      ::rmdir(folder.c_str());  // Only if nobody has put anything there.
+    }
   }
 }
 

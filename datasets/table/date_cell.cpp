@@ -1,22 +1,12 @@
 #include <table/date_cell.hpp>
 
+#include <chrono>
 #include <table/decimal.hpp>
 #include <table/text_steps.hpp>
 #include <utility>
 
 namespace tcert::table {
 namespace {
-
-/// Days since 1970-01-01 in the Gregorian calendar (H. Hinnant, "chrono-compatible low-level date
-/// algorithms").
-std::int64_t days_since_1970(int year, int month, int day) noexcept {
-  const std::int64_t y = month <= 2 ? year - 1 : year;
-  const std::int64_t era = y / 400;
-  const std::int64_t year_of_era = y - era * 400;
-  const std::int64_t day_of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-  return era * 146097 + year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year -
-         719468;
-}
 
 /// ISO order, or the order of the United States and, where the first number is above 12, of Europe.
 bool take_day(std::string_view& rest, std::int64_t& days) noexcept {
@@ -42,10 +32,11 @@ bool take_day(std::string_view& rest, std::int64_t& days) noexcept {
     }
     first = year;
   }
-  if (first < 1970 || first > 2096 || month < 1 || month > 12 || day < 1 || day > 31) {
+  const auto date = std::chrono::year(first) / month / day;
+  if (first < 1970 || first > 2096 || !date.ok()) {
     return false;
   }
-  days = days_since_1970(first, month, day);
+  days = std::chrono::sys_days(date).time_since_epoch().count();
   return true;
 }
 

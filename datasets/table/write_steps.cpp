@@ -37,12 +37,17 @@ fs::path without_trailing_slash(const fs::path& path) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-void create_folders(const fs::path& folder) {
+std::vector<fs::path> create_folders(const fs::path& folder) {
   std::error_code error;
+  std::vector<fs::path> created;
+  for (fs::path at = folder; !at.empty() && !fs::exists(at, error); at = at.parent_path()) {
+    created.push_back(at);
+  }
   fs::create_directories(folder, error);
   if (error) {
     fail_to_write("cannot create the folder", folder, error.value());
   }
+  return created;
 }
 
 void sync_folder(const fs::path& folder) {

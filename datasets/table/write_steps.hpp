@@ -14,7 +14,8 @@ namespace tcert::table {
 [[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& path);
 [[nodiscard]] std::filesystem::path without_trailing_slash(const std::filesystem::path& path);
 
-void create_folders(const std::filesystem::path& folder);
+/// The folders that had to be made for it, the deepest first. \throws WriteError.
+std::vector<std::filesystem::path> create_folders(const std::filesystem::path& folder);
 void sync_folder(const std::filesystem::path& folder);
 void sync_file_system_of(const std::filesystem::path& folder);
 

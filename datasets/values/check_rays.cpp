@@ -115,6 +115,37 @@ ValueFinding stuck_reading(const Ray& ray, const RayScan& of, const TrialScan& s
                   scan.last_way_m()));
 }
 
+/// A reading that moved, and at some time ceases to until the log ends.
+std::optional<ValueFinding> hung(const Ray& ray,
+                                 const TickTable& ticks,
+                                 const TrialScan& scan,
+                                 std::size_t k) {
+  const auto value_at = [&](std::size_t j) {
+    return ticks.readings[scan.fresh[j] * ticks.rays + k].value;
+  };
+  std::size_t since = scan.fresh.size() - 1;
+  const double last = value_at(since);
+  while (since > 0 && value_at(since - 1) == last) {
+    --since;
+  }
+  const double clearance_m =
+      ray.kind == RayKind::bend ? calibrated_clearance(ray.calibration, last) : last;
+  const double way_m = scan.last_way_m() - scan.way_m[scan.fresh[since]];
+  if (scan.fresh.size() - since < kLeastTicks || !(clearance_m < longest_clearance(ray)) ||
+      way_m < std::max(kLeastWayM, kLeastShareOfWay * scan.last_way_m())) {
+    return std::nullopt;
+  }
+  return value_finding(
+      ValueKind::ray_hung,
+      value_column(ray),
+      fmt::format("{:g} at every tick from {:.1f} s to the end",
+                  last,
+                  elapsed_s(ticks.time_ns.front(), ticks.time_ns[scan.fresh[since]])),
+      fmt::format("a reading that goes on moving, over the last {:.1f} m of way too: a sensor that "
+                  "hangs, or a logger that repeats its last value",
+                  way_m));
+}
+
 ValueFinding twin(const Ray& ray, const Ray& earlier, const TrialScan& scan) {
   return value_finding(
       ValueKind::ray_twin,
@@ -182,6 +213,9 @@ std::vector<ValueFinding> check_rays(const Robot& robot,
         found.push_back(stuck_reading(ray, of, scan));
       }
       continue;
+    }
+    if (auto one = hung(ray, ticks, scan, k)) {
+      found.push_back(std::move(*one));
     }
     const auto same = std::ranges::find_if(
         moving, [&](std::size_t earlier) { return same_readings(ticks, scan, earlier, k); });

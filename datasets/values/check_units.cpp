@@ -25,6 +25,7 @@ constexpr double kFarReaches = 10.0;
 constexpr double kCentimetres = 120.0;  // with noise above the reach
 constexpr double kLeftOver = 0.1;
 constexpr double kHeaviestTipN = 50.0;
+constexpr double kFarMountM = 4.0;  // a lorry's
 
 /// A ray of a trial, with what its readings were.
 struct Looked {
@@ -41,6 +42,17 @@ struct Looked {
            static_cast<double>(scan.known);
   }
 };
+
+std::optional<ValueFinding> check_mount(const Ray& ray) {
+  const double away_m = std::hypot(ray.mount.x_m, ray.mount.y_m);
+  if (away_m <= kFarMountM) {
+    return std::nullopt;
+  }
+  return value_finding(ValueKind::mount_unit,
+                       ray.name,
+                       fmt::format("mounted {:g} m from the body's centre", away_m),
+                       "mount_x_m and mount_y_m in metres: millimetres, centimetres?");
+}
 
 std::optional<ValueFinding> check_bend(const Looked& of) {
   const std::vector<double>& bend = of.ray.calibration.bend_rad;
@@ -127,6 +139,9 @@ std::vector<ValueFinding> check_units(const Robot& robot,
   std::vector<ValueFinding> found;
   for (std::size_t k = 0; k < scan.rays.size(); ++k) {
     const Looked of{robot.rays[k], scan.rays[k], scan, ticks, k};
+    if (auto one = check_mount(of.ray)) {
+      found.push_back(std::move(*one));
+    }
     if (of.scan.known >= kLeastReadings) {
       if (auto one = of.ray.kind == RayKind::bend ? check_bend(of) : check_range(of)) {
         found.push_back(std::move(*one));

@@ -11,6 +11,7 @@ namespace tcert {
 
 enum class ValueKind : std::uint8_t {
   bend_unit,      ///< Bends outside the calibration: degrees?
+  mount_unit,     ///< Rays mounted metres away from the body: millimetres?
   range_unit,     ///< Ranges far beyond the reach: millimetres, centimetres?
   force_unit,     ///< Forces that no tip takes: grams?
   yaw,            ///< Headings that do not follow the motion: degrees, another frame?
@@ -21,6 +22,7 @@ enum class ValueKind : std::uint8_t {
   goal_at_start,  ///< The first pose lies in G.
   contact_stuck,  ///< A contact that outlives its wall.
   ray_stuck,      ///< A reading that never moves.
+  ray_hung,       ///< A reading that ceases to move.
   ray_twin,       ///< Two rays that are one.
   ray_silent,     ///< A ray without readings beside others that have them.
 };

@@ -18,7 +18,7 @@ const BEGIN = 1_778_234_353_000_000_000n; // when it was recorded
 const SIMULATED = 928; // seconds, what the stamps in the headers say
 const TICKS = 120;
 const TYPES = ["nav_msgs/Odometry", "sensor_msgs/LaserScan", "geometry_msgs/Twist", "tf2_msgs/TFMessage",
-  "std_msgs/Float32MultiArray"];
+  "std_msgs/Float32MultiArray", "sensor_msgs/Range"];
 
 const ROS2_TIMES = { time: "builtin_interfaces/Time", duration: "builtin_interfaces/Duration" };
 
@@ -70,7 +70,7 @@ async function writeBag(file) {
   await writer.start({ profile: "ros2", library: "test" });
   const channels = {};
   for (const [topic, type] of Object.entries({ "/odom": TYPES[0], "/scan": TYPES[1], "/cmd_vel": TYPES[2],
-    "/tf_static": TYPES[3], "/bends": TYPES[4] })) {
+    "/tf_static": TYPES[3], "/bends": TYPES[4], "/sonar": TYPES[5] })) {
     const definitions = definitionsOf(type);
     const schemaId = await writer.registerSchema({ name: type.replace("/", "/msg/"), encoding: "ros2msg",
       data: new TextEncoder().encode(textOf(definitions)) });
@@ -92,6 +92,8 @@ async function writeBag(file) {
       time_increment: 0, scan_time: 0.1, range_min: 0.1, range_max: 30, ranges: rangesAt(i),
       intensities: new Float32Array(0) });
     await add("/cmd_vel", log + 2n, { linear: { x: 0.25, y: 0, z: 0 }, angular: { x: 0, y: 0, z: -0.5 } });
+    await add("/sonar", log + 4n, { header: header(i, "sonar"), radiation_type: 0, field_of_view: 0.1, min_range: 0.25,
+      max_range: 4, range: [1.5, 0.125, 5, Infinity, 4][i % 5] });
     await add("/bends", log + 3n, { layout: { dim: [], data_offset: 0 }, data: Float32Array.of(i / 256, 0.5) });
   }
   await writer.end();
@@ -177,6 +179,17 @@ test("a scan and an array are rows of one file", () => {
   assert.equal(Number(whisker[5].whisker_bend_rad), 10 / 256);
   assert.equal(whisker[5].whisker_fsr_n, "0.5");
   assert.equal(whisker[5].b000_range_m, "");
+});
+
+test("a sensor that says its limits keeps to them, unless the map says what lies beyond", () => {
+  const sonar = (more) => ({ ...MAP, rays: { from: "/sonar", ...more,
+    rays: [{ name: "s", kind: "range", bearing_deg: 0, reach_m: 3 }] } });
+  const column = ({ logs }) => rows(path.join(logs, "tactile.csv")).slice(0, 5).map((row) => row.s_range_m);
+  const plain = importBag("sonar", sonar({}));
+  assert.equal(plain.status, 0, plain.stderr);
+  assert.deepEqual(column(plain), ["1.5", "", "", "3", "4"]);
+  assert.match(plain.stderr, /40 % of the readings of rays that are no range/);
+  assert.deepEqual(column(importBag("sonar_5", sonar({ no_return: [5] }))), ["1.5", "", "3", "3", "4"]);
 });
 
 test("topics and types that are not there are said, and nothing is written", () => {

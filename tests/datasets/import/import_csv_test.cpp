@@ -221,6 +221,7 @@ TEST_F(ImportCsv, NamesColumnsThatAreNotThere) {
   write_run(folder, "runs/a", 100);
   std::string map = kMap;
   map.replace(map.find("pos_x_mm"), 8, "pos_x_m");
+  folder.write("runs.csv", "run,verdict,took_ms,day\na,ok,1000,mon\n");
   const LogImportResult result = import(map);
   EXPECT_FALSE(result.is_written);
   EXPECT_TRUE(says(result.diagnostics, "column 'pos_x_m'"));
@@ -274,6 +275,80 @@ TEST_F(ImportCsv, RowsOfAnotherLengthCountAsRows) {
                                         "wide.csv");
   EXPECT_FALSE(result.is_written);
   EXPECT_TRUE(says(result.diagnostics, "66 of 100 rows of pose"));
+}
+
+/// A scan as `rostopic echo -p` writes it, of two beams on either side.
+void write_scan(const test_support::TemporaryFolder& folder,
+                const std::string& name,
+                const std::string& angle_min,
+                const std::string& range_max) {
+  std::string text =
+      "t,x,y,th,field.angle_min,field.angle_increment,field.range_max,field.ranges0,"
+      "field.ranges1\n";
+  for (int i = 0; i < 60; ++i) {
+    text += std::to_string(0.1 * i) + ',' + std::to_string(0.02 * i) + ",0,0," + angle_min +
+            ",3.0," + range_max + ",0.4,0.5\n";
+  }
+  folder.write(name, text);
+}
+
+TEST_F(ImportCsv, RejectsATrialOfAnotherScanner) {
+  write_scan(folder, "runs/a.csv", "-1.5", "8");
+  write_scan(folder, "runs/b.csv", "-1.4", "8");
+  write_scan(folder, "runs/c.csv", "-1.5", "4");
+  write_scan(folder, "runs/d.csv", "-1.5", "8");
+  const LogImportResult result = import(R"({"robot": {"body_width_m": 0.3},
+    "pose": {"file": "{trial}.csv", "x_m": "x", "y_m": "y", "yaw_rad": "th"},
+    "rays": {"file": "{trial}.csv", "ranges": "field.ranges{i}", "reach_m": 2}})");
+  ASSERT_TRUE(result.is_written);
+  ASSERT_EQ(result.trials.size(), 4U);
+  EXPECT_FALSE(result.trials[0].rejected);
+  EXPECT_TRUE(result.trials[1].rejected);
+  EXPECT_TRUE(result.trials[2].rejected);
+  EXPECT_FALSE(result.trials[3].rejected);
+  EXPECT_TRUE(says(result.diagnostics, "another scanner: 2 beams from -1.4 rad by 3, ? to 8 m"));
+  EXPECT_TRUE(says(result.diagnostics, "? to 4 m"));
+}
+
+TEST_F(ImportCsv, LeavesOutALastRowThatIsCutInsideANumber) {
+  std::string text = "t,x,y,th,l\n";
+  for (int i = 0; i < 60; ++i) {
+    text += std::to_string(0.1 * i) + ',' + std::to_string(0.02 * i) + ",0,0,0.400\n";
+  }
+  const std::string map = R"({"pose": {"x_m": "x", "y_m": "y", "yaw_rad": "th"},
+    "rays": {"rays": [{"name": "l", "kind": "range", "bearing_deg": 90, "reach_m": 1,
+                       "range_m": "l"}]}})";
+  text.pop_back();
+  folder.write("whole.csv", text);
+  LogImportResult result = import(map, "whole.csv");
+  ASSERT_TRUE(result.is_written);
+  EXPECT_EQ(result.trials[0].streams[1].use.used, 60U) << "a last line may lack its end";
+  fs::remove_all(output);
+  text.resize(text.size() - 2);
+  folder.write("cut.csv", text);
+  result = import(map, "cut.csv");
+  ASSERT_TRUE(result.is_written);
+  EXPECT_EQ(result.trials[0].streams[1].use.used, 59U);
+  EXPECT_TRUE(says(result.diagnostics, "cut inside its number"));
+}
+
+TEST_F(ImportCsv, ATableThatRefusesTheImportIsSaidBeforeAnyStreamIsRead) {
+  write_run(folder, "runs/a", 100);
+  folder.write("runs.csv", "run,verdict,took_ms,day\na,ok,soon,mon\n");
+  output = folder.path() / "new" / "bundle";
+  const LogImportResult result = import(kMap);
+  EXPECT_FALSE(result.is_written);
+  EXPECT_TRUE(result.trials.empty());
+  EXPECT_TRUE(says(result.diagnostics, "found 'soon'"));
+  EXPECT_FALSE(fs::exists(folder.path() / "new")) << "nor is anything left behind";
+}
+
+TEST_F(ImportCsv, LeavesNoFolderBehindWhenAllTrialsAreRejected) {
+  write_run(folder, "runs/a", 5);
+  folder.write("runs.csv", "run,verdict,took_ms,day\na,ok,1,mon\n");
+  output = folder.path() / "new" / "deeper" / "bundle";
+  EXPECT_FALSE(import(kMap).is_written);
+  EXPECT_FALSE(fs::exists(folder.path() / "new"));
 }
 
 TEST_F(ImportCsv, TakesRowsOfOutcomesByTheNumberInTheName) {

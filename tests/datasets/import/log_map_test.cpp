@@ -95,6 +95,33 @@ TEST(LogMap, RefusesAMixtureOfTopicsAndFiles) {
   EXPECT_TRUE(parsed.names("pose", "all topics"));
 }
 
+TEST(LogMap, RefusesKeysThatWouldNotCount) {
+  const Parsed bags = parse(R"({"pose": {"from": "/odom", "time": "t"}, "rays": {"from": "/scan",
+    "every": 2, "rays": [{"name": "l", "kind": "range", "range_m": "range"}]},
+    "trials": {"split": {"column": "run"}}})");
+  EXPECT_TRUE(bags.names("pose.time", "the clock of topics"));
+  EXPECT_TRUE(bags.names("rays.every", "these rays are listed"));
+  EXPECT_TRUE(bags.names("trials", "each bag"));
+  const Parsed files = parse(R"({"pose": {"file": "{trial}/p.csv", "x_m": "x", "y_m": "y",
+    "yaw_rad": "h", "frame": "b", "time": {"column": ["s", "n"], "unit": "ms"}},
+    "rays": {"file": "r.csv", "offset": {"x_m": 1}, "reach_m": 2, "rays": [
+      {"name": "l", "kind": "range", "range_m": "l"}]}, "trials": {"split": {"column": "run"}}})");
+  EXPECT_TRUE(files.names("pose.frame", "only topics"));
+  EXPECT_TRUE(files.names("pose.time.unit", "no unit"));
+  EXPECT_TRUE(files.names("rays.offset", "these rays are listed"));
+  EXPECT_TRUE(files.names("rays.reach_m", "these rays are listed"));
+  EXPECT_TRUE(files.names("trials", "each file of a pattern"));
+}
+
+TEST(LogMap, RefusesAPoseOrARayWithoutItsColumnAndFilesElsewhere) {
+  const Parsed parsed = parse(R"({"pose": {"file": "/tmp/p.csv", "x_m": "x", "y_m": "y"},
+    "rays": {"file": "../r.csv", "rays": [{"name": "l", "kind": "range", "reach_m": 1}]}})");
+  EXPECT_TRUE(parsed.names("pose.yaw_rad", "a column"));
+  EXPECT_TRUE(parsed.names("pose.file", "below the source"));
+  EXPECT_TRUE(parsed.names("rays.file", "below the source"));
+  EXPECT_TRUE(parsed.names("rays.rays[0]", "range_m"));
+}
+
 TEST(LogMap, RequiresPoseAndRays) {
   const Parsed parsed = parse("{}");
   EXPECT_TRUE(parsed.names("pose"));

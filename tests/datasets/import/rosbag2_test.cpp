@@ -304,7 +304,7 @@ std::vector<double> values_of(const ReadBag& read) {
 TEST(Rosbag2Folder, IsItsFilesInTheOrderOfItsMetadata) {
   const TemporaryFolder folder;
   database(folder, "bag_10.db3", 3);
-  database(folder, "bag_2.db3", 2);
+  database(folder, "bag_0.db3", 2);
   std::ostringstream mcap;
   test_support::McapWriter writer(mcap);
   writer.schema(1, "std_msgs/msg/Float64", "ros2msg", "float64 data");
@@ -315,8 +315,9 @@ TEST(Rosbag2Folder, IsItsFilesInTheOrderOfItsMetadata) {
   folder.write("notes.txt", "x");
 
   ReadBag read = read_bag(folder.path());
-  EXPECT_TRUE(read.said.empty()) << read.said.front();
-  EXPECT_EQ(values_of(read), (std::vector<double>{0, 1, 99, 0, 1, 2})) << "2 before 3 before 10";
+  EXPECT_EQ(read.said.size(), 1U);
+  EXPECT_EQ(read.says("3 files without metadata.yaml"), 1U);
+  EXPECT_EQ(values_of(read), (std::vector<double>{0, 1, 99, 0, 1, 2})) << "0 before 3 before 10";
   ASSERT_EQ(read.topics.size(), 2U);
   EXPECT_EQ(read.topics[0].messages, 3U);
   EXPECT_EQ(read.topics[1].messages, 3U);
@@ -324,7 +325,7 @@ TEST(Rosbag2Folder, IsItsFilesInTheOrderOfItsMetadata) {
 
   folder.write("metadata.yaml",
                "rosbag2_bagfile_information:\n  relative_file_paths:\n    - bag_10.db3\n"
-               "    - \"old_name/bag_2.db3\"\n  duration:\n    nanoseconds: 1\n");
+               "    - \"old_name/bag_0.db3\"\n  duration:\n    nanoseconds: 1\n");
   read = read_bag(folder.path());
   EXPECT_EQ(values_of(read), (std::vector<double>{0, 1, 2, 0, 1}));
   EXPECT_TRUE(read.said.empty());
@@ -373,6 +374,20 @@ TEST(Rosbag2Folder, OfSeveralRecordingsIsNoneWithoutItsMetadata) {
   EXPECT_EQ(read_bag(folder.path()).says("of one recording"), 1U);
   folder.write("metadata.yaml", "relative_file_paths:\n- monday.db3\n- tuesday_0.db3\n");
   EXPECT_EQ(read_bag(folder.path()).messages.size(), 8U);
+}
+
+TEST(Rosbag2Folder, OfNumberedTrialsIsNoneUnlessARecorderCallsThemSo) {
+  const TemporaryFolder folder;
+  const fs::path runs = folder.path() / "runs";
+  const fs::path run = folder.path() / "run";
+  fs::create_directory(runs);
+  fs::create_directory(run);
+  for (const char* const name :
+       {"runs/run_1.db3", "runs/run_2.db3", "run/run_1.db3", "run/run_2.db3"}) {
+    database(folder, name, 2);
+  }
+  EXPECT_EQ(bag_kind(runs), BagKind::none);
+  EXPECT_EQ(bag_kind(run), BagKind::folder);
 }
 
 TEST(Rosbag2Folder, WithoutRecordingsIsNone) {

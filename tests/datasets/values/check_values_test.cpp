@@ -183,6 +183,17 @@ const std::vector<Fault> kFaults{
          trial.ticks.readings[i].value = 0.31;
        }
      }},
+    {"a ray that hangs half-way",
+     ValueKind::ray_hung,
+     [](Trial& trial) {
+       const std::size_t rays = 3;
+       for (std::size_t i = trial.ticks.size() / 3; i < trial.ticks.size(); ++i) {
+         trial.ticks.readings[i * rays].value = 0.31;
+       }
+     }},
+    {"a mount in millimetres",
+     ValueKind::mount_unit,
+     [](Trial& trial) { trial.info.robot.rays[0].mount.x_m = 160.0; }},
     {"a ray without readings",
      ValueKind::ray_silent,
      [](Trial& trial) {
@@ -232,21 +243,23 @@ TEST(CheckValues, NameEveryFaultPutIntoATrialOfTheCorpus) {
 
 TEST(CheckValues, GuessTheUnit) {
   Trial trial = corpus_trial(5);
-  const auto says = [&](std::size_t fault, const std::string& words) {
+  const auto says = [&](std::string_view name, const std::string& words) {
     Trial spoilt = trial;
-    kFaults[fault].put_in(spoilt);
+    const auto fault = std::ranges::find(kFaults, name, &Fault::name);
+    ASSERT_NE(fault, kFaults.end()) << name;
+    fault->put_in(spoilt);
     const std::string text = text_of(found_in(spoilt));
-    EXPECT_NE(text.find(words), std::string::npos) << kFaults[fault].name << ": " << text;
+    EXPECT_NE(text.find(words), std::string::npos) << name << ": " << text;
   };
-  says(0, "radians within the calibration, 0 to 1.2: degrees?");
-  says(1, "newtons at the tip of a ray: grams?");
-  says(2, "radians: degrees?");
-  says(4, "over 45 degrees off the motion");
-  says(5, "millimetres");
-  says(6, "centimetres?");
-  says(8, "s that trials.csv says: milliseconds or another unit?");
-  says(13, "centimetres?");
-  says(14, "millimetres?");
+  says("bends in degrees", "radians within the calibration, 0 to 1.2: degrees?");
+  says("forces in grams", "newtons at the tip of a ray: grams?");
+  says("yaw in degrees", "radians: degrees?");
+  says("yaw of a frame turned by a quarter", "over 45 degrees off the motion");
+  says("poses in millimetres", "millimetres");
+  says("poses in centimetres", "centimetres?");
+  says("times in milliseconds", "s that trials.csv says: milliseconds or another unit?");
+  says("ranges in centimetres", "centimetres?");
+  says("ranges in millimetres", "millimetres?");
 }
 
 TEST(CheckValues, NameASuccessThatNeverEnteredTheGoal) {
