@@ -85,7 +85,7 @@ constexpr auto declared_fields() {
       {"calibration", "clearance_m", "m", required, "a list as long, rising or falling"},
 
       {"course", "start", "", optional, "S, a region in the frame of the poses"},
-      {"course", "goal", "", optional, "G, the same; without it there is no T_t"},
+      {"course", "goal", "", optional, "G, the same, apart from S; without it there is no T_t"},
       {"region", "disc", "", optional, "either this, an object,"},
       {"region", "polygon", "", optional, "or this, a list of three points [x, y] or more"},
       {"disc", "x_m", "m", required, "of its centre"},

@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 #include <table/nearest_name.hpp>
+#include <tcert/region_overlap.hpp>
 #include <utility>
 #include <variant>
 
@@ -178,6 +179,12 @@ Course read_course(const table::JsonObject& bundle) {
         bundle.child("course", *value, names_at("course", bundle_fields()));
     course.start = read_region(from, "start");
     course.goal = read_region(from, "goal");
+    if (course.start && course.goal && touch(*course.start, *course.goal)) {
+      from.reject("goal",
+                  value->at("goal"),
+                  "a region apart from 'start': between regions that overlap there is no way to "
+                  "certify");
+    }
   }
   return course;
 }

@@ -187,10 +187,13 @@ std::optional<TickLine> TickLineParser::to_tick() {
                         static_cast<double>(time_ns_ - *first_ns_) > 1e10 * *options_.trial_limit_s;
   ran_too_long_ = ran_too_long_ || too_long;
   last_ns_ = time_ns_;
-  const bool starts = row.segment_start || gap || too_long || restarted_;
+  const bool starts_anyway = row.segment_start || too_long || restarted_;
   restarted_ = false;
-  return TickLine{
-      {time_ns_, row.pose, readings_, row.stale, starts}, row.speed_cmd_mps, row.yaw_rate_cmd_rps};
+  return TickLine{{time_ns_, row.pose, readings_, row.stale, starts_anyway || gap},
+                  row.speed_cmd_mps,
+                  row.yaw_rate_cmd_rps,
+                  gap,
+                  starts_anyway};
 }
 
 std::optional<TickLine> TickLineParser::parse(std::string_view text, std::size_t line) {

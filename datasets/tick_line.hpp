@@ -25,6 +25,8 @@ struct TickLine {
   Tick tick;
   double speed_cmd_mps = kMissing;
   double yaw_rate_cmd_rps = kMissing;
+  bool is_after_gap = false;   ///< More than max_gap_s since the row before: it starts a segment.
+  bool starts_anyway = false;  ///< It would start one without the gap too.
 };
 
 enum class TickLineFormat { csv, json_lines };
@@ -39,9 +41,9 @@ struct TickLineOptions {
 };
 
 /// Reads lines of ticks.csv, or objects with the same keys of which null or none is missing; of a
-/// range "inf" and Infinity, as Python writes it, are the same. The same line gives the same tick as
-/// reading the whole file does. Allocates nothing for a good CSV line of plain numbers once it has
-/// seen one of that length.
+/// range "inf" and Infinity, as Python writes it, are the same. The same line gives the same tick
+/// as reading the whole file does. Allocates nothing for a good CSV line of plain numbers once it
+/// has seen one of that length.
 class TickLineParser {
  public:
   /// For a stream whose first line is `first_line`: a line that begins with '{' is the first tick
@@ -54,6 +56,9 @@ class TickLineParser {
   /// Begins another stream of the same run, whose first line is `first_line`: a producer that came
   /// back. Times must go on rising, and its first tick starts a segment.
   void restart(std::string_view first_line, table::DiagnosticGroups& problems);
+
+  /// Forgets rows: the next time is compared with `time_ns`, as if that were the last one.
+  void go_back_to(std::int64_t time_ns) noexcept { last_ns_ = time_ns; }
 
   [[nodiscard]] TickLineFormat format() const noexcept { return format_; }
 

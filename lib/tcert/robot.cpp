@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tcert/region_overlap.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/tick.hpp>
 
@@ -124,6 +125,8 @@ void validate(const Course& course) {
   if (course.goal) {
     validate(*course.goal, "goal");
   }
+  require(!course.start || !course.goal || !touch(*course.start, *course.goal),
+          "goal: has a point in common with start, so that nothing lies between them");
 }
 
 }  // namespace tcert

@@ -69,8 +69,8 @@ struct Course {
 /// \throws std::invalid_argument naming the member that is out of range.
 void validate(const Robot& robot);
 
-/// \throws std::invalid_argument unless regions are finite, discs have a radius above 0 and
-/// polygons at least three vertices.
+/// \throws std::invalid_argument unless regions are finite, discs have a radius above 0, polygons
+/// have at least three vertices, and S and G no point in common.
 void validate(const Course& course);
 
 }  // namespace tcert

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -434,6 +435,44 @@ TEST_F(Live, SaysWhenTheProducerStalls) {
   ::close(input);
   EXPECT_EQ(wait(), 0) << err();
   EXPECT_EQ(lines_of(out()), 3U);
+}
+
+/// The row at `from` of ticks.csv with another time.
+std::string at_time(const std::string& ticks, std::size_t from, const std::string& time_s) {
+  const std::size_t comma = ticks.find(',', from);
+  return time_s + ticks.substr(comma, ticks.find('\n', from) + 1 - comma);
+}
+
+TEST_F(Live, OneStampFarAheadCostsItsOwnTickAlone) {
+  prepare(1);
+  const std::size_t half = ticks_.find('\n', ticks_.size() / 2) + 1;
+  for (const char* const time_s : {"100000", "1e9", "9000"}) {
+    const ProcessResult live =
+        work_.run({"live", "--bundle", "corpus"},
+                  ticks_.substr(0, half) + at_time(ticks_, half, time_s) + ticks_.substr(half));
+    EXPECT_EQ(live.exit_code, 3) << live.err;
+    EXPECT_NE(live.err.find("which the next tick does not confirm"), std::string::npos) << live.err;
+    EXPECT_NE(live.err.find("1 bad lines"), std::string::npos) << live.err;
+    EXPECT_TRUE(live.out == series_) << time_s;
+  }
+}
+
+TEST_F(Live, ATrueGapIsConfirmedByTheNextTickAndLosesNone) {
+  prepare(1);
+  const std::size_t half = ticks_.find('\n', ticks_.size() / 2) + 1;
+  const std::size_t next = ticks_.find('\n', half) + 1;
+  const std::string gap = ticks_.substr(0, half) + at_time(ticks_, half, "5000");
+  ProcessResult live = work_.run({"live", "--bundle", "corpus"}, gap);
+  EXPECT_EQ(live.exit_code, 0) << live.err;
+  EXPECT_EQ(lines_of(live.out), lines_of(gap)) << "the last tick of all waits for none";
+  const std::string on = gap + at_time(ticks_, next, "5000.1");
+  live = work_.run({"live", "--bundle", "corpus"}, on);
+  EXPECT_EQ(live.exit_code, 0) << live.err;
+  EXPECT_EQ(lines_of(live.out), lines_of(on));
+  std::istringstream rows(live.out.substr(live.out.rfind('\n', live.out.size() - 2) + 1));
+  std::string last;
+  std::getline(rows, last);
+  EXPECT_EQ(last.find("break"), std::string::npos) << "the gap broke the path once: " << last;
 }
 
 TEST_F(Live, SkipsAndCountsALineThatNeverEnds) {

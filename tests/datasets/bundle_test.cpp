@@ -126,6 +126,13 @@ TEST(ParseBundleJson, NamesEveryWrongValue) {
                 "0"}));
 }
 
+TEST(ParseBundleJson, RefusesACourseWhoseRegionsOverlap) {
+  const auto messages = json_problems(
+      with(kFull, R"("polygon":[[0,0],[1,0],[1,1]])", R"("polygon":[[0,0],[1.2,1.6],[1,0]])"));
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("expected a region apart from 'start'"), std::string::npos);
+}
+
 TEST(ParseBundleJson, NamesWhatARangeCannotMean) {
   const std::string keys = R"("no_return":[0,"inf",-1],"range_min_m":0.1)";
   EXPECT_EQ(json_problems(with(kFull, keys, R"("no_return":[0,"none"],"range_min_m":-1)")),

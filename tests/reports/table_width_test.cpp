@@ -99,6 +99,9 @@ TEST(Findings, AreSentencesWithTheVerdictAndTheRulesBelow) {
   EXPECT_EQ(in_words(0.5, {}), "0.500");
   EXPECT_EQ(in_words({}, {}), "NA");
   EXPECT_EQ(in_words(0.5, statistics::Interval{0.25, 0.75}, 2), "0.50 [0.25, 0.75]");
+  EXPECT_EQ(in_words(0.5, statistics::Interval{0.0004, 0.75}), "0.5000 [0.0004, 0.7500]")
+      << "a bound above 0 does not read as 0";
+  EXPECT_EQ(in_words(0.5, statistics::Interval{0.0, 0.75}), "0.500 [0.000, 0.750]");
   const Table again = table_from_json(render(table, TableFormat::json));
   EXPECT_EQ(findings_text(again), findings_text(table))
       << "what 'reproduce' reads is what was said";

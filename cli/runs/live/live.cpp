@@ -89,9 +89,10 @@ void follow(Producer& producer,
   std::size_t too_long = 0;
   const auto take_lines = [&] {
     while (lines.next(line)) {
-      const auto tick = source.take(line);
-      if (tick && !take(*tick)) {
-        return false;
+      for (const TickLine& tick : source.take(line)) {
+        if (!take(tick)) {
+          return false;
+        }
       }
     }
     for (; too_long < lines.too_long(); ++too_long) {
@@ -267,6 +268,9 @@ ExitCode live(const LiveRequest& request, Progress& progress) {
   try {
     if (put(series_header(format, robot))) {
       follow(*producer, source, rows, stall, interrupt, take);
+      if (const auto tick = source.last()) {
+        take(*tick);
+      }
     }
     rows.finish(kLastRowsMs);
   } catch (const BrokenPipe&) {

@@ -1,5 +1,6 @@
 #include "cli/runs/live/tick_source.hpp"
 
+#include <table/csv_write.hpp>
 #include <utility>
 
 #include "cli/runs/errors.hpp"
@@ -16,7 +17,10 @@ TickSource::TickSource(const Robot& robot,
                        const BundleInfo& info,
                        Options options,
                        StatusLines& status)
-    : robot_(robot), options_(std::move(options)), status_(status) {
+    : robot_(robot),
+      options_(std::move(options)),
+      status_(status),
+      jumps_(robot.rays.size(), info.max_gap_s) {
   lines_.file = options_.name;
   lines_.max_gap_s = info.max_gap_s;
   lines_.trial_limit_s = info.trial_limit_s;
@@ -76,17 +80,29 @@ bool TickSource::begin(std::string_view line) {
   return false;
 }
 
-std::optional<TickLine> TickSource::take(std::string_view line) {
+std::span<const TickLine> TickSource::take(std::string_view line) {
   ++number_;
   if (!began_ && !begin(line)) {
-    return std::nullopt;
+    return {};
   }
-  auto read = parser_->parse(line, number_);
+  const auto read = parser_->parse(line, number_);
   if (!parser_->problems().empty()) {
     ++bad_;
     say(parser_->problems());
   }
-  return read;
+  if (!read) {
+    return {};
+  }
+  const JumpWatch::Verdict verdict = jumps_.take(*read);
+  if (verdict.go_back_to_ns) {
+    parser_->go_back_to(*verdict.go_back_to_ns);
+  }
+  if (verdict.refused_ns) {
+    std::string seconds;
+    table::append_seconds(seconds, *verdict.refused_ns);
+    reject("a time of " + seconds + " s far ahead, which the next tick does not confirm");
+  }
+  return verdict.usable;
 }
 
 void TickSource::report_ranges() {

@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tcert/robot.hpp>
 #include <vector>
 
+#include "cli/runs/live/jump_watch.hpp"
 #include "cli/runs/live/patient_output.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/tick_line.hpp"
@@ -30,8 +32,13 @@ class TickSource {
   /// The next line begins a stream.
   void restart() noexcept { began_ = false; }
 
+  /// The ticks that may be used now, in order: mostly that of the line; none after a gap, until the
+  /// next tick says that the clock did go on. Valid until the next call.
   /// \throws BadData for a first line that is not what it must be, if it must begin well.
-  [[nodiscard]] std::optional<TickLine> take(std::string_view line);
+  [[nodiscard]] std::span<const TickLine> take(std::string_view line);
+
+  /// At the end of the run: the tick that waited for the next one.
+  [[nodiscard]] std::optional<TickLine> last() { return jumps_.last(); }
 
   /// A line that is none of a tick, said and counted.
   void reject(const std::string& problem);
@@ -50,6 +57,7 @@ class TickSource {
   TickLineOptions lines_;
   StatusLines& status_;
   std::optional<TickLineParser> parser_;
+  JumpWatch jumps_;
   bool began_ = false;
   std::size_t number_ = 0;
   std::size_t bad_ = 0;

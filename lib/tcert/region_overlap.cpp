@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <tcert/region_overlap.hpp>
+#include <variant>
+
+namespace tcert {
+namespace {
+
+double distance_to_segment(Point p, Point a, Point b) noexcept {
+  const Point along = b - a;
+  const double length2 = dot(along, along);
+  const double share = length2 > 0.0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
+  return distance(p, a + share * along);
+}
+
+// Two segments that cross have ends on either side of each other; others are closest at an end.
+bool segments_touch(Point a, Point b, Point c, Point d) noexcept {
+  const bool crossing = (cross(b - a, c - a) > 0.0) != (cross(b - a, d - a) > 0.0) &&
+                        (cross(d - c, a - c) > 0.0) != (cross(d - c, b - c) > 0.0);
+  return crossing || distance_to_segment(a, c, d) == 0.0 || distance_to_segment(b, c, d) == 0.0 ||
+         distance_to_segment(c, a, b) == 0.0 || distance_to_segment(d, a, b) == 0.0;
+}
+
+/// Whether `holds` is true of any edge (from, to).
+template <class Predicate>
+bool any_edge(const Polygon& polygon, Predicate holds) noexcept {
+  const auto& v = polygon.vertices;
+  for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
+    if (holds(v[j], v[i])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Point point_in(const Disc& disc) noexcept { return disc.centre; }
+Point point_in(const Polygon& polygon) noexcept { return polygon.vertices.front(); }
+
+bool borders_touch(const Disc& a, const Disc& b) noexcept {
+  return distance(a.centre, b.centre) <= a.radius_m + b.radius_m;
+}
+
+bool borders_touch(const Polygon& polygon, const Disc& disc) noexcept {
+  return any_edge(polygon, [&](Point from, Point to) {
+    return distance_to_segment(disc.centre, from, to) <= disc.radius_m;
+  });
+}
+
+bool borders_touch(const Disc& disc, const Polygon& polygon) noexcept {
+  return borders_touch(polygon, disc);
+}
+
+bool borders_touch(const Polygon& a, const Polygon& b) noexcept {
+  return any_edge(a, [&](Point from, Point to) {
+    return any_edge(b, [&](Point c, Point d) { return segments_touch(from, to, c, d); });
+  });
+}
+
+}  // namespace
+
+bool touch(const Region& a, const Region& b) noexcept {
+  return std::visit(
+      [&](const auto& one, const auto& other) {
+        return contains(a, point_in(other)) || contains(b, point_in(one)) ||
+               borders_touch(one, other);
+      },
+      a,
+      b);
+}
+
+}  // namespace tcert
