@@ -115,23 +115,32 @@ ValueFinding stuck_reading(const Ray& ray, const RayScan& of, const TrialScan& s
                   scan.last_way_m()));
 }
 
-/// A reading that moved, and at some time ceases to until the log ends.
-std::optional<ValueFinding> hung(const Ray& ray,
-                                 const TickTable& ticks,
-                                 const TrialScan& scan,
-                                 std::size_t k) {
+/// The first of the fresh ticks from which on a ray reads the same to the end.
+std::size_t same_since(const TickTable& ticks, const TrialScan& scan, std::size_t k) {
   const auto value_at = [&](std::size_t j) {
     return ticks.readings[scan.fresh[j] * ticks.rays + k].value;
   };
   std::size_t since = scan.fresh.size() - 1;
-  const double last = value_at(since);
-  while (since > 0 && value_at(since - 1) == last) {
+  while (since > 0 && value_at(since - 1) == value_at(scan.fresh.size() - 1)) {
     --since;
   }
+  return since;
+}
+
+/// A reading that moved, and at some time ceases to until the log ends, while another ray's goes on
+/// to `moving_until`: along a straight wall all may be still.
+std::optional<ValueFinding> hung(const Ray& ray,
+                                 const TickTable& ticks,
+                                 const TrialScan& scan,
+                                 std::size_t k,
+                                 std::size_t moving_until) {
+  const std::size_t since = same_since(ticks, scan, k);
+  const double last = ticks.readings[scan.fresh.back() * ticks.rays + k].value;
   const double clearance_m =
       ray.kind == RayKind::bend ? calibrated_clearance(ray.calibration, last) : last;
   const double way_m = scan.last_way_m() - scan.way_m[scan.fresh[since]];
-  if (scan.fresh.size() - since < kLeastTicks || !(clearance_m < longest_clearance(ray)) ||
+  if (scan.fresh.size() - since < kLeastTicks || moving_until < since + kLeastTicks ||
+      !(clearance_m < longest_clearance(ray)) ||
       way_m < std::max(kLeastWayM, kLeastShareOfWay * scan.last_way_m())) {
     return std::nullopt;
   }
@@ -195,6 +204,10 @@ std::vector<ValueFinding> check_rays(const Robot& robot,
   }
   const bool others_spoke = std::ranges::any_of(
       scan.rays, [&](const RayScan& ray) { return spoke(ray, scan, kSpokenShare); });
+  std::size_t moving_until = 0;
+  for (std::size_t k = 0; k < scan.rays.size(); ++k) {
+    moving_until = std::max(moving_until, scan.rays[k].known > 0 ? same_since(ticks, scan, k) : 0);
+  }
   std::vector<std::size_t> moving;
   for (std::size_t k = 0; k < scan.rays.size(); ++k) {
     const Ray& ray = robot.rays[k];
@@ -214,7 +227,7 @@ std::vector<ValueFinding> check_rays(const Robot& robot,
       }
       continue;
     }
-    if (auto one = hung(ray, ticks, scan, k)) {
+    if (auto one = hung(ray, ticks, scan, k, moving_until)) {
       found.push_back(std::move(*one));
     }
     const auto same = std::ranges::find_if(
