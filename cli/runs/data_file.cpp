@@ -1,5 +1,6 @@
 #include "cli/runs/data_file.hpp"
 
+#include <table/read_data_table.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>

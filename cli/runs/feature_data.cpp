@@ -1,5 +1,6 @@
 #include "cli/runs/feature_data.hpp"
 
+#include <table/read_data_table.hpp>
 #include <stdexcept>
 #include <table/bytes.hpp>
 

@@ -1,5 +1,6 @@
 #include "cli/runs/h3.hpp"
 
+#include <table/read_data_table.hpp>
 #include <memory>
 #include <stdexcept>
 #include <table/bytes.hpp>

@@ -3,14 +3,8 @@
 /// A CSV file as typed columns: numbers, or names as a factor. What every model is fitted to.
 
 #include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
-#include <table/bytes.hpp>
-#include <table/csv_header.hpp>
-#include <table/diagnostic.hpp>
 #include <table/factor.hpp>
 #include <table/mixed_cells.hpp>
 #include <vector>
@@ -38,23 +32,5 @@ struct DataTable {
   /// Null if there is no such column.
   [[nodiscard]] const DataColumn* find(std::string_view name) const noexcept;
 };
-
-struct DataTableResult {
-  std::optional<DataTable> table;  ///< Empty iff there is an error.
-  std::vector<Diagnostic> diagnostics;
-};
-
-/// Reads the columns called `wanted`, all of them if it is empty; names that the file does not have
-/// are not an error here. Cells are read by read_cell(). A row with another number of cells than
-/// the header is an error; a text column that holds more numbers than texts, or is spoiled, a
-/// warning. O(size).
-[[nodiscard]] DataTableResult read_data_table(const std::filesystem::path& path,
-                                              std::span<const std::string> wanted = {},
-                                              CsvOptions csv = {});
-
-/// The same from bytes; `csv.file` names them.
-[[nodiscard]] DataTableResult read_data_table(const Bytes& bytes,
-                                              std::span<const std::string> wanted,
-                                              const CsvOptions& csv);
 
 }  // namespace tcert::table

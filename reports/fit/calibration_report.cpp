@@ -6,13 +6,13 @@
 namespace tcert {
 namespace {
 
-struct Part : RowOf<statistics::CalibrationCoefficient> {
+struct Part : RowOf<statistics::WaldEstimate> {
   std::string name;
   double ideal;
 };
 
 Table coefficient_table(const statistics::ModelCalibration& calibration, double level) {
-  using Coefficient = statistics::CalibrationCoefficient;
+  using Coefficient = statistics::WaldEstimate;
   const bool clustered = calibration.clusters > 0;
   ColumnsOf<Part> columns;
   columns.text("term", "quantity", &Part::name)

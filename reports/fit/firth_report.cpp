@@ -16,11 +16,11 @@ Table coefficient_table(const statistics::FirthFit& fit) {
           .number("std.error", "SE", &Row::standard_error)
           .number("statistic", "chi-squared", [](auto& one) { return statistic_of(one.test); })
           .p("p.value", "p", [](auto& one) { return p_of(one.test); })
-          .ends({"conf.low", "Wald low"}, {"conf.high", "Wald high"}, &Row::wald)
+          .ends({"conf.low", "Wald low"}, {"conf.high", "Wald high"}, &Row::interval)
           .part(profile_columns(), [](auto& one) { return std::optional(limits_of(one.profile)); })
           .part(ratio_columns(odds_ratio_name(), "profile"),
                 [](auto& one) {
-                  return std::optional(LogRatio{one.estimate, one.wald, limits_of(one.profile)});
+                  return std::optional(LogRatio{one.estimate, one.interval, limits_of(one.profile)});
                 })
           .text(
               "kind", "", [](auto& one) { return std::string(reason_without_estimate(one.kind)); })

@@ -1,5 +1,6 @@
 #include "reports/results/results.hpp"
 
+#include <table/read_data_table.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

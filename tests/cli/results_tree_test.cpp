@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <table/data_table.hpp>
+#include <table/read_data_table.hpp>
 
 #include "support/temporary_folder.hpp"
 #include "support/workdir.hpp"

@@ -58,7 +58,7 @@ TEST(Robot, RefusesWhatNoRobotCanBe) {
 TEST(Course, RefusesRegionsThatAreNone) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NO_THROW(validate(Course{}));
-  EXPECT_NO_THROW(validate(Course{Disc{{}, 0.5}, Polygon{{{0, 0}, {1, 0}, {0, 1}}}}));
+  EXPECT_NO_THROW(validate(Course{Disc{{}, 0.5}, Polygon{{{1, 0}, {2, 0}, {1, 1}}}}));
   for (const Region& region : {Region(Disc{{}, 0.0}),
                                Region(Disc{{kNaN, 0.0}, 1.0}),
                                Region(Disc{{}, kNaN}),

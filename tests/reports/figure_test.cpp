@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <table/bytes.hpp>
-#include <table/data_table.hpp>
+#include <table/read_data_table.hpp>
 
 #include "reports/figure/figure_parts.hpp"
 #include "reports/figure/figure_rows.hpp"

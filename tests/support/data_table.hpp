@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <table/data_table.hpp>
+#include <table/read_data_table.hpp>
 #include <utility>
 
 namespace tcert::test_support {

@@ -132,11 +132,6 @@ LogisticFit recalibration(const CalibrationRows& rows,
   return fit_logistic(input, options);
 }
 
-CalibrationCoefficient coefficient(const LogisticFit& fit, std::size_t column) {
-  const LogisticCoefficient& one = fit.coefficients[column];
-  return {one.estimate, one.standard_error, one.interval};
-}
-
 void add_recalibration(const CalibrationRows& rows,
                        const table::Factor* cluster,
                        double level,
@@ -150,7 +145,7 @@ void add_recalibration(const CalibrationRows& rows,
     return;
   }
   const LogisticFit both = recalibration(rows, cluster, true, level);
-  result.in_the_large = coefficient(recalibration(rows, cluster, false, level), 0);
+  result.in_the_large = recalibration(rows, cluster, false, level).coefficients[0];
   for (Condition condition : both.conditions) {
     const bool apart = condition.kind == ConditionKind::complete_separation ||
                        condition.kind == ConditionKind::quasi_separation ||
@@ -169,8 +164,8 @@ void add_recalibration(const CalibrationRows& rows,
     result.conditions.push_back(std::move(condition));
   }
   if (both.coefficients[1].estimate) {
-    result.intercept = coefficient(both, 0);
-    result.slope = coefficient(both, 1);
+    result.intercept = both.coefficients[0];
+    result.slope = both.coefficients[1];
   }
 }
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <statistics/basics/chi_square.hpp>
 #include <statistics/basics/condition.hpp>
-#include <statistics/basics/interval.hpp>
+#include <statistics/basics/wald_estimate.hpp>
 #include <string>
 #include <table/factor.hpp>
 #include <vector>
@@ -23,13 +23,6 @@ struct CalibrationOptions {
   std::size_t bins = 10;  ///< Of the curve, the Brier score's parts and the test.
   std::string column;     ///< The probabilities' name in conditions.
   std::function<std::string(std::size_t)> place;  ///< Row i in words; empty: "row i + 1".
-};
-
-/// A logistic coefficient of the recalibration.
-struct CalibrationCoefficient {
-  std::optional<double> estimate;
-  std::optional<double> standard_error;  ///< Cluster-robust where there are clusters.
-  std::optional<Interval> interval;      ///< Wald.
 };
 
 /// Trials whose probability lies between two cuts.
@@ -59,13 +52,14 @@ struct BrierParts {
 struct ModelCalibration {
   std::size_t rows = 0;  ///< With a probability and an outcome.
   std::size_t events = 0;
-  std::size_t missing = 0;              ///< Rows left out.
-  std::size_t clusters = 0;             ///< 0 if rows are taken as independent.
-  CalibrationCoefficient slope;         ///< b of logit Pr(y = 1) = a + b logit p; ideal 1.
-  CalibrationCoefficient intercept;     ///< a of the same; ideal 0.
-  CalibrationCoefficient in_the_large;  ///< The intercept where b is held at 1; ideal 0.
-  double observed = 0.0;                ///< Events.
-  double expected = 0.0;                ///< Sum of the probabilities.
+  std::size_t missing = 0;   ///< Rows left out.
+  std::size_t clusters = 0;  ///< 0 if rows are taken as independent.
+  /// Of the recalibration; the standard errors are cluster-robust where there are clusters.
+  WaldEstimate slope;         ///< b of logit Pr(y = 1) = a + b logit p; ideal 1.
+  WaldEstimate intercept;     ///< a of the same; ideal 0.
+  WaldEstimate in_the_large;  ///< The intercept where b is held at 1; ideal 0.
+  double observed = 0.0;      ///< Events.
+  double expected = 0.0;      ///< Sum of the probabilities.
   std::optional<double> expected_to_observed;
   std::optional<BrierParts> brier;
   std::optional<ChiSquareTest> hosmer_lemeshow;  ///< On bins - 2 degrees of freedom.

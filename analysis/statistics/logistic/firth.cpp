@@ -154,7 +154,7 @@ void add_coefficients(const LogisticProblem& problem, const FirthMaximum& maximu
     one.kind = CoefficientKind::finite;
     one.estimate = estimates[k];
     one.standard_error = error;
-    one.wald =
+    one.interval =
         Interval{estimates[k] - factor * error, estimates[k] + factor * error, fit.options.level};
     one.test = maximum.test({k});
     if (fit.options.profiles) {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <statistics/basics/chi_square.hpp>
 #include <statistics/basics/condition.hpp>
-#include <statistics/basics/interval.hpp>
+#include <statistics/basics/wald_estimate.hpp>
 #include <statistics/logistic/logistic.hpp>
 #include <string>
 #include <vector>
@@ -24,13 +24,11 @@ struct FirthOptions {
   std::function<void()> advance{};  ///< Called after each coefficient.
 };
 
-/// Numbers are empty unless `kind` is finite; a test or an end that was not found is empty too.
-struct FirthCoefficient {
+/// Numbers are empty unless `kind` is finite; a test or an end that was not found is empty too. The
+/// standard error is that of the inverse information at the estimate.
+struct FirthCoefficient : WaldEstimate {
   std::string column;
   CoefficientKind kind = CoefficientKind::unknown;
-  std::optional<double> estimate;
-  std::optional<double> standard_error;  ///< Of the inverse information at the estimate.
-  std::optional<Interval> wald;
   std::optional<ChiSquareTest> test;  ///< Penalised likelihood ratio against 0.
   std::optional<Interval> profile;    ///< Profile penalised likelihood: the one to read.
 };

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 #include <statistics/basics/condition.hpp>
-#include <statistics/basics/interval.hpp>
+#include <statistics/basics/wald_estimate.hpp>
 #include <statistics/logistic/binomial_newton.hpp>
 #include <statistics/logistic/separation.hpp>
 #include <statistics/model/model_frame.hpp>
@@ -66,14 +66,11 @@ enum class CoefficientKind : std::uint8_t {
 };
 
 /// Numbers are empty unless `kind` is finite.
-struct LogisticCoefficient {
+struct LogisticCoefficient : WaldEstimate {
   std::string column;
   CoefficientKind kind = CoefficientKind::unknown;
-  std::optional<double> estimate;
-  std::optional<double> standard_error;
   std::optional<double> z;
-  std::optional<double> p_value;     ///< Two-sided, normal.
-  std::optional<Interval> interval;  ///< Wald.
+  std::optional<double> p_value;  ///< Two-sided, normal.
 };
 
 struct LogisticFit {

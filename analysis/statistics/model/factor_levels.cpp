@@ -26,6 +26,39 @@ double as_printed(double value) {
   return printed;
 }
 
+/// Keys stay below levels times levels, whatever the number of factors that were crossed before.
+table::Factor cross_of_two(const table::Factor& slow,
+                           const table::Factor& fast,
+                           const std::string& separator) {
+  const std::size_t rows = slow.rows();
+  const auto is_missing = [&](std::size_t row) {
+    return slow.codes[row] == table::Factor::kMissing || fast.codes[row] == table::Factor::kMissing;
+  };
+  const auto key = [&](std::size_t row) {
+    return std::uint64_t{slow.codes[row]} * fast.levels.size() + fast.codes[row];
+  };
+  std::vector<std::uint64_t> distinct;
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (!is_missing(row)) {
+      distinct.push_back(key(row));
+    }
+  }
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  table::Factor cross;
+  for (const std::uint64_t one : distinct) {
+    cross.levels.push_back(slow.levels[one / fast.levels.size()] + separator +
+                           fast.levels[one % fast.levels.size()]);
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto at = is_missing(row) ? distinct.end()
+                                    : std::lower_bound(distinct.begin(), distinct.end(), key(row));
+    cross.codes.push_back(at == distinct.end() ? table::Factor::kMissing
+                                               : static_cast<std::uint32_t>(at - distinct.begin()));
+  }
+  return cross;
+}
+
 }  // namespace
 
 table::Factor levels_by_value(const std::vector<double>& numbers) {
@@ -89,45 +122,9 @@ void name_levels(table::Factor& factor, const std::string& name) {
 }
 
 table::Factor crossed(const std::vector<table::Factor>& factors, const std::string& separator) {
-  if (factors.size() == 1) {
-    return factors.front();
-  }
-  const std::size_t rows = factors.front().rows();
-  std::vector<std::uint64_t> key(rows, 0);
-  std::vector<bool> missing(rows, false);
-  for (const table::Factor& factor : factors) {
-    for (std::size_t row = 0; row < rows; ++row) {
-      missing[row] = missing[row] || factor.codes[row] == table::Factor::kMissing;
-      key[row] = key[row] * factor.levels.size() + (missing[row] ? 0 : factor.codes[row]);
-    }
-  }
-  std::vector<std::uint64_t> distinct;
-  for (std::size_t row = 0; row < rows; ++row) {
-    if (!missing[row]) {
-      distinct.push_back(key[row]);
-    }
-  }
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-
-  table::Factor cross;
-  for (std::uint64_t one : distinct) {
-    std::vector<std::uint64_t> codes(factors.size());
-    for (std::size_t k = factors.size(); k > 0; --k) {
-      codes[k - 1] = one % factors[k - 1].levels.size();
-      one /= factors[k - 1].levels.size();
-    }
-    std::string name = factors.front().levels[codes.front()];
-    for (std::size_t k = 1; k < factors.size(); ++k) {
-      name += separator;
-      name += factors[k].levels[codes[k]];
-    }
-    cross.levels.push_back(std::move(name));
-  }
-  for (std::size_t row = 0; row < rows; ++row) {
-    const auto at = std::lower_bound(distinct.begin(), distinct.end(), key[row]);
-    cross.codes.push_back(missing[row] ? table::Factor::kMissing
-                                       : static_cast<std::uint32_t>(at - distinct.begin()));
+  table::Factor cross = factors.front();
+  for (std::size_t k = 1; k < factors.size(); ++k) {
+    cross = cross_of_two(cross, factors[k], separator);
   }
   return cross;
 }

@@ -5,6 +5,7 @@
 
 #include "analysis/study/h1/panel_columns.hpp"
 #include "analysis/study/h1/panel_data.hpp"
+#include "analysis/study/trials/table_columns.hpp"
 
 namespace tcert::study {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <statistics/model/factor_levels.hpp>
-#include <statistics/model/stray_text.hpp>
 #include <statistics/model/variable.hpp>
-#include <table/not_a_number.hpp>
 #include <utility>
+
+#include "analysis/study/trials/table_columns.hpp"
 
 namespace tcert::study {
 namespace {
@@ -39,28 +39,6 @@ std::vector<double> outcome(const table::DataTable& table, const std::string& co
 }
 
 }  // namespace
-
-std::vector<double> numbers_in(const table::DataTable& table, const std::string& column) {
-  statistics::Variable variable = statistics::evaluate(column_named(column), table);
-  if (variable.kind == statistics::Variable::Kind::factor) {
-    throw statistics::FormulaError("column " + statistics::not_numbers(table, column));
-  }
-  return std::move(variable.numbers);
-}
-
-bool is_there(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn* const column = table.find(name);
-  return column != nullptr &&
-         (column->is_text ? !column->text.levels.empty()
-                          : std::any_of(column->numbers.begin(),
-                                        column->numbers.end(),
-                                        [](double x) { return !std::isnan(x); }));
-}
-
-std::vector<double> numbers_if_there(const table::DataTable& table, const std::string& column) {
-  return table.find(column) == nullptr ? std::vector<double>(table.rows, table::kNaN)
-                                       : numbers_in(table, column);
-}
 
 const std::string& column_of(const table::DataTable& table,
                              const H1Predictor& predictor,

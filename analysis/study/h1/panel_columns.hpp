@@ -24,18 +24,6 @@ struct PanelColumns {
   std::optional<table::Factor> group;
 };
 
-/// The column's numbers. \throws FormulaError if it is not there or holds text.
-[[nodiscard]] std::vector<double> numbers_in(const table::DataTable& table,
-                                             const std::string& column);
-
-/// A column without a single value is not there: feature tables have a column for all they could
-/// know.
-[[nodiscard]] bool is_there(const table::DataTable& table, const std::string& name);
-
-/// All NaN if the table does not have it.
-[[nodiscard]] std::vector<double> numbers_if_there(const table::DataTable& table,
-                                                   const std::string& column);
-
 /// The landmark's own column where the table has it.
 [[nodiscard]] const std::string& column_of(const table::DataTable& table,
                                            const H1Predictor& predictor,

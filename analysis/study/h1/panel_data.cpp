@@ -11,6 +11,7 @@
 #include "analysis/study/h1/panel_columns.hpp"
 #include "analysis/study/h1/panel_times.hpp"
 #include "analysis/study/h1/panel_trials.hpp"
+#include "analysis/study/trials/table_columns.hpp"
 
 namespace tcert::study {
 namespace {

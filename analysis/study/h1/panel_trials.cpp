@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/study/h1/panel_times.hpp"
+#include "analysis/study/trials/table_columns.hpp"
 
 namespace tcert::study {
 namespace {

@@ -13,7 +13,7 @@ std::string fewer_than(std::size_t count, const std::string& what, std::size_t l
 
 void withhold(H1OddsRatio& ratio) { ratio.interval.reset(); }
 
-void withhold(statistics::CalibrationCoefficient& coefficient) {
+void withhold(statistics::WaldEstimate& coefficient) {
   coefficient.standard_error.reset();
   coefficient.interval.reset();
 }

@@ -2,41 +2,11 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <table/csv_write.hpp>
+#include <utility>
+
+#include "analysis/study/trials/table_columns.hpp"
 
 namespace tcert::study {
-namespace {
-
-const table::DataColumn& column_of(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn* column = table.find(name);
-  if (column == nullptr) {
-    throw std::invalid_argument("h3: the table has no column '" + name + "'");
-  }
-  return *column;
-}
-
-std::vector<double> numbers_of(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn& column = column_of(table, name);
-  if (column.is_text) {
-    throw std::invalid_argument("h3: column '" + name + "' holds text, expected numbers");
-  }
-  return column.numbers;
-}
-
-std::vector<std::string> words(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn& column = column_of(table, name);
-  std::vector<std::string> out(table.rows);
-  for (std::size_t i = 0; i < table.rows; ++i) {
-    if (!column.is_text) {
-      table::append_number(out[i], column.numbers[i]);
-    } else if (column.text.codes[i] != table::Factor::kMissing) {
-      out[i] = column.text.levels[column.text.codes[i]];
-    }
-  }
-  return out;
-}
-
-}  // namespace
 
 std::vector<std::string> columns_of(const H3Options& options) {
   std::vector<std::string> columns{"trial_id",
@@ -62,21 +32,21 @@ std::vector<std::string> columns_of(const H3Options& options) {
 
 ReplayRows rows_of(const table::DataTable& table, const H3Options& options) {
   ReplayRows rows;
-  rows.trial = words(table, "trial_id");
-  rows.algorithm = words(table, "algorithm");
-  rows.lighting = words(table, "lighting");
-  rows.law = words(table, "speed_law");
-  rows.cluster = words(table, options.cluster.empty() ? "trial_id" : options.cluster);
-  rows.success = numbers_of(table, "success");
-  rows.beta = numbers_of(table, "beta_per_m");
-  rows.length = numbers_of(table, "length_m");
-  rows.time = numbers_of(table, "logged_time_s");
-  rows.gated_time = numbers_of(table, "gated_time_s");
-  rows.speed = numbers_of(table, "speed_cmd_mps");
-  rows.gated_speed = numbers_of(table, "gated_speed_cmd_mps");
-  rows.latency = numbers_of(table, "loop_latency_ms");
-  rows.stalls = numbers_of(table, "stalls");
-  rows.kept = numbers_of(table, "kept");
+  rows.trial = words_in(table, "trial_id");
+  rows.algorithm = words_in(table, "algorithm");
+  rows.lighting = words_in(table, "lighting");
+  rows.law = words_in(table, "speed_law");
+  rows.cluster = words_in(table, options.cluster.empty() ? "trial_id" : options.cluster);
+  rows.success = numbers_in(table, "success");
+  rows.beta = numbers_in(table, "beta_per_m");
+  rows.length = numbers_in(table, "length_m");
+  rows.time = numbers_in(table, "logged_time_s");
+  rows.gated_time = numbers_in(table, "gated_time_s");
+  rows.speed = numbers_in(table, "speed_cmd_mps");
+  rows.gated_speed = numbers_in(table, "gated_speed_cmd_mps");
+  rows.latency = numbers_in(table, "loop_latency_ms");
+  rows.stalls = numbers_in(table, "stalls");
+  rows.kept = numbers_in(table, "kept");
   return rows;
 }
 

@@ -24,7 +24,7 @@ struct ReplayRows {
       kept;
 };
 
-/// \throws std::invalid_argument if a column is not there or holds text for numbers.
+/// \throws FormulaError if a column is not there or holds text for numbers.
 [[nodiscard]] ReplayRows rows_of(const table::DataTable& table, const H3Options& options);
 
 /// One trial of the two algorithms: the row of each case.

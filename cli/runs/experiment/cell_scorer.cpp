@@ -1,5 +1,6 @@
 #include "cli/runs/experiment/cell_scorer.hpp"
 
+#include <table/read_data_table.hpp>
 #include <stdexcept>
 #include <table/bytes.hpp>
 #include <table/csv_write.hpp>

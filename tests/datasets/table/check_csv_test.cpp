@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <string>
-#include <table/data_table.hpp>
+#include <table/read_data_table.hpp>
 #include <utility>
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include <table/data_table.hpp>
+#include <table/read_data_table.hpp>
 
 #include <gtest/gtest.h>
 

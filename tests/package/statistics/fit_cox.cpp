@@ -4,7 +4,7 @@
 #include <statistics/cox/cox.hpp>
 #include <statistics/model/formula.hpp>
 #include <statistics/model/model_frame.hpp>
-#include <table/data_table.hpp>
+#include <table/read_data_table.hpp>
 
 int main(int argc, char** argv) {
   using namespace tcert;

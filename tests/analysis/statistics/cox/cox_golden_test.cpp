@@ -18,7 +18,7 @@
 #include <statistics/model/formula.hpp>
 #include <statistics/model/model_frame.hpp>
 #include <string>
-#include <table/data_table.hpp>
+#include <table/read_data_table.hpp>
 #include <vector>
 
 #include "support/temporary_folder.hpp"

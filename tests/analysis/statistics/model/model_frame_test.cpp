@@ -1,3 +1,4 @@
+#include <table/read_data_table.hpp>
 #include <statistics/model/model_frame.hpp>
 
 #include <gtest/gtest.h>

@@ -20,7 +20,7 @@
 #include <statistics/resampling/jackknife.hpp>
 #include <statistics/roc/auc_statistic.hpp>
 #include <string>
-#include <table/data_table.hpp>
+#include <table/read_data_table.hpp>
 #include <utility>
 #include <variant>
 #include <vector>

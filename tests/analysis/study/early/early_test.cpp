@@ -1,4 +1,5 @@
 // What the figures of the early certificate show: by hand, and what must hold of any study.
+#include <table/read_data_table.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
