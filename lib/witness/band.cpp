@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tcert/elementary.hpp>
 #include <witness/band.hpp>
 #include <witness/banded_system.hpp>
 #include <witness/polygon.hpp>
@@ -16,8 +17,11 @@ constexpr double kSlope = 0.006;       // m, to either side of a gradient
 constexpr double kLongestMove = 0.04;  // m a step
 // A corner that turns by a hundredth too much weighs as 0.3 mm of clearance.
 constexpr double kTurnWeight = 0.03;
-constexpr double kEvenWeight = 0.3;
-constexpr double kBendShare = 0.004;  // of the weight of turning
+constexpr double kEvenWeight = 0.1;
+// Of the weight of turning, what any bend weighs, from the first steps to the last: bends spread
+// along the band first, and then give way to what is asked for.
+constexpr std::array kBendShares{0.3, 0.1, 0.03, 0.004};
+constexpr int kMostSteps = 25;  // with one weight of bends
 constexpr double kFirstDamping = 0.01;
 constexpr double kLeastDamping = 1e-5;
 constexpr double kMostDamping = 1e3;
@@ -31,9 +35,15 @@ class Stretching {
         radius_m_(kSpareRadius * needed_radius(problem.robot, wanted_m)),
         system_(2 * points) {}
 
+  double bend_share = kBendShares.back();
+
   /// Builds the equations at these points; hands back half the sum of squares.
   double linearise(const std::vector<Point>& points) {
     system_.clear();
+    edge_m_ = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      edge_m_ += distance(points[i - 1], points[i]) / static_cast<double>(points.size() - 1);
+    }
     return sum_up(points, [this](std::size_t first, const auto& derivatives, double residual) {
       system_.add(first, derivatives(), residual);
     });
@@ -87,30 +97,37 @@ class Stretching {
         });
       }
     }
+    const double weight = kTurnWeight * std::min(radius_m_, 1.0) / edge_m_;
     for (std::size_t i = 1; i < last; ++i) {
       const Point in = p[i] - p[i - 1];
       const Point out = p[i + 1] - p[i];
       const double in_m = std::max(1e-9, norm(in));
       const double out_m = std::max(1e-9, norm(out));
-      const double edge_m = std::min(in_m, out_m);
-      const Point bend = out - in;
-      const double bend_m = norm(bend);
-      const double half_turn = 0.5 * edge_m / radius_m_;  // tangent of half the largest turn
-      const double most_m = 2.0 * edge_m * half_turn / std::sqrt(1.0 + half_turn * half_turn);
-      const double weight = kTurnWeight * std::min(radius_m_, 1.0) / (edge_m * edge_m);
-      if (bend_m > most_m) {
-        take(i - 1, weight * (bend_m - most_m), [&] {
-          const Point u = (weight / bend_m) * bend;
-          return Row{u.x_m, u.y_m, -2.0 * u.x_m, -2.0 * u.y_m, u.x_m, u.y_m};
+      const Point u = (1.0 / in_m) * in;
+      const Point v = (1.0 / out_m) * out;
+      const double turn = elementary::atan2(cross(u, v), dot(u, v));
+      // How the turn changes as the ends of the two edges move square to them.
+      const Point by_in = (1.0 / in_m) * Point{-u.y_m, u.x_m};
+      const Point by_out = (1.0 / out_m) * Point{-v.y_m, v.x_m};
+      const auto turning = [&](double scale, double stretch) {
+        const Point first = scale * by_in - stretch * u;
+        const Point third = scale * by_out + stretch * v;
+        const Point second = -1.0 * (first + third);
+        return Row{first.x_m, first.y_m, second.x_m, second.y_m, third.x_m, third.y_m};
+      };
+      const double most = 0.5 * (in_m + out_m) / radius_m_;
+      if (std::abs(turn) > most) {
+        take(i - 1, weight * (std::abs(turn) - most), [&] {
+          return turning(turn > 0.0 ? weight : -weight, -0.5 * weight / radius_m_);
         });
       }
-      const double weak = kBendShare * weight;
-      take(i - 1, weak * bend.x_m, [&] { return Row{weak, 0.0, -2.0 * weak, 0.0, weak, 0.0}; });
-      take(i - 1, weak * bend.y_m, [&] { return Row{0.0, weak, 0.0, -2.0 * weak, 0.0, weak}; });
+      const double weak = bend_share * weight;
+      take(i - 1, weak * turn, [&] { return turning(weak, 0.0); });
       take(i - 1, kEvenWeight * (out_m - in_m), [&] {
-        const Point u = (kEvenWeight / in_m) * in;
-        const Point v = (kEvenWeight / out_m) * out;
-        return Row{u.x_m, u.y_m, -u.x_m - v.x_m, -u.y_m - v.y_m, v.x_m, v.y_m};
+        const Point first = kEvenWeight * u;
+        const Point third = kEvenWeight * v;
+        const Point second = -1.0 * (first + third);
+        return Row{first.x_m, first.y_m, second.x_m, second.y_m, third.x_m, third.y_m};
       });
     }
     return sum;
@@ -119,6 +136,7 @@ class Stretching {
   const BandProblem& problem_;
   double clearance_m_;
   double radius_m_;
+  double edge_m_ = 0.0;  // mean length at the points that were last linearised at
   BandedSystem system_;
 };
 
@@ -131,27 +149,33 @@ Band stretched(const std::vector<Point>& polygon,
   Band best{polygon, estimate(polygon, problem.field, problem.robot).margin_m};
   Stretching stretching(problem, wanted_m, polygon.size());
   std::vector<Point> points = polygon;
-  double damping = kFirstDamping;
-  double cost = stretching.linearise(points);
-  while (iterations > 0 && best.margin_m < wanted_m - kMet && damping < kMostDamping) {
-    --iterations;
-    std::vector<Point> next = stretching.moved(points, damping);
-    const double next_cost = stretching.cost(next);
-    if (!(next_cost < cost)) {
-      damping *= 6.0;
-      continue;
+  for (const double share : kBendShares) {
+    stretching.bend_share = share;
+    double damping = kFirstDamping;
+    double cost = stretching.linearise(points);
+    int steps = std::min(iterations, kMostSteps);
+    iterations -= steps;
+    while (steps > 0 && best.margin_m < wanted_m - kMet && damping < kMostDamping) {
+      --steps;
+      std::vector<Point> next = stretching.moved(points, damping);
+      const double next_cost = stretching.cost(next);
+      if (!(next_cost < cost)) {
+        damping *= 6.0;
+        continue;
+      }
+      const bool settled = cost - next_cost < 1e-4 * cost;
+      damping = std::max(kLeastDamping, 0.3 * damping);
+      points = std::move(next);
+      const double margin_m = estimate(points, problem.field, problem.robot).margin_m;
+      if (margin_m > best.margin_m) {
+        best = {points, margin_m};
+      }
+      if (settled) {
+        break;
+      }
+      cost = stretching.linearise(points);
     }
-    const bool settled = cost - next_cost < 1e-4 * cost;
-    damping = std::max(kLeastDamping, 0.3 * damping);
-    points = std::move(next);
-    const double margin_m = estimate(points, problem.field, problem.robot).margin_m;
-    if (margin_m > best.margin_m) {
-      best = {points, margin_m};
-    }
-    if (settled) {
-      break;
-    }
-    cost = stretching.linearise(points);
+    iterations += steps;
   }
   return best;
 }

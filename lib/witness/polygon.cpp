@@ -42,6 +42,17 @@ std::vector<Point> resampled(const std::vector<Point>& polygon, double spacing_m
   return points;
 }
 
+std::vector<Point> refined(const std::vector<Point>& polygon) {
+  std::vector<Point> points{polygon.front()};
+  for (std::size_t i = 1; i < polygon.size(); ++i) {
+    const Point edge = polygon[i] - polygon[i - 1];
+    points.push_back(polygon[i - 1] + 0.25 * edge);
+    points.push_back(polygon[i - 1] + 0.75 * edge);
+  }
+  points.push_back(polygon.back());
+  return points;
+}
+
 Path path_of(const std::vector<Point>& polygon) {
   Path path;
   Point at = polygon.front();

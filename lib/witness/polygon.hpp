@@ -14,8 +14,12 @@ namespace tcert::witness {
 /// ends among them. \pre at least two points.
 [[nodiscard]] std::vector<Point> resampled(const std::vector<Point>& polygon, double spacing_m);
 
-/// Each inner corner is rounded by an arc that leaves its edges at half of the shorter one, or up to
-/// 0.01 mm later.
+/// Twice as many points, half as far apart: every corner is cut at a quarter of its edges, so that
+/// turns are halved (Chaikin 1974). The ends stay.
+[[nodiscard]] std::vector<Point> refined(const std::vector<Point>& polygon);
+
+/// Each inner corner is rounded by an arc that leaves its edges at half of the shorter one, or up
+/// to 0.01 mm later.
 [[nodiscard]] Path path_of(const std::vector<Point>& polygon);
 
 /// The radius of the arc at the corner `b`; infinity if it is none.

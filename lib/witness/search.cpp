@@ -17,8 +17,16 @@ namespace {
 constexpr double kStride = 0.015;        // m, between the vertices of a route
 constexpr double kNearlyAsWide = 0.006;  // m
 constexpr double kFine = 0.0006;         // m, to which a margin is bisected
-constexpr int kStepsATarget = 40;
-constexpr std::array kSpacings{0.08, 0.04, 0.02};  // m
+constexpr int kStepsATarget = 80;
+constexpr double kCoarse = 0.08;  // m, between the points of a band; halved at each level
+constexpr int kLevels = 3;
+constexpr double kHope = 0.02;  // m, by which a finer band may be better
+
+/// Margins in m to try: one that the widest route promises, and the most there can be.
+struct Targets {
+  double likely_m = 0.0;
+  double most_m = 0.0;
+};
 
 /// Steps out the corners of a route over a lattice.
 std::vector<Point> smoothed(std::vector<Point> p) {
@@ -31,10 +39,9 @@ std::vector<Point> smoothed(std::vector<Point> p) {
 }
 
 /// Stretches towards `likely_m` first, then bisects up to `most_m`.
-Band bisected(
-    Band band, double likely_m, double most_m, const BandProblem& problem, int& iterations) {
-  double high_m = most_m;
-  double target_m = likely_m;
+Band bisected(Band band, const Targets& targets, const BandProblem& problem, int& iterations) {
+  double high_m = targets.most_m;
+  double target_m = targets.likely_m;
   while (iterations > 0 && high_m - band.margin_m > kFine) {
     int steps = std::min(iterations, kStepsATarget);
     iterations -= steps;
@@ -55,19 +62,37 @@ Band bisected(
   return band;
 }
 
-Band best_band(const std::vector<Point>& route,
-               double likely_m,
-               double most_m,
+/// Stretches a route coarse to fine, and keeps what the checker measures of each.
+void try_route(const std::vector<Point>& route,
+               const Targets& targets,
                const BandProblem& problem,
-               int iterations) {
-  Band band{smoothed(resampled(route, kSpacings.front())), 0.0};
-  for (const double spacing_m : kSpacings) {
-    int budget = iterations / static_cast<int>(kSpacings.size());
-    band.polygon = resampled(band.polygon, spacing_m);
+               const FreeCells& cells,
+               int iterations,
+               Found& found) {
+  Band band{smoothed(resampled(route, kCoarse)), 0.0};
+  double best_m = -1.0;
+  for (int level = 0; level < kLevels; ++level) {
+    if (level > 0) {
+      band.polygon = refined(band.polygon);
+    }
+    int budget = iterations / kLevels;
     band.margin_m = estimate(band.polygon, problem.field, problem.robot).margin_m;
-    band = bisected(std::move(band), likely_m, most_m, problem, budget);
+    const double likely_m =
+        level == 0 ? targets.likely_m : std::min(targets.likely_m, best_m + kHope);
+    band = bisected(std::move(band), {likely_m, targets.most_m}, problem, budget);
+    best_m = std::max(best_m, band.margin_m);
+    const bool promises = !found.witness || band.margin_m > found.witness->checked.margin_m;
+    if (!promises) {
+      continue;
+    }
+    Path path = path_of(band.polygon);
+    Checked checked = check(path, cells, problem.start, problem.goal, problem.robot);
+    if (!checked.refused.empty()) {
+      found.reason = checked.refused;
+    } else if (!found.witness || checked.margin_m > found.witness->checked.margin_m) {
+      found.witness = Witness{std::move(path), std::move(checked)};
+    }
   }
-  return band;
 }
 
 }  // namespace
@@ -92,7 +117,7 @@ Found search(const FreeCells& cells,
     return {std::nullopt, "no route from S to G is as wide as the body"};
   }
   const double likely_m = 2.0 * (*value_m - needed_clearance(robot, 0.0));
-  const double most_m = likely_m + 2.0 * beside_m;
+  const Targets targets{likely_m, likely_m + 2.0 * beside_m};
   const BandProblem problem{field, start, goal, robot};
   Found found;
   std::array routes{short_route(grid, *value_m - kNearlyAsWide), std::vector<Point>()};
@@ -106,13 +131,7 @@ Found search(const FreeCells& cells,
     if (routes[k].size() < 2) {
       continue;
     }
-    Path path = path_of(best_band(routes[k], likely_m, most_m, problem, iterations).polygon);
-    Checked checked = check(path, cells, start, goal, robot);
-    if (!checked.refused.empty()) {
-      found.reason = checked.refused;
-    } else if (!found.witness || checked.margin_m > found.witness->checked.margin_m) {
-      found.witness = Witness{std::move(path), std::move(checked)};
-    }
+    try_route(routes[k], targets, problem, cells, iterations, found);
   }
   return found;
 }

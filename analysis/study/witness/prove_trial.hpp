@@ -19,10 +19,9 @@ struct Proof {
   std::optional<witness::Witness> witness;
   std::string reason;  ///< Why there is no witness; empty if there is one.
 
-  /// T_t: the witness's margin if it is above 0, which is when it is issued.
-  [[nodiscard]] std::optional<double> issued_m() const noexcept {
-    return witness && witness->checked.margin_m > 0.0 ? std::optional(witness->checked.margin_m)
-                                                      : std::nullopt;
+  /// T_t in m: the witness's margin. It is issued if that is above 0.
+  [[nodiscard]] std::optional<double> certificate_m() const noexcept {
+    return witness ? std::optional(witness->checked.margin_m) : std::nullopt;
   }
 };
 
