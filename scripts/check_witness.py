@@ -224,7 +224,12 @@ def to_cell(a, b, x, y, h):
 def check(bundle, proof):
     with open(os.path.join(bundle, "bundle.json"), encoding="utf-8") as file:
         info = json.load(file)
+    same = lambda stated, given: all(given.get(k, 0) == v for k, v in stated.items())
+    assert len(proof["rays"]) == len(info["rays"]) and all(map(same, proof["rays"], info["rays"])), "it states other rays than the bundle"
     run = samples(os.path.join(bundle, "logs", proof["trial_id"]), info, proof)
+    (x, y), radius = run[0][0][0], proof["robot"]["body_width_m"] / 2
+    start = info["course"].get("start", {"disc": {"x_m": x, "y_m": y, "radius_m": radius}})
+    assert same(proof["start"], start) and same(proof["goal"], info["course"]["goal"]), "it states another course"
     chords, curvature = measure(proof)
     h, robot, rule = proof["rule"]["cell_m"], proof["robot"], proof["rule"]
     reach = proof["clearance_m"] + 2 * h

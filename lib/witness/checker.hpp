@@ -22,7 +22,8 @@ struct Checked {
 /// paper's (2.2). The robot's rays do not matter.
 ///
 /// - The distance is that to the nearest cell that is not free, cells closed, exact for straight
-///   pieces; arcs are cut into chords, and how far an arc bulges, at most 0.05 mm, is taken off.
+///   pieces; arcs are cut into chords, and how far an arc bulges, at most 0.05 mm, is taken off, so
+///   that of an arc it is at most 0.1 mm too small.
 ///   Floating point adds less than 1e-9 m at coordinates below 10^6 m.
 /// - Pieces must meet exactly, and their headings within 1e-6 rad; what they differ by is added to
 ///   the turning of the pieces on both sides. Where R_min is 0 a corner is allowed, of radius 0.

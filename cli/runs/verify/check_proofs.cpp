@@ -8,11 +8,10 @@
 #include <system_error>
 #include <table/bytes.hpp>
 
-#include "analysis/study/witness/felt_samples.hpp"
 #include "cli/runs/bundle_digest.hpp"
 #include "cli/runs/verify/find_input.hpp"
 #include "datasets/trial_reader.hpp"
-#include "reports/witness_json.hpp"
+#include "reports/witness_check.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -41,43 +40,11 @@ std::string fault_of_proof(const WitnessDocument& proof,
   if (row == bundle.trials.end()) {
     return "the bundle has no trial '" + proof.trial_id + "'";
   }
-  if (!bundle.info.course.goal) {
-    return "the bundle has no goal";
-  }
-  WitnessDocument of_bundle = proof;
-  of_bundle.robot.rays = bundle.info.robot.rays;
-  of_bundle.start = bundle.info.course.start.value_or(proof.start);
-  of_bundle.goal = *bundle.info.course.goal;
-  if (to_json(of_bundle) != to_json(proof)) {
-    return "it states other rays, or another course, than the bundle";
-  }
-  if (log_digest(bundle, *row).sha256 != proof.log_sha256) {
-    return "it is of another log";
-  }
   const TrialResult read = read_trial(bundle, *row, options);
   if (!read.log) {
     return "its log cannot be read";
   }
-  witness::Samples samples = study::felt_samples(*read.log, proof.robot, proof.pose_bridge_s);
-  witness::drop_glitches(samples, proof.robot, proof.rule.strips.lost_share);
-  if (samples.size() == 0) {
-    return "its log holds no touch with a pose";
-  }
-  const Course course{bundle.info.course.start, proof.goal};
-  const witness::FreeCells cells = witness::free_space(proof.robot, course, samples, proof.rule);
-  if (!(cells == proof.cells)) {
-    return "the free space built from the log is another";
-  }
-  const witness::Checked checked =
-      witness::check(proof.path, cells, proof.start, proof.goal, proof.robot);
-  if (!checked.refused.empty()) {
-    return "the checker refuses it: " + checked.refused;
-  }
-  return checked.margin_m == proof.stated.margin_m &&
-                 checked.clearance_m == proof.stated.clearance_m &&
-                 checked.turn_radius_m == proof.stated.turn_radius_m
-             ? std::string()
-             : "the checker measures another margin";
+  return fault_of_witness(proof, bundle.info, *read.log, log_digest(bundle, *row).sha256);
 }
 
 }  // namespace
