@@ -28,7 +28,7 @@ double crossing_m(Point a, Point u, Point b, Point v) noexcept {
   return along_m >= 0.0 ? along_m : kInfinity;
 }
 
-/// An edge of a strip that runs along a ray; its points at a range of heights.
+/// An edge of a strip; its points at a range of heights.
 struct Edge {
   double bottom, top, x_at_bottom, slope, left, right;
 
@@ -44,6 +44,9 @@ struct Edge {
     right = std::max(p.x_m, q.x_m);
   }
   void add_range(double low, double high, double& from, double& to) const noexcept {
+    if (bottom > high || top < low) {
+      return;
+    }
     if (slope == kInfinity) {
       from = std::min(from, left);
       to = std::max(to, right);
@@ -159,14 +162,17 @@ bool RayStrips::passed(Point middle, double half_m) const noexcept {
 }
 
 // What the ray passes with this strip is behind it now and was not, all of it, behind it before; so
-// it meets the strip, and in each row lies between what the strip's two rays take of it.
+// it meets the strip, and in each row lies between the ends of what the strip's edges take of it.
 void RayStrips::mark_passed(const std::array<Point, 4>& corners, FreeCells& cells) const noexcept {
   const Lattice& lattice = cells.lattice();
   const double cell_m = lattice.cell_m;
   const double rounding_m = kRounding * cell_m;
   const auto [low, high] =
       std::minmax({corners[0].y_m, corners[1].y_m, corners[2].y_m, corners[3].y_m});
-  const std::array<Edge, 2> edges{Edge(corners[0], corners[1]), Edge(corners[3], corners[2])};
+  const std::array<Edge, 4> edges{Edge(corners[0], corners[1]),
+                                  Edge(corners[1], corners[2]),
+                                  Edge(corners[2], corners[3]),
+                                  Edge(corners[3], corners[0])};
   const int first_row = std::max(0, lattice.row_of(low - rounding_m));
   const int last_row = std::min(lattice.rows - 1, lattice.row_of(high + rounding_m));
   for (int iy = first_row; iy <= last_row; ++iy) {
@@ -175,7 +181,10 @@ void RayStrips::mark_passed(const std::array<Point, 4>& corners, FreeCells& cell
     double from = kInfinity;
     double to = -kInfinity;
     for (const Edge& edge : edges) {
-      edge.add_range(bottom, top, from, to);
+      edge.add_range(bottom - rounding_m, top + rounding_m, from, to);
+    }
+    if (from > to) {
+      continue;
     }
     const int first = std::max(0, lattice.column_of(from - rounding_m));
     const int last = std::min(lattice.columns - 1, lattice.column_of(to + rounding_m));
