@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <witness/distance_field.hpp>
 
 namespace tcert::witness {
@@ -12,12 +14,16 @@ std::vector<std::int32_t> steps_in_columns(const FreeCells& cells, int columns, 
   const auto width = static_cast<std::size_t>(columns);
   std::vector<std::int32_t> steps(width * static_cast<std::size_t>(rows), 0);
   for (int iy = 1; iy + 1 < rows; ++iy) {
-    std::int32_t* const row = &steps[static_cast<std::size_t>(iy) * width];
-    bool left_free = false;  // both cells to the left of the vertex
-    for (int ix = 0; ix < columns; ++ix) {
-      const bool right_free = cells.is_free(ix, iy) && cells.is_free(ix, iy - 1);
-      row[ix] = left_free && right_free ? row[static_cast<std::ptrdiff_t>(ix) - columns] + 1 : 0;
-      left_free = right_free;
+    const auto above = cells.row(iy);
+    const auto below = cells.row(iy - 1);
+    const auto place = static_cast<std::size_t>(iy) * width;
+    for (std::size_t w = 0; w < above.size(); ++w) {
+      const std::uint64_t right = above[w] & below[w];  // of a vertex, both cells to the right
+      const std::uint64_t carried = w > 0 ? (above[w - 1] & below[w - 1]) >> 63U : 0U;
+      for (std::uint64_t bits = right & (right << 1U | carried); bits != 0; bits &= bits - 1) {
+        const std::size_t i = place + 64 * w + static_cast<std::size_t>(std::countr_zero(bits));
+        steps[i] = steps[i - width] + 1;
+      }
     }
   }
   for (std::size_t i = steps.size() - width; i-- > 0;) {
@@ -50,32 +56,41 @@ DistanceField::DistanceField(const FreeCells& cells)
   std::vector<std::int64_t> from(width);   // and where each begins
   for (int iy = 0; iy < rows_; ++iy) {
     const std::int32_t* const row = &steps[static_cast<std::size_t>(iy) * width];
+    float* const distances_m = &distance_m_[static_cast<std::size_t>(iy) * width];
     const auto squared = [row](std::int64_t at, std::int64_t of) {
       return (at - of) * (at - of) + static_cast<std::int64_t>(row[of]) * row[of];
     };
-    std::size_t count = 1;
-    owner[0] = from[0] = 0;
-    for (std::int64_t ix = 1; ix < columns_; ++ix) {
-      while (count > 0 &&
-             squared(from[count - 1], owner[count - 1]) > squared(from[count - 1], ix)) {
-        --count;
+    // Between two vertices that touch what is not free nothing beyond them is nearer.
+    std::int64_t left = 0;
+    for (std::int64_t right = 1; right < columns_; ++right) {
+      if (row[right] != 0) {
+        continue;
       }
-      std::int64_t begin = 0;
-      if (count > 0) {
-        begin = 1 + meeting(owner[count - 1], ix, row[owner[count - 1]], row[ix]);
+      const std::int64_t begin = std::exchange(left, right);
+      if (right == begin + 1) {
+        continue;
       }
-      if (begin < columns_) {
-        owner[count] = ix;
-        from[count] = begin;
-        ++count;
+      std::size_t count = 1;
+      owner[0] = from[0] = begin;
+      for (std::int64_t ix = begin + 1; ix <= right; ++ix) {
+        while (count > 0 &&
+               squared(from[count - 1], owner[count - 1]) > squared(from[count - 1], ix)) {
+          --count;
+        }
+        const std::int64_t first =
+            count == 0 ? begin : 1 + meeting(owner[count - 1], ix, row[owner[count - 1]], row[ix]);
+        if (first <= right) {
+          owner[count] = ix;
+          from[count] = first;
+          ++count;
+        }
       }
-    }
-    for (std::int64_t ix = columns_ - 1; ix >= 0; --ix) {
-      distance_m_[static_cast<std::size_t>(iy) * width + static_cast<std::size_t>(ix)] =
-          static_cast<float>(lattice_.cell_m *
-                             std::sqrt(static_cast<double>(squared(ix, owner[count - 1]))));
-      if (ix == from[count - 1] && count > 1) {
-        --count;
+      for (std::int64_t ix = right - 1; ix > begin; --ix) {
+        while (from[count - 1] > ix) {
+          --count;
+        }
+        distances_m[ix] = static_cast<float>(
+            lattice_.cell_m * std::sqrt(static_cast<double>(squared(ix, owner[count - 1]))));
       }
     }
   }
