@@ -13,6 +13,10 @@ namespace {
 using nlohmann::ordered_json;
 using Runs = std::vector<std::vector<int>>;
 
+constexpr double kLeastCell = 1e-4;                    // m
+constexpr std::int64_t kMostAlong = 1'000'000'000;     // cells
+constexpr std::int64_t kFarthest = 1'000'000'000'000;  // the number of a cell
+
 constexpr std::string_view kAssumptions[] = {
     "Readings, less reading_bound_m, are not above the true clearance; poses are true, between two "
     "pose samples too.",
@@ -94,15 +98,37 @@ Ray ray_from(const ordered_json& json) {
   return ray;
 }
 
+std::int64_t whole(const ordered_json& json, std::int64_t low, std::int64_t high) {
+  const auto value = json.is_number_integer() ? json.get<std::int64_t>() : low - 1;
+  if (value < low || value > high) {
+    throw WitnessFormatError("a number of cells is not a whole one within its bounds");
+  }
+  return value;
+}
+
+Runs runs_from(const ordered_json& json) {
+  Runs runs;
+  for (const ordered_json& row : json) {
+    runs.emplace_back();
+    for (const ordered_json& length : row) {
+      runs.back().push_back(static_cast<int>(whole(length, 0, kMostAlong)));
+    }
+  }
+  return runs;
+}
+
 witness::FreeCells cells_from(const ordered_json& free, double cell_m, std::size_t max_cells) {
-  const Runs runs = free.at("runs").get<Runs>();
-  const witness::Lattice lattice{
-      cell_m, free.at("first_x"), free.at("first_y"), free.at("columns"), free.at("rows")};
+  const Runs runs = runs_from(free.at("runs"));
+  const witness::Lattice lattice{cell_m,
+                                 whole(free.at("first_x"), -kFarthest, kFarthest),
+                                 whole(free.at("first_y"), -kFarthest, kFarthest),
+                                 static_cast<int>(whole(free.at("columns"), 1, kMostAlong)),
+                                 static_cast<int>(whole(free.at("rows"), 1, kMostAlong))};
   const bool fits =
       lattice.columns > 0 && lattice.rows > 0 &&
       static_cast<double>(lattice.columns) * lattice.rows <= static_cast<double>(max_cells);
   if (!fits || runs.size() != static_cast<std::size_t>(lattice.rows)) {
-    throw WitnessFormatError("the free space has no rows, too many cells, or other runs than rows");
+    throw WitnessFormatError("the free space has too many cells, or other runs than rows");
   }
   if (free.at("sha256") != digest_of(runs)) {
     throw WitnessFormatError("the free space does not have its digest");
@@ -112,7 +138,7 @@ witness::FreeCells cells_from(const ordered_json& free, double cell_m, std::size
     int begin = 0;
     bool is_free = false;
     for (const int length : runs[static_cast<std::size_t>(iy)]) {
-      if (length < 0 || length > lattice.columns - begin) {
+      if (length > lattice.columns - begin) {
         throw WitnessFormatError("a row of the free space is longer than its columns");
       }
       if (is_free && length > 0) {
@@ -149,8 +175,8 @@ WitnessDocument document_from(const ordered_json& json, std::size_t max_cells) {
   rule.at("reading_bound_m").get_to(document.rule.strips.reading_bound_m);
   rule.at("pose_bridge_s").get_to(document.pose_bridge_s);
   document.rule.max_cells = max_cells;
-  if (!(document.rule.cell_m > 0.0)) {
-    throw WitnessFormatError("cell_m is not above 0");
+  if (!(document.rule.cell_m >= kLeastCell)) {
+    throw WitnessFormatError("cell_m is below a tenth of a millimetre");
   }
   validate(document.robot);
   validate(Course{document.start, document.goal});
