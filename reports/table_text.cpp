@@ -244,7 +244,7 @@ std::string render_markdown(const Table& table) {
   out += "### " + markdown_escaped(title_of(table)) + "\n\n";
   Grid grid = grid_of(table);
   for (auto& row : grid) {
-    std::transform(row.begin(), row.end(), row.begin(), escaped);
+    std::transform(row.begin(), row.end(), row.begin(), markdown_escaped);
   }
   const auto widths = widths_of(grid);
   for (std::size_t r = 0; r < grid.size(); ++r) {
