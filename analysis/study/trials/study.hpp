@@ -33,7 +33,7 @@ struct StudiedTrial {
   std::vector<double> ray_margins;  ///< Row-major, ticks x rays; empty unless asked for.
   Features features;
   std::optional<NotIssued> not_issued;
-  std::optional<Proof> proof;  ///< Empty unless a witness was asked for.
+  std::optional<Proof> proof;           ///< Empty unless a witness was asked for.
   std::vector<double> speed_cmd_mps;    ///< Of the raw control stream, or of merged ticks.
   std::vector<double> loop_latency_ms;  ///< Of the raw control stream; NaN where missing.
 };
