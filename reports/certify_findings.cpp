@@ -99,6 +99,8 @@ std::string reason_text(const study::NotIssued& why) {
       return "start (S) and goal (G) were never connected, for the path is broken";
     case unconnected:
       return "start (S) and goal (G) were never connected";
+    case no_witness:
+      return "no path as wide as the body was found in what was felt";
     case narrow:
       return fmt::format("the margin is {} m at ({}, {}), which is not above 0",
                          fixed(why.margin_m, 3),

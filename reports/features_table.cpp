@@ -111,9 +111,33 @@ ColumnsOf<Bottleneck> bottleneck_columns() {
       .doc("turn radius there");
 }
 
-ColumnsOf<CertifiedTrial> certificate_columns() {
-  return ColumnsOf<CertifiedTrial>()
-      .part(name_columns(), [](auto& r) { return r.trial.row; })
+std::optional<double> x_of(const std::optional<Point>& p) {
+  return p ? std::optional(p->x_m) : std::nullopt;
+}
+
+std::optional<double> y_of(const std::optional<Point>& p) {
+  return p ? std::optional(p->y_m) : std::nullopt;
+}
+
+ColumnsOf<study::Proof> witness_columns() {
+  const auto place = [](const study::Proof& proof) {
+    return proof.witness ? std::optional(proof.witness->checked.bottleneck) : std::nullopt;
+  };
+  return ColumnsOf<study::Proof>()
+      .add(fixed_column("witness_m", "witness", "m"),
+           [](auto& r) { return short_cell(r.certificate_m()); })
+      .doc("margin of the witness, a path that was found and checked; empty if there is none")
+      .add(fixed_column("witness_x_m", "x", "m", 2),
+           [=](auto& r) { return short_cell(x_of(place(r))); })
+      .doc("where on the witness its margin is decided")
+      .add(fixed_column("witness_y_m", "y", "m", 2),
+           [=](auto& r) { return short_cell(y_of(place(r))); })
+      .doc("the same");
+}
+
+ColumnsOf<CertifiedTrial> certificate_columns(WitnessColumns witness) {
+  ColumnsOf<CertifiedTrial> columns;
+  columns.part(name_columns(), [](auto& r) { return r.trial.row; })
       .part(success_columns(), [](auto& r) { return r.trial.row; })
       .integer("issued", "issued", [](auto& r) { return r.last().issued; })
       .doc("1 if T_t was above 0 at any tick, else 0")
@@ -136,6 +160,10 @@ ColumnsOf<CertifiedTrial> certificate_columns() {
       .doc("every flag that any tick had, + between")
       .text("log_sha256", "SHA-256 of the log", [](auto& r) { return not_empty(r.log_sha256); })
       .doc("digest of the log's files");
+  if (witness == WitnessColumns::yes) {
+    columns.part(witness_columns(), [](auto& r) { return r.trial.proof; });
+  }
+  return columns;
 }
 
 }  // namespace
@@ -169,8 +197,8 @@ std::vector<TableCell> features_row(const TrialRecord& trial) {
   return cells;
 }
 
-Table certificates_table(const Bundle& bundle) {
-  Table table = certificate_columns().table("certificates", "Certificate of each trial");
+Table certificates_table(const Bundle& bundle, WitnessColumns witness) {
+  Table table = certificate_columns(witness).table("certificates", "Certificate of each trial");
   table.synthetic = synthetic_label(bundle.info);
   return table;
 }
@@ -183,15 +211,17 @@ std::vector<ColumnDoc> feature_column_docs() {
 }
 
 std::vector<ColumnDoc> certificate_column_docs() {
-  std::vector<ColumnDoc> docs = certificate_columns().docs();
+  std::vector<ColumnDoc> docs = certificate_columns(WitnessColumns::yes).docs();
   docs.push_back(synthetic_seed_doc());
   return docs;
 }
 
 std::vector<TableCell> certificates_row(const study::StudiedTrial& trial,
-                                        const std::string& log_sha256) {
-  static const ColumnsOf<CertifiedTrial> columns = certificate_columns();
-  return columns.row({trial, log_sha256});
+                                        const std::string& log_sha256,
+                                        WitnessColumns witness) {
+  static const ColumnsOf<CertifiedTrial> plain = certificate_columns(WitnessColumns::no);
+  static const ColumnsOf<CertifiedTrial> full = certificate_columns(WitnessColumns::yes);
+  return (witness == WitnessColumns::yes ? full : plain).row({trial, log_sha256});
 }
 
 }  // namespace tcert

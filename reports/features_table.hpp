@@ -25,10 +25,15 @@ namespace tcert {
 [[nodiscard]] std::vector<ColumnDoc> feature_column_docs();
 [[nodiscard]] std::vector<ColumnDoc> certificate_column_docs();
 
+/// Whether the certificate table has the columns of the witness.
+enum class WitnessColumns { no, yes };
+
 /// Columns of the certificate table, no rows: where and when each certificate was issued, what
 /// decides it, and the digest of the log that it was made from.
-[[nodiscard]] Table certificates_table(const Bundle& bundle);
+[[nodiscard]] Table certificates_table(const Bundle& bundle,
+                                       WitnessColumns witness = WitnessColumns::no);
 [[nodiscard]] std::vector<TableCell> certificates_row(const study::StudiedTrial& trial,
-                                                      const std::string& log_sha256);
+                                                      const std::string& log_sha256,
+                                                      WitnessColumns witness = WitnessColumns::no);
 
 }  // namespace tcert

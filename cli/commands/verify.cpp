@@ -14,6 +14,8 @@ manifest keeps, into a scratch folder; every file it writes, and what the manife
 options, seed, origin and digests, is compared. With --files-only every file is compared with the digest
 in its manifest, no more. A command line is run only if it is one that this tool writes into a
 manifest, so results of strangers can be verified: nothing is written but below the scratch folder.
+Witnesses (certify --witness) are also checked without the search that found them: what the log proves
+free is built again from the log, and each path measured.
 What no manifest covers and no result has as its input is named. Inputs are
 looked for beside the results, in the current folder, and where --inputs says.
 

@@ -68,6 +68,11 @@ OptionTable options_of(CertifyRequest& request) {
   table.add("no-series", request.no_series, "leave DIR/series and DIR/edges out, to save space");
   table.add(
       "ray-margins", request.ray_margins, "one more column a ray in the series: its own margin");
+  table.add("witness",
+            request.witness,
+            "look for a witness of each trial, a path that proves its margin, whatever 'clearance' "
+            "is; write DIR/witness/<trial_id>.json, which 'verify' checks, and its margin into "
+            "certificates.csv (witness_m)");
   table.add("truth",
             request.truth,
             "two more columns in the features: T of each trial's known world, at least and at most "
@@ -78,8 +83,9 @@ OptionTable options_of(CertifyRequest& request) {
 
 ExitCode certify(const CertifyRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
-  if (output.empty() && (request.ticks || request.no_series || request.ray_margins)) {
-    throw UsageError("--ticks, --no-series and --ray-margins need --output");
+  if (output.empty() &&
+      (request.ticks || request.no_series || request.ray_margins || request.witness)) {
+    throw UsageError("--ticks, --no-series, --ray-margins and --witness need --output");
   }
   OpenedBundle opened = open_for(request.bundle, request.logs, progress);
   if (request.truth) {
@@ -97,7 +103,7 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
                      request.threads,
                      progress,
                      &folder,
-                     {!request.no_series, request.ticks, request.ray_margins},
+                     {!request.no_series, request.ticks, request.ray_margins, request.witness},
                      [&](study::TrialRecord&& trial) {
                        failures.add(trial);
                        study.add(std::move(trial));

@@ -13,6 +13,7 @@ struct CertifyRequest {
   bool ticks = false;
   bool no_series = false;
   bool ray_margins = false;
+  bool witness = false;
   bool truth = false;
   LogOptions logs;
   OutputOptions output;

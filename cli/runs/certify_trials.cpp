@@ -12,6 +12,7 @@
 #include "reports/edges_table.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"
+#include "reports/witness_json.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -19,9 +20,9 @@ namespace {
 /// The tables that have a row or more per trial, written as trials come in.
 class TrialTables {
  public:
-  TrialTables(const Bundle& bundle, const std::filesystem::path& folder)
+  TrialTables(const Bundle& bundle, WitnessColumns witness, const std::filesystem::path& folder)
       : features_(features_table(bundle)),
-        certificates_(certificates_table(bundle)),
+        certificates_(certificates_table(bundle, witness)),
         diagnostics_(diagnostics_table(synthetic_label(bundle.info))),
         features_file_(folder / "features.csv"),
         certificates_file_(folder / "certificates.csv"),
@@ -105,6 +106,33 @@ void write_trial_files(const study::StudiedTrial& trial,
   }
 }
 
+/// The proof of a trial that has one.
+void write_witness(const study::StudiedTrial& trial,
+                   const std::string& log_sha256,
+                   const OpenedBundle& opened,
+                   const Robot& robot,
+                   const ResultFolder& folder) {
+  if (!trial.proof || !trial.proof->witness) {
+    return;
+  }
+  const study::ParameterSet& parameters = opened.parameters;
+  const study::Proof& proof = *trial.proof;
+  const WitnessDocument document{
+      synthetic_label(opened.bundle.info),
+      trial.row->trial_id,
+      log_sha256,
+      robot,
+      proof.start,
+      *opened.bundle.info.course.goal,
+      parameters.witness.pose_bridge_s,
+      witness::free_space_options(parameters.witness, parameters.certificate),
+      proof.cells,
+      proof.witness->path,
+      proof.witness->checked};
+  folder.write(std::filesystem::path("witness") / (trial.row->trial_id + ".json"),
+               to_json(document));
+}
+
 /// What is left of a trial when its ticks are gone.
 struct CertifiedTrial {
   study::TrialRecord record;
@@ -185,15 +213,20 @@ CertifySummary certify_trials(const OpenedBundle& opened,
   const Robot robot = study::with_overrides(bundle.info.robot, opened.parameters.robot);
   const SeriesFormat format{
       opened.parameters.speed_law, files.ray_margins, synthetic_label(bundle.info)};
+  const bool has_witness =
+      files.witness || opened.parameters.certificate.clearance == ClearanceReading::witness;
+  const WitnessColumns witness = has_witness ? WitnessColumns::yes : WitnessColumns::no;
   std::unique_ptr<TrialTables> tables;
   if (folder != nullptr) {
-    tables = std::make_unique<TrialTables>(bundle, folder->staging());
+    tables = std::make_unique<TrialTables>(bundle, witness, folder->staging());
     tables->add_diagnostics("", opened.diagnostics);
   }
   Gathering gathering(tables.get(), progress, sink);
   Stage stage(progress, "certifying", opened.trials.size());
-  const study::StudyOptions study{
-      {opened.logs.repair}, static_cast<int>(threads), files.ray_margins && folder != nullptr};
+  const study::StudyOptions study{{opened.logs.repair},
+                                  static_cast<int>(threads),
+                                  files.ray_margins && folder != nullptr,
+                                  files.witness};
   const auto work = [&](study::StudiedTrial&& trial) -> std::function<bool()> {
     auto done = std::make_shared<CertifiedTrial>();
     done->rejected = trial.rejected;
@@ -204,7 +237,10 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     if (folder != nullptr && !trial.rejected) {
       write_trial_files(trial, *folder, files, format, robot, bundle.info.range_keys);
     }
-    done->certificate = certificates_row(trial, done->digest.sha256);
+    if (folder != nullptr && files.witness) {
+      write_witness(trial, done->digest.sha256, opened, robot, *folder);
+    }
+    done->certificate = certificates_row(trial, done->digest.sha256, witness);
     done->diagnostics = std::move(trial.diagnostics);
     if (!trial.rejected) {
       done->values =

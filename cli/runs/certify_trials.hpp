@@ -22,6 +22,7 @@ struct CertifyFiles {
   bool series = true;        ///< series/<trial_id>.csv, edges/<trial_id>.csv
   bool ticks = false;        ///< ticks/<trial_id>.csv
   bool ray_margins = false;  ///< Columns in the series.
+  bool witness = false;      ///< witness/<trial_id>.json
 };
 
 struct CertifySummary {

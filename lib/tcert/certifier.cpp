@@ -144,6 +144,9 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
 
 // Ablation A2 credits what lies ahead of the last node with the reach of the rays.
 double Certifier::State::certificate_m() const noexcept {
+  if (parameters.clearance == ClearanceReading::witness) {
+    return kNoPath;  // A witness is found after the run, not here.
+  }
   if (!is_optimistic()) {
     return walk.certificate_m();
   }

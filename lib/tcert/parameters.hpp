@@ -10,9 +10,10 @@ namespace tcert {
 
 /// How the free width at a tick is read from the two sides.
 enum class ClearanceReading {
-  width,   ///< left + right: the width across the heading.
-  radial,  ///< 2 min(left, right): the disc centred on the robot.
-  swept,   ///< T_t by the disc that fits into the swept area; what a tick says at once by width.
+  width,    ///< left + right: the width across the heading.
+  radial,   ///< 2 min(left, right): the disc centred on the robot.
+  swept,    ///< T_t by the disc that fits into the swept area; what a tick says at once by width.
+  witness,  ///< As width, but T_t is left to a path that is found and checked after the run.
 };
 
 /// How the turn radius at a tick is read (paper 3.1, P2).

@@ -20,6 +20,7 @@ enum class NotIssuedReason : std::uint8_t {
   goal_missed,    ///< No fresh pose lies in G.
   broken,         ///< S and G are not connected, and the path is broken between.
   unconnected,    ///< S and G are not connected.
+  no_witness,     ///< Under clearance=witness: no path was found in what the run felt.
   narrow,         ///< The margin on the way is not above 0.
 };
 

@@ -16,6 +16,7 @@ ParameterEntries make_table() {
   add_fields(table, Stage::resample, &ParameterSet::resample);
   add_robot(table);
   add_fields(table, Stage::certify, &ParameterSet::certificate);
+  add_fields(table, Stage::witness, &ParameterSet::witness);
   add_fields(table, Stage::features, &ParameterSet::early_window);
   add_fields(table, Stage::control, &ParameterSet::speed_law);
   add_fields(table, Stage::control, &ParameterSet::guards);

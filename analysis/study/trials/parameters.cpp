@@ -10,7 +10,8 @@
 namespace tcert::study {
 
 std::string_view to_string(Stage stage) noexcept {
-  constexpr std::array<std::string_view, 4> kWords = {"resample", "certify", "features", "control"};
+  constexpr std::array<std::string_view, 5> kWords = {
+      "resample", "certify", "witness", "features", "control"};
   return kWords[static_cast<std::size_t>(stage)];
 }
 
@@ -35,6 +36,7 @@ void set_parameter(ParameterSet& parameters, std::string_view key, std::string_v
 
 void validate(const ParameterSet& parameters) {
   validate(parameters.certificate);
+  require_fields(parameters.witness);
   validate(parameters.speed_law);
   validate(parameters.early_window);
   validate(parameters.guards);

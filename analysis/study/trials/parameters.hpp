@@ -13,6 +13,7 @@
 #include <tcert/robot.hpp>
 #include <tcert/route_planner.hpp>
 #include <tcert/speed_law.hpp>
+#include <witness/parameters.hpp>
 
 #include "analysis/study/replay/replay_options.hpp"
 #include "analysis/study/trials/features.hpp"
@@ -30,6 +31,7 @@ struct ParameterSet {
   ResampleOptions resample;
   RobotOverrides robot;
   CertificateParameters certificate;
+  witness::WitnessParameters witness;
   SpeedLaw speed_law;
   EarlyWindowOptions early_window;
   GuardParameters guards;
@@ -42,6 +44,7 @@ struct ParameterSet {
 enum class Stage {
   resample,  ///< Log to ticks.
   certify,   ///< Ticks to series.
+  witness,   ///< Log to T_t, under clearance=witness.
   features,  ///< Series to features.
   control,   ///< Series to guarded speeds, routes and replays.
 };

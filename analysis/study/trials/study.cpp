@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "analysis/study/witness/witness_series.hpp"
 #include "datasets/tick_limit.hpp"
 
 namespace tcert::study {
@@ -53,7 +54,12 @@ void study_trials(const Bundle& bundle,
                   const TrialWork& work) {
   validate(parameters);
   const Robot robot = with_overrides(bundle.info.robot, parameters.robot);
-  const auto make = [&] { return Certifier(robot, bundle.info.course, parameters.certificate); };
+  const bool by_witness = parameters.certificate.clearance == ClearanceReading::witness;
+  CertificateParameters certificate = parameters.certificate;
+  if (by_witness) {
+    certificate.clearance = ClearanceReading::width;  // All but T_t is as under width.
+  }
+  const auto make = [&] { return Certifier(robot, bundle.info.course, certificate); };
   // Made here once so that parameters out of range are reported before any trial is read.
   (void)make();
   tbb::enumerable_thread_specific<Certifier> certifiers(make);
@@ -72,6 +78,16 @@ void study_trials(const Bundle& bundle,
       trial.features =
           early_features(robot, trial.ticks, trial.series.ticks, parameters.early_window);
       trial.not_issued = why_not_issued(bundle.info.course, trial.ticks, trial.series);
+      if (by_witness || options.witness) {
+        trial.proof = prove(witness_samples(*log, robot, parameters.witness, certificate),
+                            robot,
+                            bundle.info.course,
+                            parameters.witness,
+                            certificate);
+      }
+      if (by_witness) {
+        certify_by_witness(trial);
+      }
     }
     return work(std::move(trial));
   });

@@ -15,6 +15,7 @@
 #include "analysis/study/trials/features.hpp"
 #include "analysis/study/trials/not_issued.hpp"
 #include "analysis/study/trials/parameters.hpp"
+#include "analysis/study/witness/prove_trial.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/ticks.hpp"
 #include "datasets/trial_reader.hpp"
@@ -32,6 +33,7 @@ struct StudiedTrial {
   std::vector<double> ray_margins;  ///< Row-major, ticks x rays; empty unless asked for.
   Features features;
   std::optional<NotIssued> not_issued;
+  std::optional<Proof> proof;           ///< Empty unless a witness was asked for.
   std::vector<double> speed_cmd_mps;    ///< Of the raw control stream, or of merged ticks.
   std::vector<double> loop_latency_ms;  ///< Of the raw control stream; NaN where missing.
 };
@@ -40,6 +42,7 @@ struct StudyOptions {
   ReadOptions read;
   int threads = 0;  ///< 0: all cores.
   bool ray_margins = false;
+  bool witness = false;  ///< Look for a witness whatever the clearance reading is.
 };
 
 /// Reads a trial's log into `trial`: everything but ticks, series and features. Empty if the trial

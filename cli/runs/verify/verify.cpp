@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/runs/thread_limit.hpp"
+#include "cli/runs/verify/check_proofs.hpp"
 #include "cli/runs/verify/make_again.hpp"
 #include "cli/runs/verify/targets.hpp"
 #include "reports/fit/cells.hpp"
@@ -27,7 +28,9 @@ Finding finding_of(const VerifyTarget& target,
   if (request.files_only) {
     return {file_differences(target), {}, false};
   }
-  return made_again(target, tree.folder, request.inputs, progress);
+  Finding finding = made_again(target, tree.folder, request.inputs, progress);
+  check_proofs(target, tree.folder, request.inputs, finding);
+  return finding;
 }
 
 void say_finding(const Result& result, const Finding& finding, Progress& progress) {
@@ -107,7 +110,7 @@ OptionTable options_of(VerifyRequest& request) {
   table.add("inputs", request.inputs, "PATH", "an input, or a folder that holds some; repeatable");
   table.add("files-only",
             request.files_only,
-            "only compare the files with their digests, make nothing again");
+            "only compare the files with their digests, make nothing again and check no witness");
   add_common(table, request);
   return table;
 }

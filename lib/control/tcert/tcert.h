@@ -75,7 +75,8 @@ enum tcert_region_kind { TCERT_NONE = 0, TCERT_DISC = 1, TCERT_POLYGON = 2 };
 enum tcert_clearance {
   TCERT_CLEARANCE_WIDTH = 0,
   TCERT_CLEARANCE_RADIAL = 1,
-  TCERT_CLEARANCE_SWEPT = 2
+  TCERT_CLEARANCE_SWEPT = 2,
+  TCERT_CLEARANCE_WITNESS = 3 /**< T_t stays empty: a witness is found after the run. */
 };
 enum tcert_curvature {
   TCERT_CURVATURE_PATH = 0,

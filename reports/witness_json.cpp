@@ -1,0 +1,258 @@
+#include "reports/witness_json.hpp"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "datasets/robot_json.hpp"
+#include "reports/sha256.hpp"
+
+namespace tcert {
+namespace {
+
+using nlohmann::ordered_json;
+using Runs = std::vector<std::vector<int>>;
+
+constexpr double kLeastCell = 1e-4;                    // m
+constexpr std::int64_t kMostAlong = 1'000'000'000;     // cells
+constexpr std::int64_t kFarthest = 1'000'000'000'000;  // the number of a cell
+
+constexpr std::string_view kAssumptions[] = {
+    "Readings, less reading_bound_m, are not above the true clearance; poses are true, between two "
+    "pose samples too.",
+    "At depth h behind its tip every obstacle is at least h / lost_share wide, up to "
+    "least_obstacle_m.",
+    "S and G are free, and so is the body's disc at every sample.",
+    "A path of this turn radius can be driven by this robot within its buffers."};
+
+/// Of each row, alternately how many cells are not free and free, from the left; the last not free
+/// ones are left out.
+Runs runs_of(const witness::FreeCells& cells) {
+  Runs runs(static_cast<std::size_t>(cells.lattice().rows));
+  for (int iy = 0; iy < cells.lattice().rows; ++iy) {
+    std::vector<int>& row = runs[static_cast<std::size_t>(iy)];
+    bool free = false;
+    int begin = 0;
+    for (int ix = 0; ix < cells.lattice().columns; ++ix) {
+      if (cells.is_free(ix, iy) != free) {
+        row.push_back(ix - begin);
+        begin = ix;
+        free = !free;
+      }
+    }
+    if (free) {
+      row.push_back(cells.lattice().columns - begin);
+    }
+  }
+  return runs;
+}
+
+/// Over a line a row, its numbers with a space between two.
+std::string digest_of(const Runs& runs) {
+  std::string lines;
+  for (const std::vector<int>& row : runs) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      lines += (i > 0 ? " " : "") + std::to_string(row[i]);
+    }
+    lines += '\n';
+  }
+  return sha256(lines);
+}
+
+ordered_json point_json(Point p) { return {p.x_m, p.y_m}; }
+
+Point point_from(const ordered_json& json) {
+  if (!json.is_array() || json.size() != 2) {
+    throw WitnessFormatError("a point is not [x, y]");
+  }
+  return {json[0].get<double>(), json[1].get<double>()};
+}
+
+ordered_json number_or_null(double value) {
+  return value < std::numeric_limits<double>::infinity() ? ordered_json(value) : ordered_json();
+}
+
+Region region_from(const ordered_json& json) {
+  if (json.contains("disc")) {
+    const ordered_json& disc = json.at("disc");
+    return Disc{{disc.at("x_m"), disc.at("y_m")}, disc.at("radius_m")};
+  }
+  Polygon polygon;
+  for (const ordered_json& vertex : json.at("polygon")) {
+    polygon.vertices.push_back(point_from(vertex));
+  }
+  return polygon;
+}
+
+Ray ray_from(const ordered_json& json) {
+  Ray ray{json.at("name"),
+          {json.at("mount_x_m"), json.at("mount_y_m")},
+          json.at("bearing_rad"),
+          json.at("reach_m"),
+          json.at("kind") == "bend" ? RayKind::bend : RayKind::range,
+          {}};
+  if (ray.kind == RayKind::bend) {
+    json.at("calibration").at("bend_rad").get_to(ray.calibration.bend_rad);
+    json.at("calibration").at("clearance_m").get_to(ray.calibration.clearance_m);
+  }
+  return ray;
+}
+
+std::int64_t whole(const ordered_json& json, std::int64_t low, std::int64_t high) {
+  const auto value = json.is_number_integer() ? json.get<std::int64_t>() : low - 1;
+  if (value < low || value > high) {
+    throw WitnessFormatError("a number of cells is not a whole one within its bounds");
+  }
+  return value;
+}
+
+Runs runs_from(const ordered_json& json) {
+  Runs runs;
+  for (const ordered_json& row : json) {
+    runs.emplace_back();
+    for (const ordered_json& length : row) {
+      runs.back().push_back(static_cast<int>(whole(length, 0, kMostAlong)));
+    }
+  }
+  return runs;
+}
+
+witness::FreeCells cells_from(const ordered_json& free, double cell_m, std::size_t max_cells) {
+  const Runs runs = runs_from(free.at("runs"));
+  const witness::Lattice lattice{cell_m,
+                                 whole(free.at("first_x"), -kFarthest, kFarthest),
+                                 whole(free.at("first_y"), -kFarthest, kFarthest),
+                                 static_cast<int>(whole(free.at("columns"), 1, kMostAlong)),
+                                 static_cast<int>(whole(free.at("rows"), 1, kMostAlong))};
+  const bool fits =
+      lattice.columns > 0 && lattice.rows > 0 &&
+      static_cast<double>(lattice.columns) * lattice.rows <= static_cast<double>(max_cells);
+  if (!fits || runs.size() != static_cast<std::size_t>(lattice.rows)) {
+    throw WitnessFormatError("the free space has too many cells, or other runs than rows");
+  }
+  if (free.at("sha256") != digest_of(runs)) {
+    throw WitnessFormatError("the free space does not have its digest");
+  }
+  witness::FreeCells cells(lattice);
+  for (int iy = 0; iy < lattice.rows; ++iy) {
+    int begin = 0;
+    bool is_free = false;
+    for (const int length : runs[static_cast<std::size_t>(iy)]) {
+      if (length > lattice.columns - begin) {
+        throw WitnessFormatError("a row of the free space is longer than its columns");
+      }
+      if (is_free && length > 0) {
+        cells.mark_run(iy, begin, begin + length - 1);
+      }
+      begin += length;
+      is_free = !is_free;
+    }
+  }
+  return cells;
+}
+
+WitnessDocument document_from(const ordered_json& json, std::size_t max_cells) {
+  if (json.at("format") != "tcert-witness" || json.at("version") != 1) {
+    throw WitnessFormatError("it is not of format tcert-witness, version 1");
+  }
+  WitnessDocument document;
+  json.at("trial_id").get_to(document.trial_id);
+  json.at("log_sha256").get_to(document.log_sha256);
+  const ordered_json& robot = json.at("robot");
+  robot.at("body_width_m").get_to(document.robot.body_width_m);
+  robot.at("min_turn_radius_m").get_to(document.robot.min_turn_radius_m);
+  robot.at("tracking_buffer_m").get_to(document.robot.tracking_buffer_m);
+  robot.at("curvature_buffer_per_m").get_to(document.robot.curvature_buffer_per_m);
+  for (const ordered_json& ray : json.at("rays")) {
+    document.robot.rays.push_back(ray_from(ray));
+  }
+  document.start = region_from(json.at("start"));
+  document.goal = region_from(json.at("goal"));
+  const ordered_json& rule = json.at("rule");
+  rule.at("cell_m").get_to(document.rule.cell_m);
+  rule.at("least_obstacle_m").get_to(document.rule.strips.least_obstacle_m);
+  rule.at("lost_share").get_to(document.rule.strips.lost_share);
+  rule.at("reading_bound_m").get_to(document.rule.strips.reading_bound_m);
+  rule.at("pose_bridge_s").get_to(document.pose_bridge_s);
+  document.rule.max_cells = max_cells;
+  if (!(document.rule.cell_m >= kLeastCell)) {
+    throw WitnessFormatError("cell_m is below a tenth of a millimetre");
+  }
+  validate(document.robot);
+  validate(Course{document.start, document.goal});
+  document.cells = cells_from(json.at("free"), document.rule.cell_m, max_cells);
+  for (const ordered_json& piece : json.at("path")) {
+    document.path.push_back(
+        {point_from(piece.at("from")), point_from(piece.at("to")), piece.at("turn_rad")});
+  }
+  document.stated.margin_m = json.at("margin_m");
+  document.stated.clearance_m = json.at("clearance_m");
+  const ordered_json& radius = json.at("turn_radius_m");
+  document.stated.turn_radius_m =
+      radius.is_null() ? std::numeric_limits<double>::infinity() : radius.get<double>();
+  document.stated.bottleneck = point_from(json.at("bottleneck"));
+  return document;
+}
+
+}  // namespace
+
+std::string to_json(const WitnessDocument& document) {
+  ordered_json json;
+  if (document.synthetic) {
+    json["synthetic"] = true;
+    if (document.synthetic->seed) {
+      json["seed"] = *document.synthetic->seed;
+    }
+  }
+  json["format"] = "tcert-witness";
+  json["version"] = 1;
+  json["trial_id"] = document.trial_id;
+  json["log_sha256"] = document.log_sha256;
+  json["margin_m"] = document.stated.margin_m;
+  json["clearance_m"] = document.stated.clearance_m;
+  json["turn_radius_m"] = number_or_null(document.stated.turn_radius_m);
+  json["bottleneck"] = point_json(document.stated.bottleneck);
+  json["assumptions"] = kAssumptions;
+  json["robot"] = {{"body_width_m", document.robot.body_width_m},
+                   {"min_turn_radius_m", document.robot.min_turn_radius_m},
+                   {"tracking_buffer_m", document.robot.tracking_buffer_m},
+                   {"curvature_buffer_per_m", document.robot.curvature_buffer_per_m}};
+  json["rays"] = ordered_json::array();
+  for (const Ray& ray : document.robot.rays) {
+    json["rays"].push_back(ray_json(ray, {}));
+  }
+  json["start"] = region_json(document.start);
+  json["goal"] = region_json(document.goal);
+  json["rule"] = {{"cell_m", document.rule.cell_m},
+                  {"least_obstacle_m", document.rule.strips.least_obstacle_m},
+                  {"lost_share", document.rule.strips.lost_share},
+                  {"reading_bound_m", document.rule.strips.reading_bound_m},
+                  {"pose_bridge_s", document.pose_bridge_s}};
+  json["path"] = ordered_json::array();
+  for (const witness::Piece& piece : document.path) {
+    json["path"].push_back({{"from", point_json(piece.from)},
+                            {"to", point_json(piece.to)},
+                            {"turn_rad", piece.turn_rad}});
+  }
+  const witness::Lattice& lattice = document.cells.lattice();
+  const Runs runs = runs_of(document.cells);
+  json["free"] = {{"first_x", lattice.first_x},
+                  {"first_y", lattice.first_y},
+                  {"columns", lattice.columns},
+                  {"rows", lattice.rows},
+                  {"sha256", digest_of(runs)},
+                  {"runs", runs}};
+  return json.dump() + '\n';
+}
+
+WitnessDocument witness_from_json(std::string_view text, std::size_t max_cells) {
+  try {
+    return document_from(ordered_json::parse(text), max_cells);
+  } catch (const nlohmann::json::exception& error) {
+    throw WitnessFormatError(error.what());
+  } catch (const std::invalid_argument& error) {
+    throw WitnessFormatError(error.what());
+  }
+}
+
+}  // namespace tcert

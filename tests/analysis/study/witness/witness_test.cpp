@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "analysis/study/soundness/soundness.hpp"
+#include "analysis/study/truth/truth.hpp"
+#include "analysis/study/witness/felt_samples.hpp"
+#include "analysis/study/witness/prove_trial.hpp"
+#include "datasets/bundle.hpp"
+#include "datasets/corpus/tentacles.hpp"
+#include "datasets/random_worlds/random_run.hpp"
+#include "datasets/worlds/world_problems.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace tcert::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+double truth_of_drawn(const RandomWorld& drawn) {
+  return drawn.family == WorldFamily::u_turn
+             ? u_turn_value(drawn.corridor_m, drawn.wall_m, corpus_robot())
+             : upper_value(drawn, corpus_robot());
+}
+
+// With readings and poses that are true no witness claims more than there is, in any family.
+TEST(Witness, NeverExceedsTheTruthOfRandomWorldsWithoutNoise) {
+  std::size_t witnesses = 0;
+  std::size_t issued = 0;
+  for (std::uint64_t index = 0; index < 160; ++index) {
+    const WorldFamily family = index % 4 == 3 ? WorldFamily::u_turn : mixed_family(index);
+    const RandomWorld drawn = draw_random_world(family, 9, index);
+    const WallIndex walls = feelable_walls(drawn);
+    const TickTable felt = true_ticks(follow_legs(drawn, walls, 9, index), walls);
+    const Proof proof = prove(felt_samples(felt, corpus_robot()),
+                              corpus_robot(),
+                              {drawn.world.start, drawn.world.goal},
+                              {},
+                              {});
+    if (proof.witness) {
+      ++witnesses;
+      issued += *proof.certificate_m() > 0.0 ? 1U : 0U;
+      EXPECT_LE(*proof.certificate_m(), truth_of_drawn(drawn) + 1e-9) << index;
+    } else {
+      EXPECT_NE(proof.reason, "") << index;
+    }
+  }
+  EXPECT_GT(witnesses, 100U);
+  EXPECT_GT(issued, 70U);
+}
+
+TEST(Witness, AReadingBoundOnlyLowersIt) {
+  const RandomWorld drawn = draw_random_world(WorldFamily::discs, 9, 2);
+  const WallIndex walls = feelable_walls(drawn);
+  const TickTable felt = true_ticks(follow_legs(drawn, walls, 9, 2), walls);
+  const Course course{drawn.world.start, drawn.world.goal};
+  witness::WitnessParameters parameters;
+  const auto margin = [&] {
+    return prove(felt_samples(felt, corpus_robot()), corpus_robot(), course, parameters, {})
+        .certificate_m();
+  };
+  const auto exact = margin();
+  parameters.reading_bound_m = 0.01;
+  const auto lowered = margin();
+  ASSERT_TRUE(exact && lowered);
+  EXPECT_LT(*lowered, *exact - 0.010);
+  EXPECT_GT(*lowered, *exact - 0.035);  // twice the bound, and cells
+}
+
+TEST(Witness, ItsBitsAreThoseOfAnyOtherRun) {
+  const RandomWorld drawn = draw_random_world(WorldFamily::discs, 9, 2);
+  const WallIndex walls = feelable_walls(drawn);
+  const TickTable felt = true_ticks(follow_legs(drawn, walls, 9, 2), walls);
+  const Course course{drawn.world.start, drawn.world.goal};
+  const witness::Samples samples = felt_samples(felt, corpus_robot());
+  const Proof one = prove(samples, corpus_robot(), course, {}, {});
+  const Proof two = prove(samples, corpus_robot(), course, {}, {});
+  ASSERT_TRUE(one.witness && two.witness);
+  EXPECT_TRUE(one.cells == two.cells);
+  EXPECT_EQ(one.witness->path, two.witness->path);
+}
+
+TEST(Witness, TellsWhatIsMissing) {
+  const Robot& robot = corpus_robot();
+  const Disc goal{{2.0, 0.0}, 0.2};
+  EXPECT_EQ(prove({}, robot, {std::nullopt, goal}, {}, {}).reason, "no touch has a pose");
+  EXPECT_EQ(prove({}, robot, {goal, std::nullopt}, {}, {}).reason, "the course has no goal");
+  const RandomWorld drawn = draw_random_world(WorldFamily::discs, 9, 2);
+  const WallIndex walls = feelable_walls(drawn);
+  const witness::Samples samples =
+      felt_samples(true_ticks(follow_legs(drawn, walls, 9, 2), walls), robot);
+  witness::WitnessParameters parameters;
+  parameters.max_witness_cells = 1000;
+  EXPECT_NE(prove(samples, robot, {drawn.world.start, goal}, parameters, {})
+                .reason.find("max_witness_cells"),
+            std::string::npos);
+  EXPECT_EQ(prove(samples, robot, {drawn.world.start, drawn.world.start}, {}, {}).reason,
+            "S and G overlap");
+}
+
+/// Cases in which another reading exceeded the truth: beside the folder of real data.
+fs::path cases_folder() {
+  return test_support::shared_data().parent_path() / "cases" / "certificate";
+}
+
+// T by clearance alone, no turn limit: an upper bound of T with it.
+TEST(Witness, NeverExceedsTheTruthOfTheCases) {
+  if (!fs::exists(cases_folder())) {
+    GTEST_SKIP() << "there is no " << cases_folder();
+  }
+  std::size_t checked = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(cases_folder())) {
+    if (entry.path().filename() != "bundle.json") {
+      continue;
+    }
+    const fs::path folder = entry.path().parent_path();
+    const BundleResult opened = open_bundle(folder);
+    if (!opened.bundle) {
+      continue;  // nothing is issued for a bundle that is refused
+    }
+    const Bundle& bundle = *opened.bundle;
+    for (const TrialRow& row : bundle.trials) {
+      const TrialResult read = read_trial(bundle, row);
+      ASSERT_TRUE(read.log) << folder;
+      CertificateParameters certificate;
+      if (folder.filename().string().find("20deg") != std::string::npos) {
+        certificate.sharpest_corner_rad = 0.349;  // what its wedges keep
+      }
+      const Proof proof = prove(witness_samples(*read.log, bundle.info.robot, {}, certificate),
+                                bundle.info.robot,
+                                bundle.info.course,
+                                {},
+                                certificate);
+      const fs::path world_file = folder / "worlds" / (row.trial_id + ".json");
+      if (!proof.certificate_m() || *proof.certificate_m() <= 0.0 || !fs::exists(world_file)) {
+        continue;
+      }
+      TruthOptions options;
+      options.curvature = false;
+      options.step_m = 0.005;
+      const Truth truth = truth_of(
+          world_from_json(test_support::read_text(world_file)), bundle.info.robot, options);
+      ++checked;
+      EXPECT_LE(*proof.certificate_m(), truth.upper_m) << folder;
+    }
+  }
+  EXPECT_GT(checked, 0U);
+}
+
+}  // namespace
+}  // namespace tcert::study

@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/temporary_folder.hpp"
+#include "support/workdir.hpp"
+
+namespace tcert {
+namespace {
+
+using test_support::ProcessResult;
+using test_support::to_string;
+using test_support::Workdir;
+
+void expect_done(const ProcessResult& run) { ASSERT_EQ(run.exit_code, 0) << to_string(run); }
+
+using Rows = std::vector<std::map<std::string, std::string>>;
+
+Rows rows_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  Rows rows;
+  std::vector<std::string> names;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) {
+      continue;
+    }
+    std::vector<std::string> cells;
+    std::istringstream rest(line + ',');
+    for (std::string cell; std::getline(rest, cell, ',');) {
+      cells.push_back(cell);
+    }
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    rows.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      rows.back()[names[i]] = cells[i];
+    }
+  }
+  return rows;
+}
+
+/// True if the rows agree in all columns but these.
+void expect_same_but(const Rows& a, const Rows& b, const std::set<std::string>& but) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (const auto& [name, cell] : a[i]) {
+      if (!but.contains(name)) {
+        ASSERT_EQ(cell, b[i].at(name)) << name << " in row " << i;
+      }
+    }
+  }
+}
+
+// All but T_t is as under width, and T_t is the witness's; asking for the files changes no other.
+TEST(WitnessOption, LeavesEverythingButTheCertificateAsItIs) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "24", "--output", "corpus"}));
+  expect_done(work.run({"certify", "corpus", "--output", "width"}));
+  expect_done(work.run({"certify", "corpus", "--witness", "--output", "asked"}));
+  expect_done(work.run({"certify", "corpus", "--set", "clearance=witness", "--output", "by"}));
+  EXPECT_EQ(work.read("asked/features.csv"), work.read("width/features.csv"));
+  const std::set<std::string> of_certificate{
+      "issued", "issued_s", "certificate_m", "issued_before_goal", "certificate_falls"};
+  expect_same_but(rows_of(work.read("width/features.csv")),
+                  rows_of(work.read("by/features.csv")),
+                  of_certificate);
+  std::size_t issued = 0;
+  const Rows asked = rows_of(work.read("asked/certificates.csv"));
+  const Rows by_witness = rows_of(work.read("by/certificates.csv"));
+  EXPECT_FALSE(rows_of(work.read("width/certificates.csv")).front().contains("witness_m"));
+  ASSERT_EQ(asked.size(), by_witness.size());
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    EXPECT_EQ(asked[i].at("witness_m"), by_witness[i].at("certificate_m"));
+    const std::string& margin = by_witness[i].at("certificate_m");
+    const bool is_issued = by_witness[i].at("issued") == "1";
+    EXPECT_EQ(is_issued, !margin.empty() && std::stod(margin) > 0.0);
+    issued += is_issued ? 1U : 0U;
+    if (is_issued) {
+      EXPECT_EQ(asked[i].at("success"), "1") << asked[i].at("trial_id");
+      EXPECT_LT(std::stod(margin), 0.5);  // narrower than the course is wide
+    }
+  }
+  EXPECT_GT(issued, 12U);
+  for (const std::string& file : work.files("width/series")) {
+    expect_same_but(rows_of(work.read("width/series/" + file)),
+                    rows_of(work.read("by/series/" + file)),
+                    {"certificate_m", "series_m", "issued"});
+  }
+}
+
+TEST(WitnessOption, VerifyChecksTheProofs) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "3", "--output", "corpus"}));
+  expect_done(work.run({"certify", "corpus", "--witness", "--threads", "2", "--output", "out"}));
+  expect_done(work.run({"verify", "out", "--inputs", "corpus"}));
+  expect_done(work.run({"certify", "corpus", "--witness", "--threads", "1", "--output", "one"}));
+  const auto files = work.files("out/witness");
+  ASSERT_FALSE(files.empty());
+  for (const std::string& file : files) {
+    EXPECT_EQ(work.read("out/witness/" + file), work.read("one/witness/" + file));
+  }
+  const std::string name = "out/witness/" + *files.begin();
+  std::string text = work.read(name);
+  const auto margin = text.find("\"margin_m\":0.0");
+  ASSERT_NE(margin, std::string::npos);
+  text.replace(margin, 14, "\"margin_m\":0.1");
+  work.write(name, text);
+  const ProcessResult verified = work.run({"verify", "out", "--inputs", "corpus"});
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_NE(verified.err.find("the checker measures another margin"), std::string::npos)
+      << to_string(verified);
+}
+
+TEST(WitnessOption, NeedsAFolder) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "1", "--output", "corpus"}));
+  EXPECT_EQ(work.run({"certify", "corpus", "--witness"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace tcert

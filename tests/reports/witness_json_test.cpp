@@ -1,0 +1,143 @@
+#include "reports/witness_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "analysis/study/witness/felt_samples.hpp"
+#include "analysis/study/witness/prove_trial.hpp"
+#include "datasets/corpus/tentacles.hpp"
+#include "datasets/random_worlds/random_run.hpp"
+#include "reports/witness_check.hpp"
+
+namespace tcert {
+namespace {
+
+constexpr std::size_t kRoom = std::size_t{1} << 24U;
+const std::string kLog(64, 'a');
+
+struct Case {
+  BundleInfo info;
+  TrialLog log;
+  WitnessDocument document;
+};
+
+/// A run through a random world without noise, and its witness.
+Case proven(std::uint64_t index) {
+  const RandomWorld drawn = draw_random_world(WorldFamily::discs, 9, index);
+  const WallIndex walls = feelable_walls(drawn);
+  Case made;
+  made.log.merged = true_ticks(follow_legs(drawn, walls, 9, index), walls);
+  made.info.robot = corpus_robot();
+  made.info.course = {drawn.world.start, drawn.world.goal};
+  witness::WitnessParameters parameters;
+  parameters.witness_cell_m = 0.01;  // a smaller file
+  const study::Proof proof =
+      study::prove(study::witness_samples(made.log, made.info.robot, parameters, {}),
+                   made.info.robot,
+                   made.info.course,
+                   parameters,
+                   {});
+  if (!proof.witness) {
+    throw std::runtime_error(proof.reason);
+  }
+  made.document = {SyntheticLabel{9},
+                   "t1",
+                   kLog,
+                   made.info.robot,
+                   proof.start,
+                   *made.info.course.goal,
+                   parameters.pose_bridge_s,
+                   witness::free_space_options(parameters, {}),
+                   proof.cells,
+                   proof.witness->path,
+                   proof.witness->checked};
+  return made;
+}
+
+TEST(WitnessJson, ReadsBackToTheSameBytesAndStands) {
+  const Case made = proven(2);
+  const std::string text = to_json(made.document);
+  const WitnessDocument read = witness_from_json(text, kRoom);
+  EXPECT_TRUE(read.cells == made.document.cells);
+  EXPECT_EQ(read.path, made.document.path);
+  WitnessDocument labelled = read;
+  labelled.synthetic = made.document.synthetic;
+  EXPECT_EQ(to_json(labelled), text);
+  EXPECT_EQ(fault_of_witness(read, made.info, made.log, kLog), "");
+}
+
+TEST(WitnessJson, SaysWhatIsWrong) {
+  Case made = proven(2);
+  EXPECT_EQ(fault_of_witness(made.document, made.info, made.log, std::string(64, 'b')),
+            "it is of another log");
+  Case other = made;
+  other.info.robot.rays[0].bearing_rad += 0.1;
+  EXPECT_EQ(fault_of_witness(made.document, other.info, made.log, kLog),
+            "it states other rays, or another course, than the bundle");
+  other = made;
+  other.log.merged->readings[10].value += 0.5;  // a log that was edited
+  other.log.merged->readings[13].value += 0.5;
+  EXPECT_EQ(fault_of_witness(made.document, made.info, other.log, kLog),
+            "the free space built from the log is another");
+  made.document.stated.margin_m += 1e-12;
+  EXPECT_EQ(fault_of_witness(made.document, made.info, made.log, kLog),
+            "the checker measures another margin");
+  EXPECT_THROW((void)witness_from_json("{}", kRoom), WitnessFormatError);
+  EXPECT_THROW((void)witness_from_json("nonsense", kRoom), WitnessFormatError);
+  EXPECT_THROW((void)witness_from_json(to_json(proven(2).document), 100), WitnessFormatError);
+}
+
+/// True if a text that was tampered with is refused.
+bool is_refused(const std::string& text, const Case& made) {
+  try {
+    return !fault_of_witness(witness_from_json(text, kRoom), made.info, made.log, kLog).empty();
+  } catch (const WitnessFormatError&) {
+    return true;
+  } catch (const std::length_error&) {
+    return true;
+  }
+}
+
+// Any digit of the margin, the rays, S, G, the path, the free space or a digest may be changed. The
+// robot's numbers and the rule are assumptions, and the texts are not read. A change of less than a
+// ten-thousandth may leave another path that proves the same, so that the later places are let be.
+TEST(WitnessJson, AThousandTamperedProofsAreRefused) {
+  const Case made = proven(2);
+  const std::string text = to_json(made.document);
+  const auto lies_between = [&](std::size_t at, const char* from, const char* to) {
+    return at > text.find(from) && at < text.find(to);
+  };
+  std::mt19937 engine(4);
+  int tampered = 0;
+  while (tampered < 1000) {
+    const std::size_t at = engine() % text.size();
+    const bool is_claim = lies_between(at, "\"log_sha256\"", "\"assumptions\"") ||
+                          lies_between(at, "\"rays\"", "\"rule\"") || at > text.find("\"path\"");
+    const std::size_t begin = text.find_last_not_of("0123456789", at);
+    const bool is_late = text[begin] == '.' && at - begin > 4;
+    if (!is_claim || is_late || text[at] < '0' || text[at] > '9') {
+      continue;
+    }
+    std::string other = text;
+    other[at] =
+        static_cast<char>('0' + (text[at] - '0' + 1 + static_cast<int>(engine() % 9U)) % 10);
+    bool is_same = false;
+    try {
+      WitnessDocument read = witness_from_json(other, kRoom);
+      read.synthetic = made.document.synthetic;
+      is_same = to_json(read) == text;  // digits beyond what a double holds
+    } catch (const WitnessFormatError&) {
+    }
+    if (is_same) {
+      continue;
+    }
+    ++tampered;
+    EXPECT_TRUE(is_refused(other, made)) << other.substr(at - std::min<std::size_t>(at, 40), 60);
+  }
+}
+
+}  // namespace
+}  // namespace tcert
