@@ -4,6 +4,7 @@
 /// atomic_file.cpp.
 
 #include <filesystem>
+#include <vector>
 
 namespace tcert::table {
 
