@@ -2,6 +2,8 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <table/json_shape.hpp>
 #include <vector>
 
 #include "datasets/robot_json.hpp"
@@ -13,9 +15,9 @@ namespace {
 using nlohmann::ordered_json;
 using Runs = std::vector<std::vector<int>>;
 
-constexpr double kLeastCell = 1e-4;                    // m
-constexpr std::int64_t kMostAlong = 1'000'000'000;     // cells
-constexpr std::int64_t kFarthest = 1'000'000'000'000;  // the number of a cell
+constexpr double kLeastCell = 1e-4;                      // m
+constexpr std::int64_t kMostAlong = 1'000'000'000;       // cells
+constexpr std::int64_t kFarthest = 100'000'000'000'000;  // the number of a cell
 
 constexpr std::string_view kAssumptions[] = {
     "Readings, less reading_bound_m, are not above the true clearance; poses are true, between two "
@@ -98,8 +100,19 @@ Ray ray_from(const ordered_json& json) {
   return ray;
 }
 
+/// \throws WitnessFormatError unless the number is finite and at least `least`.
+double number_from(const ordered_json& json, const char* key, double least) {
+  const double value = json.at(key).get<double>();
+  if (!(value >= least && value <= std::numeric_limits<double>::max())) {
+    throw WitnessFormatError(std::string(key) + " is below its least value, or not finite");
+  }
+  return value;
+}
+
 std::int64_t whole(const ordered_json& json, std::int64_t low, std::int64_t high) {
-  const auto value = json.is_number_integer() ? json.get<std::int64_t>() : low - 1;
+  const bool is_huge =
+      json.is_number_unsigned() && json.get<std::uint64_t>() > static_cast<std::uint64_t>(high);
+  const auto value = json.is_number_integer() && !is_huge ? json.get<std::int64_t>() : low - 1;
   if (value < low || value > high) {
     throw WitnessFormatError("a number of cells is not a whole one within its bounds");
   }
@@ -156,6 +169,12 @@ WitnessDocument document_from(const ordered_json& json, std::size_t max_cells) {
     throw WitnessFormatError("it is not of format tcert-witness, version 1");
   }
   WitnessDocument document;
+  if (json.value("synthetic", false)) {
+    document.synthetic.emplace();
+    if (json.contains("seed")) {
+      document.synthetic->seed = json.at("seed").get<std::uint64_t>();
+    }
+  }
   json.at("trial_id").get_to(document.trial_id);
   json.at("log_sha256").get_to(document.log_sha256);
   const ordered_json& robot = json.at("robot");
@@ -169,15 +188,12 @@ WitnessDocument document_from(const ordered_json& json, std::size_t max_cells) {
   document.start = region_from(json.at("start"));
   document.goal = region_from(json.at("goal"));
   const ordered_json& rule = json.at("rule");
-  rule.at("cell_m").get_to(document.rule.cell_m);
-  rule.at("least_obstacle_m").get_to(document.rule.strips.least_obstacle_m);
-  rule.at("lost_share").get_to(document.rule.strips.lost_share);
-  rule.at("reading_bound_m").get_to(document.rule.strips.reading_bound_m);
-  rule.at("pose_bridge_s").get_to(document.pose_bridge_s);
+  document.rule.cell_m = number_from(rule, "cell_m", kLeastCell);
+  document.rule.strips.least_obstacle_m = number_from(rule, "least_obstacle_m", 0.0);
+  document.rule.strips.lost_share = number_from(rule, "lost_share", 0.0);
+  document.rule.strips.reading_bound_m = number_from(rule, "reading_bound_m", 0.0);
+  document.pose_bridge_s = number_from(rule, "pose_bridge_s", 0.0);
   document.rule.max_cells = max_cells;
-  if (!(document.rule.cell_m >= kLeastCell)) {
-    throw WitnessFormatError("cell_m is below a tenth of a millimetre");
-  }
   validate(document.robot);
   validate(Course{document.start, document.goal});
   document.cells = cells_from(json.at("free"), document.rule.cell_m, max_cells);
@@ -246,6 +262,9 @@ std::string to_json(const WitnessDocument& document) {
 }
 
 WitnessDocument witness_from_json(std::string_view text, std::size_t max_cells) {
+  if (const std::string_view problem = table::json_shape_problem(text); !problem.empty()) {
+    throw WitnessFormatError(std::string(problem));
+  }
   try {
     return document_from(ordered_json::parse(text), max_cells);
   } catch (const nlohmann::json::exception& error) {

@@ -7,10 +7,22 @@ BUNDLE is a folder with bundle.json and logs/ (CSV with the tool's own columns, 
 From the log it builds the free cells near the path, measures the path, and compares with what the
 witness states, as lib/witness/README.md describes. A line a witness; exit code 1 if one falls.
 """
-import bisect, csv, json, math, os, sys
+import bisect, csv, hashlib, itertools, json, math, os, sys
 from decimal import Decimal
 
 INF, NAN = math.inf, math.nan
+MOST_CELLS, MOST_WORK = 3 * 10**7, 10**8
+
+
+class Refused(Exception):
+    """Why a witness does not stand."""
+
+
+def require(holds, why):
+    if not holds:
+        raise Refused(why)
+
+
 dot = lambda a, b: a[0] * b[0] + a[1] * b[1]
 cross = lambda a, b: a[0] * b[1] - a[1] * b[0]
 add = lambda a, s, b: (a[0] + s * b[0], a[1] + s * b[1])
@@ -32,13 +44,23 @@ def table(path):
             yield int(Decimal(row["time_s"]) * 10**9), {k: float(v) if v and v != "NA" else NAN for k, v in row.items()}
 
 
+def digest(folder):
+    """Of the log's files, as certificates.csv has it: over a line "<sha256>  <path>" a file."""
+    paths = sorted(os.path.relpath(os.path.join(place, name), folder) for place, _, names in os.walk(folder) for name in names)
+    lines = ""
+    for path in paths:
+        with open(os.path.join(folder, path), "rb") as file:
+            lines += f"{hashlib.sha256(file.read()).hexdigest()}  {path}\n"
+    return hashlib.sha256(lines.encode()).hexdigest()
+
+
 def clearance(ray, keys, row):
     if ray["kind"] == "range":
         v = row.get(ray["name"] + "_range_m", NAN)
         v = INF if v in keys.get("no_return", ()) else v
         v = ray["reach_m"] if v == INF else NAN if v < max(0, keys.get("range_min_m", 0)) or v > keys.get("range_max_m", INF) else v
     else:
-        v, (x, y) = row.get(ray["name"] + "_bend_rad", NAN), ray["calibration"].values()
+        v, (x, y) = row.get(ray["name"] + "_bend_rad", NAN), (ray["calibration"][k] for k in ("bend_rad", "clearance_m"))
         i = bisect.bisect_right(x, v)
         v = NAN if not math.isfinite(v) else y[0] if i == 0 else y[-1] if i == len(x) else y[i - 1] + (v - x[i - 1]) / (x[i] - x[i - 1]) * (y[i] - y[i - 1])
     return v if math.isnan(v) else min(max(v, 0.0), ray["reach_m"])
@@ -85,12 +107,29 @@ def mount(pose, ray):
     return (pose[0][0] + u[0] * x - u[1] * y, pose[0][1] + u[1] * x + u[0] * y)
 
 
+def overlap(a, b):
+    """Whether two regions have a point in common."""
+    if "disc" in a and "disc" in b:
+        return math.dist(*((r["disc"]["x_m"], r["disc"]["y_m"]) for r in (a, b))) <= a["disc"]["radius_m"] + b["disc"]["radius_m"]
+    if "disc" in a:
+        a, b = b, a
+    edges = lambda v: list(zip(v, v[-1:] + v[:-1]))
+    if "disc" in b:
+        centre = (b["disc"]["x_m"], b["disc"]["y_m"])
+        return inside(a, centre) or any(to_segment(centre, p, q) <= b["disc"]["radius_m"] for p, q in edges(a["polygon"]))
+    side = lambda p, q, r: cross(add(q, -1, p), add(r, -1, p)) > 0
+    crossing = lambda p, q, r, s: side(p, q, r) != side(p, q, s) and side(r, s, p) != side(r, s, q)
+    return inside(a, b["polygon"][0]) or inside(b, a["polygon"][0]) or any(crossing(*e, *f) for e in edges(a["polygon"]) for f in edges(b["polygon"]))
+
+
 # --- the free cells ------------------------------------------------------------------------------
 class Cells:
     """Cells within a distance of the path: {row: {column: free}}."""
 
     def __init__(self, h, chords, reach):
         self.h, self.rows = h, {}
+        steps = sum(math.dist(a, b) / h + 2 for a, b, _ in chords)
+        require(steps * (2 * reach / h + 2) < MOST_WORK and sum(math.dist(a, b) + 2 * reach for a, b, _ in chords) * reach / h / h < MOST_CELLS, "its path has too many cells near it")
         for a, b, _ in chords:
             for k in range(n := max(1, math.ceil(math.dist(a, b) / h)) + 1):
                 p = add(a, k / max(1, n - 1), add(b, -1, a))
@@ -188,8 +227,22 @@ def sweep(cells, run, k, ray, rule, body_radius):
                     return True
             return False
 
-        xs, ys = [q[0] for q in quad], [q[1] for q in quad]
-        cells.box((min(xs), min(ys)), (max(xs), max(ys)), passed)
+        # A cell that only touches the strip's border is looked at too.
+        xs, ys, e = [q[0] for q in quad], [q[1] for q in quad], 1e-6 * h
+        cells.box((min(xs) - e, min(ys) - e), (max(xs) + e, max(ys) + e), passed)
+
+
+def marked_as_stated(cells, free):
+    """Whether the cells near the path are free where `free` says so, run by run, and nowhere else."""
+    lines = "".join(" ".join(map(str, runs)) + "\n" for runs in free["runs"])
+    if free["sha256"] != hashlib.sha256(lines.encode()).hexdigest():
+        return False
+    for iy, row in cells.rows.items():
+        inside_box = 0 <= iy - free["first_y"] < free["rows"]
+        ends = list(itertools.accumulate(free["runs"][iy - free["first_y"]])) if inside_box else []
+        if any(found != (bisect.bisect_right(ends, ix - free["first_x"]) % 2 == 1 and bisect.bisect_right(ends, ix - free["first_x"]) < len(ends)) for ix, found in row.items()):
+            return False
+    return True
 
 
 # --- the path ------------------------------------------------------------------------------------
@@ -197,14 +250,14 @@ def measure(proof):
     """Chords (from, to, bulge), and the largest curvature; an exception if it is no path."""
     robot, chords, curvature, spare, pieces = proof["robot"], [], 0.0, 0.0, proof["path"]
     heading = lambda p, end: math.atan2(p["to"][1] - p["from"][1], p["to"][0] - p["from"][0]) + end * p["turn_rad"] / 2
-    assert inside(proof["start"], pieces[0]["from"]) and inside(proof["goal"], pieces[-1]["to"]), "it does not lead from S to G"
+    require(inside(proof["start"], pieces[0]["from"]) and inside(proof["goal"], pieces[-1]["to"]), "it does not lead from S to G")
     for p, after in zip(pieces, pieces[1:] + [None]):
         bend, chord = abs(p["turn_rad"]), math.dist(p["from"], p["to"])
-        assert 0 < chord < INF and bend <= 3, "a piece has no length, or turns too far"
+        require(0 < chord < INF and bend <= 3, "a piece has no length, or turns too far")
         length = chord * (bend / 2) / math.sin(bend / 2) if bend else chord
         kink = abs(turn(heading(p, 1), heading(after, -1))) if after else 0.0
-        assert after is None or p["to"] == after["from"], "two pieces do not meet"
-        assert kink <= 1e-6 or robot["min_turn_radius_m"] == 0, "the path has a corner"
+        require(after is None or p["to"] == after["from"], "two pieces do not meet")
+        require(kink <= 1e-6 or robot["min_turn_radius_m"] == 0, "the path has a corner")
         curvature = max(curvature, INF if kink > 1e-6 else (bend + spare + kink) / length)
         spare = 0 if kink > 1e-6 else kink
         n = int(max(1, math.ceil(length / 0.1), math.ceil(math.sqrt(length * bend / 4e-4))))
@@ -224,14 +277,20 @@ def to_cell(a, b, x, y, h):
 def check(bundle, proof):
     with open(os.path.join(bundle, "bundle.json"), encoding="utf-8") as file:
         info = json.load(file)
-    same = lambda stated, given: all(given.get(k, 0) == v for k, v in stated.items())
-    assert len(proof["rays"]) == len(info["rays"]) and all(map(same, proof["rays"], info["rays"])), "it states other rays than the bundle"
+    require(proof["format"] == "tcert-witness" and proof["version"] == 1, "it is not of format tcert-witness, version 1")
+    rule, robot = proof["rule"], proof["robot"]
+    require(all(0 <= v < INF for v in (*rule.values(), *robot.values())) and rule["cell_m"] >= 1e-4, "its rule or its robot has a value that is none")
+    require(proof["log_sha256"] == digest(os.path.join(bundle, "logs", proof["trial_id"])), "it is of another log")
+    keys = ("name", "kind", "mount_x_m", "mount_y_m", "bearing_rad", "reach_m", "calibration")
+    same = lambda a, b, names: all(a.get(k, 0) == b.get(k, 0) for k in names)
+    require(len(proof["rays"]) == len(info["rays"]) and all(same(a, b, keys) for a, b in zip(proof["rays"], info["rays"])), "it states other rays than the bundle")
     run = samples(os.path.join(bundle, "logs", proof["trial_id"]), info, proof)
     (x, y), radius = run[0][0][0], proof["robot"]["body_width_m"] / 2
     start = info["course"].get("start", {"disc": {"x_m": x, "y_m": y, "radius_m": radius}})
-    assert same(proof["start"], start) and same(proof["goal"], info["course"]["goal"]), "it states another course"
+    require(proof["start"] == start and proof["goal"] == info["course"]["goal"], "it states another course")
+    require(not overlap(start, proof["goal"]), "S and G overlap")
     chords, curvature = measure(proof)
-    h, robot, rule = proof["rule"]["cell_m"], proof["robot"], proof["rule"]
+    h = rule["cell_m"]
     reach = proof["clearance_m"] + 2 * h
     cells = Cells(h, chords, reach)
     for region in (proof["start"], proof["goal"]):
@@ -249,10 +308,14 @@ def check(bundle, proof):
             for a, b, bulge in chords:
                 if abs(ix * h - a[0]) < least + 0.2 and abs(iy * h - a[1]) < least + 0.2:
                     least = min(least, to_cell(a, b, ix * h, iy * h, h) - bulge)
-    assert least > 0, "the path leaves the free cells"
-    slack = 1 / (curvature + robot["curvature_buffer_per_m"]) if curvature + robot["curvature_buffer_per_m"] else INF
+    require(least > 0, "the path leaves the free cells")
+    radius, buffer = 1 / curvature if curvature else INF, robot["curvature_buffer_per_m"]
+    slack = 1 / (curvature + buffer) if curvature + buffer else INF
     margin = min(2 * least - robot["body_width_m"] - 2 * robot["tracking_buffer_m"], slack - robot["min_turn_radius_m"])
-    assert abs(margin - proof["margin_m"]) < 1e-9, f"it states {proof['margin_m']} m, measured are {margin} m"
+    stated_radius = INF if proof["turn_radius_m"] is None else proof["turn_radius_m"]
+    for name, found, stated in ("margin_m", margin, proof["margin_m"]), ("clearance_m", least, proof["clearance_m"]), ("turn_radius_m", radius, stated_radius):
+        require(found == stated or abs(found - stated) < 1e-9 * max(1, abs(stated)), f"it states {name} {stated}, measured are {found}")
+    require(marked_as_stated(cells, proof["free"]), "it states other free cells near the path")
     return margin
 
 
@@ -264,7 +327,7 @@ def main():
         try:
             with open(path, encoding="utf-8") as file:
                 print(f"{path}: stands, {check(sys.argv[1], json.load(file)):.6f} m", flush=True)
-        except (AssertionError, KeyError, IndexError, TypeError, ValueError, ArithmeticError, OSError) as error:
+        except (Refused, RecursionError, AttributeError, KeyError, IndexError, TypeError, ValueError, ArithmeticError, OSError) as error:
             print(f"{path}: {error or type(error).__name__}", flush=True)
             fallen = True
     sys.exit(1 if fallen else 0)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tcert/region_overlap.hpp>
 #include <witness/border_cells.hpp>
 #include <witness/checker.hpp>
 #include <witness/region_shape.hpp>
@@ -50,7 +51,7 @@ Checked check(const Path& path,
               const Region& goal,
               const Robot& robot) {
   Checked checked{fault_of(path, start, goal, robot.min_turn_radius_m), -kInfinity, 0.0, 0.0, {}};
-  if (checked.refused.empty() && overlap(start, goal)) {
+  if (checked.refused.empty() && touch(start, goal)) {
     checked.refused = "S and G overlap";
   }
   const BorderCells borders(cells);

@@ -45,12 +45,16 @@ void mark_disc(Point centre, double radius_m, FreeCells& cells) noexcept {
   }
 }
 
-void mark_region(const Region& region, FreeCells& cells) noexcept {
+/// O(rows x vertices + cells x edges near a row).
+void mark_region(const Region& region, FreeCells& cells) {
   const Lattice& lattice = cells.lattice();
   const Box box = bounding_box(region);
   for (int iy = lattice.row_of(box.low.y_m); iy <= lattice.row_of(box.high.y_m); ++iy) {
+    const Point low = lattice.corner(0, iy);
+    const Point middle = 0.5 * (low + lattice.corner(1, iy + 1));
+    const RowOfRegion row(region, middle.y_m, distance(low, middle));
     for (int ix = lattice.column_of(box.low.x_m); ix <= lattice.column_of(box.high.x_m); ++ix) {
-      if (covers(region, {lattice.corner(ix, iy), lattice.corner(ix + 1, iy + 1)})) {
+      if (row.covers({lattice.corner(ix, iy), lattice.corner(ix + 1, iy + 1)})) {
         cells.mark_run(iy, ix, ix);
       }
     }

@@ -15,43 +15,6 @@ Point nearest_on_segment(Point p, Point a, Point b) noexcept {
   return a + t * along;
 }
 
-bool cross_each_other(Point a, Point b, Point c, Point d) noexcept {
-  const auto side = [](Point from, Point to, Point p) { return cross(to - from, p - from); };
-  return side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0 &&
-         std::max(a.x_m, b.x_m) >= std::min(c.x_m, d.x_m) &&
-         std::max(c.x_m, d.x_m) >= std::min(a.x_m, b.x_m) &&
-         std::max(a.y_m, b.y_m) >= std::min(c.y_m, d.y_m) &&
-         std::max(c.y_m, d.y_m) >= std::min(a.y_m, b.y_m);
-}
-
-double distance_to_border(const Polygon& polygon, Point p) noexcept {
-  double least = std::numeric_limits<double>::infinity();
-  const auto& v = polygon.vertices;
-  for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
-    least = std::min(least, distance_to_segment(p, v[j], v[i]));
-  }
-  return least;
-}
-
-bool overlap(const Disc& disc, const Polygon& polygon) noexcept {
-  return contains(Region(polygon), disc.centre) ||
-         distance_to_border(polygon, disc.centre) <= disc.radius_m;
-}
-
-bool overlap(const Polygon& a, const Polygon& b) noexcept {
-  if (contains(Region(a), b.vertices.front()) || contains(Region(b), a.vertices.front())) {
-    return true;
-  }
-  for (std::size_t i = 0, j = a.vertices.size() - 1; i < a.vertices.size(); j = i++) {
-    for (std::size_t k = 0, l = b.vertices.size() - 1; k < b.vertices.size(); l = k++) {
-      if (cross_each_other(a.vertices[j], a.vertices[i], b.vertices[l], b.vertices[k])) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 double distance_to_segment(Point p, Point a, Point b) noexcept {
@@ -72,29 +35,39 @@ Box bounding_box(const Region& region) noexcept {
   return box;
 }
 
-bool covers(const Region& region, const Box& box) noexcept {
-  if (const auto* disc = std::get_if<Disc>(&region)) {
-    const double dx = std::max(disc->centre.x_m - box.low.x_m, box.high.x_m - disc->centre.x_m);
-    const double dy = std::max(disc->centre.y_m - box.low.y_m, box.high.y_m - disc->centre.y_m);
-    return dx * dx + dy * dy <= disc->radius_m * disc->radius_m;
+RowOfRegion::RowOfRegion(const Region& region, double middle_y_m, double half_diagonal_m)
+    : disc_(std::get_if<Disc>(&region)) {
+  const auto* const polygon = std::get_if<Polygon>(&region);
+  for (std::size_t i = 0; polygon != nullptr && i < polygon->vertices.size(); ++i) {
+    const auto& v = polygon->vertices;
+    const Edge edge{v[(i + v.size() - 1) % v.size()], v[i]};
+    const auto [low_m, high_m] = std::minmax(edge.from.y_m, edge.to.y_m);
+    if (low_m - 2.0 * half_diagonal_m <= middle_y_m &&
+        middle_y_m <= high_m + 2.0 * half_diagonal_m) {
+      near_.push_back(edge);
+    }
   }
-  const Point middle = 0.5 * (box.low + box.high);
-  return contains(region, middle) &&
-         distance_to_border(*std::get_if<Polygon>(&region), middle) > distance(middle, box.low);
 }
 
-bool overlap(const Region& a, const Region& b) noexcept {
-  const auto* const disc_a = std::get_if<Disc>(&a);
-  const auto* const disc_b = std::get_if<Disc>(&b);
-  if (disc_a != nullptr && disc_b != nullptr) {
-    return distance(disc_a->centre, disc_b->centre) <= disc_a->radius_m + disc_b->radius_m;
+bool RowOfRegion::covers(const Box& box) const noexcept {
+  if (disc_ != nullptr) {
+    const double dx = std::max(disc_->centre.x_m - box.low.x_m, box.high.x_m - disc_->centre.x_m);
+    const double dy = std::max(disc_->centre.y_m - box.low.y_m, box.high.y_m - disc_->centre.y_m);
+    return dx * dx + dy * dy <= disc_->radius_m * disc_->radius_m;
   }
-  if (disc_a != nullptr) {
-    return overlap(*disc_a, *std::get_if<Polygon>(&b));
+  const Point middle = 0.5 * (box.low + box.high);
+  const double radius_m = distance(middle, box.low);
+  bool inside = false;
+  for (const Edge& edge : near_) {
+    if (distance_to_segment(middle, edge.from, edge.to) <= radius_m) {
+      return false;
+    }
+    const bool straddles = (edge.to.y_m > middle.y_m) != (edge.from.y_m > middle.y_m);
+    inside ^= straddles && middle.x_m < edge.to.x_m + (middle.y_m - edge.to.y_m) /
+                                                          (edge.from.y_m - edge.to.y_m) *
+                                                          (edge.from.x_m - edge.to.x_m);
   }
-  const Polygon& polygon = *std::get_if<Polygon>(&a);
-  return disc_b != nullptr ? overlap(*disc_b, polygon)
-                           : overlap(polygon, *std::get_if<Polygon>(&b));
+  return inside;
 }
 
 Point nearest_within(const Region& region, Point p) noexcept {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tcert/region_overlap.hpp>
 #include <utility>
 #include <vector>
 #include <witness/band.hpp>
@@ -103,7 +104,7 @@ Found search(const FreeCells& cells,
              const Robot& robot,
              const Samples& samples,
              int iterations) {
-  if (overlap(start, goal)) {
+  if (touch(start, goal)) {
     return {std::nullopt, "S and G overlap"};
   }
   const DistanceField field(cells);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -115,6 +117,69 @@ TEST(WitnessOption, VerifyChecksTheProofs) {
   EXPECT_EQ(verified.exit_code, 1);
   EXPECT_NE(verified.err.find("the checker measures another margin"), std::string::npos)
       << to_string(verified);
+}
+
+TEST(WitnessOption, AProofThatChoosesItsOwnRuleOrDropsItsLabelIsRefused) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "2", "--output", "corpus"}));
+  expect_done(work.run(
+      {"certify", "corpus", "--witness", "--set", "pose_bridge_s=0.05", "--output", "out"}));
+  expect_done(work.run({"verify", "out", "--inputs", "corpus"}));
+  const auto files = work.files("out/witness");
+  ASSERT_FALSE(files.empty());
+  const std::string name = "out/witness/" + *files.begin();
+  const std::string text = work.read(name);
+  const auto refused = [&](const std::string& from, const std::string& to, const char* why) {
+    std::string changed = text;
+    ASSERT_NE(changed.find(from), std::string::npos) << from;
+    work.write(name, changed.replace(changed.find(from), from.size(), to));
+    const ProcessResult verified = work.run({"verify", "out", "--inputs", "corpus"});
+    EXPECT_EQ(verified.exit_code, 1);
+    EXPECT_NE(verified.err.find(why), std::string::npos) << to_string(verified);
+  };
+  refused("\"pose_bridge_s\":0.05", "\"pose_bridge_s\":0.06", "another robot, rule or label");
+  refused("\"body_width_m\":0.", "\"body_width_m\":0.0", "another robot, rule or label");
+  refused("{\"synthetic\":true,\"seed\":1,", "{", "another robot, rule or label");
+  refused("\"trial_id\":", "\"trial_id\": ", "is not written as the tool writes");
+}
+
+// Another program, of the standard library of another language, from the log alone. Rays along the
+// axes put the ends of strips on the lines between cells.
+TEST(WitnessOption, AnotherCheckerAgrees) {
+  const auto script = std::filesystem::path(TCERT_GOLDEN) / "../../scripts/check_witness.py";
+  Workdir work(TCERT_BINARY);
+  if (std::system("python3 -c '' 2>/dev/null") != 0) {
+    GTEST_SKIP() << "missing: python3";
+  }
+  std::string ticks = "time_s,x_m,y_m,yaw_rad,left_range_m,right_range_m,front_range_m\n";
+  for (int i = 0; i <= 250; ++i) {
+    ticks += std::to_string(0.1 * i) + ',' + std::to_string(0.02 * i) + ",0,0,0.4,0.45,1.0\n";
+  }
+  work.write("corridor/logs/t/ticks.csv", ticks);
+  work.write("corridor/trials.csv", "trial_id,success,time_s\nt,1,25\n");
+  work.write("corridor/bundle.json",
+             R"({"format":"tcert-bundle","version":1,"robot":{"body_width_m":0.3,
+ "min_turn_radius_m":0.2},"rays":[
+ {"name":"left","kind":"range","mount_y_m":0.1,"bearing_rad":1.5707963267948966,"reach_m":0.5},
+ {"name":"right","kind":"range","mount_y_m":-0.1,"bearing_rad":-1.5707963267948966,"reach_m":0.5},
+ {"name":"front","kind":"range","mount_x_m":0.1,"bearing_rad":0,"reach_m":1}],
+ "course":{"start":{"disc":{"x_m":0.5,"y_m":0,"radius_m":0.4}},
+           "goal":{"disc":{"x_m":4.2,"y_m":0,"radius_m":0.4}}}})");
+  expect_done(work.run({"simulate", "--trials", "2", "--output", "corpus"}));
+  for (const std::string bundle : {"corridor", "corpus"}) {
+    expect_done(work.run({"certify", bundle, "--witness", "--output", bundle + "-out", "--quiet"}));
+    const auto files = work.files(bundle + "-out/witness");
+    ASSERT_FALSE(files.empty()) << bundle;
+    const std::string proof = (work / (bundle + "-out/witness/" + *files.begin())).string();
+    const std::string command =
+        "python3 -O " + script.string() + " " + (work / bundle).string() + " ";
+    EXPECT_EQ(std::system((command + proof + " >/dev/null").c_str()), 0) << bundle;
+    std::string text = test_support::read_text(proof);
+    const std::size_t at = text.find("\"margin_m\":") + 11;
+    text.replace(at, text.find(',', at) - at, "0.9");
+    work.write("changed.json", text);
+    EXPECT_NE(std::system((command + (work / "changed.json").string() + " >/dev/null").c_str()), 0);
+  }
 }
 
 TEST(WitnessOption, NeedsAFolder) {

@@ -44,7 +44,10 @@ void read_pose(const recording::StreamSource& stream, std::string_view text) {
       sources,
       "",
       [&](const recording::CsvSample& sample) {
-        require(sample.values.size() == sources.size(), "a value a source");
+        // A row of another length is shown without values and without a time.
+        const bool is_whole = !sample.values.empty();
+        require(is_whole ? sample.values.size() == sources.size() : !sample.time_ns,
+                "a value a source, or none");
         ++rows;
         if (sample.time_ns) {
           order.add(*sample.time_ns, sample.values, sample.line);

@@ -90,6 +90,25 @@ TEST(WitnessJson, SaysWhatIsWrong) {
   EXPECT_THROW((void)witness_from_json(to_json(proven(2).document), 100), WitnessFormatError);
 }
 
+TEST(WitnessJson, RefusesRulesAndNumbersThatAreNone) {
+  const std::string text = to_json(proven(2).document);
+  const auto with = [&](const std::string& key, const std::string& value) {
+    const std::size_t at = text.find('"' + key + "\":") + key.size() + 3;
+    return text.substr(0, at) + value + text.substr(text.find_first_of(",}", at));
+  };
+  EXPECT_NO_THROW((void)witness_from_json(with("reading_bound_m", "0.01"), kRoom));
+  for (const auto& [key, value] : {std::pair("reading_bound_m", "-0.05"),
+                                   std::pair("lost_share", "-1"),
+                                   std::pair("least_obstacle_m", "-1e-9"),
+                                   std::pair("pose_bridge_s", "-1"),
+                                   std::pair("tracking_buffer_m", "-1"),
+                                   std::pair("first_x", "18446744073709551615"),
+                                   std::pair("columns", "18446744073709551615")}) {
+    EXPECT_THROW((void)witness_from_json(with(key, value), kRoom), WitnessFormatError) << key;
+  }
+  EXPECT_THROW((void)witness_from_json(std::string(1U << 24U, '['), kRoom), WitnessFormatError);
+}
+
 /// True if a text that was tampered with is refused.
 bool is_refused(const std::string& text, const Case& made) {
   try {

@@ -8,9 +8,11 @@
 #include <system_error>
 #include <table/bytes.hpp>
 
+#include "analysis/study/trials/parameters.hpp"
 #include "cli/runs/bundle_digest.hpp"
 #include "cli/runs/verify/find_input.hpp"
 #include "datasets/trial_reader.hpp"
+#include "reports/features_table.hpp"
 #include "reports/witness_check.hpp"
 
 namespace tcert::cli {
@@ -18,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostProofCells = std::size_t{1} << 28U;
+constexpr std::size_t kMostProofCells = std::size_t{1} << 30U;  // as max_witness_cells
 
 std::vector<fs::path> proof_files(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -35,6 +37,7 @@ std::vector<fs::path> proof_files(const fs::path& folder) {
 /// What does not hold of one proof; empty if it does.
 std::string fault_of_proof(const WitnessDocument& proof,
                            const Bundle& bundle,
+                           const study::ParameterSet& parameters,
                            const ReadOptions& options) {
   const auto row = std::ranges::find(bundle.trials, proof.trial_id, &TrialRow::trial_id);
   if (row == bundle.trials.end()) {
@@ -43,6 +46,17 @@ std::string fault_of_proof(const WitnessDocument& proof,
   const TrialResult read = read_trial(bundle, *row, options);
   if (!read.log) {
     return "its log cannot be read";
+  }
+  // The robot and the rule are those of the run, not whatever the proof finds convenient.
+  WitnessDocument of_run = proof;
+  const std::vector<Ray> rays = proof.robot.rays;
+  of_run.robot = study::with_overrides(bundle.info.robot, parameters.robot);
+  of_run.robot.rays = rays;
+  of_run.rule = witness::free_space_options(parameters.witness, parameters.certificate);
+  of_run.pose_bridge_s = parameters.witness.pose_bridge_s;
+  of_run.synthetic = synthetic_label(bundle.info);
+  if (to_json(of_run) != to_json(proof)) {
+    return "it states another robot, rule or label than the run";
   }
   return fault_of_witness(proof, bundle.info, *read.log, log_digest(bundle, *row).sha256);
 }
@@ -74,6 +88,17 @@ void check_proofs(const VerifyTarget& target,
     return;
   }
   const ReadOptions options{is_given("--repair")};
+  study::ParameterSet parameters;
+  try {
+    for (const auto& [key, value] : manifest.parameters) {
+      if (!value.empty()) {
+        study::set_parameter(parameters, key, value);
+      }
+    }
+  } catch (const std::invalid_argument& error) {
+    finding.obstacles.push_back(std::string("its witnesses cannot be checked: ") + error.what());
+    return;
+  }
   std::vector<std::string> faults(files.size());
   tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
     try {
@@ -83,8 +108,11 @@ void check_proofs(const VerifyTarget& target,
       }
       const WitnessDocument proof = witness_from_json(read.bytes->view(), kMostProofCells);
       faults[i] = proof.trial_id == files[i].stem().string()
-                      ? fault_of_proof(proof, *opened.bundle, options)
+                      ? fault_of_proof(proof, *opened.bundle, parameters, options)
                       : "it is of another trial than its name";
+      if (faults[i].empty() && to_json(proof) != read.bytes->view()) {
+        faults[i] = "it is not written as the tool writes what it says";
+      }
     } catch (const WitnessFormatError& error) {
       faults[i] = error.what();
     } catch (const std::length_error& error) {
