@@ -24,7 +24,7 @@ namespace tcert::recording {
                                                                  const LogMap& map,
                                                                  table::DiagnosticGroups& problems);
 
-/// Reads all messages of the map's topics into `streams`; memory does not grow with the file.
+/// Reads all messages of the map's topics into `set`; memory does not grow with the file.
 /// Messages that cannot be decoded, and scans of other beams than the layout, are samples that
 /// cannot be read; each kind is a counted warning. False if a topic is missing.
 /// \throws table::WriteError.
@@ -32,7 +32,7 @@ namespace tcert::recording {
                                     const std::string& file,
                                     const LogMap& map,
                                     const std::vector<RayLayout>& layouts,
-                                    StreamSet& streams,
+                                    StreamSet& set,
                                     table::DiagnosticGroups& problems);
 
 }  // namespace tcert::recording

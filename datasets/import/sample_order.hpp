@@ -57,7 +57,7 @@ class SampleOrder {
  private:
   struct Waiting {
     Sample sample;
-    std::size_t number;  // of the order in the file
+    std::size_t number = 0;  // of the order in the file
   };
   struct Later {
     bool operator()(const Waiting& a, const Waiting& b) const noexcept {

@@ -19,10 +19,10 @@ std::vector<double> numbers_in(const table::DataTable& table, const std::string&
   return std::move(variable.numbers);
 }
 
-std::vector<std::string> words_in(const table::DataTable& table, const std::string& name) {
-  const table::DataColumn* const column = table.find(name);
-  if (column == nullptr || !column->is_text) {
-    const std::vector<double> numbers = numbers_in(table, name);
+std::vector<std::string> words_in(const table::DataTable& table, const std::string& column) {
+  const table::DataColumn* const found = table.find(column);
+  if (found == nullptr || !found->is_text) {
+    const std::vector<double> numbers = numbers_in(table, column);
     std::vector<std::string> words(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       table::append_number(words[i], numbers[i]);
@@ -31,8 +31,8 @@ std::vector<std::string> words_in(const table::DataTable& table, const std::stri
   }
   std::vector<std::string> words(table.rows);
   for (std::size_t i = 0; i < table.rows; ++i) {
-    if (column->text.codes[i] != table::Factor::kMissing) {
-      words[i] = column->text.levels[column->text.codes[i]];
+    if (found->text.codes[i] != table::Factor::kMissing) {
+      words[i] = found->text.levels[found->text.codes[i]];
     }
   }
   return words;
