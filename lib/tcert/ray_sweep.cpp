@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tcert/ray_lines.hpp>
 #include <tcert/ray_sweep.hpp>
 
 namespace tcert {
@@ -10,9 +11,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A cell that a border only touches is a candidate whatever the last bit says.
 constexpr double kRounding = 1e-6;
-
-// Half the extent of an upright square of half-width 1 across the direction `u`.
-double half_extent(Point u) noexcept { return std::abs(u.x_m) + std::abs(u.y_m); }
 
 std::int32_t cell_index(double at_m, double cell_m) noexcept {
   constexpr double kFar = 2.0e9;
@@ -39,15 +37,6 @@ void add_range(Point p, Point q, double low, double high, double& from, double& 
 
 // Where the ray of a turning body pivots it stands still, and beyond it goes the other way.
 constexpr double kShortOfPivot = 0.95;
-
-// How far along the first of two rays, from `a` along `u` and from `b` along `v`, the other crosses
-// it; infinity if they part.
-double crossing_m(Point a, Point u, Point b, Point v) noexcept {
-  const double sine = cross(v, u);
-  const double along_m = sine == 0.0 ? -1.0 : cross(v, b - a) / sine;
-  return along_m >= 0.0 ? along_m
-                        : kInfinity;  // NOLINT(bugprone-narrowing-conversions): it is none.
-}
 
 }  // namespace
 

@@ -1,16 +1,10 @@
 #include <algorithm>
 #include <tcert/region_overlap.hpp>
+#include <tcert/segment.hpp>
 #include <variant>
 
 namespace tcert {
 namespace {
-
-double distance_to_segment(Point p, Point a, Point b) noexcept {
-  const Point along = b - a;
-  const double length2 = dot(along, along);
-  const double share = length2 > 0.0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + share * along);
-}
 
 // Two segments that cross have ends on either side of each other; others are closest at an end.
 bool segments_touch(Point a, Point b, Point c, Point d) noexcept {

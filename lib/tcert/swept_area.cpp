@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <tcert/elementary.hpp>
+#include <tcert/segment.hpp>
 #include <tcert/swept_area.hpp>
 
 namespace tcert {
@@ -27,13 +28,6 @@ struct Box {
     return std::sqrt(dx * dx + dy * dy);
   }
 };
-
-double distance_to_segment(Point p, Point a, Point b) noexcept {
-  const Point along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0.0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + t * along);
-}
 
 bool meets(const Box& box, Point a, Point b) noexcept {
   double from = 0.0;

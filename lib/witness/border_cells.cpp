@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tcert/segment.hpp>
 #include <witness/border_cells.hpp>
 #include <witness/region_shape.hpp>
 

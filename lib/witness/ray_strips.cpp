@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tcert/ray_lines.hpp>
 #include <witness/ray_strips.hpp>
 
 namespace tcert::witness {
@@ -16,17 +17,6 @@ constexpr double kBeyondPivot = 1.05;
 // A cell that a border only touches is a candidate whatever the last bit says.
 constexpr double kRounding = 1e-6;
 constexpr double kFlat = 1e-9;  // m
-
-/// Half the extent of an upright square of half-width 1 along the unit vector `u` or across it.
-double half_extent(Point u) noexcept { return std::abs(u.x_m) + std::abs(u.y_m); }
-
-/// How far along the first of two rays, from `a` along `u` and from `b` along `v`, the line of the
-/// other crosses it; infinity if it does not.
-double crossing_m(Point a, Point u, Point b, Point v) noexcept {
-  const double sine = cross(v, u);
-  const double along_m = sine == 0.0 ? -1.0 : cross(v, b - a) / sine;
-  return along_m >= 0.0 ? along_m : kInfinity;
-}
 
 /// An edge of a strip; its points at a range of heights.
 struct Edge {
@@ -101,11 +91,10 @@ void RayStrips::advance(Point mount,
   const double offset_m = dot(step, middle);
   const double lost_m = rule.lost_share * step_m;
   Span span{std::max(0.0, offset_m) + (body_gap_m >= lost_m ? 0.0 : lost_m),
-            least_m * cosine + std::min(0.0, offset_m) - lost_m,
-            0.0};
+            least_m * cosine + std::min(0.0, offset_m) - lost_m};
   const double pivot_m = cosine * crossing_m(last.mount, last.u, mount, u);
-  const Span before{span.begin_m, std::min(span.end_m, kShortOfPivot * pivot_m), 0.0};
-  const Span beyond{std::max(span.begin_m, kBeyondPivot * pivot_m), span.end_m, 0.0};
+  const Span before{span.begin_m, std::min(span.end_m, kShortOfPivot * pivot_m)};
+  const Span beyond{std::max(span.begin_m, kBeyondPivot * pivot_m), span.end_m};
   span = before.end_m - before.begin_m >= beyond.end_m - beyond.begin_m ? before : beyond;
   if (span.empty()) {
     if (step_m >= kCrossing) {

@@ -51,11 +51,10 @@ class RayStrips {
     double near_m = 0.0;
     double far_m = 0.0;
   };
-  /// Depths from the last mount along the middle direction, and the sense of the motion.
+  /// Depths from the last mount along the middle direction.
   struct Span {
     double begin_m = 0.0;
     double end_m = 0.0;
-    double side = 0.0;
     [[nodiscard]] bool empty() const noexcept { return !(end_m > begin_m); }
   };
   [[nodiscard]] const Strip& strip(std::size_t back) const noexcept {

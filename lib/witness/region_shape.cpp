@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tcert/segment.hpp>
 #include <witness/region_shape.hpp>
 
 namespace tcert::witness {
@@ -8,18 +9,7 @@ namespace {
 
 constexpr double kInside = 1e-6;  // m, from the border
 
-Point nearest_on_segment(Point p, Point a, Point b) noexcept {
-  const Point along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0.0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return a + t * along;
-}
-
 }  // namespace
-
-double distance_to_segment(Point p, Point a, Point b) noexcept {
-  return distance(p, nearest_on_segment(p, a, b));
-}
 
 Box bounding_box(const Region& region) noexcept {
   if (const auto* disc = std::get_if<Disc>(&region)) {

@@ -12,8 +12,6 @@ struct Box {
   Point high;
 };
 
-[[nodiscard]] double distance_to_segment(Point p, Point a, Point b) noexcept;
-
 [[nodiscard]] Box bounding_box(const Region& region) noexcept;
 
 /// The part of a region that boxes of one height may meet: of a polygon the edges near them, so
