@@ -163,6 +163,16 @@ void TickLineParser::take_json_value(std::size_t position, const table::FlatMemb
   }
 }
 
+bool TickLineParser::is_too_late(std::int64_t time_ns) const noexcept {
+  return options_.trial_limit_s && first_ns_ &&
+         static_cast<double>(time_ns - *first_ns_) > 1e10 * *options_.trial_limit_s;
+}
+
+void TickLineParser::go_back_to(std::int64_t time_ns) noexcept {
+  last_ns_ = time_ns;
+  ran_too_long_ = ran_too_long_ && is_too_late(time_ns);
+}
+
 std::optional<TickLine> TickLineParser::to_tick() {
   TickRow row;
   if (const char* bad_flag = interpret_tick(row_, rules_, readings_, counts_, row);
@@ -183,13 +193,12 @@ std::optional<TickLine> TickLineParser::to_tick() {
   }
   const bool gap = last_ns_ && static_cast<double>(time_ns_ - *last_ns_) > options_.max_gap_s * 1e9;
   first_ns_ = first_ns_.value_or(time_ns_);
-  const bool too_long = !ran_too_long_ && options_.trial_limit_s &&
-                        static_cast<double>(time_ns_ - *first_ns_) > 1e10 * *options_.trial_limit_s;
+  const bool too_long = !ran_too_long_ && is_too_late(time_ns_);
   ran_too_long_ = ran_too_long_ || too_long;
   last_ns_ = time_ns_;
-  const bool starts_anyway = row.segment_start || too_long || restarted_;
+  const bool starts_anyway = row.segment_start || restarted_;
   restarted_ = false;
-  return TickLine{{time_ns_, row.pose, readings_, row.stale, starts_anyway || gap},
+  return TickLine{{time_ns_, row.pose, readings_, row.stale, starts_anyway || gap || too_long},
                   row.speed_cmd_mps,
                   row.yaw_rate_cmd_rps,
                   gap,

@@ -26,7 +26,7 @@ struct TickLine {
   double speed_cmd_mps = kMissing;
   double yaw_rate_cmd_rps = kMissing;
   bool is_after_gap = false;   ///< More than max_gap_s since the row before: it starts a segment.
-  bool starts_anyway = false;  ///< It would start one without the gap too.
+  bool starts_anyway = false;  ///< By its own word, or because its producer came back.
 };
 
 enum class TickLineFormat { csv, json_lines };
@@ -58,7 +58,7 @@ class TickLineParser {
   void restart(std::string_view first_line, table::DiagnosticGroups& problems);
 
   /// Forgets rows: the next time is compared with `time_ns`, as if that were the last one.
-  void go_back_to(std::int64_t time_ns) noexcept { last_ns_ = time_ns; }
+  void go_back_to(std::int64_t time_ns) noexcept;
 
   [[nodiscard]] TickLineFormat format() const noexcept { return format_; }
 
@@ -82,6 +82,7 @@ class TickLineParser {
   [[nodiscard]] bool parse_json(std::string_view text);
   void take_json_value(std::size_t position, const table::FlatMember& member);
   [[nodiscard]] std::optional<TickLine> to_tick();
+  [[nodiscard]] bool is_too_late(std::int64_t time_ns) const noexcept;
   void reject(std::string column, std::string_view value, std::string expectation);
 
   TickLineOptions options_;

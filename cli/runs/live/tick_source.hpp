@@ -10,9 +10,9 @@
 #include <tcert/robot.hpp>
 #include <vector>
 
-#include "cli/runs/live/jump_watch.hpp"
 #include "cli/runs/live/patient_output.hpp"
 #include "datasets/bundle.hpp"
+#include "datasets/jump_watch.hpp"
 #include "datasets/tick_line.hpp"
 
 namespace tcert::cli {

@@ -9,7 +9,7 @@
 
 #include "datasets/tick_line.hpp"
 
-namespace tcert::cli {
+namespace tcert {
 
 /// Holds a tick back that comes after a gap, until the next one says which clock goes on: one that
 /// is later confirms it, one that is not refuses it. A tick without a gap is never held.
@@ -40,4 +40,4 @@ class JumpWatch {
   std::vector<TickLine> usable_;
 };
 
-}  // namespace tcert::cli
+}  // namespace tcert
