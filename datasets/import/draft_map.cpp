@@ -9,42 +9,10 @@
 #include <utility>
 
 #include "datasets/import/column_guess.hpp"
+#include "datasets/import/draft_parts.hpp"
 
 namespace tcert::recording {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
-
-OrderedJson frame_of_map() {
-  return {{"format", "tcert-map"},
-          {"version", 1},
-          {"robot", {{"body_width_m", nullptr}}},
-          {"course",
-           {{"start", {{"disc", {{"x_m", nullptr}, {"y_m", nullptr}, {"radius_m", 0.5}}}}},
-            {"goal", {{"disc", {{"x_m", nullptr}, {"y_m", nullptr}, {"radius_m", 0.5}}}}}}}};
-}
-
-DraftedMap finished(OrderedJson map, std::vector<std::string> remarks) {
-  remarks.insert(remarks.begin(),
-                 "replace every null: the width of the body, S and G (leave 'course' out and there "
-                 "is no certificate, only the on-policy corridor value)");
-  return {map.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n",
-          std::move(remarks)};
-}
-
-bool is_called(const std::string& name, std::string_view part) {
-  return table::case_folded(name).find(part) != std::string::npos;
-}
-
-const TopicSurvey* first_topic(std::span<const TopicSurvey> topics,
-                               StreamRole role,
-                               std::string_view part) {
-  const auto found = std::ranges::find_if(topics, [&](const TopicSurvey& topic) {
-    return topic.role == role && topic.messages > 0 && topic.problem.empty() &&
-           is_called(topic.name + ' ' + topic.type, part);
-  });
-  return found == topics.end() ? nullptr : &*found;
-}
 
 /// As TUM has them, without a header: time, x, y, z and a quaternion.
 bool is_plain_trajectory(const table::CsvCheck& check) {
@@ -125,27 +93,6 @@ OrderedJson stream_of(const CsvGroup& group) {
   return stream;
 }
 
-/// The part of a ray's column that is the name of the ray: "left" of "left_range_mm".
-std::string ray_name(const std::string& column, std::size_t number) {
-  static const std::vector<std::string> words{
-      "range", "dist", "distance", "sonar", "tof", "lidar",   "bend",   "flex",
-      "angle", "mm",   "cm",       "m",     "deg", "rad",     "sensor", "value",
-      "data",  "fsr",  "force",    "n",     "g",   "pressure"};
-  std::string name;
-  std::string word;
-  for (const char c : table::case_folded(column) + '_') {
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
-      word += c;
-      continue;
-    }
-    if (!word.empty() && std::ranges::find(words, word) == words.end()) {
-      name += (name.empty() ? "" : "_") + word;
-    }
-    word.clear();
-  }
-  return name.empty() ? "ray" + std::to_string(number + 1) : name;
-}
-
 OrderedJson rays_of(const Columns& columns) {
   OrderedJson rays = OrderedJson::array();
   std::map<std::string, std::pair<std::string, std::string>> forces;  // by ray
@@ -208,54 +155,6 @@ OrderedJson trials_of(const CsvGroup& group) {
 }
 
 }  // namespace
-
-DraftedMap draft_map(std::span<const TopicSurvey> topics) {
-  OrderedJson map = frame_of_map();
-  std::vector<std::string> remarks;
-  map["clock"] = "log";
-  const TopicSurvey* pose = first_topic(topics, StreamRole::pose, "odometry");
-  pose = pose != nullptr ? pose : first_topic(topics, StreamRole::pose, "");
-  map["pose"] = {{"from", pose == nullptr ? OrderedJson(nullptr) : OrderedJson(pose->name)}};
-  if (pose == nullptr) {
-    const TopicSurvey* const frames = first_topic(topics, StreamRole::transforms, "/tf ");
-    if (frames != nullptr) {
-      map["pose"] = {{"from", frames->name}, {"parent", "odom"}, {"frame", "base_link"}};
-      remarks.emplace_back("no topic is a pose, so it is taken from transforms: check the frames");
-    } else {
-      remarks.emplace_back("no topic is a pose: name one under 'pose', with x_m, y_m and yaw_rad");
-    }
-  }
-  OrderedJson scans = OrderedJson::array();
-  for (const TopicSurvey& topic : topics) {
-    if (topic.role == StreamRole::scan && topic.messages > 0) {
-      scans.push_back(
-          {{"from", topic.name}, {"every", 4}, {"no_return", {"inf"}}, {"offset", "tf_static"}});
-    }
-  }
-  if (scans.empty()) {
-    for (const TopicSurvey& topic : topics) {
-      if (topic.role == StreamRole::range && topic.messages > 0) {
-        scans.push_back({{"from", topic.name},
-                         {"rays",
-                          {{{"name", ray_name(topic.name, scans.size())},
-                            {"kind", "range"},
-                            {"bearing_deg", nullptr},
-                            {"reach_m", nullptr}}}}});
-      }
-    }
-  }
-  map["rays"] = scans.size() == 1 ? scans.front() : scans;
-  if (scans.empty()) {
-    remarks.emplace_back(
-        "no topic is a scan or a range: list rays under 'rays', each with the field of a message "
-        "('tcert help map')");
-  }
-  const TopicSurvey* control = first_topic(topics, StreamRole::control, "cmd");
-  if (control != nullptr) {
-    map["control"] = {{"from", control->name}};
-  }
-  return finished(std::move(map), std::move(remarks));
-}
 
 DraftedMap draft_map(std::span<const CsvGroup> groups) {
   OrderedJson map = frame_of_map();

@@ -1,0 +1,78 @@
+#include "cli/runs/trial_files.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "datasets/tick_table.hpp"
+#include "reports/edges_table.hpp"
+#include "reports/features_table.hpp"
+#include "reports/witness_json.hpp"
+
+namespace tcert::cli {
+namespace {
+
+std::string series_csv(const study::StudiedTrial& trial,
+                       const SeriesFormat& format,
+                       const Robot& robot) {
+  std::string text = series_header(format, robot);
+  const std::size_t rays = format.ray_margins ? trial.ticks.rays : 0;
+  const std::span<const double> margins(trial.ray_margins);
+  for (std::size_t i = 0; i < trial.ticks.size(); ++i) {
+    append_series_row(
+        text, trial.ticks[i], trial.series.ticks[i], margins.subspan(i * rays, rays), format);
+  }
+  return text;
+}
+
+std::string comment_line(const std::optional<SyntheticLabel>& label) {
+  return label ? "# " + to_string(*label) + '\n' : std::string();
+}
+
+}  // namespace
+
+void write_trial_files(const study::StudiedTrial& trial,
+                       const ResultFolder& folder,
+                       const CertifyFiles& files,
+                       const SeriesFormat& format,
+                       const Robot& robot,
+                       std::span<const RangeKeys> range_keys) {
+  const std::string name = trial.row->trial_id + ".csv";
+  if (files.series) {
+    folder.write(std::filesystem::path("series") / name, series_csv(trial, format, robot));
+    folder.write(std::filesystem::path("edges") / name, edges_csv(trial.series, format.synthetic));
+  }
+  if (files.ticks) {
+    // A log, so it is labelled as those of the corpus are.
+    folder.write(std::filesystem::path("ticks") / name,
+                 comment_line(format.synthetic) + to_ticks_csv(robot, trial.ticks, range_keys));
+  }
+}
+
+void write_witness(const study::StudiedTrial& trial,
+                   const std::string& log_sha256,
+                   const OpenedBundle& opened,
+                   const Robot& robot,
+                   const ResultFolder& folder) {
+  if (!trial.proof || !trial.proof->witness) {
+    return;
+  }
+  const study::ParameterSet& parameters = opened.parameters;
+  const study::Proof& proof = *trial.proof;
+  const WitnessDocument document{
+      synthetic_label(opened.bundle.info),
+      trial.row->trial_id,
+      log_sha256,
+      robot,
+      proof.start,
+      *opened.bundle.info.course.goal,
+      parameters.witness.pose_bridge_s,
+      witness::free_space_options(parameters.witness, parameters.certificate),
+      proof.cells,
+      proof.witness->path,
+      proof.witness->checked};
+  folder.write(std::filesystem::path("witness") / (trial.row->trial_id + ".json"),
+               to_json(document));
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,49 @@
+#include "datasets/import/draft_parts.hpp"
+
+#include <table/nearest_name.hpp>
+#include <utility>
+
+namespace tcert::recording {
+
+OrderedJson frame_of_map() {
+  return {{"format", "tcert-map"},
+          {"version", 1},
+          {"robot", {{"body_width_m", nullptr}}},
+          {"course",
+           {{"start", {{"disc", {{"x_m", nullptr}, {"y_m", nullptr}, {"radius_m", 0.5}}}}},
+            {"goal", {{"disc", {{"x_m", nullptr}, {"y_m", nullptr}, {"radius_m", 0.5}}}}}}}};
+}
+
+DraftedMap finished(OrderedJson map, std::vector<std::string> remarks) {
+  remarks.insert(remarks.begin(),
+                 "replace every null: the width of the body, S and G (leave 'course' out and there "
+                 "is no certificate, only the on-policy corridor value)");
+  return {map.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n",
+          std::move(remarks)};
+}
+
+bool is_called(const std::string& name, std::string_view part) {
+  return table::case_folded(name).find(part) != std::string::npos;
+}
+
+std::string ray_name(const std::string& column, std::size_t number) {
+  static const std::vector<std::string> words{
+      "range", "dist", "distance", "sonar", "tof", "lidar",   "bend",   "flex",
+      "angle", "mm",   "cm",       "m",     "deg", "rad",     "sensor", "value",
+      "data",  "fsr",  "force",    "n",     "g",   "pressure"};
+  std::string name;
+  std::string word;
+  for (const char c : table::case_folded(column) + '_') {
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
+      word += c;
+      continue;
+    }
+    if (!word.empty() && std::ranges::find(words, word) == words.end()) {
+      name += (name.empty() ? "" : "_") + word;
+    }
+    word.clear();
+  }
+  return name.empty() ? "ray" + std::to_string(number + 1) : name;
+}
+
+}  // namespace tcert::recording
