@@ -20,6 +20,7 @@ const std::string kLog(64, 'a');
 
 struct Case {
   BundleInfo info;
+  study::ParameterSet parameters;
   TrialLog log;
   WitnessDocument document;
 };
@@ -32,8 +33,10 @@ Case proven(std::uint64_t index) {
   made.log.merged = true_ticks(follow_legs(drawn, walls, 9, index), walls);
   made.info.robot = corpus_robot();
   made.info.course = {drawn.world.start, drawn.world.goal};
-  witness::WitnessParameters parameters;
-  parameters.witness_cell_m = 0.01;  // a smaller file
+  made.info.synthetic = true;
+  made.info.seed = 9;
+  made.parameters.witness.witness_cell_m = 0.01;  // a smaller file
+  const witness::WitnessParameters& parameters = made.parameters.witness;
   const study::Proof proof =
       study::prove(study::witness_samples(made.log, made.info.robot, parameters, {}),
                    made.info.robot,
@@ -63,27 +66,26 @@ TEST(WitnessJson, ReadsBackToTheSameBytesAndStands) {
   const WitnessDocument read = witness_from_json(text, kRoom);
   EXPECT_TRUE(read.cells == made.document.cells);
   EXPECT_EQ(read.path, made.document.path);
-  WitnessDocument labelled = read;
-  labelled.synthetic = made.document.synthetic;
-  EXPECT_EQ(to_json(labelled), text);
-  EXPECT_EQ(fault_of_witness(read, made.info, made.log, kLog), "");
+  EXPECT_EQ(to_json(read), text);
+  EXPECT_EQ(fault_of_witness(read, made.info, made.parameters, made.log, kLog), "");
 }
 
 TEST(WitnessJson, SaysWhatIsWrong) {
   Case made = proven(2);
-  EXPECT_EQ(fault_of_witness(made.document, made.info, made.log, std::string(64, 'b')),
-            "it is of another log");
+  EXPECT_EQ(
+      fault_of_witness(made.document, made.info, made.parameters, made.log, std::string(64, 'b')),
+      "it is of another log");
   Case other = made;
   other.info.robot.rays[0].bearing_rad += 0.1;
-  EXPECT_EQ(fault_of_witness(made.document, other.info, made.log, kLog),
-            "it states other rays, or another course, than the bundle");
+  EXPECT_EQ(fault_of_witness(made.document, other.info, other.parameters, made.log, kLog),
+            "it states another robot, course, rule or label than the run");
   other = made;
   other.log.merged->readings[10].value += 0.5;  // a log that was edited
   other.log.merged->readings[13].value += 0.5;
-  EXPECT_EQ(fault_of_witness(made.document, made.info, other.log, kLog),
+  EXPECT_EQ(fault_of_witness(made.document, made.info, made.parameters, other.log, kLog),
             "the free space built from the log is another");
   made.document.stated.margin_m += 1e-12;
-  EXPECT_EQ(fault_of_witness(made.document, made.info, made.log, kLog),
+  EXPECT_EQ(fault_of_witness(made.document, made.info, made.parameters, made.log, kLog),
             "the checker measures another margin");
   EXPECT_THROW((void)witness_from_json("{}", kRoom), WitnessFormatError);
   EXPECT_THROW((void)witness_from_json("nonsense", kRoom), WitnessFormatError);
@@ -112,7 +114,9 @@ TEST(WitnessJson, RefusesRulesAndNumbersThatAreNone) {
 /// True if a text that was tampered with is refused.
 bool is_refused(const std::string& text, const Case& made) {
   try {
-    return !fault_of_witness(witness_from_json(text, kRoom), made.info, made.log, kLog).empty();
+    return !fault_of_witness(
+                witness_from_json(text, kRoom), made.info, made.parameters, made.log, kLog)
+                .empty();
   } catch (const WitnessFormatError&) {
     return true;
   } catch (const std::length_error&) {
@@ -121,7 +125,7 @@ bool is_refused(const std::string& text, const Case& made) {
 }
 
 // Any digit of the margin, the rays, S, G, the path, the free space or a digest may be changed. The
-// robot's numbers and the rule are assumptions, and the texts are not read. A change of less than a
+// texts are not read. A change of less than a
 // ten-thousandth may leave another path that proves the same, so that the later places are let be.
 TEST(WitnessJson, AThousandTamperedProofsAreRefused) {
   const Case made = proven(2);

@@ -12,7 +12,6 @@
 #include "cli/runs/bundle_digest.hpp"
 #include "cli/runs/verify/find_input.hpp"
 #include "datasets/trial_reader.hpp"
-#include "reports/features_table.hpp"
 #include "reports/witness_check.hpp"
 
 namespace tcert::cli {
@@ -47,18 +46,8 @@ std::string fault_of_proof(const WitnessDocument& proof,
   if (!read.log) {
     return "its log cannot be read";
   }
-  // The robot and the rule are those of the run, not whatever the proof finds convenient.
-  WitnessDocument of_run = proof;
-  const std::vector<Ray> rays = proof.robot.rays;
-  of_run.robot = study::with_overrides(bundle.info.robot, parameters.robot);
-  of_run.robot.rays = rays;
-  of_run.rule = witness::free_space_options(parameters.witness, parameters.certificate);
-  of_run.pose_bridge_s = parameters.witness.pose_bridge_s;
-  of_run.synthetic = synthetic_label(bundle.info);
-  if (to_json(of_run) != to_json(proof)) {
-    return "it states another robot, rule or label than the run";
-  }
-  return fault_of_witness(proof, bundle.info, *read.log, log_digest(bundle, *row).sha256);
+  return fault_of_witness(
+      proof, bundle.info, parameters, *read.log, log_digest(bundle, *row).sha256);
 }
 
 }  // namespace
