@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <tcert/certifier.hpp>
 #include <tcert/contact_memory.hpp>
 #include <tcert/corridor_walk.hpp>
@@ -144,9 +145,6 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
 
 // Ablation A2 credits what lies ahead of the last node with the reach of the rays.
 double Certifier::State::certificate_m() const noexcept {
-  if (parameters.clearance == ClearanceReading::witness) {
-    return kNoPath;  // A witness is found after the run, not here.
-  }
   if (!is_optimistic()) {
     return walk.certificate_m();
   }
@@ -214,6 +212,11 @@ Certifier::Certifier(const Robot& robot,
                      const CertificateParameters& parameters) {
   validate(robot, parameters);
   validate(course);
+  if (parameters.clearance == ClearanceReading::witness) {
+    throw std::invalid_argument(
+        "clearance: found witness, which is looked for at the end of a trial, by 'certify'; from "
+        "tick to tick take width, radial or swept");
+  }
   state_ = std::make_unique<State>(robot, course, parameters);
   reset();
 }

@@ -137,9 +137,10 @@ TEST(WitnessOption, AProofThatChoosesItsOwnRuleOrDropsItsLabelIsRefused) {
     EXPECT_EQ(verified.exit_code, 1);
     EXPECT_NE(verified.err.find(why), std::string::npos) << to_string(verified);
   };
-  refused("\"pose_bridge_s\":0.05", "\"pose_bridge_s\":0.06", "another robot, rule or label");
-  refused("\"body_width_m\":0.", "\"body_width_m\":0.0", "another robot, rule or label");
-  refused("{\"synthetic\":true,\"seed\":1,", "{", "another robot, rule or label");
+  refused(
+      "\"pose_bridge_s\":0.05", "\"pose_bridge_s\":0.06", "another robot, course, rule or label");
+  refused("\"body_width_m\":0.", "\"body_width_m\":0.0", "another robot, course, rule or label");
+  refused("{\"synthetic\":true,\"seed\":1,", "{", "another robot, course, rule or label");
   refused("\"trial_id\":", "\"trial_id\": ", "is not written as the tool writes");
 }
 
@@ -180,6 +181,21 @@ TEST(WitnessOption, AnotherCheckerAgrees) {
     work.write("changed.json", text);
     EXPECT_NE(std::system((command + (work / "changed.json").string() + " >/dev/null").c_str()), 0);
   }
+}
+
+TEST(WitnessOption, NothingThatGoesFromTickToTickTakesItForItsReading) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "12", "--output", "corpus"}));
+  const ProcessResult live = work.run({"live", "--bundle", "corpus", "--set", "clearance=witness"});
+  EXPECT_EQ(live.exit_code, 2);
+  EXPECT_NE(live.err.find("take width, radial or swept"), std::string::npos) << to_string(live);
+  const ProcessResult sweep = work.run({"sweep", "corpus", "--grid", "clearance=width,witness"});
+  EXPECT_NE((sweep.out + sweep.err).find("take width, radial or swept"), std::string::npos)
+      << to_string(sweep);
+  expect_done(
+      work.run({"replay", "corpus", "--set", "clearance=witness", "--replan", "--output", "by"}));
+  expect_done(work.run({"replay", "corpus", "--replan", "--output", "width"}));
+  EXPECT_EQ(work.read("by/replay.csv"), work.read("width/replay.csv"));
 }
 
 TEST(WitnessOption, NeedsAFolder) {

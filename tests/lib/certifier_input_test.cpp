@@ -73,6 +73,12 @@ TEST(Certifier, RefusesPosesBeyondAnyPlace) {
   }
 }
 
+TEST(Certifier, RefusesAReadingThatIsFoundAtTheEndOfATrialAlone) {
+  CertificateParameters parameters;
+  parameters.clearance = ClearanceReading::witness;
+  EXPECT_THROW(Certifier({}, {}, parameters), std::invalid_argument);
+}
+
 TEST(Certifier, RefusesRulesForObstaclesThatProveNothing) {
   CertificateParameters parameters;
   EXPECT_NO_THROW(validate(parameters));

@@ -11,8 +11,9 @@ std::vector<ReplayedTrial> replay_trial(const StudiedTrial& trial,
   const bool replan = setup.replan && info.course.goal.has_value();
   std::optional<Certifier> certifier;
   if (replan) {
-    certifier.emplace(
-        with_overrides(info.robot, parameters.robot), info.course, parameters.certificate);
+    certifier.emplace(with_overrides(info.robot, parameters.robot),
+                      info.course,
+                      parameters_of_ticks(parameters.certificate));
   }
   std::vector<ReplayedTrial> replayed;
   for (const SpeedLaw& law : setup.laws) {

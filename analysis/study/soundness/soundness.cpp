@@ -12,6 +12,8 @@
 #include <tuple>
 
 #include "analysis/study/truth/slack.hpp"
+#include "analysis/study/witness/felt_samples.hpp"
+#include "analysis/study/witness/prove_trial.hpp"
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/random_worlds/random_run.hpp"
 
@@ -40,11 +42,33 @@ void add_with_and_without_noise(std::vector<SoundnessMethod>& methods,
   methods.push_back({name, parameters, true});
 }
 
+SoundnessOutcome prove_at_end(const TickTable& ticks,
+                              const Course& course,
+                              const SoundnessMethod& method,
+                              double truth_m) {
+  const Proof proof = prove(felt_samples(ticks, corpus_robot()),
+                            corpus_robot(),
+                            course,
+                            method.witness,
+                            method.parameters);
+  SoundnessOutcome outcome;
+  if (proof.witness) {
+    outcome.certificate_m = proof.witness->checked.margin_m;
+    outcome.issued = outcome.certificate_m > 0.0;
+    outcome.excess_m = outcome.certificate_m - truth_m;
+    outcome.violating_ticks = outcome.excess_m > 0.0 ? 1U : 0U;
+  }
+  return outcome;
+}
+
 SoundnessOutcome certify(const TickTable& ticks,
                          const Course& course,
-                         const CertificateParameters& parameters,
+                         const SoundnessMethod& method,
                          double truth_m) {
-  Certifier certifier(corpus_robot(), course, parameters);
+  if (method.parameters.clearance == ClearanceReading::witness) {
+    return prove_at_end(ticks, course, method, truth_m);
+  }
+  Certifier certifier(corpus_robot(), course, method.parameters);
   SoundnessOutcome outcome;
   for (std::size_t k = 0; k < ticks.size(); ++k) {
     const CertifiedTick now = certifier.update(ticks[k]);
@@ -80,8 +104,7 @@ WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
   world.ticks = static_cast<std::uint32_t>(felt.size());
   const Course course{drawn.world.start, drawn.world.goal};
   for (const SoundnessMethod& method : methods) {
-    world.outcomes.push_back(
-        certify(method.noise ? logged : felt, course, method.parameters, world.truth_m));
+    world.outcomes.push_back(certify(method.noise ? logged : felt, course, method, world.truth_m));
   }
   return world;
 }
@@ -109,6 +132,15 @@ std::vector<SoundnessMethod> u_turn_methods() {
     parameters.curvature = CurvatureReading::none;
     add_with_and_without_noise(methods, std::string("A3, ") + name, parameters);
   }
+  return methods;
+}
+
+std::vector<SoundnessMethod> witness_methods() {
+  std::vector<SoundnessMethod> methods;
+  const CertificateParameters parameters = small(ClearanceReading::witness);
+  add_with_and_without_noise(methods, "witness", parameters);
+  methods.push_back({"witness, 10 mm off", parameters, true});
+  methods.back().witness.reading_bound_m = 0.01;
   return methods;
 }
 

@@ -9,22 +9,28 @@
 #include <tcert/parameters.hpp>
 #include <tcert/robot.hpp>
 #include <vector>
+#include <witness/parameters.hpp>
 
 #include "analysis/study/truth/clearance_value.hpp"
 #include "datasets/random_worlds/random_world.hpp"
 
 namespace tcert::study {
 
-/// A way of certifying: a clearance reading or an ablation, on true or on logged ticks.
+/// A way of certifying: a clearance reading or an ablation, on true or on logged ticks. A witness
+/// is looked for at the end of the run.
 struct SoundnessMethod {
   std::string name;
   CertificateParameters parameters;
   bool noise = false;
+  witness::WitnessParameters witness{};  ///< Of clearance=witness.
 };
 
 /// radial, width, swept and A2, without noise and with; for the U-turns A3 in place of A2.
 [[nodiscard]] std::vector<SoundnessMethod> mixed_methods();
 [[nodiscard]] std::vector<SoundnessMethod> u_turn_methods();
+
+/// Witnesses, without noise and with, and with 10 mm taken off readings that have noise.
+[[nodiscard]] std::vector<SoundnessMethod> witness_methods();
 
 struct SoundnessOptions {
   std::size_t worlds = 1000;

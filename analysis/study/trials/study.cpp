@@ -55,10 +55,7 @@ void study_trials(const Bundle& bundle,
   validate(parameters);
   const Robot robot = with_overrides(bundle.info.robot, parameters.robot);
   const bool by_witness = parameters.certificate.clearance == ClearanceReading::witness;
-  CertificateParameters certificate = parameters.certificate;
-  if (by_witness) {
-    certificate.clearance = ClearanceReading::width;  // All but T_t is as under width.
-  }
+  const CertificateParameters certificate = parameters_of_ticks(parameters.certificate);
   const auto make = [&] { return Certifier(robot, bundle.info.course, certificate); };
   // Made here once so that parameters out of range are reported before any trial is read.
   (void)make();

@@ -7,6 +7,13 @@
 
 namespace tcert::study {
 
+CertificateParameters parameters_of_ticks(CertificateParameters certificate) noexcept {
+  if (certificate.clearance == ClearanceReading::witness) {
+    certificate.clearance = ClearanceReading::width;
+  }
+  return certificate;
+}
+
 witness::Samples witness_samples(const TrialLog& log,
                                  const Robot& robot,
                                  const witness::WitnessParameters& parameters,

@@ -25,6 +25,9 @@ struct Proof {
   }
 };
 
+/// The parameters of the ticks of a run: under clearance=witness all but T_t is as under width.
+[[nodiscard]] CertificateParameters parameters_of_ticks(CertificateParameters certificate) noexcept;
+
 /// Samples that are ready for F_t: glitches taken out.
 [[nodiscard]] witness::Samples witness_samples(const TrialLog& log,
                                                const Robot& robot,

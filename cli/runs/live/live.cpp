@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <table/bytes.hpp>
@@ -129,6 +130,17 @@ void follow(Producer& producer,
   }
 }
 
+/// \throws UsageError if the parameters are none of a live run.
+Certifier certifier_of(const Robot& robot,
+                       const Course& course,
+                       const CertificateParameters& parameters) {
+  try {
+    return {robot, course, parameters};
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
 /// What there is to say at the end; nothing if all went well.
 void report(const TickSource& source,
             const Producer& producer,
@@ -207,7 +219,7 @@ ExitCode live(const LiveRequest& request, Progress& progress) {
   const study::ParameterSet parameters =
       effective_parameters(info.parameters, options.logs.parameters);
   const Robot robot = effective_robot(info, parameters);
-  Certifier certifier(robot, info.course, parameters.certificate);
+  Certifier certifier = certifier_of(robot, info.course, parameters.certificate);
   Guards guards(parameters.speed_law,
                 parameters.guards,
                 tracking_error_table(options.tracking_error, options.logs.decimal_comma, progress));

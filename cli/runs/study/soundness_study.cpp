@@ -33,11 +33,11 @@ FitReport soundness_study(const StudyRequest& request, Progress& progress) {
   options.worlds = static_cast<std::size_t>(request.worlds);
   SoundnessRuns runs;
   runs.seed = options.seed;
-  runs.mixed_methods = study::mixed_methods();
+  runs.mixed_methods = request.witness ? study::witness_methods() : study::mixed_methods();
   runs.mixed = outcomes(runs.mixed_methods, options, progress);
   options.family = WorldFamily::u_turn;
   options.worlds = static_cast<std::size_t>(request.u_turns);
-  runs.turn_methods = study::u_turn_methods();
+  runs.turn_methods = request.witness ? study::witness_methods() : study::u_turn_methods();
   runs.turns = outcomes(runs.turn_methods, options, progress);
   return soundness_report(runs);
 }

@@ -22,7 +22,7 @@ struct Study {
 };
 
 constexpr std::array kStudies{
-    Study{"soundness", "soundness tightness", "worlds u-turns", soundness_study},
+    Study{"soundness", "soundness tightness", "worlds u-turns witness", soundness_study},
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
@@ -92,6 +92,9 @@ OptionTable options_of(StudyRequest& request) {
            "N",
            "soundness: worlds that ask for a turn by half; 0 leaves them out")
       .within(0, 1e8);
+  table.add("witness",
+            request.witness,
+            "soundness: of witnesses in place of the clearance readings; about 0.1 s a world");
   table
       .add("data-sets",
            request.data_sets,

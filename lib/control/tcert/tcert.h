@@ -76,7 +76,7 @@ enum tcert_clearance {
   TCERT_CLEARANCE_WIDTH = 0,
   TCERT_CLEARANCE_RADIAL = 1,
   TCERT_CLEARANCE_SWEPT = 2,
-  TCERT_CLEARANCE_WITNESS = 3 /**< T_t stays empty: a witness is found after the run. */
+  TCERT_CLEARANCE_WITNESS = 3 /**< Refused: a witness is found after the run. */
 };
 enum tcert_curvature {
   TCERT_CURVATURE_PATH = 0,

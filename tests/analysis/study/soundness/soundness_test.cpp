@@ -56,6 +56,23 @@ TEST(Soundness, WithoutCurvatureTightTurnsAreCertifiedThatCannotBeDriven) {
   EXPECT_EQ(summarise(worlds, number_of(methods, "swept", false)).violations, 0U);
 }
 
+TEST(Soundness, OfWitnessesIsNeverBrokenWithoutNoise) {
+  const auto methods = witness_methods();
+  const auto worlds = study(methods, 60);
+  const auto turns = study(methods, 12, WorldFamily::u_turn);
+  const SoundnessSummary exact = summarise(worlds, number_of(methods, "witness", false));
+  EXPECT_EQ(exact.violations, 0U);
+  EXPECT_EQ(exact.spurious, 0U);
+  EXPECT_GT(exact.issued, 30U);
+  EXPECT_EQ(summarise(turns, number_of(methods, "witness", false)).violations, 0U);
+  // What is taken off only lowers it, within what another path of the search may make of it.
+  const SoundnessSummary noisy = summarise(worlds, number_of(methods, "witness", true));
+  const SoundnessSummary lowered =
+      summarise(worlds, number_of(methods, "witness, 10 mm off", true));
+  EXPECT_LE(lowered.issued, noisy.issued);
+  EXPECT_LE(lowered.violations, noisy.violations);
+}
+
 TEST(Soundness, IsTheSameForAnyNumberOfThreads) {
   const auto methods = mixed_methods();
   const auto many = study(methods, 40);
