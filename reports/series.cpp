@@ -129,7 +129,7 @@ constexpr auto kColumns = std::to_array<SeriesColumn>({
     {"flags",
      "",
      "words with + between: stale, bad_input, missing_ray, break, capacity_exceeded, "
-     "start_outside, goal_reached, memory_evicted",
+     "start_outside, goal_reached, memory_evicted, across_heading",
      [](std::string& out, R r) { append_flags(out, r.certified.flags); }},
     {"issued",
      "",

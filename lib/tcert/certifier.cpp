@@ -5,6 +5,7 @@
 #include <tcert/certifier.hpp>
 #include <tcert/contact_memory.hpp>
 #include <tcert/corridor_walk.hpp>
+#include <tcert/lengths.hpp>
 #include <tcert/proxies.hpp>
 #include <tcert/swept_margins.hpp>
 #include <utility>
@@ -42,7 +43,7 @@ struct Certifier::State {
         swept(p.clearance == ClearanceReading::swept
                   ? std::make_optional<SweptMargins>(r, course, p)
                   : std::nullopt),
-        walk(p, swept ? &*swept : nullptr),
+        walk(r, p, swept ? &*swept : nullptr),
         ray_margins(r.rays.size(), kMissing) {}
 
   [[nodiscard]] double needed_width_m() const noexcept {
@@ -100,7 +101,7 @@ CertifiedTick Certifier::State::unchanged(const Tick& tick, std::uint32_t flag) 
 // The jump of a break is none either.
 void Certifier::State::count_travel(Point position, bool broken) noexcept {
   const double step_m = distance(counted_position, position);
-  if (!broken && step_m < parameters.travel_deadband_m) {
+  if (!broken && !reaches(step_m, parameters.travel_deadband_m)) {
     return;
   }
   travel_m += broken ? 0.0 : step_m;
@@ -124,6 +125,7 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
   out.contacts = local.contacts;
   out.new_contacts = local.new_contacts;
   out.flags |= local.missing_ray ? flag_missing_ray : 0U;
+  out.flags |= local.across_heading ? flag_across_heading : 0U;
   out.memory = memory.largest_within(position, 0.5 * robot.body_width_m, time_s);
   for (std::size_t k = 0; k < ray_margins.size(); ++k) {
     const double clearance_m = proxies.clearances()[k];
@@ -135,6 +137,8 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
           direction(tick.pose.yaw_rad),
           travel_m,
           out.margin_m,
+          local.left_m,
+          local.right_m,
           local.width_m,
           local.turn_radius_m,
           parameters.memory_weight_m * out.memory,
@@ -154,8 +158,8 @@ double Certifier::State::certificate_m() const noexcept {
 
 void Certifier::State::certify(const Tick& tick) noexcept {
   const Point position = tick.pose.position;
-  const bool broken =
-      began && (gap_before_next || distance(last_position, position) > parameters.max_step_m);
+  const bool broken = began && (gap_before_next ||
+                                exceeds(distance(last_position, position), parameters.max_step_m));
   out.flags = 0;
   if (!began) {
     first_ns = tick.time_ns;
@@ -264,8 +268,12 @@ std::optional<Bottleneck> Certifier::bottleneck() const noexcept {
     if (!narrowest || found.margin_m < narrowest->margin_m) {
       narrowest = {index, found.narrowest, found.margin_m, found.width_m, found.turn_radius_m};
     }
-    // The path came along the edge from its other end, which it had entered by the other side.
-    const EdgeEnd from = edge.ends[0] == entered ? edge.ends[1] : edge.ends[0];
+    // The path came along the edge from its other end, which it had entered by the other side. No
+    // edge from a node to itself raises a label that has no sides.
+    const bool is_first =
+        edge.ends[0].node == entered.node &&
+        (edge.ends[0].side == entered.side || labels.kind() == WidestLabels::Kind::sideless);
+    const EdgeEnd from = is_first ? edge.ends[1] : edge.ends[0];
     entered = {from.node, opposite(from.side)};
   }
 }

@@ -14,8 +14,8 @@ namespace tcert {
 
 class CorridorGraph;
 
-/// Conditions met at a tick, or'ed together in CertifiedTick::flags. From flag_capacity_exceeded on
-/// they stay set.
+/// Conditions met at a tick, or'ed together in CertifiedTick::flags. Those from
+/// flag_capacity_exceeded to flag_memory_evicted stay set.
 enum TickFlag : std::uint32_t {
   flag_stale = 1U << 0U,        ///< The tick was skipped as evidence.
   flag_bad_input = 1U << 1U,    ///< Pose not usable or time not increasing: skipped.
@@ -26,6 +26,8 @@ enum TickFlag : std::uint32_t {
   flag_start_outside = 1U << 5U,   ///< The first tick lies outside S: never a certificate.
   flag_goal_reached = 1U << 6U,    ///< The robot has been inside G.
   flag_memory_evicted = 1U << 7U,  ///< Contact memory that still counted gave way: V_t may be high.
+  flag_across_heading =
+      1U << 8U,  ///< The robot moves across its heading; its sides get no credit here.
 };
 
 /// What is known after a tick. Lengths in metres. NaN means not known at this tick;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <tcert/contact_curvature.hpp>
+#include <tcert/lengths.hpp>
 
 namespace tcert {
 
@@ -57,7 +58,7 @@ void ContactCurvature::add(std::size_t ray, const Contact& contact) noexcept {
   Track& track = tracks_[ray];
   const double spacing_m =
       is_literal() ? parameters_.contact_literal_spacing_m : parameters_.contact_spacing_m;
-  if (track.count > 0 && distance(track.last[2].point, contact.point) < spacing_m) {
+  if (track.count > 0 && !reaches(distance(track.last[2].point, contact.point), spacing_m)) {
     return;
   }
   track.last = {track.last[1], track.last[2], contact};
@@ -70,7 +71,8 @@ void ContactCurvature::add(std::size_t ray, const Contact& contact) noexcept {
 double ContactCurvature::radius(double travel_m, double path_radius_m) const noexcept {
   double smallest_m = path_radius_m;
   for (const Track& track : tracks_) {
-    if (track.count < 3 || travel_m - track.last[0].travel_m > parameters_.contact_window_m) {
+    if (track.count < 3 ||
+        exceeds(travel_m - track.last[0].travel_m, parameters_.contact_window_m)) {
       continue;
     }
     const double candidate_m = track.triple_radius_m;

@@ -59,7 +59,8 @@ struct Certified {
 };
 
 /// Undirected; `pass` is the pass with the largest margin so far, so the margin never falls, and
-/// no more does what is certified. Both are the same but for `clearance=swept`.
+/// no more does what is certified. That is less where the pass changes over to a known node, and
+/// under `clearance=swept` it is of what was swept.
 struct Edge {
   std::array<EdgeEnd, 2> ends;
   Pass pass;            ///< By what was felt at once: for V_t.

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <tcert/corridor_walk.hpp>
+#include <tcert/join.hpp>
+#include <tcert/lengths.hpp>
 
 namespace tcert {
 namespace {
@@ -10,14 +12,20 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-CorridorWalk::CorridorWalk(const CertificateParameters& parameters, SweptMargins* swept)
-    : parameters_(parameters),
+CorridorWalk::CorridorWalk(const Robot& robot,
+                           const CertificateParameters& parameters,
+                           SweptMargins* swept)
+    : robot_(robot),
+      parameters_(parameters),
       swept_(swept),
       graph_(parameters.max_nodes,
              parameters.max_edges,
              2.0 * parameters.merge_radius_m + parameters.max_step_m),
-      through_(WidestLabels::Kind::sided, parameters.max_nodes),
-      reached_(WidestLabels::Kind::sideless, parameters.max_nodes) {}
+      through_(
+          robot.min_turn_radius_m > 0.0 ? WidestLabels::Kind::sided : WidestLabels::Kind::sideless,
+          WidestLabels::Margin::certified,
+          parameters.max_nodes),
+      reached_(WidestLabels::Kind::sideless, WidestLabels::Margin::felt, parameters.max_nodes) {}
 
 void CorridorWalk::clear() noexcept {
   graph_.clear();
@@ -74,9 +82,9 @@ void CorridorWalk::advance(const Evidence& evidence) noexcept {
   follow_motion(evidence);
   if (!cross(evidence)) {
     const Side entered = forward_ ? Side::back : Side::front;
-    if (furthest_m_ - progress_m_ >= parameters_.reversal_m) {
+    if (reaches(furthest_m_ - progress_m_, parameters_.reversal_m)) {
       close_at_new_node(evidence, entered, entered);
-    } else if (evidence.travel_m - node_travel_m_ >= parameters_.edge_length_m) {
+    } else if (reaches(evidence.travel_m - node_travel_m_, parameters_.edge_length_m)) {
       close_at_new_node(evidence, entered, opposite(entered));
     }
   }
@@ -101,7 +109,7 @@ void CorridorWalk::follow_motion(const Evidence& now) noexcept {
 }
 
 // The path crosses the line through the node, perpendicular to its heading, near the node and
-// along its heading.
+// along its heading, and as far as was felt nothing stands in between.
 CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
                                                  const Evidence& now) const noexcept {
   const auto& [at, heading, in_start, in_goal] = graph_.nodes()[node];
@@ -122,7 +130,30 @@ CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
   if (off_axis > parameters_.merge_angle_rad) {
     return {};
   }
-  return {node, before_m < 0.0 ? Side::back : Side::front, distance2, at.position + off};
+  const double aside_m = -dot(off, {-now.heading.y_m, now.heading.x_m});
+  const double free_m = aside_m > 0.0 ? now.left_m : now.right_m;
+  if (exceeds(std::abs(aside_m), std::max(free_m, 0.5 * robot_.body_width_m))) {
+    return {};
+  }
+  const double curvature =
+      join_curvature(std::sqrt(distance2), off_axis, parameters_.edge_length_m);
+  return {node,
+          before_m < 0.0 ? Side::back : Side::front,
+          distance2,
+          at.position + off,
+          1.0 / curvature};
+}
+
+// Ablation A3 charges no turning.
+CorridorWalk::Turn CorridorWalk::turn_at(const Crossing& crossing,
+                                         const Evidence& now) const noexcept {
+  if (parameters_.curvature == CurvatureReading::none) {
+    return {};
+  }
+  const double sure_radius_m = 1.0 / (1.0 / crossing.turn_radius_m + robot_.curvature_buffer_per_m);
+  return {sure_radius_m - robot_.min_turn_radius_m,
+          crossing.turn_radius_m,
+          {crossing.at, now.pose.yaw_rad}};
 }
 
 // Of the known nodes other than u, the nearest to where the path crosses it; ties: lowest index.
@@ -155,12 +186,12 @@ CorridorWalk::Crossing CorridorWalk::nearest_crossing(const Evidence& now) const
 bool CorridorWalk::cross(const Evidence& now) noexcept {
   const Crossing known = nearest_crossing(now);
   if (known.node != kNone) {
-    join(known, now);
+    const Turn changed = join(known, now);
     if (at_node_ != kNone) {
-      record({known.node, known.entered}, pending_.finish());
+      record({known.node, known.entered}, pending_.finish(), changed);
     }
     leave(known.node, opposite(known.entered), now);
-    restart_pass(last_);
+    restart_pass(last_, changed);
     pending_.add(now);
     return true;
   }
@@ -171,25 +202,31 @@ bool CorridorWalk::cross(const Evidence& now) noexcept {
   if (own.node == kNone) {
     return false;
   }
-  join(own, now);
+  const Turn changed = join(own, now);
   leave(own.node, opposite(own.entered), now);
-  restart_pass(last_);
+  restart_pass(last_, changed);
   pending_.add(now);
   return true;
 }
 
-void CorridorWalk::restart_pass(const Evidence& first) noexcept {
+void CorridorWalk::restart_pass(const Evidence& first, const Turn& changed) noexcept {
   pending_.restart(first);
+  changed_ = changed;
   if (swept_ != nullptr) {
     swept_->start_pass();
   }
 }
 
-// Between where the path crosses a node's line and the node itself the body must fit too.
-void CorridorWalk::join(const Crossing& crossing, const Evidence& now) noexcept {
+// Between where the path crosses a node's line and the node itself the body must fit and turn too.
+CorridorWalk::Turn CorridorWalk::join(const Crossing& crossing, const Evidence& now) noexcept {
+  const Turn changed = turn_at(crossing, now);
   if (swept_ != nullptr) {
-    swept_->add_join(crossing.at, now, graph_.nodes()[crossing.node]);
+    Evidence between = now;
+    between.turn_slack_m = changed.slack_m;
+    between.turn_radius_m = changed.turn_radius_m;
+    swept_->add_join(crossing.at, between, graph_.nodes()[crossing.node]);
   }
+  return changed;
 }
 
 // What has been swept since may have raised the margins of passes nearby. Before G is reached that
@@ -235,7 +272,7 @@ void CorridorWalk::close_at_new_node(const Evidence& now, Side entered, Side lef
     capacity_exceeded_ = true;
     reached_.raise_node(graph_, node, corridor_value_m);
   } else {
-    record({node, entered}, pending_.finish());
+    record({node, entered}, pending_.finish(), {});
   }
   at_node_ = node;
   left_by_ = left;
@@ -243,7 +280,7 @@ void CorridorWalk::close_at_new_node(const Evidence& now, Side entered, Side lef
   forward_ = left == Side::front;
   progress_m_ = 0.0;
   furthest_m_ = 0.0;
-  restart_pass(now);
+  restart_pass(now, {});
 }
 
 void CorridorWalk::start_component(const Evidence& now, double corridor_value_m) noexcept {
@@ -257,7 +294,7 @@ void CorridorWalk::start_component(const Evidence& now, double corridor_value_m)
   forward_ = true;
   progress_m_ = 0.0;
   furthest_m_ = 0.0;
-  restart_pass(now);
+  restart_pass(now, {});
 }
 
 std::uint32_t CorridorWalk::lay_node(const Evidence& now) noexcept {
@@ -275,10 +312,17 @@ std::uint32_t CorridorWalk::lay_node(const Evidence& now) noexcept {
   return node;
 }
 
-void CorridorWalk::record(EdgeEnd to, const Pass& pass) noexcept {
+// T_t takes what the changes at both ends of the pass ask for; V_t, on the path driven, does not.
+void CorridorWalk::record(EdgeEnd to, const Pass& pass, const Turn& changed) noexcept {
   const EdgeEnd from{at_node_, left_by_};
   if (swept_ == nullptr) {
-    keep(graph_.record_pass(from, to, pass));
+    Certified certified{pass.margin_m, pass.narrowest, pass.width_m, pass.turn_radius_m};
+    for (const Turn& turn : {changed_, changed}) {
+      if (turn.slack_m < certified.margin_m) {
+        certified = {turn.slack_m, turn.pose, pass.width_m, turn.turn_radius_m};
+      }
+    }
+    keep(graph_.record_pass(from, to, pass, certified));
     return;
   }
   keep(graph_.record_pass(from, to, pass, swept_->finish_pass(from, to)));

@@ -3,9 +3,11 @@
 /// The walk along the odometry path that lays nodes, closes edges and keeps the two values T_t and
 /// V_t: from the evidence of fresh ticks to a corridor graph with widest-path labels (paper 3.1).
 
+#include <limits>
 #include <tcert/corridor_graph.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/pending_pass.hpp>
+#include <tcert/robot.hpp>
 #include <tcert/swept_margins.hpp>
 #include <tcert/widest_labels.hpp>
 
@@ -16,11 +18,14 @@ namespace tcert {
 /// A node is laid at the first tick, at the first tick inside G, where the path turns back, after
 /// a break, and each time the path has advanced by the edge length. The edge being walked is
 /// pending, not in the graph, until it closes at a new node or at a known one that the path
-/// crosses. Two sets of labels: T_t's on (node, side), V_t's on nodes, for a robot may back out.
+/// crosses. Two sets of labels: T_t's on (node, side), V_t's on nodes, for a robot may back out. A
+/// robot that turns on the spot, R_min = 0, may leave a node by any side: its T_t is on nodes too.
 class CorridorWalk {
  public:
   /// With `swept`, T_t takes its margins from there; it must outlive the walk.
-  explicit CorridorWalk(const CertificateParameters& parameters, SweptMargins* swept = nullptr);
+  CorridorWalk(const Robot& robot,
+               const CertificateParameters& parameters,
+               SweptMargins* swept = nullptr);
 
   void clear() noexcept;
 
@@ -50,7 +55,7 @@ class CorridorWalk {
   /// u, the last node passed; kNone before begin() and once capacity has run out.
   [[nodiscard]] std::uint32_t last_node() const noexcept { return at_node_; }
   [[nodiscard]] const CorridorGraph& graph() const noexcept { return graph_; }
-  /// Labels of T_t, on (node, side).
+  /// Labels of T_t.
   [[nodiscard]] const WidestLabels& through() const noexcept { return through_; }
   /// Labels of V_t, on nodes.
   [[nodiscard]] const WidestLabels& reached() const noexcept { return reached_; }
@@ -62,7 +67,15 @@ class CorridorWalk {
     Side entered = Side::back;
     double distance2 = 0.0;
     Point at;
+    double turn_radius_m = 0.0;  ///< Of the change from the path to the node.
   };
+  /// The tightest turn that a change from one pass to another asked for.
+  struct Turn {
+    double slack_m = std::numeric_limits<double>::infinity();
+    double turn_radius_m = 0.0;
+    Pose pose;
+  };
+  [[nodiscard]] Turn turn_at(const Crossing& crossing, const Evidence& now) const noexcept;
   [[nodiscard]] Crossing crossing_of(std::uint32_t node, const Evidence& now) const noexcept;
   [[nodiscard]] Crossing nearest_crossing(const Evidence& now) const noexcept;
   bool cross(const Evidence& now) noexcept;
@@ -71,13 +84,14 @@ class CorridorWalk {
   void close_at_new_node(const Evidence& now, Side entered, Side left) noexcept;
   void start_component(const Evidence& now, double corridor_value_m) noexcept;
   [[nodiscard]] std::uint32_t lay_node(const Evidence& now) noexcept;
-  void record(EdgeEnd to, const Pass& pass) noexcept;
+  void record(EdgeEnd to, const Pass& pass, const Turn& changed) noexcept;
   void keep(const CorridorGraph::Recorded& recorded) noexcept;
-  void restart_pass(const Evidence& first) noexcept;
-  void join(const Crossing& crossing, const Evidence& now) noexcept;
+  void restart_pass(const Evidence& first, const Turn& changed) noexcept;
+  Turn join(const Crossing& crossing, const Evidence& now) noexcept;
   void look_again() noexcept;
   [[nodiscard]] double pending_value_m(const Evidence& now) const noexcept;
 
+  Robot robot_;
   CertificateParameters parameters_;
   SweptMargins* swept_;
   CorridorGraph graph_;
@@ -88,6 +102,7 @@ class CorridorWalk {
   std::uint32_t at_node_ = kNone;  // u, the last node passed; kNone once capacity has run out
   Side left_by_ = Side::front;
   double node_travel_m_ = 0.0;
+  Turn changed_;             // at u, onto the pass that is being walked
   bool forward_ = true;      // motion along the yaw since u
   double progress_m_ = 0.0;  // along the yaw since u, in the direction of motion
   double furthest_m_ = 0.0;

@@ -21,6 +21,8 @@ const char* flag_word(std::uint32_t flag) noexcept {
       return "goal_reached";
     case flag_memory_evicted:
       return "memory_evicted";
+    case flag_across_heading:
+      return "across_heading";
     default:
       return "";
   }

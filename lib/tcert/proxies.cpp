@@ -10,6 +10,10 @@ namespace {
 constexpr double kSquare = 0.5 * std::numbers::pi;
 // A ray at exactly 60 degrees is within 30 degrees of square, whatever the last bit says.
 constexpr double kAngleRounding = 1e-9;
+// sin 30 degrees: motion further off the heading takes the side rays along, not square to it.
+constexpr double kMostAcross = 0.5;
+// A chord that is shorter than this share of the way belongs to a path that turned back.
+constexpr double kLeastChord = 0.5;
 
 double side_window(const Robot& robot, const CertificateParameters& parameters) {
   return parameters.side_window_m > 0.0 ? parameters.side_window_m : robot.body_width_m;
@@ -23,7 +27,7 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
       clearance_m_(robot.rays.size(), kMissing),
       left_(side_window(robot, parameters), parameters.travel_deadband_m),
       right_(side_window(robot, parameters), parameters.travel_deadband_m),
-      turn_(parameters.curvature_window_m, parameters.travel_deadband_m),
+      motion_(parameters.curvature_window_m, parameters.travel_deadband_m),
       contact_curvature_(robot.rays.size(), parameters) {
   double left_m = std::numeric_limits<double>::infinity();
   double right_m = left_m;
@@ -59,7 +63,7 @@ void Proxies::clear() noexcept {
 void Proxies::restart_windows() noexcept {
   left_.clear();
   right_.clear();
-  turn_.clear();
+  motion_.clear();
   contact_curvature_.clear();
   has_yaw_ = false;
 }
@@ -88,21 +92,39 @@ double Proxies::across_both(double left_m, double right_m) const noexcept {
                                                            : left_m + right_m;
 }
 
-// 1 / max(|dpsi| / ds, epsilon) over the executed path. Turning inside S is no evidence about the
-// corridor: the window begins no earlier than the last tick there.
-double Proxies::path_radius(double travel_m, double yaw_rad, bool inside_start) noexcept {
-  unwrapped_yaw_rad_ = has_yaw_ ? unwrapped_yaw_rad_ + angle_between(last_yaw_rad_, yaw_rad) : 0.0;
-  last_yaw_rad_ = yaw_rad;
+// Turning inside S is no evidence about the corridor: the window begins no earlier than the last
+// tick there.
+TrailingMotion::Motion Proxies::follow(const Pose& pose,
+                                       double travel_m,
+                                       bool inside_start) noexcept {
+  unwrapped_yaw_rad_ =
+      has_yaw_ ? unwrapped_yaw_rad_ + angle_between(last_yaw_rad_, pose.yaw_rad) : 0.0;
+  last_yaw_rad_ = pose.yaw_rad;
   has_yaw_ = true;
   if (inside_start) {
-    turn_.clear();
+    motion_.clear();
   }
-  const auto [run_m, turn_rad] = turn_.add(travel_m, unwrapped_yaw_rad_);
+  return motion_.add({travel_m, unwrapped_yaw_rad_, pose.position});
+}
+
+// The chord of an arc points along the mean of its two headings.
+bool Proxies::goes_across(const TrailingMotion::Motion& moved, double yaw_rad) const noexcept {
+  const double chord_m = norm(moved.position);
+  if (!reaches(moved.travel_m, parameters_.curvature_min_travel_m) ||
+      chord_m < kLeastChord * moved.travel_m) {
+    return false;
+  }
+  const double across_m = cross(direction(yaw_rad - 0.5 * moved.yaw_rad), moved.position);
+  return exceeds(std::abs(across_m), kMostAcross * chord_m);
+}
+
+// 1 / max(|dpsi| / ds, epsilon) over the executed path.
+double Proxies::path_radius(const TrailingMotion::Motion& moved, bool inside_start) const noexcept {
   const double straightest = parameters_.min_curvature_per_m;
-  if (inside_start || run_m < parameters_.curvature_min_travel_m) {
+  if (inside_start || !reaches(moved.travel_m, parameters_.curvature_min_travel_m)) {
     return 1.0 / straightest;
   }
-  return 1.0 / std::max(std::abs(turn_rad) / run_m, straightest);
+  return 1.0 / std::max(std::abs(moved.yaw_rad) / moved.travel_m, straightest);
 }
 
 void Proxies::feel_contact(std::size_t ray,
@@ -127,6 +149,8 @@ LocalGeometry Proxies::update(const Tick& tick,
                               bool inside_start,
                               ContactMemory& memory) noexcept {
   LocalGeometry local;
+  const TrailingMotion::Motion moved = follow(tick.pose, travel_m, inside_start);
+  local.across_heading = goes_across(moved, tick.pose.yaw_rad);
   double left_m = std::numeric_limits<double>::infinity();
   double right_m = left_m;
   for (std::size_t k = 0; k < rays_.size(); ++k) {
@@ -136,8 +160,9 @@ LocalGeometry Proxies::update(const Tick& tick,
     local.missing_ray = local.missing_ray || missing;
     if (state.side != 0) {
       double& side_m = state.side > 0 ? left_m : right_m;
-      const double felt_m =
+      const double stated_m =
           missing ? half_width_m_ : state.offset_m + clearance_m_[k] * state.across;
+      const double felt_m = local.across_heading ? std::min(stated_m, half_width_m_) : stated_m;
       side_m = std::min(side_m, felt_m);
     }
     const bool contact = feels_contact(state, clearance_m_[k], tick.rays[k].fsr_n);
@@ -152,7 +177,7 @@ LocalGeometry Proxies::update(const Tick& tick,
   local.right_m = right_.add(travel_m, std::isinf(right_m) ? half_width_m_ : right_m);
   local.width_m = across_both(local.left_m, local.right_m);
 
-  const double path_radius_m = path_radius(travel_m, tick.pose.yaw_rad, inside_start);
+  const double path_radius_m = path_radius(moved, inside_start);
   switch (parameters_.curvature) {
     case CurvatureReading::none:
       local.turn_radius_m = 1.0 / parameters_.min_curvature_per_m;

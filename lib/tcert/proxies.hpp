@@ -23,6 +23,7 @@ struct LocalGeometry {
   std::uint32_t contacts = 0;
   std::uint32_t new_contacts = 0;
   bool missing_ray = false;
+  bool across_heading = false;  ///< The robot moves across its heading: its sides get no credit.
 };
 
 /// Keeps the trailing windows and the contact states of one trial. The constructor takes all
@@ -64,7 +65,11 @@ class Proxies {
                                    double clearance_m,
                                    double force_n) const noexcept;
   [[nodiscard]] double across_both(double left_m, double right_m) const noexcept;
-  [[nodiscard]] double path_radius(double travel_m, double yaw_rad, bool inside_start) noexcept;
+  TrailingMotion::Motion follow(const Pose& pose, double travel_m, bool inside_start) noexcept;
+  [[nodiscard]] bool goes_across(const TrailingMotion::Motion& moved,
+                                 double yaw_rad) const noexcept;
+  [[nodiscard]] double path_radius(const TrailingMotion::Motion& moved,
+                                   bool inside_start) const noexcept;
   void feel_contact(std::size_t ray,
                     const Tick& tick,
                     double travel_m,
@@ -78,7 +83,7 @@ class Proxies {
   double reach_width_m_ = 0.0;
   TrailingMinimum left_;
   TrailingMinimum right_;
-  TrailingTurn turn_;
+  TrailingMotion motion_;
   ContactCurvature contact_curvature_;
   double last_yaw_rad_ = 0.0;
   double unwrapped_yaw_rad_ = 0.0;

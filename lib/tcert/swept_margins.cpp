@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <tcert/lengths.hpp>
 #include <tcert/swept_margins.hpp>
 
 namespace tcert {
@@ -54,7 +55,7 @@ void SweptMargins::add(const Evidence& now) noexcept {
   last_ = now.pose.position;
   Step& newest = step(tick_step_);
   const double off_m = distance(newest.to, last_);
-  if (tick_step_ + 1 == next_step_ && off_m < least_step_m_) {
+  if (tick_step_ + 1 == next_step_ && !reaches(off_m, least_step_m_)) {
     newest.spread_m = std::max(newest.spread_m, off_m);
     if (now.turn_slack_m < newest.turn_slack_m) {
       newest.turn_slack_m = now.turn_slack_m;
@@ -81,7 +82,7 @@ void SweptMargins::add_join(Point crossing, const Evidence& now, const Node& nod
   join.from = crossing;
   join.to = node.pose.position;
   join.travel_m = now.travel_m;
-  join.turn_slack_m = kInfinity;
+  join.turn_slack_m = now.turn_slack_m;
   join.certified.narrowest = {node.pose.position, now.pose.yaw_rad};
   join.certified.turn_radius_m = now.turn_radius_m;
   push(join);
@@ -113,7 +114,7 @@ void SweptMargins::push(const Step& next) noexcept {
   if (next_step_ - first_step_ == steps_.size()) {
     settle_oldest();
   }
-  while (first_step_ < next_step_ && next.travel_m - step(first_step_).travel_m > lag_m_) {
+  while (first_step_ < next_step_ && exceeds(next.travel_m - step(first_step_).travel_m, lag_m_)) {
     settle_oldest();
   }
   Step& pushed = step(next_step_);

@@ -4,6 +4,8 @@
 /// dead band, so a window holds a bounded number of distinct travels and needs a bounded memory.
 
 #include <cstddef>
+#include <tcert/geometry.hpp>
+#include <tcert/lengths.hpp>
 #include <vector>
 
 namespace tcert {
@@ -59,7 +61,7 @@ class TrailingMinimum {
     if (queue_.empty() || queue_.back().travel_m < travel_m) {
       queue_.push_back({travel_m, value});
     }
-    while (travel_m - queue_.front().travel_m > window_m_) {
+    while (exceeds(travel_m - queue_.front().travel_m, window_m_)) {
       queue_.pop_front();
     }
     return queue_.front().value;
@@ -74,32 +76,34 @@ class TrailingMinimum {
   TravelQueue<Entry> queue_;
 };
 
-/// Net change of an unwrapped angle over the last `window_m` of travel.
-class TrailingTurn {
+/// Net change of place and of an unwrapped heading over the last `window_m` of travel.
+class TrailingMotion {
  public:
-  TrailingTurn(double window_m, double step_m) : window_m_(window_m), queue_(window_m, step_m) {}
+  TrailingMotion(double window_m, double step_m) : window_m_(window_m), queue_(window_m, step_m) {}
 
-  struct Turn {
+  struct Motion {
     double travel_m = 0.0;
-    double angle_rad = 0.0;
+    double yaw_rad = 0.0;
+    Point position;
   };
 
   void clear() noexcept { queue_.clear(); }
 
   /// \pre `travel_m` never falls between two clears.
-  Turn add(double travel_m, double angle_rad) noexcept {
-    if (queue_.empty() || queue_.back().travel_m < travel_m) {
-      queue_.push_back({travel_m, angle_rad});
+  Motion add(const Motion& now) noexcept {
+    if (queue_.empty() || queue_.back().travel_m < now.travel_m) {
+      queue_.push_back(now);
     }
-    while (travel_m - queue_.front().travel_m > window_m_) {
+    while (exceeds(now.travel_m - queue_.front().travel_m, window_m_)) {
       queue_.pop_front();
     }
-    return {travel_m - queue_.front().travel_m, angle_rad - queue_.front().angle_rad};
+    const Motion& then = queue_.front();
+    return {now.travel_m - then.travel_m, now.yaw_rad - then.yaw_rad, now.position - then.position};
   }
 
  private:
   double window_m_;
-  TravelQueue<Turn> queue_;
+  TravelQueue<Motion> queue_;
 };
 
 }  // namespace tcert

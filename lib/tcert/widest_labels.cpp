@@ -10,7 +10,8 @@ constexpr double kNoPath = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-WidestLabels::WidestLabels(Kind kind, std::uint32_t max_nodes) : kind_(kind), sink_(kNoPath) {
+WidestLabels::WidestLabels(Kind kind, Margin margin, std::uint32_t max_nodes)
+    : kind_(kind), margin_(margin), sink_(kNoPath) {
   const std::size_t states = std::size_t{kind == Kind::sided ? 2U : 1U} * max_nodes;
   label_.assign(states, kNoPath);
   via_.assign(states, kNone);
@@ -62,7 +63,7 @@ void WidestLabels::relax(const CorridorGraph& graph,
   const Edge& e = graph.edges()[edge];
   const EdgeEnd from = e.ends[from_end];
   const EdgeEnd to = e.ends[1 - from_end];
-  const double margin_m = kind_ == Kind::sided ? e.certified.margin_m : e.pass.margin_m;
+  const double margin_m = margin_ == Margin::certified ? e.certified.margin_m : e.pass.margin_m;
   raise(state_of(to.node, opposite(to.side)),
         std::min(leaving(from.node, from.side), margin_m),
         edge);

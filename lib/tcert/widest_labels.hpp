@@ -17,8 +17,9 @@ namespace tcert {
 class WidestLabels {
  public:
   enum class Kind { sided, sideless };
+  enum class Margin { certified, felt };  ///< Which margin of an edge counts.
 
-  WidestLabels(Kind kind, std::uint32_t max_nodes);
+  WidestLabels(Kind kind, Margin margin, std::uint32_t max_nodes);
 
   void clear() noexcept;
 
@@ -42,6 +43,8 @@ class WidestLabels {
 
   /// Label of the sink: the widest-path value from source to sink; -infinity until connected.
   [[nodiscard]] double sink() const noexcept { return sink_; }
+
+  [[nodiscard]] Kind kind() const noexcept { return kind_; }
 
   /// The end by which the sink's label was last raised: a sink node and the side it is entered by.
   [[nodiscard]] EdgeEnd sink_end() const noexcept { return sink_end_; }
@@ -69,6 +72,7 @@ class WidestLabels {
   void sift_down(std::uint32_t slot) noexcept;
 
   Kind kind_;
+  Margin margin_;
   std::vector<double> label_;          // by state
   std::vector<std::uint32_t> via_;     // by state
   std::vector<std::uint32_t> heap_;    // states whose rise is not yet passed on, largest first

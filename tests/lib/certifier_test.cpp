@@ -208,6 +208,30 @@ TEST(Certifier, IsTheSameInAnotherFrameOfReference) {
   }
 }
 
+// Ticks exactly one dead band apart, and windows that are whole numbers of them: in another frame
+// each comparison is of lengths that differ in their last bits.
+TEST(Certifier, AStepOfExactlyTheDeadBandIsTheSameInEveryFrame) {
+  RandomRun run = random_run(5, 400);
+  for (std::size_t k = 0; k < run.ticks.size(); ++k) {
+    Tick& tick = run.ticks[k];
+    tick.pose = {{0.0037 + 0.01 * static_cast<double>(k), 0.0}, 0.0};  // on no border of S or G
+    tick.stale = tick.segment_start = false;
+  }
+  CertificateParameters no_memory;
+  no_memory.memory_weight_m = 0.0;
+  for (const double yaw_rad : {0.1, 0.7, 1.3, 2.9}) {
+    SCOPED_TRACE(yaw_rad);
+    const auto plain = certify(run, no_memory);
+    const auto other = certify(test_support::moved(run, yaw_rad, {3.0, -1.0}), no_memory);
+    expect_near_series(plain, other, 1.0);
+    for (std::size_t k = 0; k < plain.size(); ++k) {
+      ASSERT_NEAR(plain[k].margin_m, other[k].margin_m, 1e-9) << "tick " << k;
+      ASSERT_NEAR(plain[k].travel_m, other[k].travel_m, 1e-9);
+      ASSERT_EQ(plain[k].nodes, other[k].nodes);
+    }
+  }
+}
+
 TEST(Certifier, ScalesWithEveryLength) {
   CertificateParameters plain;
   plain.memory_weight_m = 0.0;

@@ -13,7 +13,8 @@ constexpr double kAbout = std::numbers::pi;
 // Walks along straight pieces in steps of 1 cm. S is x < 0.1, G is x > 2.9.
 class Walker {
  public:
-  explicit Walker(CertificateParameters parameters = {}) : walk_(parameters) {}
+  explicit Walker(CertificateParameters parameters = {}, Robot robot = {}, double side_m = 0.5)
+      : walk_(robot, parameters), side_m_(side_m) {}
 
   Walker& begin(double x, double y, double yaw = 0.0) {
     walk_.begin(evidence(x, y, yaw, 0.5), !(x < 0.1));
@@ -51,9 +52,19 @@ class Walker {
 
  private:
   Evidence evidence(double x, double y, double yaw, double margin_m) const {
-    return {{{x, y}, yaw}, direction(yaw), travel_m_, margin_m, 1.0, 1.0, 0.0, x<0.1, x> 2.9};
+    return {{{x, y}, yaw},
+            direction(yaw),
+            travel_m_,
+            margin_m,
+            side_m_,
+            side_m_,
+            1.0,
+            1.0,
+            0.0,
+            x<0.1, x> 2.9};
   }
   CorridorWalk walk_;
+  double side_m_;
   double x_ = 0.0;
   double y_ = 0.0;
   double travel_m_ = 0.0;
@@ -107,6 +118,48 @@ TEST(CorridorWalk, ClosesWhereThePathCrossesAKnownNode) {
   const std::size_t edges_before = walker.edges();
   walker.to(0.20, 0.1, kAbout, 0.7);
   EXPECT_EQ(walker.edges(), edges_before);
+}
+
+// The same lobe: T_t is charged the turn from one lane to the other, V_t and the margin felt not.
+TEST(CorridorWalk, ChangingLanesAsksForATurn) {
+  Walker walker;
+  walker.begin(0.0, 0.0).to(1.0, 0.0, 0.0).to(1.2, 0.8, 0.5 * kAbout).to(0.6, 0.8, kAbout);
+  walker.to(0.6, 0.1, -0.5 * kAbout).to(0.40, 0.1, kAbout);
+  const Edge& closing = walker.walk().graph().edges().back();
+  EXPECT_EQ(closing.pass.margin_m, 0.5);
+  // Two parabolas of 0.25 m each: 0.1 m aside asks for 4 * 0.1 / 0.5^2 = 1.6 / m.
+  EXPECT_NEAR(closing.certified.turn_radius_m, 1.0 / 1.6, 1e-9);
+  EXPECT_NEAR(closing.certified.margin_m, 1.0 / 1.6 - Robot{}.min_turn_radius_m, 1e-9);
+  CertificateParameters no_turns;
+  no_turns.curvature = CurvatureReading::none;
+  Walker free(no_turns);
+  free.begin(0.0, 0.0).to(1.0, 0.0, 0.0).to(1.2, 0.8, 0.5 * kAbout).to(0.6, 0.8, kAbout);
+  free.to(0.6, 0.1, -0.5 * kAbout).to(0.40, 0.1, kAbout);
+  EXPECT_EQ(free.walk().graph().edges().back().certified.margin_m, 0.5);
+}
+
+// A narrow robot drives two lanes with a wall between them, 10 cm apart.
+TEST(CorridorWalk, LanesWithAWallBetweenThemDoNotJoin) {
+  Robot narrow;
+  narrow.body_width_m = 0.12;
+  for (const auto& [side_m, edges] : {std::pair{0.07, 3U}, std::pair{0.11, 4U}}) {
+    Walker walker({}, narrow, side_m);
+    walker.begin(0.0, 0.0).to(0.6, 0.0, 0.0).to(0.6, 0.1, 0.5 * kAbout);
+    walker.to(0.35, 0.1, kAbout);
+    EXPECT_EQ(walker.edges(), edges) << side_m;
+  }
+}
+
+// Down a dead end, round on the spot, and back over the last node into another lane.
+TEST(CorridorWalk, OnlyARobotThatTurnsOnTheSpotMayTurnAtANode) {
+  for (const double radius_m : {0.0, 0.01}) {
+    Robot robot;
+    robot.min_turn_radius_m = radius_m;
+    Walker walker({}, robot);
+    walker.begin(0.0, 0.0).to(0.55, 0.0, 0.0, 0.3).to(0.45, 0.0, kAbout, 0.4);
+    walker.to(0.45, 0.40, 0.5 * kAbout).to(2.95, 0.40, 0.0);
+    EXPECT_EQ(walker.walk().certificate_m(), radius_m > 0.0 ? -kInfinity : 0.3) << radius_m;
+  }
 }
 
 TEST(CorridorWalk, ASecondPassCanOnlyRaiseAMargin) {

@@ -139,6 +139,35 @@ TEST(Proxies, PathRadiusNeedsTravel) {
   EXPECT_NEAR(felt.at(0.10, 1.0, readings(0.3, 0.3)).turn_radius_m, 0.10, 1e-12);
 }
 
+// Its side rays then look along the way, and what stands beside it is not felt.
+TEST(Proxies, ARobotThatMovesAcrossItsHeadingGetsNoSides) {
+  Robot robot = three_rays();
+  robot.body_width_m = 0.3;
+  const auto ends_at = [&](double off_heading_rad, double turn_rad) {
+    Proxies proxies(robot, {});
+    ContactMemory memory({});
+    const auto felt = readings(0.3, 0.3);
+    LocalGeometry local;
+    double yaw_rad = 0.7;
+    Point at;
+    for (int k = 0; k <= 20; ++k) {
+      local = proxies.update({k, {at, yaw_rad}, felt}, 0.02 * k, 0.0, false, memory);
+      at = at + 0.02 * direction(yaw_rad + off_heading_rad + 0.5 * turn_rad);
+      yaw_rad += turn_rad;
+    }
+    return local;
+  };
+  for (const double along : {0.0, std::numbers::pi, 0.4, -0.4, std::numbers::pi + 0.4}) {
+    EXPECT_FALSE(ends_at(along, 0.0).across_heading) << along;
+    EXPECT_NEAR(ends_at(along, 0.0).width_m, 0.7, 1e-12);
+  }
+  EXPECT_FALSE(ends_at(0.0, 0.1).across_heading) << "an arc of radius 0.2 m";
+  for (const double across : {0.6, -0.6, kSquare, -kSquare, std::numbers::pi + 0.6}) {
+    EXPECT_TRUE(ends_at(across, 0.0).across_heading) << across;
+    EXPECT_EQ(ends_at(across, 0.0).width_m, robot.body_width_m);
+  }
+}
+
 TEST(Proxies, TurningInsideTheStartIsNoEvidence) {
   Felt felt(three_rays());
   felt.at(0.0, 0.0, readings(0.3, 0.3), true);

@@ -27,23 +27,34 @@ TEST(TrailingMinimum, EqualsTheMinimumOverAllThatIsInTheWindow) {
     const double value = static_cast<double>(bits() % 10);
     all.emplace_back(travel_m, value);
     double expected = value;
-    for (auto it = all.rbegin(); it != all.rend() && travel_m - it->first <= 0.45; ++it) {
+    for (auto it = all.rbegin(); it != all.rend() && travel_m - it->first <= 0.45 + 1e-9; ++it) {
       expected = std::min(expected, it->second);
     }
     ASSERT_EQ(minimum.add(travel_m, value), expected) << "step " << k;
   }
 }
 
-TEST(TrailingTurn, IsTheNetChangeSinceTheWindowBegan) {
-  TrailingTurn turn(0.25, 0.01);
-  turn.add(0.0, 0.0);
-  turn.add(0.0, 0.1);  // turning on the spot at the same travel counts
-  const auto [run_m, angle_rad] = turn.add(0.2, 0.5);
-  EXPECT_EQ(run_m, 0.2);
-  EXPECT_EQ(angle_rad, 0.5);
-  const auto later = turn.add(0.3, 0.6);
+TEST(TrailingMotion, IsTheNetChangeSinceTheWindowBegan) {
+  TrailingMotion motion(0.25, 0.01);
+  motion.add({0.0, 0.0, {1.0, 0.0}});
+  motion.add({0.0, 0.1, {1.0, 0.0}});  // turning on the spot at the same travel counts
+  const TrailingMotion::Motion moved = motion.add({0.2, 0.5, {1.2, 0.0}});
+  EXPECT_EQ(moved.travel_m, 0.2);
+  EXPECT_EQ(moved.yaw_rad, 0.5);
+  EXPECT_NEAR(moved.position.x_m, 0.2, 1e-15);
+  const TrailingMotion::Motion later = motion.add({0.3, 0.6, {1.2, 0.1}});
   EXPECT_NEAR(later.travel_m, 0.1, 1e-15);
-  EXPECT_NEAR(later.angle_rad, 0.1, 1e-15);
+  EXPECT_NEAR(later.yaw_rad, 0.1, 1e-15);
+  EXPECT_NEAR(later.position.y_m, 0.1, 1e-15);
+}
+
+// 0.1 + 0.2 is more than 0.3 in floating point, and a window of 0.3 m still holds both.
+TEST(TrailingMinimum, DoesNotHangOnTheLastBit) {
+  TrailingMinimum window(0.3, 0.01);
+  window.add(0.0, 1.0);
+  window.add(0.1, 2.0);
+  EXPECT_EQ(window.add(0.1 + 0.2, 3.0), 1.0);
+  EXPECT_EQ(window.add(0.301, 3.0), 2.0);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Both kinds of labels kept on one random multigraph, with what each state starts with.
 struct Labelled {
   CorridorGraph graph{12, 40, 1.0};
-  WidestLabels sided{WidestLabels::Kind::sided, 12};
-  WidestLabels sideless{WidestLabels::Kind::sideless, 12};
+  WidestLabels sided{WidestLabels::Kind::sided, WidestLabels::Margin::certified, 12};
+  WidestLabels sideless{WidestLabels::Kind::sideless, WidestLabels::Margin::felt, 12};
   std::vector<double> sided_source;
   std::vector<double> sideless_source;
 
