@@ -27,11 +27,11 @@ null_corpora; terrain_soundness, terrain_trust; scenarios, baselines.
 Usage: tcert study STUDY [TERRAIN] [options]
 
 Example:
-  tcert study soundness --worlds 1000 --u-turns 100
+  tcert study soundness --worlds 1000 --hard 700 --u-turns 100
   tcert study null --data-sets 2 --format csv
   tcert study coverage --data-sets 200 --replicates 499 --output coverage/
 
-Cost in CPU time, as they are: soundness 12 minutes, coverage 17, equivalence 10, gate 6, null 5,
+Cost in CPU time, as they are: soundness 15 minutes (with --witness more than 3 hours), coverage 17, equivalence 10, gate 6, null 5,
 rays 1, terrain 40 s, but with TERRAIN an hour or more; in proportion to --worlds, --data-sets, --terrains.
 )";
 

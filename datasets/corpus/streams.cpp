@@ -45,17 +45,6 @@ std::vector<std::int64_t> sample_times(double rate_hz,
   }
 }
 
-Pose pose_at(const Drive& drive, std::int64_t time_ns) {
-  const double at = static_cast<double>(time_ns) * 1e-9 / kDriveStep;
-  const auto i = std::min(static_cast<std::size_t>(at), drive.poses.size() - 1);
-  const auto j = std::min(i + 1, drive.poses.size() - 1);
-  const double share = std::clamp(at - static_cast<double>(i), 0.0, 1.0);
-  const Pose& a = drive.poses[i];
-  const Pose& b = drive.poses[j];
-  return {a.position + share * (b.position - a.position),
-          a.yaw_rad + share * angle_between(a.yaw_rad, b.yaw_rad)};
-}
-
 double speed_at(const Drive& drive, std::int64_t time_ns) {
   const auto i =
       std::min(static_cast<std::size_t>(static_cast<double>(time_ns) * 1e-9 / kDriveStep) + 1,
@@ -119,6 +108,17 @@ ControlStream log_control(const Drive& drive, double end_s, const StreamOptions&
 }
 
 }  // namespace
+
+Pose pose_at(const Drive& drive, std::int64_t time_ns) noexcept {
+  const double at = static_cast<double>(time_ns) * 1e-9 / kDriveStep;
+  const auto i = std::min(static_cast<std::size_t>(at), drive.poses.size() - 1);
+  const auto j = std::min(i + 1, drive.poses.size() - 1);
+  const double share = std::clamp(at - static_cast<double>(i), 0.0, 1.0);
+  const Pose& a = drive.poses[i];
+  const Pose& b = drive.poses[j];
+  return {a.position + share * (b.position - a.position),
+          a.yaw_rad + share * angle_between(a.yaw_rad, b.yaw_rad)};
+}
 
 TrialLog log_drive(const Drive& drive, const WallIndex& walls, const StreamOptions& options) {
   const double end_s = kDriveStep * static_cast<double>(drive.poses.size());

@@ -14,6 +14,9 @@ struct StreamOptions {
   double calibration_bias_m = 0.0;
 };
 
+/// Where the drive is at a time: between two of its steps on the straight between them.
+[[nodiscard]] Pose pose_at(const Drive& drive, std::int64_t time_ns) noexcept;
+
 /// Times are whole multiples of 0.1 ms; positions and bends of 1e-4, commanded speeds and forces
 /// of 1e-3 and 1e-2, so that what is written with that many decimals reads back as the same number.
 /// Pose noise is white, 0.8 mm and 0.002 rad (one standard deviation): odometry without drift.

@@ -36,8 +36,9 @@ void draw_lane_gates(WalledLane& lane, std::uint32_t most, table::RandomStream& 
 RandomWorld corridor_world(const WalledLane& lane, table::RandomStream& random) {
   RandomWorld drawn;
   const double goal = length_of(lane) - kStart;
-  drawn.world.start = Disc{pose_at(lane, kStart).position, kRandomRegionRadius};
-  drawn.world.goal = Disc{pose_at(lane, goal).position, kRandomRegionRadius};
+  const double region = std::min(kRandomRegionRadius, 0.5 * lane.width_m - 0.005);
+  drawn.world.start = Disc{pose_at(lane, kStart).position, region};
+  drawn.world.goal = Disc{pose_at(lane, goal).position, region};
   add_walls(drawn.world, lane);
   add_caps(drawn.world, lane);
   add_gates(drawn.world, lane);
@@ -98,6 +99,24 @@ RandomWorld draw_bends(table::RandomStream& random) {
   }
   lane.pieces.push_back({random.uniform(1.0, 1.3), 0.0});
   draw_lane_gates(lane, 2, random);
+  return corridor_world(lane, random);
+}
+
+// As tight as the wall inside of the bend lets it be.
+RandomWorld draw_s_bends(table::RandomStream& random) {
+  WalledLane lane;
+  lane.begin = {{0.0, 0.0}, random.uniform(-std::numbers::pi, std::numbers::pi)};
+  lane.width_m = random.uniform(0.55, 0.85);
+  const double side = random.below(2) == 0 ? 1.0 : -1.0;
+  const double least = 0.5 * lane.width_m + kWallThickness + 0.05;
+  const double turn = random.uniform(0.7, 1.4);
+  lane.pieces.push_back({random.uniform(1.0, 1.3), 0.0});
+  for (const double one : {side, -side}) {
+    const double radius = least + random.uniform(0.0, 0.2);
+    lane.pieces.push_back({radius * turn, one / radius});
+  }
+  lane.pieces.push_back({random.uniform(1.0, 1.3), 0.0});
+  draw_lane_gates(lane, 1, random);
   return corridor_world(lane, random);
 }
 

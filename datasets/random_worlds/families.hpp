@@ -15,6 +15,13 @@ inline constexpr double kIntoGoal = 0.15;            // driven beyond G's middle
 [[nodiscard]] RandomWorld draw_figure_eight(table::RandomStream& random);
 [[nodiscard]] RandomWorld draw_loop(table::RandomStream& random);
 [[nodiscard]] RandomWorld draw_u_turn(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_tight_ends(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_slanted_gates(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_staggered(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_posts(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_dead_ends(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_kinks(table::RandomStream& random);
+[[nodiscard]] RandomWorld draw_s_bends(table::RandomStream& random);
 
 /// Width of a gate: the body's plus -0.02 to 0.25 m, most of them passable.
 [[nodiscard]] double draw_gate_width(table::RandomStream& random);

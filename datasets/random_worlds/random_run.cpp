@@ -159,6 +159,42 @@ class Follower {
   Drive drive_;
 };
 
+void append_true_readings(const WallIndex& walls,
+                          const Pose& pose,
+                          std::vector<RayReading>& readings) {
+  const auto clearances = cast_tentacles(walls, pose);
+  for (std::size_t k = 0; k < kTentacles; ++k) {
+    const Ray& ray = corpus_robot().rays[k];
+    readings.push_back({calibrated_bend(ray.calibration, clearances[k]),
+                        clearances[k] < ray.reach_m ? kTouchForce : 0.0});
+  }
+}
+
+StreamOptions noisy(std::uint64_t seed, std::uint64_t index) {
+  StreamOptions options;
+  options.seed = seed;
+  options.index = index;
+  options.calibration_bias_m = kBiasSd * table::RandomStream(seed, kBias, index).normal();
+  return options;
+}
+
+TrialLog true_log(const Drive& drive, const WallIndex& walls) {
+  constexpr std::int64_t kPoseStep = 50'000'000;
+  constexpr std::int64_t kTouchStep = 12'048'193;  // 83 Hz
+  TrialLog log;
+  for (std::size_t i = 0; i < drive.poses.size(); ++i) {
+    log.pose.time_ns.push_back(static_cast<std::int64_t>(i) * kPoseStep);
+    log.pose.poses.push_back(drive.poses[i]);
+  }
+  log.tactile.rays = kTentacles;
+  const std::int64_t end = log.pose.time_ns.empty() ? -1 : log.pose.time_ns.back();
+  for (std::int64_t time = 0; time <= end; time += kTouchStep) {
+    log.tactile.time_ns.push_back(time);
+    append_true_readings(walls, pose_at(drive, time), log.tactile.readings);
+  }
+  return log;
+}
+
 }  // namespace
 
 WallIndex feelable_walls(const RandomWorld& drawn) {
@@ -200,18 +236,12 @@ Drive follow_legs(const RandomWorld& drawn,
 }
 
 TickTable true_ticks(const Drive& drive, const WallIndex& walls) {
-  const Robot& robot = corpus_robot();
   TickTable ticks;
   ticks.rays = kTentacles;
   for (std::size_t i = 0; i < drive.poses.size(); i += kStepsPerTick) {
     ticks.time_ns.push_back(static_cast<std::int64_t>(i) * 50'000'000);
     ticks.poses.push_back(drive.poses[i]);
-    const auto clearances = cast_tentacles(walls, drive.poses[i]);
-    for (std::size_t k = 0; k < kTentacles; ++k) {
-      const Ray& ray = robot.rays[k];
-      ticks.readings.push_back({calibrated_bend(ray.calibration, clearances[k]),
-                                clearances[k] < ray.reach_m ? kTouchForce : 0.0});
-    }
+    append_true_readings(walls, drive.poses[i], ticks.readings);
     ticks.speed_cmd_mps.push_back(drive.speed_cmd_mps[i]);
     ticks.yaw_rate_cmd_rps.push_back(drive.yaw_rate_cmd_rps[i]);
   }
@@ -224,11 +254,20 @@ TickTable logged_ticks(const Drive& drive,
                        const WallIndex& walls,
                        std::uint64_t seed,
                        std::uint64_t index) {
-  StreamOptions options;
-  options.seed = seed;
-  options.index = index;
-  options.calibration_bias_m = kBiasSd * table::RandomStream(seed, kBias, index).normal();
-  return resample(log_drive(drive, walls, options));
+  return resample(log_drive(drive, walls, noisy(seed, index)));
+}
+
+TrialLog native_log(const Drive& drive,
+                    const WallIndex& walls,
+                    bool noise,
+                    std::uint64_t seed,
+                    std::uint64_t index) {
+  if (!noise) {
+    return true_log(drive, walls);
+  }
+  StreamOptions options = noisy(seed, index);
+  options.native_rates = true;
+  return log_drive(drive, walls, options);
 }
 
 }  // namespace tcert

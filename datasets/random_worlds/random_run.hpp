@@ -7,6 +7,7 @@
 #include "datasets/corpus/wall_index.hpp"
 #include "datasets/random_worlds/random_world.hpp"
 #include "datasets/ticks.hpp"
+#include "datasets/trial_reader.hpp"
 
 namespace tcert {
 
@@ -24,6 +25,15 @@ namespace tcert {
 
 /// Ticks at 10 Hz whose pose and readings are true and belong to the same instant.
 [[nodiscard]] TickTable true_ticks(const Drive& drive, const WallIndex& walls);
+
+/// Streams at native rates: the poses at 20 Hz, touches at 83 Hz. Without noise they are true and
+/// without silences, the pose between two samples on the straight between them; with it as
+/// logged_ticks() has them.
+[[nodiscard]] TrialLog native_log(const Drive& drive,
+                                  const WallIndex& walls,
+                                  bool noise,
+                                  std::uint64_t seed,
+                                  std::uint64_t index);
 
 /// Ticks resampled from streams with the corpus' noise, jitter, glitches and a calibration bias of
 /// 4 mm (one standard deviation) per run.

@@ -15,12 +15,19 @@
 namespace tcert {
 
 enum class WorldFamily : std::uint8_t {
-  gates,         ///< A straight corridor with up to three gates; some runs creep to and fro.
-  bends,         ///< A corridor of arcs, with gates.
-  discs,         ///< A field of discs of equal or unequal radii.
-  figure_eight,  ///< The corpus' course: four lanes, one to five times from S to G or back.
-  loop,          ///< A ring lane; most runs lap it at least twice.
-  u_turn,        ///< Round the end of a thin wall between two corridors; not among the mixed ones.
+  gates,          ///< A straight corridor with up to three gates; some runs creep to and fro.
+  bends,          ///< A corridor of arcs, with gates.
+  discs,          ///< A field of discs of equal or unequal radii.
+  figure_eight,   ///< The corpus' course: four lanes, one to five times from S to G or back.
+  loop,           ///< A ring lane; most runs lap it at least twice.
+  u_turn,         ///< Round the end of a thin wall between two corridors.
+  tight_ends,     ///< Small S and G just before the caps of a lane, gates beside them.
+  slanted_gates,  ///< Gates askew to the lane.
+  staggered,      ///< Two jaws, one behind the other.
+  posts,          ///< Posts in the lane, at least 0.11 m thick.
+  dead_ends,      ///< A bay beside the lane, into which the run looks.
+  kinks,          ///< Straights that meet in corners.
+  s_bends,        ///< Two tight bends, one after the other.
 };
 
 inline constexpr std::array kMixedFamilies{WorldFamily::gates,
@@ -29,13 +36,23 @@ inline constexpr std::array kMixedFamilies{WorldFamily::gates,
                                            WorldFamily::figure_eight,
                                            WorldFamily::loop};
 
+/// What the mixed worlds have not: their ends are roomy and their gates face each other squarely.
+inline constexpr std::array kHardFamilies{WorldFamily::tight_ends,
+                                          WorldFamily::slanted_gates,
+                                          WorldFamily::staggered,
+                                          WorldFamily::posts,
+                                          WorldFamily::dead_ends,
+                                          WorldFamily::kinks,
+                                          WorldFamily::s_bends};
+
 [[nodiscard]] std::string_view name_of(WorldFamily family) noexcept;
 
 struct RandomWorld {
   WorldFamily family = WorldFamily::gates;
   World world;
   std::vector<Region> edge_walls;  ///< Stand for the bounds where the robot can feel them.
-  /// Width of the narrowest passage on the widest way from S to G: no wider disc gets through.
+  /// Width of the narrowest passage on the widest way from S to G, its ends included: no wider disc
+  /// gets through.
   /// Empty for a field of discs, whose exact value is computed.
   std::optional<double> passage_m;
   double corridor_m = 0.0;  ///< u_turn: width of the two corridors,
@@ -50,7 +67,12 @@ struct RandomWorld {
 /// Shares of the mixed families: gates 6, bends 5, discs 7, figure_eight 1, loop 1 in twenty.
 [[nodiscard]] WorldFamily mixed_family(std::uint64_t index) noexcept;
 
+/// Shares of the hard families: one in seven each.
+[[nodiscard]] WorldFamily hard_family(std::uint64_t index) noexcept;
+[[nodiscard]] WorldFamily u_turn_family(std::uint64_t index) noexcept;
+
 /// The same (family, seed, index) gives the same world. Obstacles are at least 0.1 m wide.
+/// \throws std::logic_error if S or G is not free of obstacles, or another assumption fails.
 [[nodiscard]] RandomWorld draw_random_world(WorldFamily family,
                                             std::uint64_t seed,
                                             std::uint64_t index);

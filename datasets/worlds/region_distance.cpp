@@ -2,17 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <tcert/segment.hpp>
 
 namespace tcert {
-
-Point nearest_on_segment(Point a, Point b, Point p) noexcept {
-  const Point along = b - a;
-  const double squared = dot(along, along);
-  if (squared == 0.0) {
-    return a;
-  }
-  return a + std::clamp(dot(p - a, along) / squared, 0.0, 1.0) * along;
-}
 
 double region_distance(const Region& region, Point p) noexcept {
   if (const auto* disc = std::get_if<Disc>(&region)) {
@@ -24,12 +16,19 @@ double region_distance(const Region& region, Point p) noexcept {
   const auto& v = std::get_if<Polygon>(&region)->vertices;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
-    least = std::min(least, distance(p, nearest_on_segment(v[j], v[i], p)));
+    least = std::min(least, distance_to_segment(p, v[j], v[i]));
   }
   return least;
 }
 
 bool segments_meet(Point a, Point b, Point c, Point d) noexcept {
+  // Of segments that are all but collinear the signs below are rounding.
+  const auto apart = [](double p, double q, double r, double s) {
+    return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
+  };
+  if (apart(a.x_m, b.x_m, c.x_m, d.x_m) || apart(a.y_m, b.y_m, c.y_m, d.y_m)) {
+    return false;
+  }
   const auto side = [](Point p, Point q, Point r) {
     const double turn = cross(q - p, r - p);
     return turn > 0.0 ? 1 : (turn < 0.0 ? -1 : 0);
@@ -67,9 +66,8 @@ double region_gap(const Region& a, const Region& b) noexcept {
       if (segments_meet(v[j], v[i], w[m], w[k])) {
         return 0.0;
       }
-      least = std::min({least,
-                        distance(v[i], nearest_on_segment(w[m], w[k], v[i])),
-                        distance(w[k], nearest_on_segment(v[j], v[i], w[k]))});
+      least = std::min(
+          {least, distance_to_segment(v[i], w[m], w[k]), distance_to_segment(w[k], v[j], v[i])});
     }
   }
   return least;

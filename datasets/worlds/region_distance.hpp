@@ -1,13 +1,10 @@
 #pragma once
 /// \file
-/// Distances from points to segments, discs and polygons.
+/// Distances from points to discs and polygons.
 
 #include <tcert/region.hpp>
 
 namespace tcert {
-
-/// Point of the segment a-b nearest to `p`; the segment may be a point.
-[[nodiscard]] Point nearest_on_segment(Point a, Point b, Point p) noexcept;
 
 /// Distance to a region; 0 inside. O(vertices).
 [[nodiscard]] double region_distance(const Region& region, Point p) noexcept;

@@ -31,15 +31,16 @@ void add_rates(const std::string& worlds_of,
 
 Table rate_table(const SoundnessRuns& runs) {
   std::vector<RateRow> rows;
-  add_rates("mixed", runs.mixed_methods, runs.mixed, rows);
-  for (const WorldFamily family : kMixedFamilies) {
-    std::vector<WorldOutcome> of_family;
-    std::ranges::copy_if(runs.mixed, std::back_inserter(of_family), [&](const WorldOutcome& world) {
-      return world.family == family;
-    });
-    add_rates(std::string(name_of(family)), runs.mixed_methods, of_family, rows);
+  for (const SoundnessWorlds& kind : runs.kinds) {
+    add_rates(kind.name, kind.methods, kind.worlds, rows);
+    for (const WorldFamily family : kind.families) {
+      std::vector<WorldOutcome> of_family;
+      std::ranges::copy_if(kind.worlds,
+                           std::back_inserter(of_family),
+                           [&](const WorldOutcome& world) { return world.family == family; });
+      add_rates(std::string(name_of(family)), kind.methods, of_family, rows);
+    }
   }
-  add_rates("u_turn", runs.turn_methods, runs.turns, rows);
   const auto count = [](auto member) {
     return [member](const RateRow& row) { return static_cast<std::int64_t>(row.summary.*member); };
   };
@@ -80,9 +81,11 @@ Table tightness_table(const SoundnessRuns& runs) {
     Tightness tightness;
   };
   std::vector<Row> rows;
-  for (std::size_t m = 0; m < runs.mixed_methods.size(); ++m) {
-    for (const Tightness& one : study::tightness_of(runs.mixed, m)) {
-      rows.push_back({&runs.mixed_methods[m], one});
+  for (const SoundnessWorlds& kind : runs.kinds) {
+    for (std::size_t m = 0; m < kind.methods.size(); ++m) {
+      for (const Tightness& one : study::tightness_of(kind.worlds, m)) {
+        rows.push_back({&kind.methods[m], one});
+      }
     }
   }
   ColumnsOf<Row> columns;
@@ -114,8 +117,12 @@ Table tightness_table(const SoundnessRuns& runs) {
 
 FitReport soundness_report(const SoundnessRuns& runs) {
   FitReport report = study_report("soundness", runs.seed);
-  report.summary = study_summary(
-      {{"worlds", runs.mixed.size()}, {"u_turns", runs.turns.size()}, {"seed", runs.seed}});
+  std::vector<std::pair<std::string, std::uint64_t>> counts;
+  for (const SoundnessWorlds& kind : runs.kinds) {
+    counts.emplace_back(kind.name, kind.worlds.size());
+  }
+  counts.emplace_back("seed", runs.seed);
+  report.summary = study_summary(counts);
   report.tables = {rate_table(runs), tightness_table(runs)};
   return report;
 }

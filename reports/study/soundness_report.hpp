@@ -3,6 +3,7 @@
 /// How often, how far and how tightly the certificate bounds the truth of random worlds.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "analysis/study/soundness/soundness.hpp"
@@ -10,12 +11,16 @@
 
 namespace tcert {
 
-/// What was certified, and in which worlds.
+/// Worlds of one kind, and what was certified in them.
+struct SoundnessWorlds {
+  std::string name;
+  std::vector<WorldFamily> families;  ///< That have rows of their own, if they are several.
+  std::vector<study::SoundnessMethod> methods;
+  std::vector<study::WorldOutcome> worlds;
+};
+
 struct SoundnessRuns {
-  std::vector<study::SoundnessMethod> mixed_methods;
-  std::vector<study::WorldOutcome> mixed;
-  std::vector<study::SoundnessMethod> turn_methods;
-  std::vector<study::WorldOutcome> turns;
+  std::vector<SoundnessWorlds> kinds;
   std::uint64_t seed = 1;
 };
 

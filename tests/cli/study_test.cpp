@@ -24,7 +24,7 @@ json rows_of(Workdir& work, std::vector<std::string> arguments, const std::strin
 
 TEST(StudyCommand, TheSweptReadingIsSoundAndFreeSpaceForUnknownIsNot) {
   Workdir work(TCERT_BINARY);
-  const json rows = rows_of(work, {"soundness", "--worlds", "200", "--u-turns", "50"}, "soundness");
+  const json rows = rows_of(work, {"soundness", "--worlds", "200", "--hard", "70", "--u-turns", "50"}, "soundness");
   int swept = 0;
   int free = 0;
   for (const json& row : rows) {
@@ -125,7 +125,7 @@ TEST(StudyCommand, NothingIsFoundWhereThereIsNothing) {
 
 TEST(StudyCommand, SaysThatAPathWithoutASlashIsOneFile) {
   Workdir work(TCERT_BINARY);
-  const std::vector<std::string> asked{"study", "soundness", "--worlds", "2", "--u-turns", "1"};
+  const std::vector<std::string> asked{"study", "soundness", "--worlds", "2", "--hard", "0", "--u-turns", "1"};
   std::vector<std::string> file = asked;
   file.insert(file.end(), {"--output", "x"});
   const ProcessResult run = work.run(file);
@@ -144,7 +144,7 @@ TEST(StudyCommand, SaysThatAPathWithoutASlashIsOneFile) {
 
 TEST(StudyCommand, IsTheSameForAnyThreadsAndIsMadeAgain) {
   Workdir work(TCERT_BINARY);
-  const std::vector<std::string> asked{"study", "soundness", "--worlds", "40", "--u-turns", "9"};
+  const std::vector<std::string> asked{"study", "soundness", "--worlds", "40", "--hard", "21", "--u-turns", "9"};
   for (const std::string threads : {"1", "2"}) {
     std::vector<std::string> all = asked;
     all.insert(all.end(), {"--threads", threads, "--output", "of" + threads + "/", "--quiet"});

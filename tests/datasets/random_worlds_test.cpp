@@ -17,7 +17,14 @@ constexpr std::array kFamilies{WorldFamily::gates,
                                WorldFamily::discs,
                                WorldFamily::figure_eight,
                                WorldFamily::loop,
-                               WorldFamily::u_turn};
+                               WorldFamily::u_turn,
+                               WorldFamily::tight_ends,
+                               WorldFamily::slanted_gates,
+                               WorldFamily::staggered,
+                               WorldFamily::posts,
+                               WorldFamily::dead_ends,
+                               WorldFamily::kinks,
+                               WorldFamily::s_bends};
 
 TEST(RandomWorlds, AreTheSameForTheSameNumber) {
   for (const WorldFamily family : kFamilies) {

@@ -42,15 +42,11 @@ void add_with_and_without_noise(std::vector<SoundnessMethod>& methods,
   methods.push_back({name, parameters, true});
 }
 
-SoundnessOutcome prove_at_end(const TickTable& ticks,
+SoundnessOutcome prove_at_end(const witness::Samples& samples,
                               const Course& course,
                               const SoundnessMethod& method,
                               double truth_m) {
-  const Proof proof = prove(felt_samples(ticks, corpus_robot()),
-                            corpus_robot(),
-                            course,
-                            method.witness,
-                            method.parameters);
+  const Proof proof = prove(samples, corpus_robot(), course, method.witness, method.parameters);
   SoundnessOutcome outcome;
   if (proof.witness) {
     outcome.certificate_m = proof.witness->checked.margin_m;
@@ -65,9 +61,6 @@ SoundnessOutcome certify(const TickTable& ticks,
                          const Course& course,
                          const SoundnessMethod& method,
                          double truth_m) {
-  if (method.parameters.clearance == ClearanceReading::witness) {
-    return prove_at_end(ticks, course, method, truth_m);
-  }
   Certifier certifier(corpus_robot(), course, method.parameters);
   SoundnessOutcome outcome;
   for (std::size_t k = 0; k < ticks.size(); ++k) {
@@ -85,8 +78,7 @@ SoundnessOutcome certify(const TickTable& ticks,
 WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
                          const SoundnessOptions& options,
                          std::uint64_t index) {
-  const RandomWorld drawn =
-      draw_random_world(options.family.value_or(mixed_family(index)), options.seed, index);
+  const RandomWorld drawn = draw_random_world(options.family(index), options.seed, index);
   const Robot& robot = corpus_robot();
   WorldOutcome world;
   world.family = drawn.family;
@@ -104,7 +96,19 @@ WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
   world.ticks = static_cast<std::uint32_t>(felt.size());
   const Course course{drawn.world.start, drawn.world.goal};
   for (const SoundnessMethod& method : methods) {
-    world.outcomes.push_back(certify(method.noise ? logged : felt, course, method, world.truth_m));
+    const TickTable& ticks = method.noise ? logged : felt;
+    if (method.parameters.clearance == ClearanceReading::witness) {
+      const witness::Samples samples =
+          method.native_rates
+              ? witness_samples(native_log(driven, walls, method.noise, options.seed, index),
+                                robot,
+                                method.witness,
+                                method.parameters)
+              : felt_samples(ticks, robot);
+      world.outcomes.push_back(prove_at_end(samples, course, method, world.truth_m));
+    } else {
+      world.outcomes.push_back(certify(ticks, course, method, world.truth_m));
+    }
   }
   return world;
 }
@@ -140,6 +144,9 @@ std::vector<SoundnessMethod> witness_methods() {
   const CertificateParameters parameters = small(ClearanceReading::witness);
   add_with_and_without_noise(methods, "witness", parameters);
   methods.push_back({"witness, 10 mm off", parameters, true});
+  methods.back().witness.reading_bound_m = 0.01;
+  methods.push_back({"witness, native rates", parameters, false, {}, true});
+  methods.push_back({"witness, native rates, 10 mm off", parameters, true, {}, true});
   methods.back().witness.reading_bound_m = 0.01;
   return methods;
 }

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <tcert/parameters.hpp>
 #include <tcert/robot.hpp>
@@ -17,26 +16,28 @@
 namespace tcert::study {
 
 /// A way of certifying: a clearance reading or an ablation, on true or on logged ticks. A witness
-/// is looked for at the end of the run.
+/// is looked for at the end of the run, from ticks or from streams at their native rates.
 struct SoundnessMethod {
   std::string name;
   CertificateParameters parameters;
   bool noise = false;
   witness::WitnessParameters witness{};  ///< Of clearance=witness.
+  bool native_rates = false;             ///< The same.
 };
 
 /// radial, width, swept and A2, without noise and with; for the U-turns A3 in place of A2.
 [[nodiscard]] std::vector<SoundnessMethod> mixed_methods();
 [[nodiscard]] std::vector<SoundnessMethod> u_turn_methods();
 
-/// Witnesses, without noise and with, and with 10 mm taken off readings that have noise.
+/// Witnesses of ticks and of streams at native rates, without noise and with, and with 10 mm taken
+/// off readings that have noise.
 [[nodiscard]] std::vector<SoundnessMethod> witness_methods();
 
 struct SoundnessOptions {
   std::size_t worlds = 1000;
   std::uint64_t seed = 1;
-  std::uint64_t first = 0;            ///< Number of the first world.
-  std::optional<WorldFamily> family;  ///< Empty: mixed.
+  std::uint64_t first = 0;                                    ///< Number of the first world.
+  WorldFamily (*family)(std::uint64_t index) = mixed_family;  ///< Of the world of a number.
 };
 
 /// One method in one world.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tcert/segment.hpp>
 
 #include "datasets/worlds/region_distance.hpp"
 
@@ -65,7 +66,7 @@ void mark_edge(
     const Span columns = columns_of(grid, std::min(p, q) - reach, std::max(p, q) + reach);
     for (std::size_t column = columns.first; column < columns.last; ++column) {
       const Point centre = grid.centre(column, row);
-      if (distance(centre, nearest_on_segment(a, b, centre)) <= reach) {
+      if (distance_to_segment(centre, a, b) <= reach) {
         marks[row * grid.columns + column] = 1;
       }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tcert/segment.hpp>
 
 #include "datasets/worlds/region_distance.hpp"
 
@@ -85,7 +86,7 @@ double ObstacleDistance::nearest_in(std::size_t column, std::size_t row, Point p
     least = std::min(least, distance(p, discs_[i].centre) - discs_[i].radius_m);
   }
   for (std::size_t i = buckets_[k].first_edge; i < buckets_[k + 1].first_edge; ++i) {
-    least = std::min(least, distance(p, nearest_on_segment(edges_[i].a, edges_[i].b, p)));
+    least = std::min(least, distance_to_segment(p, edges_[i].a, edges_[i].b));
   }
   return least;
 }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "cli/runs/study/studies.hpp"
 #include "reports/study/soundness_report.hpp"
@@ -9,16 +11,16 @@ namespace {
 /// Worlds between two looks at how far it is.
 constexpr std::size_t kBatch = 1000;
 
-std::vector<study::WorldOutcome> outcomes(const std::vector<study::SoundnessMethod>& methods,
+std::vector<study::WorldOutcome> outcomes(const SoundnessWorlds& kind,
                                           study::SoundnessOptions options,
                                           Progress& progress) {
   const std::size_t worlds = options.worlds;
   std::vector<study::WorldOutcome> all;
-  Stage stage(progress, options.family ? "U-turns" : "worlds", worlds);
+  Stage stage(progress, kind.name + " worlds", worlds);
   while (all.size() < worlds) {
     options.first = all.size();
     options.worlds = std::min(kBatch, worlds - all.size());
-    const auto batch = study::study_soundness(methods, options);
+    const auto batch = study::study_soundness(kind.methods, options);
     all.insert(all.end(), batch.begin(), batch.end());
     stage.reach(all.size());
   }
@@ -30,15 +32,25 @@ std::vector<study::WorldOutcome> outcomes(const std::vector<study::SoundnessMeth
 FitReport soundness_study(const StudyRequest& request, Progress& progress) {
   study::SoundnessOptions options;
   options.seed = static_cast<std::uint64_t>(request.seed);
-  options.worlds = static_cast<std::size_t>(request.worlds);
   SoundnessRuns runs;
   runs.seed = options.seed;
-  runs.mixed_methods = request.witness ? study::witness_methods() : study::mixed_methods();
-  runs.mixed = outcomes(runs.mixed_methods, options, progress);
-  options.family = WorldFamily::u_turn;
-  options.worlds = static_cast<std::size_t>(request.u_turns);
-  runs.turn_methods = request.witness ? study::witness_methods() : study::u_turn_methods();
-  runs.turns = outcomes(runs.turn_methods, options, progress);
+  const auto run = [&](const char* name,
+                       std::int64_t worlds,
+                       WorldFamily (*family)(std::uint64_t),
+                       std::span<const WorldFamily> families,
+                       std::vector<study::SoundnessMethod> methods) {
+    SoundnessWorlds kind{name, {families.begin(), families.end()}, std::move(methods), {}};
+    if (request.witness) {
+      kind.methods = study::witness_methods();
+    }
+    options.worlds = static_cast<std::size_t>(worlds);
+    options.family = family;
+    kind.worlds = outcomes(kind, options, progress);
+    runs.kinds.push_back(std::move(kind));
+  };
+  run("mixed", request.worlds, mixed_family, kMixedFamilies, study::mixed_methods());
+  run("hard", request.hard, hard_family, kHardFamilies, study::mixed_methods());
+  run("u_turn", request.u_turns, u_turn_family, {}, study::u_turn_methods());
   return soundness_report(runs);
 }
 

@@ -22,7 +22,7 @@ struct Study {
 };
 
 constexpr std::array kStudies{
-    Study{"soundness", "soundness tightness", "worlds u-turns witness", soundness_study},
+    Study{"soundness", "soundness tightness", "worlds hard u-turns witness", soundness_study},
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
@@ -35,7 +35,8 @@ constexpr Study kScenarios{"terrain TERRAIN", "scenarios baselines", "seeds", te
 
 constexpr std::int64_t kMostDataSets = 1000000;
 
-constexpr std::array kOfSome{"worlds", "u-turns", "data-sets", "replicates", "terrains", "seeds"};
+constexpr std::array kOfSome{
+    "worlds", "hard", "u-turns", "witness", "data-sets", "replicates", "terrains", "seeds"};
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
@@ -86,6 +87,14 @@ OptionTable options_of(StudyRequest& request) {
   table.argument({"STUDY", &request.study, true, OptionRole::shapes, names()});
   table.argument({"TERRAIN", &request.terrain, false, OptionRole::input});
   table.add("worlds", request.worlds, "N", "soundness: random worlds").within(1, 1e8);
+  table
+      .add("hard",
+           request.hard,
+           "N",
+           "soundness: worlds with tight ends, slanted gates, staggered jaws, posts, dead ends, "
+           "kinks "
+           "or S-bends; 0 leaves them out")
+      .within(0, 1e8);
   table
       .add("u-turns",
            request.u_turns,

@@ -12,6 +12,7 @@ struct StudyRequest {
   std::string study;    ///< "soundness" or another of those that options_of() has.
   std::string terrain;  ///< A file, for the scenarios of `terrain`; without it random terrains.
   std::int64_t worlds = 100000;
+  std::int64_t hard = 10000;
   std::int64_t u_turns = 10000;
   bool witness = false;
   std::optional<std::int64_t> data_sets;  ///< None: as many as the study usually has.

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<WorldOutcome> study(const std::vector<SoundnessMethod>& methods,
                                 std::size_t worlds,
-                                std::optional<WorldFamily> family = {}) {
+                                WorldFamily (*family)(std::uint64_t) = mixed_family) {
   SoundnessOptions options;
   options.worlds = worlds;
   options.family = family;
@@ -33,6 +33,10 @@ std::size_t number_of(const std::vector<SoundnessMethod>& methods,
 
 TEST(Soundness, OfTheSweptAreaIsNeverBrokenWithoutNoise) {
   const auto methods = mixed_methods();
+  const auto hard = study(methods, 140, hard_family);
+  EXPECT_EQ(summarise(hard, number_of(methods, "swept", false)).violations, 0U);
+  EXPECT_GT(summarise(hard, number_of(methods, "width", false)).violations, 10U)
+      << "tight ends, if nothing else";
   const auto worlds = study(methods, 300);
   const SoundnessSummary swept = summarise(worlds, number_of(methods, "swept", false));
   EXPECT_EQ(swept.violations, 0U);
@@ -47,7 +51,7 @@ TEST(Soundness, OfTheSweptAreaIsNeverBrokenWithoutNoise) {
 
 TEST(Soundness, WithoutCurvatureTightTurnsAreCertifiedThatCannotBeDriven) {
   const auto methods = u_turn_methods();
-  const auto worlds = study(methods, 60, WorldFamily::u_turn);
+  const auto worlds = study(methods, 60, u_turn_family);
   const SoundnessSummary full = summarise(worlds, number_of(methods, "width", false));
   const SoundnessSummary without = summarise(worlds, number_of(methods, "A3, width", false));
   EXPECT_GT(full.untraversable, 10U);
@@ -59,7 +63,12 @@ TEST(Soundness, WithoutCurvatureTightTurnsAreCertifiedThatCannotBeDriven) {
 TEST(Soundness, OfWitnessesIsNeverBrokenWithoutNoise) {
   const auto methods = witness_methods();
   const auto worlds = study(methods, 60);
-  const auto turns = study(methods, 12, WorldFamily::u_turn);
+  const auto turns = study(methods, 12, u_turn_family);
+  const auto hard = study(methods, 42, hard_family);
+  for (const char* const name : {"witness", "witness, native rates"}) {
+    EXPECT_EQ(summarise(hard, number_of(methods, name, false)).violations, 0U) << name;
+    EXPECT_GT(summarise(hard, number_of(methods, name, false)).issued, 12U) << name;
+  }
   const SoundnessSummary exact = summarise(worlds, number_of(methods, "witness", false));
   EXPECT_EQ(exact.violations, 0U);
   EXPECT_EQ(exact.spurious, 0U);
@@ -96,7 +105,14 @@ TEST(Soundness, KnownValuesOfRandomWorldsAgreeWithTheGrid) {
                                    WorldFamily::discs,
                                    WorldFamily::figure_eight,
                                    WorldFamily::loop,
-                                   WorldFamily::u_turn}) {
+                                   WorldFamily::u_turn,
+                                   WorldFamily::tight_ends,
+                                   WorldFamily::slanted_gates,
+                                   WorldFamily::staggered,
+                                   WorldFamily::posts,
+                                   WorldFamily::dead_ends,
+                                   WorldFamily::kinks,
+                                   WorldFamily::s_bends}) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       const RandomWorld drawn = draw_random_world(family, 5, i);
       const ClearanceValue grid = grid_clearance(drawn.world, 0.02).value;
