@@ -57,6 +57,7 @@ study::TruthOptions truth_options(const WorldRequest& request) {
   }
   truth.step_m = request.step_m;
   truth.curvature = !request.no_curvature;
+  truth.path_cell_m = request.path_cell_m;
   return truth;
 }
 
@@ -157,6 +158,14 @@ OptionTable options_of(WorldRequest& request) {
            "M",
            "of the grid for worlds that are not of discs; the error is 1.42 steps")
       .within(1e-6, 1e3);
+  table
+      .add(
+          "path-cell",
+          request.path_cell_m,
+          "M",
+          "of the cells in which the path of 'T at least' is stretched; smaller may be tighter and "
+          "costs more; 0 leaves that out")
+      .within(0.0, 1e3);
   table.add("cell-size", request.cell_m, "M", "of a cell of a MovingAI map").within(1e-6, 1e6);
   table.add("start",
             request.start,

@@ -16,6 +16,7 @@ struct WorldRequest {
   double min_turn_radius_m = 0.35;
   bool no_curvature = false;
   double step_m = 0.02;
+  double path_cell_m = 0.01;
   double cell_m = 1.0;
   std::string start;
   std::string goal;

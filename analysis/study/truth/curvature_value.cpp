@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "analysis/study/truth/clearance_table.hpp"
 #include "analysis/study/truth/curvature_search.hpp"
+#include "analysis/study/truth/stretched_path.hpp"
 
 namespace tcert::study {
 namespace {
@@ -79,6 +81,18 @@ class Rounds {
     }
   }
 
+  /// Asks for a better path by stretching the best so far.
+  void stretch() {
+    CurvatureValue value =
+        measured(stretched_path(world_, robot_, options_.path_cell_m, best_.path),
+                 obstacles_,
+                 robot_,
+                 options_.convention);
+    if (value.slack_m > best_.slack_m) {
+      best_ = std::move(value);
+    }
+  }
+
   [[nodiscard]] const CurvatureValue& best() const noexcept { return best_; }
 
  private:
@@ -126,6 +140,9 @@ CurvatureValue curvature_value(const World& world,
     low = found;
     high = std::min(found + gap, upper_m);
     rounds.ask(low, high);
+  }
+  if (options.path_cell_m > 0.0 && rounds.best().slack_m < upper_m - kClearanceTolerance) {
+    rounds.stretch();
   }
   return rounds.best();
 }

@@ -18,6 +18,7 @@ struct CurvatureOptions {
   int headings = 48;      ///< Per turn.
   double table_m = 0.04;  ///< Spacing of the table of clearances that the search looks up.
   int rounds = 3;         ///< Each after the first asks for more than the last found.
+  double path_cell_m = 0.01;  ///< In which the path is stretched at the end; 0: it is not.
 };
 
 struct CurvatureValue {
@@ -35,7 +36,8 @@ struct CurvatureValue {
 /// The search looks clearances up in a table; what is returned does not: the arcs of the path that
 /// it finds are measured on the exact distances, so slack_m is attained and thus a lower bound.
 /// Values above `upper_m`, which no path exceeds, count as that. Rounds after the first refine the
-/// radii above the value found.
+/// radii above the value found. At the end a path is stretched in cells of `path_cell_m`, from that
+/// of the search and from the widest route, measured likewise, and kept if it is worth more.
 ///
 /// O(cells x headings x radii) a round.
 /// \throws std::invalid_argument if S or G is missing or the lattice would have more than 2^28

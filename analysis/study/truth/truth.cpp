@@ -30,6 +30,7 @@ Truth truth_of(const World& world, const Robot& robot, const TruthOptions& optio
   }
   CurvatureOptions search;
   search.convention = options.convention;
+  search.path_cell_m = options.path_cell_m;
   CurvatureValue found = curvature_value(world, robot, truth.upper_m, search);
   truth.lower_m = found.slack_m;
   truth.path = std::move(found.path);
