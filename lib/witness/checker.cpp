@@ -92,13 +92,7 @@ Checked check(const Path& path,
     const double bulge_m = length_m * turn / (8.0 * parts * parts);
     Point a = piece.from;
     for (double k = 1.0; k <= parts; ++k) {
-      const double part = k / parts;
-      const double way_m =
-          chord(piece) * (turn > 0.0 ? elementary::sin(0.5 * part * turn) / half_sine : part);
-      const Point b =
-          k == parts
-              ? piece.to
-              : piece.from + way_m * direction(heading_from(piece) + 0.5 * part * piece.turn_rad);
+      const Point b = k == parts ? piece.to : point_at(piece, k / parts);
       const double near_m = borders.distance_m(a, b, least_m + bulge_m) - bulge_m;
       if (near_m < least_m) {
         least_m = near_m;

@@ -39,4 +39,13 @@ using Path = std::vector<Piece>;
   return heading_from(piece) + piece.turn_rad;
 }
 
+/// The place at `share` of the piece's length, from 0 to 1.
+[[nodiscard]] inline Point point_at(const Piece& piece, double share) noexcept {
+  const double turn = std::abs(piece.turn_rad);
+  const double part =
+      turn > 0.0 ? elementary::sin(0.5 * share * turn) / elementary::sin(0.5 * turn) : share;
+  return piece.from +
+         chord(piece) * part * direction(heading_from(piece) + 0.5 * share * piece.turn_rad);
+}
+
 }  // namespace tcert::witness

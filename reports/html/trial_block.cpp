@@ -93,6 +93,11 @@ Json json_map(const TrialMap& map,
                      std::isfinite(edge.margin_m) ? rounded(edge.margin_m) : Json()}));
   }
   json["bottleneck"] = map.bottleneck ? json_point(*map.bottleneck) : Json();
+  json["witness"] = Json::array();
+  for (const Point& p : map.witness) {
+    json["witness"].push_back({rounded(p.x_m), rounded(p.y_m)});
+  }
+  json["witnessBottleneck"] = map.witness_bottleneck ? json_point(*map.witness_bottleneck) : Json();
   json["issued"] = nullptr;
   const std::vector<double> issued = series_column(series, "issued");
   const std::vector<double> x = series_column(series, "x_m");

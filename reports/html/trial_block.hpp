@@ -27,6 +27,8 @@ struct MapEdge {
 struct TrialMap {
   std::vector<MapEdge> edges;
   std::optional<Point> bottleneck;
+  std::vector<Point> witness;  ///< Along the path of the witness; none if there is none.
+  std::optional<Point> witness_bottleneck;
   bool felt = false;  ///< Show what the rays proved free on either side, where no world is known.
   std::string note;   ///< What is not shown, and why; or empty.
 };

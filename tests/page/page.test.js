@@ -392,6 +392,13 @@ describe('the page of data that it cannot trust', () => {
     assert.ok((await page.textContent('.facts')).startsWith(hostile));
     assert.match(await page.textContent('#left-out'), /--bundle/);
     assert.match(await page.textContent('#trial-title'), /t0000001/);
+    const [proof] = filesOf(join(small.results, 'witness'), '.json');
+    const certain = await opened(browser, file, { hash: `#trial=${proof.replace('.json', '')}` });
+    await certain.page.waitForSelector('.map polyline.witness');
+    const drawn = await certain.page.locator('.map polyline.witness').boundingBox();
+    assert.ok(drawn.width + drawn.height > 100, 'the path of the witness has a size');
+    assert.equal(await certain.page.locator('.map circle.witness').count(), 1);
+    await certain.close();
 
     const slider = page.locator('.frames input[type=range]');
     assert.equal(await slider.getAttribute('max'), '3');

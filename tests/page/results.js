@@ -39,7 +39,7 @@ export function smallStudy(corpus, folder) {
   const lines = rows.filter((row) => ids.includes(row[header.indexOf('trial_id')])).map((row) =>
     row.map((cell, c) => quoted(header[c] === 'algorithm' ? hostile : cell)).join(','));
   writeFileSync(join(bundle, 'trials.csv'), `${header.join(',')}\n${lines.join('\n')}\n`);
-  run('certify', bundle, '--quiet', '--output', join(folder, 'results'));
+  run('certify', bundle, '--witness', '--quiet', '--output', join(folder, 'results'));
   return { bundle, results: join(folder, 'results') };
 }
 

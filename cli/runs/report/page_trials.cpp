@@ -17,6 +17,7 @@
 #include "cli/runs/report/courses.hpp"
 #include "reports/html/trial_block.hpp"
 #include "reports/html/trial_list.hpp"
+#include "reports/witness_json.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kTicksOfAStudy = 240'000;
 constexpr std::size_t kMostTicks = 400;
 constexpr std::size_t kFewestTicks = 60;
+constexpr std::size_t kMostWitnessCells = std::size_t{1} << 27U;
 
 bool holds(const Result& result, const char* file) {
   std::error_code error;
@@ -91,6 +93,33 @@ std::vector<MapEdge> edges_of(const fs::path& path) {
         {{table->at(i, 0), table->at(i, 1)}, {table->at(i, 2), table->at(i, 3)}, table->at(i, 4)});
   }
   return edges;
+}
+
+/// The path of witness/<trial>.json, 5 cm apart and less in bends; nothing if there is no such
+/// file.
+void add_witness(const fs::path& path, TrialMap& map) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    return;
+  }
+  const table::BytesResult bytes = table::read_raw_file(path);
+  if (!bytes.bytes) {
+    throw BadData("'" + path.string() + "': " + bytes.problem);
+  }
+  try {
+    const WitnessDocument proof = witness_from_json(bytes.bytes->view(), kMostWitnessCells);
+    for (const witness::Piece& piece : proof.path) {
+      const double parts = std::max({1.0,
+                                     std::ceil(witness::chord(piece) / 0.05),
+                                     std::ceil(std::abs(piece.turn_rad) / 0.1)});
+      for (double k = map.witness.empty() ? 0.0 : 1.0; k <= parts; ++k) {
+        map.witness.push_back(witness::point_at(piece, k / parts));
+      }
+    }
+    map.witness_bottleneck = proof.stated.bottleneck;
+  } catch (const WitnessFormatError& wrong) {
+    throw BadData("'" + path.string() + "': " + wrong.what());
+  }
 }
 
 table::NumberTable series_of(const fs::path& path) {
@@ -170,6 +199,7 @@ std::size_t add_trials(const Results& results,
     const table::NumberTable series = series_of(result->folder / "series" / file);
     TrialMap map;
     map.edges = edges_of(result->folder / "edges" / file);
+    add_witness(result->folder / "witness" / (trials.id(i) + ".json"), map);
     map.bottleneck = point_of(trials, i, "bottleneck_x_m", "bottleneck_y_m");
     std::optional<std::string> world = courses.block(trials.id(i));
     map.felt = !world || !courses.has_walls(trials.id(i));

@@ -1,4 +1,4 @@
-// The map of a trial: course, odometry, corridor graph, contacts, bottleneck, place of issuance, the robot now.
+// The map of a trial: course, odometry, corridor graph, contacts, bottleneck, witness, place of issuance, the robot now.
 
 import { el, svg } from './dom.js';
 import { gradientColour } from './gradient.js';
@@ -63,6 +63,7 @@ function key(map, range) {
   if (map.bottleneck) {
     items.push(item('', svg('circle', { class: 'bottleneck', cx: 12, cy: 6, r: 5 }), 'bottleneck'));
   }
+  if (map.witness.length) items.push(item('', line('witness'), 'witness, o where its margin is decided'));
   if (map.touched.length) {
     items.push(item('', svg('path', { class: 'contact', d: 'M12 2L17 10H7Z' }), 'rays in contact'));
   }
@@ -98,7 +99,7 @@ export class TrialMap {
     this.drawing = svg('svg', {
       class: 'map', role: 'img', preserveAspectRatio: 'xMidYMid meet',
       viewBox: `${x0 - margin} ${-y1 - margin} ${width} ${height}`,
-      'aria-label': 'Map of the trial: course, odometry, corridor graph by edge margin, contacts, bottleneck, place of issuance',
+      'aria-label': 'Map of the trial: course, odometry, corridor graph by edge margin, contacts, bottleneck, witness, place of issuance',
     },
     map.bounds ? svg('rect', { class: 'bounds', x: map.bounds[0], y: -map.bounds[3],
       width: map.bounds[2] - map.bounds[0], height: map.bounds[3] - map.bounds[1] }) : null,
@@ -117,6 +118,8 @@ export class TrialMap {
     map.issued ? svg('path', { class: 'issued',
       d: `M${map.issued.x} ${-map.issued.y - 1.6 * cross}l${cross * 1.3} ${cross * 1.6}l${-cross * 1.3} ${cross * 1.6}l${-cross * 1.3} ${-cross * 1.6}Z` }) : null,
     map.bottleneck ? svg('circle', { class: 'bottleneck', cx: map.bottleneck.x, cy: -map.bottleneck.y, r: 10 * this.unit }) : null,
+    map.witness.length ? svg('polyline', { class: 'witness', points: points(map.witness) }) : null,
+    map.witnessBottleneck ? svg('circle', { class: 'witness', cx: map.witnessBottleneck.x, cy: -map.witnessBottleneck.y, r: 6 * this.unit }) : null,
     this.robot);
     this.drawing.addEventListener('click', (event) => pick(this.nearest(event)));
     this.element = el('div', { class: 'map-box' }, this.drawing, key(map, range),
