@@ -210,6 +210,42 @@ std::optional<std::vector<RayLayout>> find_layouts(const StreamFiles& files,
   return layouts.size() == map.rays.size() ? std::optional(std::move(layouts)) : std::nullopt;
 }
 
+namespace {
+
+/// Stream `i` of its file; false if it could not be read to its end.
+bool read_stream_file(const std::filesystem::path& file,
+                      std::size_t i,
+                      const LogMap& map,
+                      const std::vector<RayLayout>& layouts,
+                      const CsvReadOptions& options,
+                      const StreamsOfTrial& streams_of,
+                      table::DiagnosticGroups& problems) {
+  const StreamSource& stream = stream_at(map, i);
+  const auto csv = open_csv(file, options, is_by_position(stream, map.trials.column), problems);
+  if (!csv) {
+    return false;
+  }
+  const std::vector<ValueSource> sources = sources_of(stream, csv->header);
+  if (stream.scan && !has_scan_of(layouts[i - 1], *csv, file, map, i, problems)) {
+    return false;
+  }
+  const auto take = [&](const CsvSample& sample) {
+    const bool is_whole = !sample.values.empty();
+    // Whose a broken row is cannot be told where a column would say it.
+    StreamSet* const set =
+        is_whole || map.trials.column.empty() ? streams_of(sample.trial) : nullptr;
+    if (set != nullptr && is_whole) {
+      set->take(i, sample.time_ns, sample.values, sample.line);
+    } else if (set != nullptr) {
+      set->take_unreadable(i);
+    }
+  };
+  return read_csv_stream(
+      file.string(), csv->header, stream, sources, map.trials.column, take, problems);
+}
+
+}  // namespace
+
 bool read_csv_streams(const StreamFiles& files,
                       const LogMap& map,
                       const std::vector<RayLayout>& layouts,
@@ -222,34 +258,7 @@ bool read_csv_streams(const StreamFiles& files,
       continue;
     }
     table::DiagnosticGroups of_file;
-    const bool by_position = is_by_position(stream_at(map, i), map.trials.column);
-    const auto csv = open_csv(files[i], options, by_position, of_file);
-    bool read = false;
-    if (csv) {
-      const StreamSource& stream = stream_at(map, i);
-      const std::vector<ValueSource> sources = sources_of(stream, csv->header);
-      const bool fits =
-          !stream.scan || has_scan_of(layouts[i - 1], *csv, files[i], map, i, of_file);
-      read = fits && read_csv_stream(
-                         files[i].string(),
-                         csv->header,
-                         stream,
-                         sources,
-                         map.trials.column,
-                         [&](const CsvSample& sample) {
-                           const bool is_whole = !sample.values.empty();
-                           // Whose a broken row is cannot be told where a column would say it.
-                           StreamSet* const set = is_whole || map.trials.column.empty()
-                                                      ? streams_of(sample.trial)
-                                                      : nullptr;
-                           if (set != nullptr && is_whole) {
-                             set->take(i, sample.time_ns, sample.values, sample.line);
-                           } else if (set != nullptr) {
-                             set->take_unreadable(i);
-                           }
-                         },
-                         of_file);
-    }
+    const bool read = read_stream_file(files[i], i, map, layouts, options, streams_of, of_file);
     for (table::Diagnostic& problem : of_file.take()) {
       if (is_control(map, i) && problem.severity == Severity::error) {
         problem.severity = Severity::warning;
