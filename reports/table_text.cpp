@@ -213,7 +213,7 @@ std::string render_text(const Table& table, std::size_t width) {
   if (table.synthetic) {
     out += to_string(*table.synthetic) + '\n';
   }
-  out += title_of(table) + "\n\n";
+  out += wrapped(title_of(table), width) + "\n\n";
   const Layout layout = layout_of(table, width);
   if (has_headings(layout.grid)) {
     append_broken(out, layout, layout.grid[0], true);

@@ -7,8 +7,10 @@
 #include <table/nearest_name.hpp>
 
 #include "analysis/study/trials/parameters.hpp"
+#include "cli/commands/help_text.hpp"
 #include "cli/commands/option_description.hpp"
 #include "cli/commands/output.hpp"
+#include "cli/commands/terminal_progress.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/shared_options.hpp"
 
@@ -188,7 +190,7 @@ void print_help(std::string_view help,
                 const po::options_description& own,
                 const po::options_description& common) {
   std::ostringstream text;
-  text << help;
+  text << reflowed(help, TerminalProgress(false).width());
   if (!own.options().empty()) {
     text << '\n' << own;
   }

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include "reports/text_width.hpp"
+
 namespace tcert::cli {
 namespace {
 
@@ -39,7 +41,64 @@ TextLines without_heading(TextLines lines) {
   return lines;
 }
 
+/// "  word   what it is": what goes on in the next line stands below "what".
+struct HangingText {
+  std::string lead;  ///< Up to there.
+  std::string text;
+};
+
+HangingText taken_apart(const std::string& line) {
+  const std::size_t word = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t gap = line.find("  ", word);
+  const std::size_t text = gap == std::string::npos ? word : line.find_first_not_of(' ', gap);
+  return word == 0 ? HangingText{"", line} : HangingText{line.substr(0, text), line.substr(text)};
+}
+
+/// Lines that go on are joined: those as far in as the text before, or, without a list, all.
+std::vector<HangingText> hanging_of(const TextLines& lines) {
+  std::vector<HangingText> all;
+  for (const std::string& line : lines) {
+    const std::size_t in = std::min(line.find_first_not_of(' '), line.size());
+    if (!all.empty() && in == tcert::width_of(all.back().lead)) {
+      all.back().text += ' ' + line.substr(in);
+    } else {
+      all.push_back(taken_apart(line));
+    }
+  }
+  return all;
+}
+
+std::string in_lines(const HangingText& one, std::size_t width) {
+  constexpr std::size_t kLeast = 20;
+  const std::size_t in = tcert::width_of(one.lead);
+  std::string out;
+  for (const std::string& part : broken(one.text, std::max(width, in + kLeast) - in)) {
+    out += (out.empty() ? one.lead : std::string(in, ' ')) + part + '\n';
+  }
+  return out;
+}
+
 }  // namespace
+
+std::string reflowed(std::string_view text, std::size_t width) {
+  if (width == 0) {
+    return std::string(text);
+  }
+  std::string out;
+  for (const TextLines& lines : paragraphs_of(text)) {
+    out += out.empty() ? "" : "\n";
+    if (lines[0] == "Example:" || lines[0].starts_with("Usage:")) {
+      for (const std::string& line : lines) {
+        out += line + '\n';
+      }
+    } else {
+      for (const HangingText& one : hanging_of(lines)) {
+        out += in_lines(one, width);
+      }
+    }
+  }
+  return out;
+}
 
 HelpText help_text(std::string_view text) {
   const std::string_view usage = "Usage:";

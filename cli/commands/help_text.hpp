@@ -18,6 +18,10 @@ struct HelpText {
   TextLines cost;                  ///< Without "Cost:".
 };
 
+/// The text in lines of at most `width` characters: paragraphs are filled, examples stay as they
+/// are, so that they can be copied. 0: as it is.
+[[nodiscard]] std::string reflowed(std::string_view text, std::size_t width);
+
 [[nodiscard]] HelpText help_text(std::string_view text);
 
 }  // namespace tcert::cli

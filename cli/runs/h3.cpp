@@ -102,6 +102,10 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
   }
   require_range("level", request.level, 1e-9, 1.0 - 1e-9);
   study::H3Options h3;
+  if (request.gated == request.lead) {
+    throw UsageError("--gated and --lead: found '" + request.gated +
+                     "' for both, expected two algorithms");
+  }
   h3.gated = request.gated;
   h3.baseline = request.lead;
   h3.cluster = request.cluster;
