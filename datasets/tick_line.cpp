@@ -202,7 +202,8 @@ std::optional<TickLine> TickLineParser::to_tick() {
                   row.speed_cmd_mps,
                   row.yaw_rate_cmd_rps,
                   gap,
-                  starts_anyway};
+                  starts_anyway,
+                  too_long};
 }
 
 std::optional<TickLine> TickLineParser::parse(std::string_view text, std::size_t line) {

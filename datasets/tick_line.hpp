@@ -27,6 +27,7 @@ struct TickLine {
   double yaw_rate_cmd_rps = kMissing;
   bool is_after_gap = false;   ///< More than max_gap_s since the row before: it starts a segment.
   bool starts_anyway = false;  ///< By its own word, or because its producer came back.
+  bool is_too_late = false;    ///< The first beyond ten times the trial limit: it starts one, too.
 };
 
 enum class TickLineFormat { csv, json_lines };

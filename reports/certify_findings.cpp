@@ -90,7 +90,7 @@ std::string reason_text(const study::NotIssued& why) {
     case no_evidence:
       return "no tick has both a pose and a reading";
     case start_outside:
-      return fmt::format("the first pose lies {} m outside the start (S)",
+      return fmt::format("the first tick with a pose and a reading lies {} m outside the start (S)",
                          fixed(why.distance_m, 2));
     case goal_missed:
       return fmt::format("the goal (G) was never entered, {} m off at the nearest",
@@ -102,10 +102,13 @@ std::string reason_text(const study::NotIssued& why) {
     case no_witness:
       return "no path as wide as the body was found in what was felt";
     case narrow:
-      return fmt::format("the margin is {} m at ({}, {}), which is not above 0",
+      return fmt::format("the margin is {} m at ({}, {}), which is not above 0{}",
                          fixed(why.margin_m, 3),
                          fixed(why.place.x_m, 2),
-                         fixed(why.place.y_m, 2));
+                         fixed(why.place.y_m, 2),
+                         why.across_heading ? "; the robot moved across its heading there, where "
+                                              "its sides count for less (across_heading)"
+                                            : "");
   }
   return "";
 }
@@ -158,6 +161,28 @@ Finding early_finding(std::span<const OutcomeGroup> groups) {
                                    }) + "."};
 }
 
+/// What the search for witnesses found, if there was one.
+std::optional<Finding> witness_finding(std::span<const FeatureRow> rows) {
+  std::vector<double> margins;
+  std::size_t sought = 0;
+  for (const FeatureRow& row : rows) {
+    sought += row.witness ? 1 : 0;
+    if (row.witness && row.witness->margin_m.value_or(0.0) > 0.0) {
+      margins.push_back(*row.witness->margin_m);
+    }
+  }
+  if (sought == 0) {
+    return std::nullopt;
+  }
+  std::string evidence = fmt::format(
+      "{} of {} trials have a path that proves a margin above 0", margins.size(), sought);
+  if (!margins.empty()) {
+    evidence += fmt::format(", {} m in the median; each is in its witness file (witness_m)",
+                            fixed(*statistics::median(margins), 3));
+  }
+  return Finding{"Witnesses", "", evidence + "."};
+}
+
 Finding trial_finding(const FeatureRow& row) {
   const study::Features& found = row.features;
   std::string evidence;
@@ -196,6 +221,9 @@ Table certify_findings(std::span<const FeatureRow> rows) {
   }
   if (rows.size() > kFew) {
     findings.push_back(early_finding(groups));
+  }
+  if (auto found = witness_finding(rows)) {
+    findings.push_back(std::move(*found));
   }
   if (auto reason = rows.size() > 1 ? most_frequent_reason(rows) : std::nullopt) {
     findings.push_back(std::move(*reason));

@@ -164,6 +164,11 @@ class ColumnsOf : public ColumnList {
     columns_.back().doc = text;
     return *this;
   }
+  /// The last column is what the table is for.
+  ColumnsOf& answer() {
+    columns_.back().column.is_answer = true;
+    return *this;
+  }
   /// Digits that people see of the last column.
   ColumnsOf& significant(int digits) {
     columns_.back().column.significant = digits;

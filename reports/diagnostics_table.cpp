@@ -22,10 +22,12 @@ ColumnsOf<Problem> problem_columns() {
       .text("severity",
             "severity",
             [](auto& r) { return kSeverities[static_cast<std::size_t>(r.of.severity)]; })
+      .answer()
       .text("file", "file", [](auto& r) { return not_empty(r.of.file); })
       .integer("line", "line", [](auto& r) { return when(r.of.line != 0, r.of.line); })
       .text("column", "column", [](auto& r) { return not_empty(r.of.column); })
       .text("value", "found", [](auto& r) { return not_empty(r.of.value); })
+      .answer()
       .text("expectation", "expected", [](auto& r) { return not_empty(r.of.expectation); })
       .integer("count", "count", [](auto& r) { return r.of.count; });
 }

@@ -30,8 +30,9 @@ struct Column {
   std::string heading;  ///< For people.
   std::string unit;     ///< Printed behind the heading; empty if there is none.
   ColumnKind kind = ColumnKind::text;
-  int decimals = 3;     ///< In print, for cells that do not say otherwise.
-  int significant = 0;  ///< If above 0: digits in print, whatever the size of the number.
+  int decimals = 3;        ///< In print, for cells that do not say otherwise.
+  int significant = 0;     ///< If above 0: digits in print, whatever the size of the number.
+  bool is_answer = false;  ///< What the table is for: printed however narrow the terminal is.
 };
 
 /// Decimals as the column says.

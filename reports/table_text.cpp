@@ -98,7 +98,7 @@ struct Layout {
 
 /// For a line of `width`: headings are broken first, then the cells of the widest text; then
 /// columns that say the same in every row are left out, and in the end those on the right, down to
-/// two.
+/// two; what the table is for stays.
 Layout layout_of(const Table& table, std::size_t width) {
   constexpr std::size_t kReadable = 24;  // What a text that is broken has at least.
   Layout layout{table.columns, grid_of(table), {}, {}};
@@ -117,13 +117,15 @@ Layout layout_of(const Table& table, std::size_t width) {
     text -= c < text ? 1 : 0;
   };
   for (std::size_t c = layout.widths.size(); c-- > 1 && total_of(layout.widths) > width;) {
-    if (c != text && layout.is_constant(c)) {
+    if (c != text && !layout.columns[c].is_answer && layout.is_constant(c)) {
       leave_out(c);
     }
   }
-  while (layout.widths.size() > 2 && total_of(layout.widths) > width) {
-    const std::size_t last = layout.widths.size() - 1;
-    leave_out(last == text ? last - 1 : last);
+  for (std::size_t c = layout.widths.size();
+       c-- > 1 && layout.widths.size() > 2 && total_of(layout.widths) > width;) {
+    if (c != text && !layout.columns[c].is_answer) {
+      leave_out(c);
+    }
   }
   if (const std::size_t total = total_of(layout.widths); text > 0 && total < width) {
     layout.widths[text] = std::min(whole, layout.widths[text] + width - total);

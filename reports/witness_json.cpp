@@ -1,5 +1,6 @@
 #include "reports/witness_json.hpp"
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -164,6 +165,22 @@ witness::FreeCells cells_from(const ordered_json& free, double cell_m, std::size
   return cells;
 }
 
+/// A piece of any other kind is no path, and whoever draws it would have endless work.
+void require_within(const witness::Piece& piece, const witness::Lattice& lattice) {
+  constexpr double kMostTurn = 3.0;
+  const auto lies_within = [&](Point p) {
+    const int column = lattice.column_of(p.x_m);
+    const int row = lattice.row_of(p.y_m);
+    return column >= 0 && column < lattice.columns && row >= 0 && row < lattice.rows;
+  };
+  if (!lies_within(piece.from) || !lies_within(piece.to) ||
+      !(std::abs(piece.turn_rad) <= kMostTurn)) {
+    throw WitnessFormatError(
+        "a piece of the path leaves the box of the free space, or turns by "
+        "more than 3 rad");
+  }
+}
+
 WitnessDocument document_from(const ordered_json& json, std::size_t max_cells) {
   if (json.at("format") != "tcert-witness" || json.at("version") != 1) {
     throw WitnessFormatError("it is not of format tcert-witness, version 1");
@@ -200,6 +217,7 @@ WitnessDocument document_from(const ordered_json& json, std::size_t max_cells) {
   for (const ordered_json& piece : json.at("path")) {
     document.path.push_back(
         {point_from(piece.at("from")), point_from(piece.at("to")), piece.at("turn_rad")});
+    require_within(document.path.back(), document.cells.lattice());
   }
   document.stated.margin_m = json.at("margin_m");
   document.stated.clearance_m = json.at("clearance_m");

@@ -57,7 +57,9 @@ Table world_table(const Robot& robot, const study::TruthOptions& options) {
           ? "At least: of a path with that turn radius. At most: of the clearance alone."
           : "The turn radius is left out: both are of the clearance alone.",
       "Clearance: of the widest path; exact for discs (error 0), else from a grid. Connected: 1 if "
-      "there is a path of a point, 0 if none was found; then nothing is stated, never 0."};
+      "there is a path of a point, 0 if none was found; then T at least is not stated, and on a "
+      "grid "
+      "T at most is what its error leaves open."};
   return table;
 }
 

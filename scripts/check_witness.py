@@ -316,7 +316,8 @@ def check(bundle, proof):
     for name, found, stated in ("margin_m", margin, proof["margin_m"]), ("clearance_m", least, proof["clearance_m"]), ("turn_radius_m", radius, stated_radius):
         require(found == stated or abs(found - stated) < 1e-9 * max(1, abs(stated)), f"it states {name} {stated}, measured are {found}")
     require(marked_as_stated(cells, proof["free"]), "it states other free cells near the path")
-    return margin
+    other = [f"{k} {v:g}" for k, v in robot.items() if v != info["robot"].get(k, 0)]
+    return f"{margin:.6f} m" + (" for another robot than the bundle's: " + ", ".join(other) if other else "")
 
 
 def main():
@@ -326,7 +327,7 @@ def main():
     for path in sys.argv[2:]:
         try:
             with open(path, encoding="utf-8") as file:
-                print(f"{path}: stands, {check(sys.argv[1], json.load(file)):.6f} m", flush=True)
+                print(f"{path}: stands, {check(sys.argv[1], json.load(file))}", flush=True)
         except (Refused, RecursionError, AttributeError, KeyError, IndexError, TypeError, ValueError, ArithmeticError, OSError) as error:
             print(f"{path}: {error or type(error).__name__}", flush=True)
             fallen = True

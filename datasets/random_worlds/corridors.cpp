@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/random_worlds/families.hpp"
 #include "datasets/random_worlds/walled_lane.hpp"
+#include "datasets/worlds/region_distance.hpp"
 
 namespace tcert {
 namespace {
@@ -33,6 +35,19 @@ void draw_lane_gates(WalledLane& lane, std::uint32_t most, table::RandomStream& 
   }
 }
 
+/// In a bend a jaw may be nearer to the wall across than to the other jaw. The obstacles are the
+/// left and the right wall, two caps, and a left and a right jaw a gate.
+double beside_jaws(const World& world, std::size_t gates) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < gates; ++i) {
+    const std::size_t left = 4 + 2 * i;
+    least = std::min({least,
+                      region_gap(world.obstacles[left], world.obstacles[1]),
+                      region_gap(world.obstacles[left + 1], world.obstacles[0])});
+  }
+  return least;
+}
+
 RandomWorld corridor_world(const WalledLane& lane, table::RandomStream& random) {
   RandomWorld drawn;
   const double goal = length_of(lane) - kStart;
@@ -43,7 +58,7 @@ RandomWorld corridor_world(const WalledLane& lane, table::RandomStream& random) 
   add_caps(drawn.world, lane);
   add_gates(drawn.world, lane);
   drawn.world.bounds = bounds_of(drawn.world, 0.1);
-  drawn.passage_m = passage_of(lane);
+  drawn.passage_m = std::min(passage_of(lane), beside_jaws(drawn.world, lane.gates.size()));
 
   double from = kStart;
   const std::uint32_t turns = random.uniform() < 0.3 ? 1 + random.below(3) : 0;

@@ -39,7 +39,7 @@ std::vector<ValueFinding> check_course(const Course& course,
     found.push_back(
         value_finding(ValueKind::start_outside,
                       "",
-                      fmt::format("a first pose {:.3g} m outside the start region",
+                      fmt::format("a first tick {:.3g} m outside the start region",
                                   region_distance(*course.start, start)),
                       "a run that starts in S; otherwise there is never a certificate"));
   }

@@ -10,7 +10,9 @@
 namespace tcert {
 namespace {
 
-constexpr double kAside = 0.1;  // of the sine of a bearing: what looks ahead is of either side
+constexpr double kAside = 0.1;   // of the sine of a bearing: what looks ahead is of either side
+constexpr double kSquare = 0.7;  // the same: what looks to a side looks there mostly
+constexpr double kLeastOffset = 0.02;  // m, of a mount that is on a side
 
 /// 1 of a name with "left" in it, -1 of one with "right", 0 of both and none.
 int side_of(const std::string& name) {
@@ -28,7 +30,11 @@ std::optional<table::Diagnostic> check_sides(const Robot& robot) {
     const int side = side_of(ray.name);
     const bool looks_away = side * std::sin(ray.bearing_rad) < -kAside;
     const bool is_mounted_there = side * ray.mount.y_m > 0.0;
-    if (looks_away && !is_mounted_there) {
+    // Square to the heading, over the body that it is mounted on.
+    const bool looks_across_the_body =
+        std::abs(ray.mount.y_m) > kLeastOffset &&
+        std::copysign(1.0, ray.mount.y_m) * std::sin(ray.bearing_rad) < -kSquare;
+    if ((looks_away && !is_mounted_there) || looks_across_the_body) {
       wrong.push_back(ray.name);
     }
   }
@@ -40,7 +46,8 @@ std::optional<table::Diagnostic> check_sides(const Robot& robot) {
       "bundle.json",
       0,
       "rays",
-      joined_names(wrong) + (wrong.size() == 1 ? " on the other side" : " on the other sides"),
+      joined_names(wrong) + (wrong.size() == 1 ? " looks to the other side, or over the body"
+                                               : " look to the other sides, or over the body"),
       "bearings anticlockwise from ahead, 1.5708 to the left, and mounts with y to the left",
       1};
 }

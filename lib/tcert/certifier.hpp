@@ -27,7 +27,7 @@ enum TickFlag : std::uint32_t {
   flag_goal_reached = 1U << 6U,    ///< The robot has been inside G.
   flag_memory_evicted = 1U << 7U,  ///< Contact memory that still counted gave way: V_t may be high.
   flag_across_heading =
-      1U << 8U,  ///< The robot moves across its heading; its sides get no credit here.
+      1U << 8U,  ///< The robot moves off its heading; its sides count for less here.
 };
 
 /// What is known after a tick. Lengths in metres. NaN means not known at this tick;

@@ -21,15 +21,25 @@ CorridorWalk::CorridorWalk(const Robot& robot,
       graph_(parameters.max_nodes,
              parameters.max_edges,
              2.0 * parameters.merge_radius_m + parameters.max_step_m),
-      through_(
-          robot.min_turn_radius_m > 0.0 ? WidestLabels::Kind::sided : WidestLabels::Kind::sideless,
-          WidestLabels::Margin::certified,
-          parameters.max_nodes),
-      reached_(WidestLabels::Kind::sideless, WidestLabels::Margin::felt, parameters.max_nodes) {}
+      through_(WidestLabels::Kind::sided, WidestLabels::Margin::certified, parameters.max_nodes),
+      reached_(WidestLabels::Kind::sideless, WidestLabels::Margin::felt, parameters.max_nodes) {
+  if (robot.min_turn_radius_m == 0.0) {
+    turning_.emplace(
+        WidestLabels::Kind::sideless, WidestLabels::Margin::certified, parameters.max_nodes);
+  }
+}
+
+// To turn on the spot is to drive a radius of 0: the margin is at most 0 - R_min = 0.
+double CorridorWalk::certificate_m() const noexcept {
+  return turning_ ? std::max(through_.sink(), std::min(turning_->sink(), 0.0)) : through_.sink();
+}
 
 void CorridorWalk::clear() noexcept {
   graph_.clear();
   through_.clear();
+  if (turning_) {
+    turning_->clear();
+  }
   reached_.clear();
   at_node_ = kNone;
   goal_entered_ = false;
@@ -109,7 +119,7 @@ void CorridorWalk::follow_motion(const Evidence& now) noexcept {
 }
 
 // The path crosses the line through the node, perpendicular to its heading, near the node and
-// along its heading, and as far as was felt nothing stands in between.
+// along its heading.
 CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
                                                  const Evidence& now) const noexcept {
   const auto& [at, heading, in_start, in_goal] = graph_.nodes()[node];
@@ -122,17 +132,14 @@ CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
   const Point step = now.pose.position - last_.pose.position;
   const Point off = last_.pose.position + share * step - at.position;
   const double distance2 = dot(off, off);
-  if (distance2 > parameters_.merge_radius_m * parameters_.merge_radius_m) {
+  // Within half a body of each other both passes cover what lies between them.
+  const double reach_m = std::min(parameters_.merge_radius_m, 0.5 * robot_.body_width_m);
+  if (exceeds(std::sqrt(distance2), reach_m)) {
     return {};
   }
   const double turned = std::abs(angle_between(at.yaw_rad, now.pose.yaw_rad));
   const double off_axis = std::min(turned, std::numbers::pi - turned);
-  if (off_axis > parameters_.merge_angle_rad) {
-    return {};
-  }
-  const double aside_m = -dot(off, {-now.heading.y_m, now.heading.x_m});
-  const double free_m = aside_m > 0.0 ? now.left_m : now.right_m;
-  if (exceeds(std::abs(aside_m), std::max(free_m, 0.5 * robot_.body_width_m))) {
+  if (exceeds(off_axis, parameters_.merge_angle_rad)) {
     return {};
   }
   const double curvature =
@@ -141,7 +148,7 @@ CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
           before_m < 0.0 ? Side::back : Side::front,
           distance2,
           at.position + off,
-          1.0 / curvature};
+          1.0 / (curvature + 1.0 / now.turn_radius_m)};
 }
 
 // Ablation A3 charges no turning.
@@ -223,7 +230,9 @@ CorridorWalk::Turn CorridorWalk::join(const Crossing& crossing, const Evidence& 
   if (swept_ != nullptr) {
     Evidence between = now;
     between.turn_slack_m = changed.slack_m;
-    between.turn_radius_m = changed.turn_radius_m;
+    if (changed.slack_m < kInfinity) {
+      between.turn_radius_m = changed.turn_radius_m;
+    }
     swept_->add_join(crossing.at, between, graph_.nodes()[crossing.node]);
   }
   return changed;
@@ -241,7 +250,7 @@ void CorridorWalk::look_again() noexcept {
   swept_->hand_out([this](EdgeEnd from, EdgeEnd to, const Certified& certified) noexcept {
     const std::uint32_t edge = graph_.find_edge(from, to);
     if (edge != kNone && graph_.certify(edge, certified)) {
-      through_.relax_edge(graph_, edge);
+      relax(edge);
     }
   });
 }
@@ -304,9 +313,15 @@ std::uint32_t CorridorWalk::lay_node(const Evidence& now) noexcept {
     return kNone;
   }
   through_.add_node(node, now.in_goal);
+  if (turning_) {
+    turning_->add_node(node, now.in_goal);
+  }
   reached_.add_node(node, now.in_goal);
   if (now.in_start && !outside_start_) {
     through_.raise_node(graph_, node, kInfinity);
+    if (turning_) {
+      turning_->raise_node(graph_, node, kInfinity);
+    }
     reached_.raise_node(graph_, node, kInfinity);
   }
   return node;
@@ -329,12 +344,20 @@ void CorridorWalk::record(EdgeEnd to, const Pass& pass, const Turn& changed) noe
   look_again();
 }
 
+// Of T_t's labels.
+void CorridorWalk::relax(std::uint32_t edge) noexcept {
+  through_.relax_edge(graph_, edge);
+  if (turning_) {
+    turning_->relax_edge(graph_, edge);
+  }
+}
+
 void CorridorWalk::keep(const CorridorGraph::Recorded& recorded) noexcept {
   if (recorded.edge == kNone) {
     capacity_exceeded_ = true;
   }
   if (recorded.changed) {
-    through_.relax_edge(graph_, recorded.edge);
+    relax(recorded.edge);
     reached_.relax_edge(graph_, recorded.edge);
   }
 }

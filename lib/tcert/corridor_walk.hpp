@@ -4,6 +4,7 @@
 /// V_t: from the evidence of fresh ticks to a corridor graph with widest-path labels (paper 3.1).
 
 #include <limits>
+#include <optional>
 #include <tcert/corridor_graph.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/pending_pass.hpp>
@@ -19,7 +20,7 @@ namespace tcert {
 /// a break, and each time the path has advanced by the edge length. The edge being walked is
 /// pending, not in the graph, until it closes at a new node or at a known one that the path
 /// crosses. Two sets of labels: T_t's on (node, side), V_t's on nodes, for a robot may back out. A
-/// robot that turns on the spot, R_min = 0, may leave a node by any side: its T_t is on nodes too.
+/// robot that turns on the spot, R_min = 0, may leave a node by any side, on a path of radius 0.
 class CorridorWalk {
  public:
   /// With `swept`, T_t takes its margins from there; it must outlive the walk.
@@ -41,7 +42,7 @@ class CorridorWalk {
   void advance_after_break(const Evidence& evidence, double bridge_m) noexcept;
 
   /// Widest-path value from S to G; -infinity until connected.
-  [[nodiscard]] double certificate_m() const noexcept { return through_.sink(); }
+  [[nodiscard]] double certificate_m() const noexcept;
   /// V_t = min(B(u), pending margin - memory deduction); -infinity if the path began outside S.
   [[nodiscard]] double corridor_value_m() const noexcept { return corridor_value_m_; }
   /// B(u): the label of the last node passed, on nodes without sides.
@@ -55,8 +56,10 @@ class CorridorWalk {
   /// u, the last node passed; kNone before begin() and once capacity has run out.
   [[nodiscard]] std::uint32_t last_node() const noexcept { return at_node_; }
   [[nodiscard]] const CorridorGraph& graph() const noexcept { return graph_; }
-  /// Labels of T_t.
+  /// Labels of T_t, on (node, side).
   [[nodiscard]] const WidestLabels& through() const noexcept { return through_; }
+  /// The same without sides, of a robot that turns on the spot; its margins count up to 0.
+  [[nodiscard]] const std::optional<WidestLabels>& turning() const noexcept { return turning_; }
   /// Labels of V_t, on nodes.
   [[nodiscard]] const WidestLabels& reached() const noexcept { return reached_; }
 
@@ -86,6 +89,7 @@ class CorridorWalk {
   [[nodiscard]] std::uint32_t lay_node(const Evidence& now) noexcept;
   void record(EdgeEnd to, const Pass& pass, const Turn& changed) noexcept;
   void keep(const CorridorGraph::Recorded& recorded) noexcept;
+  void relax(std::uint32_t edge) noexcept;
   void restart_pass(const Evidence& first, const Turn& changed) noexcept;
   Turn join(const Crossing& crossing, const Evidence& now) noexcept;
   void look_again() noexcept;
@@ -96,6 +100,7 @@ class CorridorWalk {
   SweptMargins* swept_;
   CorridorGraph graph_;
   WidestLabels through_;
+  std::optional<WidestLabels> turning_;
   WidestLabels reached_;
   PendingPass pending_;
   Evidence last_;

@@ -12,7 +12,7 @@ namespace tcert {
 /// `length_m` before the line and `length_m` after it.
 ///
 /// Along the node's heading the change y(x) has y = y' = 0 at one end, and y' = s = tan(off axis)
-/// at the other, 2 l away, where y = offset - l s. The least possible largest |y''| is that of two
+/// at the other, 2 l away, where y = offset +- l s. The least possible largest |y''| is that of two
 /// parabolas, (|d| + sqrt(d^2 + (l s)^2)) / (2 l^2); the curvature of y(x) is never above |y''|.
 [[nodiscard]] inline double join_curvature(double offset_m,
                                            double off_axis_rad,

@@ -14,8 +14,6 @@ struct Evidence {
   Point heading;  ///< Unit vector of the pose's yaw.
   double travel_m = 0.0;
   double margin_m = 0.0;  ///< m_t.
-  double left_m = 0.0;    ///< Free to the left of the path, trailing minimum.
-  double right_m = 0.0;
   double width_m = 0.0;
   double turn_radius_m = 0.0;
   double memory_deduction_m = 0.0;  ///< lambda_M M_t.

@@ -10,10 +10,10 @@ namespace {
 constexpr double kSquare = 0.5 * std::numbers::pi;
 // A ray at exactly 60 degrees is within 30 degrees of square, whatever the last bit says.
 constexpr double kAngleRounding = 1e-9;
-// sin 30 degrees: motion further off the heading takes the side rays along, not square to it.
-constexpr double kMostAcross = 0.5;
-// A chord that is shorter than this share of the way belongs to a path that turned back.
-constexpr double kLeastChord = 0.5;
+// sin 10 degrees: motion that is less off the heading is along it, for what is known of it.
+constexpr double kLeastAcross = 0.17364817766693033;
+// cos 30 degrees: motion further off the heading takes the side rays along, not square to it.
+constexpr double kLeastAlong = 0.8660254037844386;
 
 double side_window(const Robot& robot, const CertificateParameters& parameters) {
   return parameters.side_window_m > 0.0 ? parameters.side_window_m : robot.body_width_m;
@@ -93,29 +93,40 @@ double Proxies::across_both(double left_m, double right_m) const noexcept {
 }
 
 // Turning inside S is no evidence about the corridor: the window begins no earlier than the last
-// tick there.
+// tick there. A step is as long as what travel counts at once; it points along the mean of its two
+// headings if it is an arc.
 TrailingMotion::Motion Proxies::follow(const Pose& pose,
                                        double travel_m,
                                        bool inside_start) noexcept {
   unwrapped_yaw_rad_ =
       has_yaw_ ? unwrapped_yaw_rad_ + angle_between(last_yaw_rad_, pose.yaw_rad) : 0.0;
+  if (!has_yaw_) {
+    counted_ = pose;
+    counted_m_ = travel_m;
+  } else if (travel_m > counted_m_) {
+    const double half_turn_rad = 0.5 * angle_between(counted_.yaw_rad, pose.yaw_rad);
+    across_m_ += std::abs(
+        cross(direction(counted_.yaw_rad + half_turn_rad), pose.position - counted_.position));
+    counted_ = pose;
+    counted_m_ = travel_m;
+  }
   last_yaw_rad_ = pose.yaw_rad;
   has_yaw_ = true;
   if (inside_start) {
     motion_.clear();
   }
-  return motion_.add({travel_m, unwrapped_yaw_rad_, pose.position});
+  return motion_.add({travel_m, unwrapped_yaw_rad_, across_m_});
 }
 
-// The chord of an arc points along the mean of its two headings.
-bool Proxies::goes_across(const TrailingMotion::Motion& moved, double yaw_rad) const noexcept {
-  const double chord_m = norm(moved.position);
+// Cosine of the angle between motion and heading, in the mean of the steps, forwards and back; 1
+// where it is small, or not known.
+double Proxies::along_heading(const TrailingMotion::Motion& moved) const noexcept {
   if (!reaches(moved.travel_m, parameters_.curvature_min_travel_m) ||
-      chord_m < kLeastChord * moved.travel_m) {
-    return false;
+      !exceeds(moved.across_m, kLeastAcross * moved.travel_m)) {
+    return 1.0;
   }
-  const double across_m = cross(direction(yaw_rad - 0.5 * moved.yaw_rad), moved.position);
-  return exceeds(std::abs(across_m), kMostAcross * chord_m);
+  const double across = std::min(moved.across_m / moved.travel_m, 1.0);
+  return std::sqrt(1.0 - across * across);
 }
 
 // 1 / max(|dpsi| / ds, epsilon) over the executed path.
@@ -150,7 +161,8 @@ LocalGeometry Proxies::update(const Tick& tick,
                               ContactMemory& memory) noexcept {
   LocalGeometry local;
   const TrailingMotion::Motion moved = follow(tick.pose, travel_m, inside_start);
-  local.across_heading = goes_across(moved, tick.pose.yaw_rad);
+  const double along = along_heading(moved);
+  local.across_heading = along < 1.0;
   double left_m = std::numeric_limits<double>::infinity();
   double right_m = left_m;
   for (std::size_t k = 0; k < rays_.size(); ++k) {
@@ -162,7 +174,8 @@ LocalGeometry Proxies::update(const Tick& tick,
       double& side_m = state.side > 0 ? left_m : right_m;
       const double stated_m =
           missing ? half_width_m_ : state.offset_m + clearance_m_[k] * state.across;
-      const double felt_m = local.across_heading ? std::min(stated_m, half_width_m_) : stated_m;
+      const double felt_m =
+          reaches(along, kLeastAlong) ? along * stated_m : std::min(stated_m, half_width_m_);
       side_m = std::min(side_m, felt_m);
     }
     const bool contact = feels_contact(state, clearance_m_[k], tick.rays[k].fsr_n);

@@ -23,7 +23,7 @@ struct LocalGeometry {
   std::uint32_t contacts = 0;
   std::uint32_t new_contacts = 0;
   bool missing_ray = false;
-  bool across_heading = false;  ///< The robot moves across its heading: its sides get no credit.
+  bool across_heading = false;  ///< The robot moves off its heading: its sides count for less.
 };
 
 /// Keeps the trailing windows and the contact states of one trial. The constructor takes all
@@ -66,8 +66,7 @@ class Proxies {
                                    double force_n) const noexcept;
   [[nodiscard]] double across_both(double left_m, double right_m) const noexcept;
   TrailingMotion::Motion follow(const Pose& pose, double travel_m, bool inside_start) noexcept;
-  [[nodiscard]] bool goes_across(const TrailingMotion::Motion& moved,
-                                 double yaw_rad) const noexcept;
+  [[nodiscard]] double along_heading(const TrailingMotion::Motion& moved) const noexcept;
   [[nodiscard]] double path_radius(const TrailingMotion::Motion& moved,
                                    bool inside_start) const noexcept;
   void feel_contact(std::size_t ray,
@@ -88,6 +87,9 @@ class Proxies {
   double last_yaw_rad_ = 0.0;
   double unwrapped_yaw_rad_ = 0.0;
   bool has_yaw_ = false;
+  Pose counted_;  // where travel was counted last
+  double counted_m_ = 0.0;
+  double across_m_ = 0.0;
 };
 
 }  // namespace tcert

@@ -9,7 +9,7 @@ namespace tcert {
 namespace {
 
 constexpr double kFurthest = 1e5;  // m, of a mount and of what a ray reaches
-constexpr double kMostTurn = 1e3;  // rad
+constexpr double kMostTurn = 6.3;  // rad: a whole turn; more is meant in degrees
 
 double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) noexcept {
   const auto above = std::upper_bound(x.begin(), x.end(), at);

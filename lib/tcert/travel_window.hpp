@@ -4,7 +4,6 @@
 /// dead band, so a window holds a bounded number of distinct travels and needs a bounded memory.
 
 #include <cstddef>
-#include <tcert/geometry.hpp>
 #include <tcert/lengths.hpp>
 #include <vector>
 
@@ -76,7 +75,8 @@ class TrailingMinimum {
   TravelQueue<Entry> queue_;
 };
 
-/// Net change of place and of an unwrapped heading over the last `window_m` of travel.
+/// Net change of an unwrapped heading, and of the way across the heading, over the last `window_m`
+/// of travel.
 class TrailingMotion {
  public:
   TrailingMotion(double window_m, double step_m) : window_m_(window_m), queue_(window_m, step_m) {}
@@ -84,7 +84,7 @@ class TrailingMotion {
   struct Motion {
     double travel_m = 0.0;
     double yaw_rad = 0.0;
-    Point position;
+    double across_m = 0.0;  ///< Sum over steps, whichever way.
   };
 
   void clear() noexcept { queue_.clear(); }
@@ -98,7 +98,7 @@ class TrailingMotion {
       queue_.pop_front();
     }
     const Motion& then = queue_.front();
-    return {now.travel_m - then.travel_m, now.yaw_rad - then.yaw_rad, now.position - then.position};
+    return {now.travel_m - then.travel_m, now.yaw_rad - then.yaw_rad, now.across_m - then.across_m};
   }
 
  private:

@@ -44,8 +44,6 @@ class WidestLabels {
   /// Label of the sink: the widest-path value from source to sink; -infinity until connected.
   [[nodiscard]] double sink() const noexcept { return sink_; }
 
-  [[nodiscard]] Kind kind() const noexcept { return kind_; }
-
   /// The end by which the sink's label was last raised: a sink node and the side it is entered by.
   [[nodiscard]] EdgeEnd sink_end() const noexcept { return sink_end_; }
 

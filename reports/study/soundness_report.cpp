@@ -50,6 +50,7 @@ Table rate_table(const SoundnessRuns& runs) {
       .yes_or_no("noise", "noise", [](const RateRow& row) { return row.method->noise; })
       .integer("worlds", "n", count(&SoundnessSummary::worlds))
       .integer("violating_worlds", "worlds violated", count(&SoundnessSummary::violations))
+      .answer()
       .fixed("largest_excess_m",
              "largest excess",
              "m",
@@ -61,7 +62,10 @@ Table rate_table(const SoundnessRuns& runs) {
                 return static_cast<double>(row.summary.violations) /
                        static_cast<double>(row.summary.worlds);
               })
-      .number("upper_95", "at most", [](const RateRow& row) { return row.summary.violation_bound; })
+      .number("upper_95",
+              "rate at most",
+              [](const RateRow& row) { return row.summary.violation_bound; })
+      .answer()
       .integer("ticks", "ticks", count(&SoundnessSummary::ticks))
       .integer("issued", "issued", count(&SoundnessSummary::issued))
       .integer("untraversable", "T <= 0", count(&SoundnessSummary::untraversable))

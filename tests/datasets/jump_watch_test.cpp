@@ -44,6 +44,18 @@ TEST(JumpWatch, HoldsATickAfterAGapUntilTheNextConfirmsIt) {
   EXPECT_FALSE(both.refused_ns);
 }
 
+// The first tick beyond ten times the trial limit starts a segment even where it confirms another.
+TEST(JumpWatch, ALimitThatIsPassedByTheConfirmingTickIsABreak) {
+  JumpWatch watch(1, 1.0);
+  (void)watch.take(Line(0.0, 0.0, 0.1).line);
+  (void)watch.take(Line(9.9, 0.0, 0.2).line);
+  Line late(10.1, 9.9, 0.3);
+  late.line.is_too_late = late.line.tick.segment_start = true;
+  const JumpWatch::Verdict both = watch.take(late.line);
+  ASSERT_EQ(both.usable.size(), 2U);
+  EXPECT_TRUE(both.usable[1].tick.segment_start);
+}
+
 TEST(JumpWatch, RefusesAStampThatTheNextDoesNotConfirm) {
   JumpWatch watch(1, 1.0);
   (void)watch.take(Line(0.0, 0.0, 0.1).line);

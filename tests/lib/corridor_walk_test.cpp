@@ -13,8 +13,8 @@ constexpr double kAbout = std::numbers::pi;
 // Walks along straight pieces in steps of 1 cm. S is x < 0.1, G is x > 2.9.
 class Walker {
  public:
-  explicit Walker(CertificateParameters parameters = {}, Robot robot = {}, double side_m = 0.5)
-      : walk_(robot, parameters), side_m_(side_m) {}
+  explicit Walker(CertificateParameters parameters = {}, Robot robot = {})
+      : walk_(robot, parameters) {}
 
   Walker& begin(double x, double y, double yaw = 0.0) {
     walk_.begin(evidence(x, y, yaw, 0.5), !(x < 0.1));
@@ -52,19 +52,9 @@ class Walker {
 
  private:
   Evidence evidence(double x, double y, double yaw, double margin_m) const {
-    return {{{x, y}, yaw},
-            direction(yaw),
-            travel_m_,
-            margin_m,
-            side_m_,
-            side_m_,
-            1.0,
-            1.0,
-            0.0,
-            x<0.1, x> 2.9};
+    return {{{x, y}, yaw}, direction(yaw), travel_m_, margin_m, 1.0, 1000.0, 0.0, x<0.1, x> 2.9};
   }
   CorridorWalk walk_;
-  double side_m_;
   double x_ = 0.0;
   double y_ = 0.0;
   double travel_m_ = 0.0;
@@ -128,8 +118,9 @@ TEST(CorridorWalk, ChangingLanesAsksForATurn) {
   const Edge& closing = walker.walk().graph().edges().back();
   EXPECT_EQ(closing.pass.margin_m, 0.5);
   // Two parabolas of 0.25 m each: 0.1 m aside asks for 4 * 0.1 / 0.5^2 = 1.6 / m.
-  EXPECT_NEAR(closing.certified.turn_radius_m, 1.0 / 1.6, 1e-9);
-  EXPECT_NEAR(closing.certified.margin_m, 1.0 / 1.6 - Robot{}.min_turn_radius_m, 1e-9);
+  const double radius_m = 1.0 / (1.6 + 0.001);  // on top of the path's own
+  EXPECT_NEAR(closing.certified.turn_radius_m, radius_m, 1e-9);
+  EXPECT_NEAR(closing.certified.margin_m, radius_m - Robot{}.min_turn_radius_m, 1e-9);
   CertificateParameters no_turns;
   no_turns.curvature = CurvatureReading::none;
   Walker free(no_turns);
@@ -141,16 +132,17 @@ TEST(CorridorWalk, ChangingLanesAsksForATurn) {
 // A narrow robot drives two lanes with a wall between them, 10 cm apart.
 TEST(CorridorWalk, LanesWithAWallBetweenThemDoNotJoin) {
   Robot narrow;
-  narrow.body_width_m = 0.12;
-  for (const auto& [side_m, edges] : {std::pair{0.07, 3U}, std::pair{0.11, 4U}}) {
-    Walker walker({}, narrow, side_m);
+  for (const auto& [width_m, edges] : {std::pair{0.12, 3U}, std::pair{0.21, 4U}}) {
+    narrow.body_width_m = width_m;
+    Walker walker({}, narrow);
     walker.begin(0.0, 0.0).to(0.6, 0.0, 0.0).to(0.6, 0.1, 0.5 * kAbout);
     walker.to(0.35, 0.1, kAbout);
-    EXPECT_EQ(walker.edges(), edges) << side_m;
+    EXPECT_EQ(walker.edges(), edges) << width_m;
   }
 }
 
 // Down a dead end, round on the spot, and back over the last node into another lane.
+// A turn on the spot is a path of radius 0, so its margin is at most 0.
 TEST(CorridorWalk, OnlyARobotThatTurnsOnTheSpotMayTurnAtANode) {
   for (const double radius_m : {0.0, 0.01}) {
     Robot robot;
@@ -158,7 +150,7 @@ TEST(CorridorWalk, OnlyARobotThatTurnsOnTheSpotMayTurnAtANode) {
     Walker walker({}, robot);
     walker.begin(0.0, 0.0).to(0.55, 0.0, 0.0, 0.3).to(0.45, 0.0, kAbout, 0.4);
     walker.to(0.45, 0.40, 0.5 * kAbout).to(2.95, 0.40, 0.0);
-    EXPECT_EQ(walker.walk().certificate_m(), radius_m > 0.0 ? -kInfinity : 0.3) << radius_m;
+    EXPECT_EQ(walker.walk().certificate_m(), radius_m > 0.0 ? -kInfinity : 0.0) << radius_m;
   }
 }
 

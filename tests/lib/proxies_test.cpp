@@ -140,7 +140,7 @@ TEST(Proxies, PathRadiusNeedsTravel) {
 }
 
 // Its side rays then look along the way, and what stands beside it is not felt.
-TEST(Proxies, ARobotThatMovesAcrossItsHeadingGetsNoSides) {
+TEST(Proxies, ARobotThatMovesAcrossItsHeadingGetsLessOfItsSides) {
   Robot robot = three_rays();
   robot.body_width_m = 0.3;
   const auto ends_at = [&](double off_heading_rad, double turn_rad) {
@@ -157,11 +157,36 @@ TEST(Proxies, ARobotThatMovesAcrossItsHeadingGetsNoSides) {
     }
     return local;
   };
-  for (const double along : {0.0, std::numbers::pi, 0.4, -0.4, std::numbers::pi + 0.4}) {
+  for (const double along : {0.0, std::numbers::pi, 0.15, -0.15, std::numbers::pi + 0.15}) {
     EXPECT_FALSE(ends_at(along, 0.0).across_heading) << along;
     EXPECT_NEAR(ends_at(along, 0.0).width_m, 0.7, 1e-12);
   }
+  // The rays look askew over the way: what they reach square to it is less.
+  for (const double askew : {0.2, -0.5, std::numbers::pi + 0.4}) {
+    EXPECT_TRUE(ends_at(askew, 0.0).across_heading) << askew;
+    EXPECT_NEAR(ends_at(askew, 0.0).width_m, 0.7 * std::abs(std::cos(askew)), 1e-12);
+  }
   EXPECT_FALSE(ends_at(0.0, 0.1).across_heading) << "an arc of radius 0.2 m";
+  // Four steps aside and two back, and a turn on the spot, whose chord tells nothing.
+  Proxies proxies(robot, {});
+  ContactMemory memory({});
+  const auto felt = readings(0.3, 0.3);
+  LocalGeometry local;
+  double travel_m = 0.0;
+  Point at;
+  for (int k = 0; k < 30; ++k) {
+    local = proxies.update({k, {at, kSquare}, felt}, travel_m, 0.0, false, memory);
+    at.x_m += k % 6 < 4 ? 0.01 : -0.01;
+    travel_m += 0.01;
+  }
+  EXPECT_EQ(local.width_m, robot.body_width_m);
+  proxies.clear();
+  for (int k = 0; k < 40; ++k) {
+    const double along_m = 0.01 * std::min(k, 25);
+    const double yaw_rad = 0.1 * std::max(k - 25, 0);
+    local = proxies.update({k, {{along_m, 0.0}, yaw_rad}, felt}, along_m, 0.0, false, memory);
+    EXPECT_FALSE(local.across_heading) << k;
+  }
   for (const double across : {0.6, -0.6, kSquare, -kSquare, std::numbers::pi + 0.6}) {
     EXPECT_TRUE(ends_at(across, 0.0).across_heading) << across;
     EXPECT_EQ(ends_at(across, 0.0).width_m, robot.body_width_m);

@@ -36,16 +36,16 @@ TEST(TrailingMinimum, EqualsTheMinimumOverAllThatIsInTheWindow) {
 
 TEST(TrailingMotion, IsTheNetChangeSinceTheWindowBegan) {
   TrailingMotion motion(0.25, 0.01);
-  motion.add({0.0, 0.0, {1.0, 0.0}});
-  motion.add({0.0, 0.1, {1.0, 0.0}});  // turning on the spot at the same travel counts
-  const TrailingMotion::Motion moved = motion.add({0.2, 0.5, {1.2, 0.0}});
+  motion.add({0.0, 0.0, 1.0});
+  motion.add({0.0, 0.1, 1.0});  // turning on the spot at the same travel counts
+  const TrailingMotion::Motion moved = motion.add({0.2, 0.5, 1.2});
   EXPECT_EQ(moved.travel_m, 0.2);
   EXPECT_EQ(moved.yaw_rad, 0.5);
-  EXPECT_NEAR(moved.position.x_m, 0.2, 1e-15);
-  const TrailingMotion::Motion later = motion.add({0.3, 0.6, {1.2, 0.1}});
+  EXPECT_NEAR(moved.across_m, 0.2, 1e-15);
+  const TrailingMotion::Motion later = motion.add({0.3, 0.6, 1.3});
   EXPECT_NEAR(later.travel_m, 0.1, 1e-15);
   EXPECT_NEAR(later.yaw_rad, 0.1, 1e-15);
-  EXPECT_NEAR(later.position.y_m, 0.1, 1e-15);
+  EXPECT_NEAR(later.across_m, 0.1, 1e-15);
 }
 
 // 0.1 + 0.2 is more than 0.3 in floating point, and a window of 0.3 m still holds both.

@@ -12,10 +12,16 @@
 
 namespace tcert::study {
 
+/// A witness was looked for.
+struct SoughtWitness {
+  std::optional<double> margin_m;  ///< Of the one that was found.
+};
+
 struct FeatureRow {
   TrialRow trial;
   Features features;
   std::optional<NotIssued> not_issued{};  ///< Of a trial that was certified here.
+  std::optional<SoughtWitness> witness{};
 };
 
 /// A column of the table that is a feature. Truth values are 0 and 1.

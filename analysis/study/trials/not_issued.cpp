@@ -53,6 +53,11 @@ std::optional<NotIssued> why_not_issued(const Course& course,
   if (series.bottleneck) {
     found.margin_m = series.bottleneck->margin_m;
     found.place = series.bottleneck->pose.position;
+    for (std::size_t i = 0; i < std::min(ticks.size(), series.ticks.size()); ++i) {
+      found.across_heading =
+          found.across_heading || ((series.ticks[i].flags & flag_across_heading) != 0 &&
+                                   ticks.poses[i].position == found.place);
+    }
     return because(NotIssuedReason::narrow);
   }
   const bool broken = std::ranges::any_of(

@@ -26,9 +26,10 @@ enum class NotIssuedReason : std::uint8_t {
 
 struct NotIssued {
   NotIssuedReason reason = NotIssuedReason::unconnected;
-  double distance_m = 0.0;  ///< Outside S, or off G at the nearest.
-  double margin_m = 0.0;    ///< Where it is narrow.
-  Point place{};            ///< Where it is narrow.
+  double distance_m = 0.0;      ///< Outside S, or off G at the nearest.
+  double margin_m = 0.0;        ///< Where it is narrow.
+  Point place{};                ///< Where it is narrow.
+  bool across_heading = false;  ///< The robot moved off its heading there.
 };
 
 /// The first reason that holds, in the order of the list; empty if a certificate was issued.

@@ -52,7 +52,11 @@ bool before(const std::string& a, const std::string& b) noexcept {
 }  // namespace
 
 TrialRecord summarise(StudiedTrial&& trial) {
-  TrialRecord summary{{*trial.row, trial.features, trial.not_issued},
+  std::optional<SoughtWitness> sought;
+  if (trial.proof) {
+    sought = SoughtWitness{trial.proof->certificate_m()};
+  }
+  TrialRecord summary{{*trial.row, trial.features, trial.not_issued, sought},
                       known_median(trial.speed_cmd_mps),
                       known_median(trial.loop_latency_ms),
                       std::move(trial.speed_cmd_mps),

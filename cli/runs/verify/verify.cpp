@@ -58,8 +58,8 @@ Table verdicts_table() {
                    integer_column("differences", "differences"),
                    text_column("stands", "stands")};
   table.footnotes = {
-      "stands: every file is, byte for byte, what its manifest lists"
-      " and, where it was made again, what is made."};
+      "Stands: yes if every file is, byte for byte, what its manifest lists and, where it was made "
+      "again, what is made, and if every proof in it stands; otherwise no."};
   return table;
 }
 
