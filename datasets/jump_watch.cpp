@@ -23,7 +23,8 @@ JumpWatch::Verdict JumpWatch::take(const TickLine& line) {
   if (confirms) {
     const std::int64_t step_ns = line.tick.time_ns - held_->tick.time_ns;
     next.is_after_gap = static_cast<double>(step_ns) > max_gap_s_ * 1e9;
-    next.tick.segment_start = next.starts_anyway || next.is_after_gap || next.is_too_late;
+    next.tick.segment_start =
+        next.starts_anyway || next.is_after_gap || (next.is_too_late && !held_->is_too_late);
     usable_.push_back(*held_);
   } else if (held_) {
     verdict.refused_ns = held_->tick.time_ns;

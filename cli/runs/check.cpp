@@ -124,7 +124,15 @@ ExitCode check_file(const CheckRequest& request, Progress& progress) {
 
 ExitCode check_folder(const CheckRequest& request, Progress& progress) {
   table::DiagnosticGroups problems;
-  const auto groups = recording::survey_csv(request.path, request.logs.decimal_comma, problems);
+  const auto groups =
+      recording::survey_csv(request.path, request.logs.decimal_comma, request.clock, problems);
+  const auto has_clock = [&](const recording::CsvGroup& group) {
+    return group.check.clock && group.check.clock->column == request.clock;
+  };
+  if (!request.clock.empty() && std::ranges::none_of(groups, has_clock)) {
+    throw UsageError("--clock: found '" + request.clock + "', which is the clock of no file in " +
+                     request.path);
+  }
   const ExitCode code = show(csv_groups_table(groups, request.path),
                              problems_of(problems.take()),
                              "file kind",

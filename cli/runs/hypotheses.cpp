@@ -1,6 +1,8 @@
 #include "cli/runs/hypotheses.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <statistics/model/expression.hpp>
 #include <string_view>
@@ -118,6 +120,18 @@ void require_h3_options(const HypothesesRequest& request) {
   }
 }
 
+/// \throws UnfitData if no row has a group.
+void require_groups(const table::DataTable& table, const std::string& group) {
+  const table::DataColumn* const column = table.find(group);
+  const bool is_empty =
+      column != nullptr && column->text.levels.empty() &&
+      std::ranges::all_of(column->numbers, [](double x) { return std::isnan(x); });
+  if (is_empty) {
+    throw UnfitData("no trial has a value of '" + group +
+                    "', whose groups H2 compares; --group names another column");
+  }
+}
+
 /// \throws UsageError if the output would replace what is read.
 void require_inputs_apart(const HypothesesRequest& request) {
   for (const std::string* const input :
@@ -151,6 +165,9 @@ ExitCode hypotheses(const HypothesesRequest& request, Progress& progress) {
   FitReport report;
   try {
     refuse_missing_words(hypothesis.columns, study.file.table);
+    if (request.hypothesis == "h2") {
+      require_groups(study.file.table, request.group);
+    }
     const OutcomeTexts texts =
         code_outcome_column(outcome_column(request.success), study.file.table);
     report = hypothesis.test(study.file.table);

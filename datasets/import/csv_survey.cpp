@@ -104,6 +104,7 @@ std::string pattern_of(const std::vector<std::string>& names) {
 
 std::vector<CsvGroup> survey_csv(const fs::path& source,
                                  bool decimal_comma,
+                                 const std::string& clock,
                                  table::DiagnosticGroups& problems) {
   std::error_code ignored;
   const bool is_folder = fs::is_directory(source, ignored);
@@ -124,7 +125,9 @@ std::vector<CsvGroup> survey_csv(const fs::path& source,
     }
     table::CsvOptions csv;
     csv.decimal_comma = decimal_comma;
-    table::CsvCheckResult checked = table::check_csv_file(group.files.front(), 1.0, csv);
+    const bool has_clock = std::ranges::find(columns, clock) != columns.end();
+    table::CsvCheckResult checked =
+        table::check_csv_file(group.files.front(), 1.0, csv, has_clock ? clock : "");
     if (!checked.check) {
       continue;
     }

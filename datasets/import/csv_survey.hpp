@@ -22,9 +22,10 @@ struct CsvGroup {
 
 /// Groups in order of the number of their files, the largest first. A file that is no table is not
 /// among them. The first file of each group is read, of the others the header. At most 10,000 files
-/// are looked at.
+/// are looked at. `clock` names the clock of the groups that have such a column; it may be empty.
 [[nodiscard]] std::vector<CsvGroup> survey_csv(const std::filesystem::path& source,
                                                bool decimal_comma,
+                                               const std::string& clock,
                                                table::DiagnosticGroups& problems);
 
 /// What is common to names at their beginning and their end with {trial} between; cut at the

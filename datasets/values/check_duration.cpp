@@ -26,10 +26,10 @@ std::optional<ValueFinding> check_duration(const TrialRow& trial, const TickTabl
       ValueKind::duration,
       "time_s",
       fmt::format("a log of {:.4g} s", log_s),
-      fmt::format(
-          "about the {:.4g} s that trials.csv says: {}",
-          *trial.time_s,
-          log_s > *trial.time_s ? "another unit?" : "another unit, or a log that breaks off?"));
+      fmt::format("about the {:.4g} s that trials.csv says: {}",
+                  *trial.time_s,
+                  log_s > *trial.time_s ? "milliseconds or another unit?"
+                                        : "another unit, or a log that breaks off?"));
 }
 
 }  // namespace tcert

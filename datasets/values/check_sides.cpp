@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <table/nearest_name.hpp>
+#include <utility>
 #include <vector>
 
 #include "datasets/ray_names.hpp"
@@ -26,17 +27,26 @@ int side_of(const std::string& name) {
 
 std::optional<table::Diagnostic> check_sides(const Robot& robot) {
   std::vector<std::string> wrong;
+  std::vector<std::string> over_the_body;
+  std::size_t outwards = 0;
   for (const Ray& ray : robot.rays) {
     const int side = side_of(ray.name);
     const bool looks_away = side * std::sin(ray.bearing_rad) < -kAside;
     const bool is_mounted_there = side * ray.mount.y_m > 0.0;
-    // Square to the heading, over the body that it is mounted on.
-    const bool looks_across_the_body =
-        std::abs(ray.mount.y_m) > kLeastOffset &&
-        std::copysign(1.0, ray.mount.y_m) * std::sin(ray.bearing_rad) < -kSquare;
-    if ((looks_away && !is_mounted_there) || looks_across_the_body) {
+    if (looks_away && !is_mounted_there) {
       wrong.push_back(ray.name);
     }
+    const bool is_aside =
+        std::abs(ray.mount.y_m) > kLeastOffset && std::abs(std::sin(ray.bearing_rad)) > kSquare;
+    if (is_aside && ray.mount.y_m * std::sin(ray.bearing_rad) < 0.0) {
+      over_the_body.push_back(ray.name);
+    } else if (is_aside) {
+      ++outwards;
+    }
+  }
+  // One ray may look across the body on purpose; where all do, the sides are taken for each other.
+  if (wrong.empty() && over_the_body.size() > 1 && outwards == 0) {
+    wrong = std::move(over_the_body);
   }
   if (wrong.empty()) {
     return std::nullopt;
@@ -46,8 +56,7 @@ std::optional<table::Diagnostic> check_sides(const Robot& robot) {
       "bundle.json",
       0,
       "rays",
-      joined_names(wrong) + (wrong.size() == 1 ? " looks to the other side, or over the body"
-                                               : " look to the other sides, or over the body"),
+      joined_names(wrong) + (wrong.size() == 1 ? " on the other side" : " on the other sides"),
       "bearings anticlockwise from ahead, 1.5708 to the left, and mounts with y to the left",
       1};
 }

@@ -137,6 +137,8 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
           direction(tick.pose.yaw_rad),
           travel_m,
           out.margin_m,
+          local.left_m,
+          local.right_m,
           local.width_m,
           local.turn_radius_m,
           parameters.memory_weight_m * out.memory,

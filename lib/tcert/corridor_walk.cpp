@@ -132,8 +132,13 @@ CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
   const Point step = now.pose.position - last_.pose.position;
   const Point off = last_.pose.position + share * step - at.position;
   const double distance2 = dot(off, off);
-  // Within half a body of each other both passes cover what lies between them.
-  const double reach_m = std::min(parameters_.merge_radius_m, 0.5 * robot_.body_width_m);
+  // Within half a body of each other both passes cover what lies between them; further off the
+  // body must fit in what was felt on that side, all along the pass.
+  const double half_body_m = 0.5 * robot_.body_width_m;
+  const double aside_m = -dot(off, {-now.heading.y_m, now.heading.x_m});
+  const double felt_m = aside_m > 0.0 ? pending_.left_m() : pending_.right_m();
+  const double reach_m =
+      std::min(parameters_.merge_radius_m, std::max(half_body_m, felt_m - half_body_m));
   if (exceeds(std::sqrt(distance2), reach_m)) {
     return {};
   }

@@ -28,6 +28,7 @@ void PendingPass::restart(const Evidence& evidence) noexcept {
   pass_.margin_m = std::numeric_limits<double>::infinity();
   pass_.width.min = pass_.turn_radius.min = std::numeric_limits<double>::infinity();
   pass_.width.max = pass_.turn_radius.max = -std::numeric_limits<double>::infinity();
+  left_m_ = right_m_ = std::numeric_limits<double>::infinity();
   kept_ = 0;
   stride_ = 1;
   seen_ = 0;
@@ -41,6 +42,8 @@ void PendingPass::add(const Evidence& evidence) noexcept {
     pass_.width_m = evidence.width_m;
     pass_.turn_radius_m = evidence.turn_radius_m;
   }
+  left_m_ = std::min(left_m_, evidence.left_m);
+  right_m_ = std::min(right_m_, evidence.right_m);
   pass_.width.min = std::min(pass_.width.min, evidence.width_m);
   pass_.width.max = std::max(pass_.width.max, evidence.width_m);
   pass_.turn_radius.min = std::min(pass_.turn_radius.min, evidence.turn_radius_m);

@@ -14,6 +14,8 @@ struct Evidence {
   Point heading;  ///< Unit vector of the pose's yaw.
   double travel_m = 0.0;
   double margin_m = 0.0;  ///< m_t.
+  double left_m = 0.0;    ///< Free to the left of the path, trailing minimum.
+  double right_m = 0.0;
   double width_m = 0.0;
   double turn_radius_m = 0.0;
   double memory_deduction_m = 0.0;  ///< lambda_M M_t.
@@ -31,6 +33,9 @@ class PendingPass {
   void add(const Evidence& evidence) noexcept;
 
   [[nodiscard]] double margin_m() const noexcept { return pass_.margin_m; }
+  /// The least that was free on either side.
+  [[nodiscard]] double left_m() const noexcept { return left_m_; }
+  [[nodiscard]] double right_m() const noexcept { return right_m_; }
 
   /// The pass with its profiles (Hyndman-Fan type 7). O(samples log samples).
   [[nodiscard]] Pass finish() noexcept;
@@ -40,6 +45,8 @@ class PendingPass {
   void keep(double width_m, double turn_radius_m) noexcept;
 
   Pass pass_;
+  double left_m_ = 0.0;
+  double right_m_ = 0.0;
   std::array<double, kSamples> widths_m_{};
   std::array<double, kSamples> radii_m_{};
   std::size_t kept_ = 0;

@@ -66,6 +66,7 @@ void Proxies::restart_windows() noexcept {
   motion_.clear();
   contact_curvature_.clear();
   has_yaw_ = false;
+  across_m_ = 0.0;
 }
 
 double Proxies::clearance(const RayState& state, double reading) noexcept {
@@ -93,8 +94,8 @@ double Proxies::across_both(double left_m, double right_m) const noexcept {
 }
 
 // Turning inside S is no evidence about the corridor: the window begins no earlier than the last
-// tick there. A step is as long as what travel counts at once; it points along the mean of its two
-// headings if it is an arc.
+// tick there. A step is as long as what travel counts at once; one that turns points somewhere
+// between its two headings, and one that turns about a point of the body is a turn on the spot.
 TrailingMotion::Motion Proxies::follow(const Pose& pose,
                                        double travel_m,
                                        bool inside_start) noexcept {
@@ -105,8 +106,13 @@ TrailingMotion::Motion Proxies::follow(const Pose& pose,
     counted_m_ = travel_m;
   } else if (travel_m > counted_m_) {
     const double half_turn_rad = 0.5 * angle_between(counted_.yaw_rad, pose.yaw_rad);
-    across_m_ += std::abs(
-        cross(direction(counted_.yaw_rad + half_turn_rad), pose.position - counted_.position));
+    const Point mean = direction(counted_.yaw_rad + half_turn_rad);
+    const Point step = pose.position - counted_.position;
+    const double askew_rad =
+        elementary::atan2(std::abs(cross(mean, step)), std::abs(dot(mean, step)));
+    if (norm(step) > 2.0 * std::abs(half_turn_rad) * half_width_m_) {
+      across_m_ += norm(step) * elementary::sin(std::max(0.0, askew_rad - std::abs(half_turn_rad)));
+    }
     counted_ = pose;
     counted_m_ = travel_m;
   }

@@ -13,8 +13,8 @@ constexpr double kAbout = std::numbers::pi;
 // Walks along straight pieces in steps of 1 cm. S is x < 0.1, G is x > 2.9.
 class Walker {
  public:
-  explicit Walker(CertificateParameters parameters = {}, Robot robot = {})
-      : walk_(robot, parameters) {}
+  explicit Walker(CertificateParameters parameters = {}, Robot robot = {}, double side_m = 0.5)
+      : walk_(robot, parameters), side_m_(side_m) {}
 
   Walker& begin(double x, double y, double yaw = 0.0) {
     walk_.begin(evidence(x, y, yaw, 0.5), !(x < 0.1));
@@ -52,9 +52,19 @@ class Walker {
 
  private:
   Evidence evidence(double x, double y, double yaw, double margin_m) const {
-    return {{{x, y}, yaw}, direction(yaw), travel_m_, margin_m, 1.0, 1000.0, 0.0, x<0.1, x> 2.9};
+    return {{{x, y}, yaw},
+            direction(yaw),
+            travel_m_,
+            margin_m,
+            side_m_,
+            side_m_,
+            1.0,
+            1000.0,
+            0.0,
+            x<0.1, x> 2.9};
   }
   CorridorWalk walk_;
+  double side_m_;
   double x_ = 0.0;
   double y_ = 0.0;
   double travel_m_ = 0.0;
@@ -132,12 +142,12 @@ TEST(CorridorWalk, ChangingLanesAsksForATurn) {
 // A narrow robot drives two lanes with a wall between them, 10 cm apart.
 TEST(CorridorWalk, LanesWithAWallBetweenThemDoNotJoin) {
   Robot narrow;
-  for (const auto& [width_m, edges] : {std::pair{0.12, 3U}, std::pair{0.21, 4U}}) {
-    narrow.body_width_m = width_m;
-    Walker walker({}, narrow);
+  narrow.body_width_m = 0.12;
+  for (const auto& [side_m, edges] : {std::pair{0.07, 3U}, std::pair{0.17, 4U}}) {
+    Walker walker({}, narrow, side_m);
     walker.begin(0.0, 0.0).to(0.6, 0.0, 0.0).to(0.6, 0.1, 0.5 * kAbout);
     walker.to(0.35, 0.1, kAbout);
-    EXPECT_EQ(walker.edges(), edges) << width_m;
+    EXPECT_EQ(walker.edges(), edges) << side_m;
   }
 }
 

@@ -310,6 +310,12 @@ TEST(CheckSides, NameRaysWhoseNamesSayAnotherSideThanTheirPlace) {
   EXPECT_FALSE(check_sides(robot)) << "mounted on the left, it looks across the body";
   robot.rays[0].mount.y_m = 0.0;
   EXPECT_TRUE(check_sides(robot));
+  robot = corpus_robot();
+  for (Ray& ray : robot.rays) {
+    ray.name = "ray " + std::to_string(robot.rays.size());
+    ray.bearing_rad = -ray.bearing_rad;
+  }
+  EXPECT_TRUE(check_sides(robot)) << "all look over the body";
 }
 
 // Standing, turning on the spot and driving back are no other frame.

@@ -383,7 +383,7 @@ TEST(HypothesisH1, KeepsEveryIntervalAndReadsTheOneAskedFor) {
                                                    statistics::BootstrapMethod::percentile,
                                                    statistics::BootstrapMethod::bca}) {
     options.interval = method;
-    const H1Score& auc = hypothesis_h1(table, options).panels[0].rows[0].auc;
+    const H1Score auc = hypothesis_h1(table, options).panels[0].rows[0].auc;
     EXPECT_EQ(auc.interval.value().low, auc.intervals.of(method)->low);
     EXPECT_LT(auc.intervals.expanded->low, auc.intervals.percentile->low);
     EXPECT_GT(auc.intervals.expanded->high, auc.intervals.percentile->high);
