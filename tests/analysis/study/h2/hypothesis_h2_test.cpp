@@ -115,7 +115,7 @@ TEST(HypothesisH2, SeesADifferenceThatIsThere) {
 }
 
 TEST(HypothesisH2, IsTheSameForAnyOrderOfRows) {
-  const std::string csv = trials_csv(8, 30, 0.5);
+  const std::string csv = trials_csv(12, 20, 0.5);
   const auto body = csv.find('\n') + 1;
   std::string turned = csv.substr(0, body);
   for (std::size_t end = csv.size() - 1; end > body;) {
@@ -126,6 +126,8 @@ TEST(HypothesisH2, IsTheSameForAnyOrderOfRows) {
   const H2Panel one = hypothesis_h2(table_of(csv), options_for()).panels[0];
   const H2Panel two = hypothesis_h2(table_of(turned), options_for()).panels[0];
   ASSERT_EQ(two.trials.complete, 240U);
+  ASSERT_TRUE(one.auc && one.auc->tests.heterogeneity && two.auc->tests.heterogeneity);
+  ASSERT_TRUE(one.c && one.c->tests.smallest_margin && one.interactions[1].test);
   EXPECT_NEAR(
       one.auc->tests.heterogeneity->statistic, two.auc->tests.heterogeneity->statistic, 1e-10);
   EXPECT_NEAR(*one.c->tests.smallest_margin, *two.c->tests.smallest_margin, 1e-12);
