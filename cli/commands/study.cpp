@@ -31,8 +31,9 @@ Example:
   tcert study null --data-sets 2 --format csv
   tcert study coverage --data-sets 200 --replicates 499 --output coverage/
 
-Cost in CPU time, as they are: soundness 15 minutes (with --witness more than 3 hours), coverage 17, equivalence 10, gate 6, null 5,
-rays 1, terrain 40 s, but with TERRAIN an hour or more; in proportion to --worlds, --data-sets, --terrains.
+Cost in CPU time, as they are: soundness 15 minutes (with --witness more than 3 hours), coverage 17,
+equivalence 10, gate 6, null 5, rays 1, terrain 40 s, but with TERRAIN an hour or more; in
+proportion to --worlds, --hard, --data-sets, --terrains.
 )";
 
 int run_study(Arguments arguments) { return run_command(kStudyText, arguments, study); }

@@ -13,19 +13,19 @@ constexpr std::uint32_t kWorld = 0x7277'0001;
 }  // namespace
 
 std::string_view name_of(WorldFamily family) noexcept {
-  constexpr std::array<std::string_view, 13> kNames{"gates",
-                                                    "bends",
-                                                    "discs",
-                                                    "figure_eight",
-                                                    "loop",
-                                                    "u_turn",
-                                                    "tight_ends",
-                                                    "slanted_gates",
-                                                    "staggered",
-                                                    "posts",
-                                                    "dead_ends",
-                                                    "kinks",
-                                                    "s_bends"};
+  constexpr std::array<std::string_view, kWorldFamilies> kNames{"gates",
+                                                                "bends",
+                                                                "discs",
+                                                                "figure_eight",
+                                                                "loop",
+                                                                "u_turn",
+                                                                "tight_ends",
+                                                                "slanted_gates",
+                                                                "staggered",
+                                                                "posts",
+                                                                "dead_ends",
+                                                                "kinks",
+                                                                "s_bends"};
   return kNames[static_cast<std::size_t>(family)];
 }
 

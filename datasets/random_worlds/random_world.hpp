@@ -3,6 +3,7 @@
 /// Random worlds whose widest path is known by how they are built, and a run through each.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -29,6 +30,8 @@ enum class WorldFamily : std::uint8_t {
   kinks,          ///< Straights that meet in corners.
   s_bends,        ///< Two tight bends, one after the other.
 };
+
+inline constexpr std::size_t kWorldFamilies = 13;
 
 inline constexpr std::array kMixedFamilies{WorldFamily::gates,
                                            WorldFamily::bends,

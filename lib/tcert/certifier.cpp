@@ -251,35 +251,7 @@ const CorridorGraph& Certifier::graph() const noexcept { return state_->walk.gra
 std::uint32_t Certifier::last_node() const noexcept { return state_->walk.last_node(); }
 
 std::optional<Bottleneck> Certifier::bottleneck() const noexcept {
-  const CorridorWalk& walk = state_->walk;
-  const bool turns = walk.turning() && walk.through().sink() < walk.certificate_m();
-  const WidestLabels& labels = turns ? *walk.turning() : walk.through();
-  EdgeEnd entered = labels.sink_end();
-  if (entered.node == kNone) {
-    return std::nullopt;
-  }
-  std::optional<Bottleneck> narrowest;
-  for (;;) {
-    const std::uint32_t index = labels.edge_into(entered.node, opposite(entered.side));
-    if (index == kNone) {
-      return narrowest;
-    }
-    const Edge& edge = walk.graph().edges()[index];
-    const Certified& found = edge.certified;
-    if (!narrowest || found.margin_m < narrowest->margin_m) {
-      narrowest = {index, found.narrowest, found.margin_m, found.width_m, found.turn_radius_m};
-    }
-    if (turns && narrowest->margin_m > 0.0) {
-      narrowest->margin_m = 0.0;  // somewhere on the way it turned on the spot
-      narrowest->turn_radius_m = 0.0;
-    }
-    // The path came along the edge from its other end, which it had entered by the other side. No
-    // edge from a node to itself raises a label that has no sides.
-    const bool is_first =
-        edge.ends[0].node == entered.node && (edge.ends[0].side == entered.side || turns);
-    const EdgeEnd from = is_first ? edge.ends[1] : edge.ends[0];
-    entered = {from.node, opposite(from.side)};
-  }
+  return bottleneck_of(state_->walk);
 }
 
 void Certifier::reset() noexcept {

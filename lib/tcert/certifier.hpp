@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <tcert/bottleneck.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/tick.hpp>
@@ -55,15 +56,6 @@ struct CertifiedTick {
 
 /// tc_t: T_t once S and G are connected, V_t before.
 [[nodiscard]] double series_value(const CertifiedTick& tick) noexcept;
-
-/// Where a certificate is decided.
-struct Bottleneck {
-  std::uint32_t edge = 0;
-  Pose pose;  ///< Of the tick with the smallest margin on that edge.
-  double margin_m = 0.0;
-  double width_m = 0.0;
-  double turn_radius_m = 0.0;
-};
 
 /// Certificate of one trial, tick by tick.
 ///

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <tcert/corridor_walk.hpp>
-#include <tcert/join.hpp>
 #include <tcert/lengths.hpp>
 
 namespace tcert {
@@ -15,8 +14,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 CorridorWalk::CorridorWalk(const Robot& robot,
                            const CertificateParameters& parameters,
                            SweptMargins* swept)
-    : robot_(robot),
-      parameters_(parameters),
+    : parameters_(parameters),
+      rule_(robot, parameters),
       swept_(swept),
       graph_(parameters.max_nodes,
              parameters.max_edges,
@@ -118,107 +117,32 @@ void CorridorWalk::follow_motion(const Evidence& now) noexcept {
   furthest_m_ = std::max(furthest_m_, progress_m_);
 }
 
-// The path crosses the line through the node, perpendicular to its heading, near the node and
-// along its heading.
-CorridorWalk::Crossing CorridorWalk::crossing_of(std::uint32_t node,
-                                                 const Evidence& now) const noexcept {
-  const auto& [at, heading, in_start, in_goal] = graph_.nodes()[node];
-  const double before_m = dot(last_.pose.position - at.position, heading);
-  const double after_m = dot(now.pose.position - at.position, heading);
-  if ((before_m < 0.0) == (after_m < 0.0)) {
-    return {};
-  }
-  const double share = before_m / (before_m - after_m);
-  const Point step = now.pose.position - last_.pose.position;
-  const Point off = last_.pose.position + share * step - at.position;
-  const double distance2 = dot(off, off);
-  // Within half a body of each other both passes cover what lies between them; further off the
-  // body must fit in what was felt on that side, all along the pass.
-  const double half_body_m = 0.5 * robot_.body_width_m;
-  const double aside_m = -dot(off, {-now.heading.y_m, now.heading.x_m});
-  const double felt_m = aside_m > 0.0 ? pending_.left_m() : pending_.right_m();
-  const double reach_m =
-      std::min(parameters_.merge_radius_m, std::max(half_body_m, felt_m - half_body_m));
-  if (exceeds(std::sqrt(distance2), reach_m)) {
-    return {};
-  }
-  const double turned = std::abs(angle_between(at.yaw_rad, now.pose.yaw_rad));
-  const double off_axis = std::min(turned, std::numbers::pi - turned);
-  if (exceeds(off_axis, parameters_.merge_angle_rad)) {
-    return {};
-  }
-  const double curvature =
-      join_curvature(std::sqrt(distance2), off_axis, parameters_.edge_length_m);
-  return {node,
-          before_m < 0.0 ? Side::back : Side::front,
-          distance2,
-          at.position + off,
-          1.0 / (curvature + 1.0 / now.turn_radius_m)};
-}
-
-// Ablation A3 charges no turning.
-CorridorWalk::Turn CorridorWalk::turn_at(const Crossing& crossing,
-                                         const Evidence& now) const noexcept {
-  if (parameters_.curvature == CurvatureReading::none) {
-    return {};
-  }
-  const double sure_radius_m = 1.0 / (1.0 / crossing.turn_radius_m + robot_.curvature_buffer_per_m);
-  return {sure_radius_m - robot_.min_turn_radius_m,
-          crossing.turn_radius_m,
-          {crossing.at, now.pose.yaw_rad}};
-}
-
-// Of the known nodes other than u, the nearest to where the path crosses it; ties: lowest index.
-CorridorWalk::Crossing CorridorWalk::nearest_crossing(const Evidence& now) const noexcept {
-  const Point a = last_.pose.position;
-  const Point b = now.pose.position;
-  const Point margin{parameters_.merge_radius_m, parameters_.merge_radius_m};
-  const Point low = Point{std::min(a.x_m, b.x_m), std::min(a.y_m, b.y_m)} - margin;
-  const Point high = Point{std::max(a.x_m, b.x_m), std::max(a.y_m, b.y_m)} + margin;
-  Crossing nearest;
-  graph_.for_each_node_near(low, high, [&](std::uint32_t node) noexcept {
-    if (node == at_node_) {
-      return;
-    }
-    const Crossing found = crossing_of(node, now);
-    if (found.node == kNone) {
-      return;
-    }
-    const bool nearer = nearest.node == kNone || found.distance2 < nearest.distance2 ||
-                        (found.distance2 == nearest.distance2 && found.node < nearest.node);
-    if (nearer) {
-      nearest = found;
-    }
-  });
-  return nearest;
-}
-
-// Closes the pending edge at the known node that the path crosses, or restarts it at u. Both ends
-// of the crossing interval count in both edges.
+// Closes the pending edge at the known node that the path crosses, or restarts it at u.
 bool CorridorWalk::cross(const Evidence& now) noexcept {
-  const Crossing known = nearest_crossing(now);
+  const PathStep step{last_, now, pending_};
+  const Crossing known = nearest_crossing(graph_, at_node_, step, rule_);
   if (known.node != kNone) {
-    const Turn changed = join(known, now);
+    join(known, now);
     if (at_node_ != kNone) {
-      record({known.node, known.entered}, pending_.finish(), changed);
+      record({known.node, known.entered}, pending_.finish(), known.turn);
     }
-    leave(known.node, opposite(known.entered), now);
-    restart_pass(last_, changed);
-    pending_.add(now);
+    pass_node(known, now);
     return true;
   }
-  if (at_node_ == kNone) {
-    return false;
-  }
-  const Crossing own = crossing_of(at_node_, now);
+  const Crossing own = at_node_ == kNone ? Crossing{} : crossing_of(graph_, at_node_, step, rule_);
   if (own.node == kNone) {
     return false;
   }
-  const Turn changed = join(own, now);
-  leave(own.node, opposite(own.entered), now);
-  restart_pass(last_, changed);
-  pending_.add(now);
+  join(own, now);
+  pass_node(own, now);
   return true;
+}
+
+// Both ends of the crossing interval count in both edges.
+void CorridorWalk::pass_node(const Crossing& crossing, const Evidence& now) noexcept {
+  leave(crossing.node, opposite(crossing.entered), now);
+  restart_pass(last_, crossing.turn);
+  pending_.add(now);
 }
 
 void CorridorWalk::restart_pass(const Evidence& first, const Turn& changed) noexcept {
@@ -230,17 +154,16 @@ void CorridorWalk::restart_pass(const Evidence& first, const Turn& changed) noex
 }
 
 // Between where the path crosses a node's line and the node itself the body must fit and turn too.
-CorridorWalk::Turn CorridorWalk::join(const Crossing& crossing, const Evidence& now) noexcept {
-  const Turn changed = turn_at(crossing, now);
-  if (swept_ != nullptr) {
-    Evidence between = now;
-    between.turn_slack_m = changed.slack_m;
-    if (changed.slack_m < kInfinity) {
-      between.turn_radius_m = changed.turn_radius_m;
-    }
-    swept_->add_join(crossing.at, between, graph_.nodes()[crossing.node]);
+void CorridorWalk::join(const Crossing& crossing, const Evidence& now) noexcept {
+  if (swept_ == nullptr) {
+    return;
   }
-  return changed;
+  Evidence between = now;
+  between.turn_slack_m = crossing.turn.slack_m;
+  if (crossing.turn.slack_m < kInfinity) {
+    between.turn_radius_m = crossing.turn.turn_radius_m;
+  }
+  swept_->add_join(crossing.at, between, graph_.nodes()[crossing.node]);
 }
 
 // What has been swept since may have raised the margins of passes nearby. Before G is reached that

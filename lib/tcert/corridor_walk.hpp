@@ -3,9 +3,9 @@
 /// The walk along the odometry path that lays nodes, closes edges and keeps the two values T_t and
 /// V_t: from the evidence of fresh ticks to a corridor graph with widest-path labels (paper 3.1).
 
-#include <limits>
 #include <optional>
 #include <tcert/corridor_graph.hpp>
+#include <tcert/crossing.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/pending_pass.hpp>
 #include <tcert/robot.hpp>
@@ -64,23 +64,6 @@ class CorridorWalk {
   [[nodiscard]] const WidestLabels& reached() const noexcept { return reached_; }
 
  private:
-  /// Which side of a node the motion enters by.
-  struct Crossing {
-    std::uint32_t node = kNone;
-    Side entered = Side::back;
-    double distance2 = 0.0;
-    Point at;
-    double turn_radius_m = 0.0;  ///< Of the change from the path to the node.
-  };
-  /// The tightest turn that a change from one pass to another asked for.
-  struct Turn {
-    double slack_m = std::numeric_limits<double>::infinity();
-    double turn_radius_m = 0.0;
-    Pose pose;
-  };
-  [[nodiscard]] Turn turn_at(const Crossing& crossing, const Evidence& now) const noexcept;
-  [[nodiscard]] Crossing crossing_of(std::uint32_t node, const Evidence& now) const noexcept;
-  [[nodiscard]] Crossing nearest_crossing(const Evidence& now) const noexcept;
   bool cross(const Evidence& now) noexcept;
   void leave(std::uint32_t node, Side side, const Evidence& now) noexcept;
   void follow_motion(const Evidence& now) noexcept;
@@ -91,12 +74,13 @@ class CorridorWalk {
   void keep(const CorridorGraph::Recorded& recorded) noexcept;
   void relax(std::uint32_t edge) noexcept;
   void restart_pass(const Evidence& first, const Turn& changed) noexcept;
-  Turn join(const Crossing& crossing, const Evidence& now) noexcept;
+  void join(const Crossing& crossing, const Evidence& now) noexcept;
+  void pass_node(const Crossing& crossing, const Evidence& now) noexcept;
   void look_again() noexcept;
   [[nodiscard]] double pending_value_m(const Evidence& now) const noexcept;
 
-  Robot robot_;
   CertificateParameters parameters_;
+  CrossingRule rule_;
   SweptMargins* swept_;
   CorridorGraph graph_;
   WidestLabels through_;

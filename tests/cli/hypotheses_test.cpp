@@ -191,6 +191,23 @@ TEST_F(HypothesesCommand, SaysWhatIsWrongWithTheCall) {
   expect_usage({"h2", "--group", "lightning"}, "did you mean 'lighting'?");
   expect_usage({"h2", "--margin", "0"}, "--margin");
   expect_usage({"h2", "--baselines", "dwell"}, "--baselines");
+  const ProcessResult same =
+      work_.run({"hypotheses", "h3", "--replays", "t.csv", "--gated", "A", "--lead", "A"});
+  EXPECT_EQ(same.exit_code, 2) << to_string(same);
+  EXPECT_NE(same.err.find("found 'A' for both"), std::string::npos) << same.err;
+}
+
+TEST_F(HypothesesCommand, WithoutGroupsThereIsNoH2) {
+  std::string csv = trials_csv();
+  for (const std::string name : {",Dark,", ",Indoor,"}) {
+    for (std::size_t at = csv.find(name); at != std::string::npos; at = csv.find(name, at)) {
+      csv.replace(at, name.size(), ",,");
+    }
+  }
+  work_.write("t.csv", csv);
+  const ProcessResult none = run({"h2"});
+  EXPECT_EQ(none.exit_code, 2) << to_string(none);
+  EXPECT_NE(none.err.find("no trial has a value of 'lighting'"), std::string::npos) << none.err;
 }
 
 }  // namespace

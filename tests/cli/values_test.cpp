@@ -58,7 +58,7 @@ class Values : public ::testing::Test {
   }
 
   /// A corridor of 1 m along x, 20 s at 0.2 m/s; `left` is written into every fourth scan.
-  void write_corridor(const std::string& left, const json& keys) {
+  void write_corridor(const std::string& left, const json& keys, double yaw_rad = 0.0) {
     json bundle = json::parse(R"({"format": "tcert-bundle", "version": 1,
       "robot": {"body_width_m": 0.4, "min_turn_radius_m": 0},
       "rays": [{"name": "left", "kind": "range", "bearing_rad": 1.5708, "reach_m": 2},
@@ -71,8 +71,9 @@ class Values : public ::testing::Test {
     std::string ticks = "time_s,x_m,y_m,yaw_rad,left_range_m,right_range_m\n";
     for (int i = 0; i <= 200; ++i) {
       const std::string sway = std::to_string(0.5 + 0.002 * (i % 3));
-      ticks += std::to_string(0.1 * i) + "," + std::to_string(0.02 * i) + ",0,0," +
-               (i % 4 == 0 ? left : sway) + "," + std::to_string(0.5 + 0.001 * (i % 5)) + "\n";
+      ticks += std::to_string(0.1 * i) + "," + std::to_string(0.02 * i) + ",0," +
+               std::to_string(yaw_rad) + "," + (i % 4 == 0 ? left : sway) + "," +
+               std::to_string(0.5 + 0.001 * (i % 5)) + "\n";
     }
     work_.write("b/logs/t/ticks.csv", ticks);
   }
@@ -141,6 +142,34 @@ TEST_F(Values, CertifySaysWhyNoSuccessHasACertificate) {
           .run({"certify", "corpus", "--set", "body_width_m=1.5", "--no-series", "--output", "out"})
           .err;
   EXPECT_TRUE(says(narrow, "which is not above 0 (in t")) << narrow;
+}
+
+// 25 degrees off the heading the rays reach askew, at 40 they look along the way.
+TEST_F(Values, ARobotThatMovesAcrossItsHeadingIsNotGivenWhatItsRaysReach) {
+  write_corridor("0.5", json::object());
+  const double straight = certificate();
+  write_corridor("0.5", json::object(), 0.436);
+  EXPECT_NEAR(certificate() + 0.4, (straight + 0.4) * std::cos(0.436), 0.01);
+  write_corridor("0.5", json::object(), 0.7);
+  const ProcessResult run = work_.run({"certify", "b", "--output", "out"});
+  EXPECT_TRUE(says(run.err, "no certificate: the margin is")) << run.err;
+  EXPECT_TRUE(says(run.err, "the robot moved across its heading there")) << run.err;
+  EXPECT_TRUE(says(work_.read("out/series/t.csv"), "across_heading"));
+}
+
+TEST_F(Values, CheckTakesTheClockOfAFolder) {
+  std::string rows = "Zeit;Pos_X;Pos_Y;yaw\n";
+  for (int i = 0; i < 50; ++i) {
+    rows += std::to_string(0.1 * i) + ";" + std::to_string(0.02 * i) + ";0;0\n";
+  }
+  work_.write("logs/run_01.csv", rows);
+  work_.write("logs/run_02.csv", rows);
+  const ProcessResult run =
+      work_.run({"check", "logs", "--clock", "Zeit", "--write-map", "map.json"});
+  EXPECT_TRUE(says(work_.read("map.json"), "\"Zeit\"")) << to_string(run);
+  const ProcessResult other = work_.run({"check", "logs", "--clock", "Uhr"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(says(other.err, "found 'Uhr', which is the clock of no file in logs")) << other.err;
 }
 
 TEST_F(Values, NothingWithinReachIsTheReach) {

@@ -64,7 +64,8 @@ TEST(WitnessOption, LeavesEverythingButTheCertificateAsItIs) {
   Workdir work(TCERT_BINARY);
   expect_done(work.run({"simulate", "--trials", "24", "--output", "corpus"}));
   expect_done(work.run({"certify", "corpus", "--output", "width"}));
-  expect_done(work.run({"certify", "corpus", "--witness", "--output", "asked"}));
+  const ProcessResult asking = work.run({"certify", "corpus", "--witness", "--output", "asked"});
+  expect_done(asking);
   expect_done(work.run({"certify", "corpus", "--set", "clearance=witness", "--output", "by"}));
   EXPECT_EQ(work.read("asked/features.csv"), work.read("width/features.csv"));
   const std::set<std::string> of_certificate{
@@ -89,6 +90,8 @@ TEST(WitnessOption, LeavesEverythingButTheCertificateAsItIs) {
     }
   }
   EXPECT_GT(issued, 12U);
+  const std::string found = "Witnesses: " + std::to_string(issued) + " of 24 trials have a path";
+  EXPECT_NE(asking.err.find(found), std::string::npos) << asking.err;
   for (const std::string& file : work.files("width/series")) {
     expect_same_but(rows_of(work.read("width/series/" + file)),
                     rows_of(work.read("by/series/" + file)),

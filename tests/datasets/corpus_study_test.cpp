@@ -22,6 +22,8 @@ struct TrialSummary {
   std::vector<double> speeds;
   std::vector<double> latencies;
   bool issued = false;
+  std::size_t ticks = 0;
+  std::size_t across_heading = 0;
   double least_early_value = 0.0;  // of tc_t in the first 15 s
 };
 
@@ -47,6 +49,8 @@ TrialSummary summarise(const TrialDesign& design) {
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const CertifiedTick tick = certifier.update(ticks[i]);
     summary.issued = tick.issued;
+    ++summary.ticks;
+    summary.across_heading += (tick.flags & flag_across_heading) != 0 ? 1 : 0;
     if (ticks.time_ns[i] - ticks.time_ns[0] <= 15'000'000'000 && !ticks.stale[i]) {
       summary.least_early_value = std::min(summary.least_early_value, series_value(tick));
     }
@@ -125,6 +129,18 @@ TEST(DefaultCorpus, IsCertifiedInMostSuccessesAndInHardlyAnyFailure) {
   }
   EXPECT_GE(successes, 554);  // 95 % of 583
   EXPECT_LE(failures, 2);
+}
+
+// A robot that can only drive and turn slips where it is wedged, and nowhere else.
+TEST(DefaultCorpus, MovesAlongItsHeadingButWhereItIsWedged) {
+  std::size_t ticks = 0;
+  std::size_t across = 0;
+  for (const TrialSummary& trial : default_study()) {
+    ticks += trial.ticks;
+    across += trial.across_heading;
+    EXPECT_TRUE(!trial.design.success || trial.across_heading == 0);
+  }
+  EXPECT_LT(static_cast<double>(across), 0.01 * static_cast<double>(ticks));
 }
 
 TEST(DefaultCorpus, HasAnEarlyCertificateInEveryTrial) {

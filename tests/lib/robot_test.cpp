@@ -53,6 +53,8 @@ TEST(Robot, RefusesWhatNoRobotCanBe) {
   EXPECT_THROW(validate(robot), std::invalid_argument);
   robot.rays[0].calibration = {{0.0, 0.5, 1.0}, {0.6, 0.3, 0.3}};
   EXPECT_NO_THROW(validate(robot));
+  robot.rays[0].bearing_rad = 90.0;  // degrees
+  EXPECT_THROW(validate(robot), std::invalid_argument);
 }
 
 TEST(Course, RefusesRegionsThatAreNone) {

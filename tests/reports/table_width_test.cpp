@@ -45,6 +45,16 @@ TEST(TableWidth, NamesTheColumnsThatDoNotFit) {
   EXPECT_NE(text.find("third"), std::string::npos) << "its heading is named\n" << text;
 }
 
+// Though all rows say the same, and though it stands on the right.
+TEST(TableWidth, KeepsTheColumnThatTheTableIsFor) {
+  Table table = wide_table();
+  table.add_row({std::string("b"), Number{1.5}, Number{2.5}, Number{3.0}});
+  table.columns[3].is_answer = true;
+  const std::string text = render(table, TableFormat::text, 20);
+  EXPECT_NE(text.find("3.00"), std::string::npos) << text;
+  EXPECT_EQ(text.find("2.50"), std::string::npos) << text;
+}
+
 TEST(TableWidth, LeavesEveryOtherFormatAndAWideTerminalAlone) {
   const Table table = wide_table();
   for (const TableFormat format : {TableFormat::markdown,

@@ -127,6 +127,21 @@ bool is_refused(const std::string& text, const Case& made) {
 // Any digit of the margin, the rays, S, G, the path, the free space or a digest may be changed. The
 // texts are not read. A change of less than a
 // ten-thousandth may leave another path that proves the same, so that the later places are let be.
+// Whoever draws them would have endless work.
+TEST(WitnessJson, RefusesPiecesThatAreNoPath) {
+  const WitnessDocument good = proven(2).document;
+  for (const double far_m : {1e9, 1e308}) {
+    WitnessDocument other = good;
+    other.path.back().to = {far_m, 0.0};
+    EXPECT_THROW((void)witness_from_json(to_json(other), kRoom), WitnessFormatError);
+  }
+  for (const double turn_rad : {3.1, -1e300}) {
+    WitnessDocument other = good;
+    other.path.front().turn_rad = turn_rad;
+    EXPECT_THROW((void)witness_from_json(to_json(other), kRoom), WitnessFormatError);
+  }
+}
+
 TEST(WitnessJson, AThousandTamperedProofsAreRefused) {
   const Case made = proven(2);
   const std::string text = to_json(made.document);

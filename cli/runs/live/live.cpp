@@ -9,10 +9,8 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <system_error>
-#include <table/bytes.hpp>
 #include <tcert/certifier.hpp>
 #include <tcert/guards.hpp>
 #include <utility>
@@ -22,14 +20,13 @@
 #include "cli/runs/interrupt.hpp"
 #include "cli/runs/live/line_buffer.hpp"
 #include "cli/runs/live/live_audit.hpp"
+#include "cli/runs/live/live_bundle.hpp"
 #include "cli/runs/live/live_record.hpp"
 #include "cli/runs/live/patient_output.hpp"
 #include "cli/runs/live/producer.hpp"
 #include "cli/runs/live/stall_watch.hpp"
 #include "cli/runs/live/tick_source.hpp"
 #include "cli/runs/result_folder.hpp"
-#include "datasets/bundle_files.hpp"
-#include "datasets/bundle_json.hpp"
 #include "datasets/tick_line.hpp"
 #include "reports/features_table.hpp"
 #include "reports/series.hpp"
@@ -45,32 +42,6 @@ void require_known(const LiveRequest& o) {
     throw UsageError("--slow-consumer: found '" + o.slow_consumer +
                      "', expected auto, wait or drop");
   }
-}
-
-BundleInfo describe(const std::string& path, Progress& progress) {
-  if (path.empty()) {
-    throw UsageError("needs --bundle");
-  }
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    throw NoInput("no bundle at '" + path + "'");
-  }
-  const bool is_json = std::filesystem::path(path).extension() == ".json";
-  if (!is_json && !BundleFiles(path).contains("bundle.json")) {
-    throw BadData("'" + path + "' holds no bundle.json: name a bundle or its bundle.json");
-  }
-  table::BytesResult bytes =
-      is_json ? table::read_file(path) : BundleFiles(path).read("bundle.json");
-  if (!bytes.bytes) {
-    throw BadData("'" + path + "': " + bytes.problem);
-  }
-  table::DiagnosticGroups problems;
-  auto info = parse_bundle_json(bytes.bytes->view(), problems);
-  progress.say(problems.take());
-  if (!info) {
-    throw BadData("'" + path + "' is not a bundle.json that can be used");
-  }
-  return std::move(*info);
 }
 
 constexpr int kLastRowsMs = 2000;
@@ -127,17 +98,6 @@ void follow(Producer& producer,
     if (!take_lines() || event == Producer::Event::end) {
       return;
     }
-  }
-}
-
-/// \throws UsageError if the parameters are none of a live run.
-Certifier certifier_of(const Robot& robot,
-                       const Course& course,
-                       const CertificateParameters& parameters) {
-  try {
-    return {robot, course, parameters};
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
   }
 }
 

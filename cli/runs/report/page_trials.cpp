@@ -27,6 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kTicksOfAStudy = 240'000;
 constexpr std::size_t kMostTicks = 400;
 constexpr std::size_t kFewestTicks = 60;
+constexpr double kMostParts = 1000.0;  // of a piece of a path
 constexpr std::size_t kMostWitnessCells = std::size_t{1} << 27U;
 
 bool holds(const Result& result, const char* file) {
@@ -109,9 +110,9 @@ void add_witness(const fs::path& path, TrialMap& map) {
   try {
     const WitnessDocument proof = witness_from_json(bytes.bytes->view(), kMostWitnessCells);
     for (const witness::Piece& piece : proof.path) {
-      const double parts = std::max({1.0,
-                                     std::ceil(witness::chord(piece) / 0.05),
-                                     std::ceil(std::abs(piece.turn_rad) / 0.1)});
+      const double wanted = std::max(std::ceil(witness::chord(piece) / 0.05),
+                                     std::ceil(std::abs(piece.turn_rad) / 0.1));
+      const double parts = std::clamp(wanted, 1.0, kMostParts);
       for (double k = map.witness.empty() ? 0.0 : 1.0; k <= parts; ++k) {
         map.witness.push_back(witness::point_at(piece, k / parts));
       }

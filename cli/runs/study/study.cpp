@@ -92,8 +92,7 @@ OptionTable options_of(StudyRequest& request) {
            request.hard,
            "N",
            "soundness: worlds with tight ends, slanted gates, staggered jaws, posts, dead ends, "
-           "kinks "
-           "or S-bends; 0 leaves them out")
+           "kinks or S-bends; 0 leaves them out")
       .within(0, 1e8);
   table
       .add("u-turns",

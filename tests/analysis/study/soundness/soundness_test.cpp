@@ -100,21 +100,9 @@ TEST(Soundness, IsTheSameForAnyNumberOfThreads) {
 // What is known of a world by how it is built, against the distance transform of its obstacles.
 TEST(Soundness, KnownValuesOfRandomWorldsAgreeWithTheGrid) {
   const Robot& robot = corpus_robot();
-  for (const WorldFamily family : {WorldFamily::gates,
-                                   WorldFamily::bends,
-                                   WorldFamily::discs,
-                                   WorldFamily::figure_eight,
-                                   WorldFamily::loop,
-                                   WorldFamily::u_turn,
-                                   WorldFamily::tight_ends,
-                                   WorldFamily::slanted_gates,
-                                   WorldFamily::staggered,
-                                   WorldFamily::posts,
-                                   WorldFamily::dead_ends,
-                                   WorldFamily::kinks,
-                                   WorldFamily::s_bends}) {
+  for (std::size_t k = 0; k < kWorldFamilies; ++k) {
     for (std::uint64_t i = 0; i < 20; ++i) {
-      const RandomWorld drawn = draw_random_world(family, 5, i);
+      const RandomWorld drawn = draw_random_world(static_cast<WorldFamily>(k), 5, i);
       const ClearanceValue grid = grid_clearance(drawn.world, 0.02).value;
       const double known = 0.5 * (upper_value(drawn, robot) + robot.body_width_m);
       EXPECT_LE(known, grid.upper_m + 3e-4) << drawn.world.name;
