@@ -104,6 +104,12 @@ TEST(ParseBundleJson, NamesUnknownKeysWithTheNearestKnownOne) {
           "'body_width_m'?"}));
 }
 
+TEST(ParseBundleJson, NamesABodyThatIsNotInMetres) {
+  EXPECT_EQ(json_problems(with(kFull, R"("body_width_m":0.4)", R"("body_width_m":400)")),
+            (Messages{"bundle.json: warning: column 'robot.body_width_m': found '400', expected "
+                      "metres: millimetres, centimetres?"}));
+}
+
 TEST(ParseBundleJson, NamesEveryWrongValue) {
   EXPECT_EQ(
       json_problems(R"({"format":"other","version":2,"robot":{"body_width_m":"wide"},
