@@ -10,7 +10,7 @@ namespace tcert {
 namespace {
 
 constexpr std::size_t kProbes = 16;
-constexpr std::int32_t kSide = 4;  // cells along a block
+constexpr std::int32_t kSide = ContactMemory::kSide;
 constexpr double kNothing = 1e-6;  // moves V_t by less than a micrometre
 
 // Blocks of which a cell's centre may lie within a radius of a point.

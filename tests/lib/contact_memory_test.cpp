@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <tcert/contact_memory.hpp>
 #include <vector>
@@ -110,6 +111,101 @@ TEST(ContactMemory, ForgetsATrial) {
   memory.add({0.05, 0.05}, 5.0, 0.0);
   memory.clear();
   EXPECT_EQ(memory.largest_within({0.05, 0.05}, 1.0, 0.0), 0.0);
+}
+
+// A memory of contacts all about the origin, and draws in [low, high).
+class Scattered {
+ public:
+  explicit Scattered(std::uint32_t seed) : engine_(seed) {
+    for (int k = 0; k < 40; ++k) {
+      time_s_ += uniform(0.0, 3.0);
+      const Point contact{uniform(-1.0, 1.0), uniform(-1.0, 1.0)};
+      const double force_n = uniform(0.0, 7.0);
+      memory_.add(contact, force_n, time_s_);
+      mirrored_.add({contact.x_m, -contact.y_m}, force_n, time_s_);
+    }
+  }
+
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
+  }
+  [[nodiscard]] const ContactMemory& memory() const { return memory_; }
+  [[nodiscard]] const ContactMemory& mirrored() const { return mirrored_; }
+  [[nodiscard]] double time_s() const { return time_s_; }
+
+ private:
+  std::mt19937 engine_;
+  ContactMemory memory_{CertificateParameters{}};
+  ContactMemory mirrored_{CertificateParameters{}};
+  double time_s_ = 0.0;
+};
+
+// Against the mean over many points, at each the value of its cell.
+TEST(ContactMemory, TheMeanAlongALineIsThatOfItsPoints) {
+  Scattered scattered(2);
+  for (int line = 0; line < 60; ++line) {
+    const Point from{scattered.uniform(-1.5, 1.5), scattered.uniform(-1.5, 1.5)};
+    const double angle_rad = scattered.uniform(-3.2, 3.2);
+    const Point u{std::cos(angle_rad), std::sin(angle_rad)};
+    const double length_m = scattered.uniform(0.01, 2.0);
+    const double time_s = scattered.time_s() + scattered.uniform(0.0, 30.0);
+    constexpr int kPoints = 20'000;
+    double sum = 0.0;
+    for (int i = 0; i < kPoints; ++i) {
+      const Point at = from + ((i + 0.5) * length_m / kPoints) * u;
+      const Point centre{0.1 * std::floor(at.x_m / 0.1) + 0.05,
+                         0.1 * std::floor(at.y_m / 0.1) + 0.05};
+      sum += scattered.memory().largest_within(centre, 0.01, time_s);
+    }
+    // At each of some 30 borders one point may count for the wrong cell.
+    EXPECT_NEAR(
+        scattered.memory().mean_along(from, u, length_m, time_s), sum / kPoints, 30.0 / kPoints)
+        << "line " << line;
+  }
+}
+
+// By hand: 0.05 m in the cell of the contact, 0.1 m in the next and 0.05 m in the third.
+TEST(ContactMemory, TheMeanAlongALineWeighsCellsByTheirLength) {
+  ContactMemory memory{CertificateParameters{}};
+  memory.add({0.05, 0.05}, 5.0, 0.0);
+  const auto at = [&](double x_m) { return memory.largest_within({x_m, 0.05}, 0.01, 0.0); };
+  const double mean = (0.05 * at(0.05) + 0.1 * at(0.15) + 0.05 * at(0.25)) / 0.2;
+  EXPECT_NEAR(memory.mean_along({0.05, 0.05}, {1.0, 0.0}, 0.2, 0.0), mean, 1e-15);
+  EXPECT_NEAR(memory.mean_along({0.25, 0.05}, {-1.0, 0.0}, 0.2, 0.0), mean, 1e-15);
+  EXPECT_NEAR(memory.mean_along({0.05, 0.05}, {1.0, 0.0}, 0.2, 20.0), 0.5 * mean, 1e-15);
+  EXPECT_NEAR(memory.mean_along({0.02, 0.02}, {0.6, 0.8}, 0.01, 0.0), at(0.05), 1e-15);
+  EXPECT_EQ(memory.mean_along({5.0, 5.0}, {1.0, 0.0}, 0.2, 0.0), 0.0);
+  EXPECT_EQ(memory.mean_along({1e9, 0.0}, {1.0, 0.0}, 0.2, 0.0), 0.0);
+}
+
+TEST(ContactMemory, AlongABorderTheMeanIsThatOfBothRows) {
+  ContactMemory memory{CertificateParameters{}};
+  memory.add({0.07, 0.06}, 5.0, 0.0);
+  const double above = memory.mean_along({0.0, 0.05}, {1.0, 0.0}, 0.4, 0.0);
+  const double below = memory.mean_along({0.0, -0.05}, {1.0, 0.0}, 0.4, 0.0);
+  ASSERT_NE(above, below);
+  EXPECT_NEAR(memory.mean_along({0.0, 0.0}, {1.0, 0.0}, 0.4, 0.0), 0.5 * (above + below), 1e-15);
+  EXPECT_NEAR(memory.mean_along({0.0, 0.0}, {0.0, -1.0}, 0.05, 0.0),
+              0.5 * (memory.mean_along({0.05, 0.0}, {0.0, -1.0}, 0.05, 0.0) +
+                     memory.mean_along({-0.05, 0.0}, {0.0, -1.0}, 0.05, 0.0)),
+              1e-15);
+}
+
+TEST(ContactMemory, TheMirroredLineThroughTheMirroredMemoryHasTheSameBits) {
+  Scattered scattered(3);
+  const ContactMemory& memory = scattered.memory();
+  const ContactMemory& mirrored = scattered.mirrored();
+  for (int line = 0; line < 20'000; ++line) {
+    // Some begin on borders, some run along them.
+    const double y_m = line % 4 == 0 ? 0.1 * (line % 9 - 4) : scattered.uniform(-1.5, 1.5);
+    const Point from{scattered.uniform(-1.5, 1.5), y_m};
+    const double angle_rad = scattered.uniform(-3.2, 3.2);
+    const Point u =
+        line % 8 == 0 ? Point{1.0, 0.0} : Point{std::cos(angle_rad), std::sin(angle_rad)};
+    ASSERT_EQ(memory.mean_along(from, u, 0.6, scattered.time_s()),
+              mirrored.mean_along({from.x_m, -y_m}, {u.x_m, -u.y_m}, 0.6, scattered.time_s()))
+        << "line " << line;
+  }
 }
 
 }  // namespace

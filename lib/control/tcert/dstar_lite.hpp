@@ -61,6 +61,11 @@ class DStarLite {
   };
   [[nodiscard]] Step next(std::uint32_t state) const noexcept;
 
+  /// The cost from a state to the goal. Exact for every state after the start on any shortest path
+  /// of the last plan, so that a caller may choose among them by a rule of its own: such a state's
+  /// key lies below that of the start, where a plan ends.
+  [[nodiscard]] PathCost cost_to_goal(std::uint32_t state) const noexcept { return g_[state]; }
+
   /// States expanded since the last clear: the work of the search.
   [[nodiscard]] std::uint64_t expansions() const noexcept { return expansions_; }
   [[nodiscard]] std::uint32_t states() const noexcept { return state_count_; }
