@@ -47,14 +47,9 @@ double normal_quantile(double p) {
   return 0.5 * (low + high);
 }
 
-struct Day {
-  double level = 0.0;
-  double calibration_m = 0.0;
-};
-
 /// Normal scores in random order rather than free draws: 22 draws would let the intraclass
 /// correlation of a corpus wander with the seed.
-std::vector<Day> days_of_block(std::uint64_t seed, std::uint64_t block) {
+std::vector<DayEffect> days_of_block(std::uint64_t seed, std::uint64_t block) {
   table::RandomStream random(seed, draws::kDayEffects, block);
   std::vector<double> levels(kDaysPerBlock);
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -62,7 +57,7 @@ std::vector<Day> days_of_block(std::uint64_t seed, std::uint64_t block) {
         normal_quantile((static_cast<double>(i) + 0.5) / static_cast<double>(kDaysPerBlock));
   }
   shuffle(levels, random);
-  std::vector<Day> days(kDaysPerBlock);
+  std::vector<DayEffect> days(kDaysPerBlock);
   for (std::size_t i = 0; i < days.size(); ++i) {
     days[i] = {levels[i], kCalibrationBiasSd * random.normal()};
   }
@@ -169,7 +164,7 @@ void validate(const CorpusOptions& options) {
 
 std::vector<TrialDesign> design_block(const CorpusOptions& options, std::uint64_t block) {
   const std::vector<TrialDesign> by_cell = trials_by_cell(options, block);
-  const std::vector<Day> days = days_of_block(options.seed, block);
+  const std::vector<DayEffect> days = days_of_block(options.seed, block);
   table::RandomStream random(options.seed, draws::kDays, block);
   const auto hands = deal_to_days(by_cell.size(), random);
   std::vector<TrialDesign> trials;
@@ -185,6 +180,10 @@ std::vector<TrialDesign> design_block(const CorpusOptions& options, std::uint64_
     }
   }
   return trials;
+}
+
+DayEffect day_effect(std::uint64_t seed, std::uint64_t day) {
+  return days_of_block(seed, day / kDaysPerBlock)[day % kDaysPerBlock];
 }
 
 TrialDesign design_trial(const CorpusOptions& options, std::uint64_t index) {

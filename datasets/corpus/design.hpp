@@ -73,6 +73,15 @@ void validate(const CorpusOptions& options);
 [[nodiscard]] std::vector<TrialDesign> design_block(const CorpusOptions& options,
                                                     std::uint64_t block);
 
+/// What a day does, counted over all blocks from 0.
+struct DayEffect {
+  double level = 0.0;          ///< Of the lanes' width, in standard deviations.
+  double calibration_m = 0.0;  ///< Added to what every tentacle reads.
+};
+
+/// That of one day of a seed. O(22).
+[[nodiscard]] DayEffect day_effect(std::uint64_t seed, std::uint64_t day);
+
 /// The design of trial k alone. O(660).
 [[nodiscard]] TrialDesign design_trial(const CorpusOptions& options, std::uint64_t index);
 

@@ -13,6 +13,7 @@ struct SimulatedTrial {
   TrialRow row;  ///< One extra cell: true_margin_m.
   TrialLog log;
   World world;
+  bool owns_world = true;  ///< False if another trial of the bundle writes the same world's file.
   double true_margin_m = 0.0;  ///< Least gate width on the route driven, less the body width.
 };
 

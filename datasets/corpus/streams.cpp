@@ -20,8 +20,63 @@ constexpr double kLatency = 19.6;                // ms, median
 constexpr double kLatencySpread = 0.25;          // ms, scale of its jitter
 constexpr std::int64_t kClockQuantum = 100'000;  // ns
 
-/// Sample times of one stream from 0 to `end_s`, in ns. The clock has draws of its own, so that
-/// what is logged at an instant does not depend on how long the log is.
+double speed_at(const Drive& drive, std::int64_t time_ns) {
+  const auto i =
+      std::min(static_cast<std::size_t>(static_cast<double>(time_ns) * 1e-9 / kDriveStep) + 1,
+               drive.poses.size() - 1);
+  return distance(drive.poses[i - 1].position, drive.poses[i].position) / kDriveStep;
+}
+
+PoseStream log_pose(const Drive& drive, double end_s, const StreamOptions& options) {
+  table::RandomStream clock(options.seed, draws::kPose, 2 * options.index);
+  table::RandomStream random(options.seed, draws::kPose, 2 * options.index + 1);
+  PoseStream stream;
+  stream.time_ns = sample_times(kPoseRate, end_s, options.native_rates, clock);
+  stream.poses.reserve(stream.time_ns.size());
+  for (const std::int64_t time : stream.time_ns) {
+    stream.poses.push_back(odometry(pose_at(drive, time), 1.0, random));
+  }
+  return stream;
+}
+
+TactileStream log_tactile(const Drive& drive,
+                          const WallIndex& walls,
+                          double end_s,
+                          const StreamOptions& options) {
+  table::RandomStream clock(options.seed, draws::kTactile, 2 * options.index);
+  TentacleSensors sensors(
+      options.calibration_bias_m,
+      table::RandomStream(options.seed, draws::kTactile, 2 * options.index + 1));
+  TactileStream stream;
+  stream.rays = kTentacles;
+  stream.time_ns =
+      sample_times(options.native_rates ? kTactileRate : 20.0, end_s, options.native_rates, clock);
+  stream.readings.reserve(stream.time_ns.size() * kTentacles);
+  for (const std::int64_t time : stream.time_ns) {
+    const auto readings = sensors.read(walls, pose_at(drive, time), speed_at(drive, time));
+    stream.readings.insert(stream.readings.end(), readings.begin(), readings.end());
+  }
+  return stream;
+}
+
+ControlStream log_control(const Drive& drive, double end_s, const StreamOptions& options) {
+  table::RandomStream clock(options.seed, draws::kControl, 2 * options.index);
+  table::RandomStream random(options.seed, draws::kControl, 2 * options.index + 1);
+  ControlStream stream;
+  stream.time_ns =
+      sample_times(options.native_rates ? 50.0 : 20.0, end_s, options.native_rates, clock);
+  for (const std::int64_t time : stream.time_ns) {
+    const auto at = static_cast<std::size_t>(static_cast<double>(time) * 1e-9 / kDriveStep);
+    const std::size_t i = std::min(at, drive.poses.size() - 1);
+    stream.speed_cmd_mps.push_back(rounded_to(drive.speed_cmd_mps[i], 1e4));
+    stream.yaw_rate_cmd_rps.push_back(rounded_to(drive.yaw_rate_cmd_rps[i], 1e4));
+    stream.loop_latency_ms.push_back(draw_latency_ms(kLatency, kLatencySpread, random));
+  }
+  return stream;
+}
+
+}  // namespace
+
 std::vector<std::int64_t> sample_times(double rate_hz,
                                        double end_s,
                                        bool native_rates,
@@ -45,69 +100,19 @@ std::vector<std::int64_t> sample_times(double rate_hz,
   }
 }
 
-double speed_at(const Drive& drive, std::int64_t time_ns) {
-  const auto i =
-      std::min(static_cast<std::size_t>(static_cast<double>(time_ns) * 1e-9 / kDriveStep) + 1,
-               drive.poses.size() - 1);
-  return distance(drive.poses[i - 1].position, drive.poses[i].position) / kDriveStep;
+Pose odometry(const Pose& pose, double side, table::RandomStream& random) noexcept {
+  const double yaw = pose.yaw_rad + side * (kYawNoise * random.normal());
+  const double x = pose.position.x_m + kPoseNoise * random.normal();
+  const double y = pose.position.y_m + side * (kPoseNoise * random.normal());
+  return {{rounded_to(x, 1e4), rounded_to(y, 1e4)},
+          rounded_to(std::remainder(yaw, 2.0 * std::numbers::pi), 1e4)};
 }
 
-PoseStream log_pose(const Drive& drive, double end_s, const StreamOptions& options) {
-  table::RandomStream clock(options.seed, draws::kPose, 2 * options.index);
-  table::RandomStream random(options.seed, draws::kPose, 2 * options.index + 1);
-  PoseStream stream;
-  stream.time_ns = sample_times(20.0, end_s, options.native_rates, clock);
-  stream.poses.reserve(stream.time_ns.size());
-  for (const std::int64_t time : stream.time_ns) {
-    const Pose pose = pose_at(drive, time);
-    const double yaw = pose.yaw_rad + kYawNoise * random.normal();
-    stream.poses.push_back({{rounded_to(pose.position.x_m + kPoseNoise * random.normal(), 1e4),
-                             rounded_to(pose.position.y_m + kPoseNoise * random.normal(), 1e4)},
-                            rounded_to(std::remainder(yaw, 2.0 * std::numbers::pi), 1e4)});
-  }
-  return stream;
+double draw_latency_ms(double median_ms, double scale_ms, table::RandomStream& random) noexcept {
+  const double u = random.uniform() - 0.5;
+  const double jitter = -std::copysign(elementary::log(1.0 - 2.0 * std::abs(u)), u);
+  return rounded_to(median_ms + scale_ms * jitter, 1e2);
 }
-
-TactileStream log_tactile(const Drive& drive,
-                          const WallIndex& walls,
-                          double end_s,
-                          const StreamOptions& options) {
-  table::RandomStream clock(options.seed, draws::kTactile, 2 * options.index);
-  TentacleSensors sensors(
-      options.calibration_bias_m,
-      table::RandomStream(options.seed, draws::kTactile, 2 * options.index + 1));
-  TactileStream stream;
-  stream.rays = kTentacles;
-  stream.time_ns =
-      sample_times(options.native_rates ? 83.0 : 20.0, end_s, options.native_rates, clock);
-  stream.readings.reserve(stream.time_ns.size() * kTentacles);
-  for (const std::int64_t time : stream.time_ns) {
-    const auto readings = sensors.read(walls, pose_at(drive, time), speed_at(drive, time));
-    stream.readings.insert(stream.readings.end(), readings.begin(), readings.end());
-  }
-  return stream;
-}
-
-ControlStream log_control(const Drive& drive, double end_s, const StreamOptions& options) {
-  table::RandomStream clock(options.seed, draws::kControl, 2 * options.index);
-  table::RandomStream random(options.seed, draws::kControl, 2 * options.index + 1);
-  ControlStream stream;
-  stream.time_ns =
-      sample_times(options.native_rates ? 50.0 : 20.0, end_s, options.native_rates, clock);
-  for (const std::int64_t time : stream.time_ns) {
-    const auto at = static_cast<std::size_t>(static_cast<double>(time) * 1e-9 / kDriveStep);
-    const std::size_t i = std::min(at, drive.poses.size() - 1);
-    stream.speed_cmd_mps.push_back(rounded_to(drive.speed_cmd_mps[i], 1e4));
-    stream.yaw_rate_cmd_rps.push_back(rounded_to(drive.yaw_rate_cmd_rps[i], 1e4));
-    // Laplace about the median: short most of the time, with the odd late loop.
-    const double u = random.uniform() - 0.5;
-    const double jitter = -std::copysign(elementary::log(1.0 - 2.0 * std::abs(u)), u);
-    stream.loop_latency_ms.push_back(rounded_to(kLatency + kLatencySpread * jitter, 1e2));
-  }
-  return stream;
-}
-
-}  // namespace
 
 Pose pose_at(const Drive& drive, std::int64_t time_ns) noexcept {
   const double at = static_cast<double>(time_ns) * 1e-9 / kDriveStep;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <tcert/elementary.hpp>
+#include <utility>
 
 namespace tcert {
 namespace {
@@ -74,13 +75,18 @@ std::array<double, kTentacles> cast_tentacles(const WallIndex& walls, const Pose
   return clearances;
 }
 
-TentacleSensors::TentacleSensors(double calibration_bias_m, table::RandomStream random)
-    : calibration_bias_m_(calibration_bias_m), random_(random) {
-  for (double& noise : noise_m_) {
-    noise = random_.uniform(0.005, 0.008);
+TentacleSensors::TentacleSensors(double calibration_bias_m,
+                                 table::RandomStream random,
+                                 bool mirrored)
+    : calibration_bias_m_(calibration_bias_m), random_(random), order_{0, 1, 2} {
+  if (mirrored) {
+    std::swap(order_[0], order_[1]);
   }
-  for (auto& waves : texture_) {
-    for (Wave& wave : waves) {
+  for (const std::size_t k : order_) {
+    noise_m_[k] = random_.uniform(0.005, 0.008);
+  }
+  for (const std::size_t k : order_) {
+    for (Wave& wave : texture_[k]) {
       const double length = random_.uniform(kShortestWave, kLongestWave);
       wave = {2.0 * std::numbers::pi / length, random_.uniform(0.0, 2.0 * std::numbers::pi)};
     }
@@ -104,7 +110,7 @@ std::array<RayReading, kTentacles> TentacleSensors::read(const WallIndex& walls,
   const double rub = std::max(kLeastForce, kForcePerSpeed * (speed_mps - kSlowest));
   last_ = pose.position;
   std::array<RayReading, kTentacles> readings;
-  for (std::size_t k = 0; k < kTentacles; ++k) {
+  for (const std::size_t k : order_) {
     const Ray& ray = robot.rays[k];
     const double clearance = clearances[k];
     // Clearances end at the reach: no wall can be felt to lie beyond it.

@@ -34,8 +34,9 @@ inline constexpr double kSensingRange = 0.70;  ///< From the body's centre to th
 class TentacleSensors {
  public:
   /// Noise is drawn per tentacle: 5 to 8 mm of clearance, one standard deviation. Most of it is
-  /// the wall's texture, waves of 6 to 20 cm of travel; 1.5 mm of it is white.
-  TentacleSensors(double calibration_bias_m, table::RandomStream random);
+  /// the wall's texture, waves of 6 to 20 cm of travel; 1.5 mm of it is white. `mirrored` gives the
+  /// left tentacle the draws of the right one, and the right one those of the left.
+  TentacleSensors(double calibration_bias_m, table::RandomStream random, bool mirrored = false);
 
   /// Readings at the next sample, at a true speed of `speed_mps`. A tentacle touches when its wall
   /// comes 4 mm into reach, which is what it takes to load the force sensor, and lets go when the
@@ -59,6 +60,7 @@ class TentacleSensors {
 
   double calibration_bias_m_ = 0.0;
   table::RandomStream random_;
+  std::array<std::size_t, kTentacles> order_;  ///< In which the tentacles draw.
   std::array<double, kTentacles> noise_m_{};
   std::array<std::array<Wave, kWaves>, kTentacles> texture_{};
   double travelled_m_ = 0.0;

@@ -46,19 +46,12 @@ void add_gates(TrialCourse& trial,
                double tightest_width,
                table::RandomStream& course_random,
                table::RandomStream& tightness_random) {
-  const double end = std::min(kLastGate, walled_length(trial.course) - kWallClearance);
-  const double first = course_random.uniform(kFirstGateFrom, std::min(kFirstGateTo, end));
-  const double spacing = kGateSpacing + 0.2 * course_random.uniform();
-  const bool two = course_random.uniform() < 0.6 && first + spacing <= end;
-  for (int i = 0; i < (two ? 2 : 1); ++i) {
-    Gate gate;
-    gate.lane = lane;
-    gate.along_m = first + i * spacing;
-    gate.offset_m = course_random.uniform(-kMostOffset, kMostOffset);
-    gate.length_m = course_random.uniform(0.10, 0.20);
+  int i = 0;
+  for (Gate& gate : place_gates(trial.course, lane, course_random)) {
     gate.width_m =
         tightest_width + i * (kSecondGate + kGateSd * std::abs(tightness_random.normal()));
     trial.gates.push_back(gate);
+    ++i;
   }
 }
 
@@ -88,6 +81,27 @@ double least_margin(const TrialCourse& trial) {
 
 }  // namespace
 
+FigureEight draw_lanes(double shift_m, table::RandomStream& random) {
+  return {random.uniform(kLeastRadius, kMostRadius), kNominalLaneWidth + shift_m};
+}
+
+std::vector<Gate> place_gates(const FigureEight& course, Lane lane, table::RandomStream& random) {
+  const double end = std::min(kLastGate, walled_length(course) - kWallClearance);
+  const double first = random.uniform(kFirstGateFrom, std::min(kFirstGateTo, end));
+  const double spacing = kGateSpacing + 0.2 * random.uniform();
+  const bool two = random.uniform() < 0.6 && first + spacing <= end;
+  std::vector<Gate> gates(two ? 2 : 1);
+  double along = first;
+  for (Gate& gate : gates) {
+    gate.lane = lane;
+    gate.along_m = along;
+    gate.offset_m = random.uniform(-kMostOffset, kMostOffset);
+    gate.length_m = random.uniform(0.10, 0.20);
+    along = first + spacing;
+  }
+  return gates;
+}
+
 TrialCourse draw_course(const TrialDesign& design) {
   table::RandomStream course_random(design.seed, draws::kCourse, design.index);
   table::RandomStream tightness_random(design.seed, draws::kTightness, design.index);
@@ -96,7 +110,7 @@ TrialCourse draw_course(const TrialDesign& design) {
   const double level = kMeanLevel - (design.success ? 0.0 : kOutcomeStep * design.effect) + shift +
                        kTrialSd * tightness_random.normal();
   TrialCourse trial;
-  trial.course = {course_random.uniform(kLeastRadius, kMostRadius), kNominalLaneWidth + shift};
+  trial.course = draw_lanes(shift, course_random);
   trial.route.first = {false, course_random.below(2) == 0};
   trial.route.second = {true, course_random.below(2) == 0};
   for (const bool at_goal : {false, true}) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <table/random.hpp>
 #include <vector>
 
 #include "datasets/corpus/design.hpp"
@@ -24,6 +25,15 @@ struct TrialCourse {
   std::optional<std::size_t> wedge;  ///< Index of the gate that a failure never passes.
   double true_margin_m = 0.0;        ///< Least gate width on the route, less the body width.
 };
+
+/// A course of 0.6 to 1.0 m of radius, its lanes `shift_m` wider than 1.2 m.
+[[nodiscard]] FigureEight draw_lanes(double shift_m, table::RandomStream& random);
+
+/// The gates of a lane, first to last, that have no width yet: one or two, the first 0.68 to 0.90 m
+/// from the lane's outer end, none beyond 1.5 m, within 2 cm of the centre line.
+[[nodiscard]] std::vector<Gate> place_gates(const FigureEight& course,
+                                            Lane lane,
+                                            table::RandomStream& random);
 
 /// Draws the course of a trial from (seed, k) and its design.
 ///

@@ -33,10 +33,14 @@ double distance_into(const Disc& disc, Point origin, Point u) {
   return std::max(along - std::sqrt(half2), 0.0);
 }
 
-Point nearest_point(const Segment& segment, Point p) {
+/// Where the point of a segment nearest to `p` lies: 0 at its a, 1 at its b.
+double share_along(const Segment& segment, Point p) {
   const Point along = segment.b - segment.a;
-  const double t = std::clamp(dot(p - segment.a, along) / dot(along, along), 0.0, 1.0);
-  return segment.a + t * along;
+  return std::clamp(dot(p - segment.a, along) / dot(along, along), 0.0, 1.0);
+}
+
+Point nearest_point(const Segment& segment, Point p) {
+  return segment.a + share_along(segment, p) * (segment.b - segment.a);
 }
 
 std::size_t cell_number(double from, double value, std::size_t count) {
@@ -177,6 +181,34 @@ double WallIndex::distance_from(Point p) const noexcept {
     nearest = std::min(nearest, distance(near_discs_[i].centre, p) - near_discs_[i].radius_m);
   }
   return nearest;
+}
+
+std::size_t WallIndex::walls_within(Point p,
+                                    double distance_m,
+                                    std::span<NearWall> walls) const noexcept {
+  const Cell cell = cell_at(p);
+  std::size_t found = 0;
+  const auto add = [&](const NearWall& wall) {
+    if (wall.distance_m < distance_m) {
+      if (found < walls.size()) {
+        walls[found] = wall;
+      }
+      ++found;
+    }
+  };
+  for (std::size_t i = cell.first; i < cell.last; ++i) {
+    const double share = share_along(near_[i], p);
+    const Point nearest = near_[i].a + share * (near_[i].b - near_[i].a);
+    const bool at_corner = share == 0.0 || share == 1.0;
+    add({nearest, distance(nearest, p), at_corner ? 0.0 : std::numeric_limits<double>::infinity()});
+  }
+  for (std::size_t i = cell.first_disc; i < cell.last_disc; ++i) {
+    const Disc& disc = near_discs_[i];
+    const Point out = p - disc.centre;
+    const double apart = norm(out);
+    add({disc.centre + (disc.radius_m / apart) * out, apart - disc.radius_m, disc.radius_m});
+  }
+  return found;
 }
 
 }  // namespace tcert

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <tcert/geometry.hpp>
 #include <tcert/region.hpp>
 #include <utility>
@@ -16,6 +17,13 @@ namespace tcert {
 struct Segment {
   Point a;
   Point b;
+};
+
+/// A wall, by its point nearest to where it was asked from.
+struct NearWall {
+  Point nearest;
+  double distance_m = 0.0;
+  double radius_m = 0.0;  ///< Of the wall there: 0 at a corner, infinite along an edge.
 };
 
 /// Edges of a world's polygons and its discs on a grid; each cell lists what lies within `range_m`
@@ -35,6 +43,13 @@ class WallIndex {
   /// Distance from `p`, which is free, to the nearest wall; what is further than range_m may be
   /// overlooked.
   [[nodiscard]] double distance_from(Point p) const noexcept;
+
+  /// The walls nearer than `distance_m` to `p`, which is free: edges, then discs, each in the order
+  /// of the world. As many as there is room for are written to `walls`; returns how many there are.
+  /// \pre distance_m <= range_m.
+  [[nodiscard]] std::size_t walls_within(Point p,
+                                         double distance_m,
+                                         std::span<NearWall> walls) const noexcept;
 
  private:
   struct Cell {

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// A driven trial from its design to its row and log.
+
+#include <string>
+#include <vector>
+
+#include "datasets/bundle.hpp"
+#include "datasets/corpus/simulated_trial.hpp"
+#include "datasets/driven/driven_run.hpp"
+
+namespace tcert {
+
+struct DrivenTrial {
+  SimulatedTrial trial;  ///< Row with the extra columns below, log and world, as a bundle has them.
+  DrivenEvents events;
+};
+
+/// Names of the columns that a driven trial's row has beyond those of every bundle: outcomes of the
+/// drive, none of them a predictor.
+[[nodiscard]] std::vector<std::string> driven_extra_columns();
+
+/// What has happened so far; of a trial that has not ended the row has no outcome. O(log).
+[[nodiscard]] DrivenTrial trial_of(const DrivenRun& run);
+
+/// Drives one trial: `Command controller(const Senses&)` is called at each control step. The same
+/// design and the same commands give the same bytes.
+/// \throws what DrivenRun and the controller throw.
+template <class Controller>
+[[nodiscard]] DrivenTrial drive_trial(const DrivenDesign& design, Controller&& controller) {
+  DrivenRun run(design);
+  while (const policies::Senses* senses = run.next()) {
+    run.take(controller(*senses));
+  }
+  return trial_of(run);
+}
+
+/// Description of a bundle of driven trials: robot, S and G of the figure-8, lighting tiers, trial
+/// limit, provenance. `native_rates` as in the designs.
+[[nodiscard]] BundleInfo driven_info(std::uint64_t seed,
+                                     const DriveParameters& parameters,
+                                     bool native_rates);
+
+}  // namespace tcert
