@@ -23,6 +23,7 @@ struct Command {
 };
 
 extern const Command kSimulate;
+extern const Command kDrive;
 extern const Command kImport;
 extern const Command kCalibrate;
 extern const Command kCheck;

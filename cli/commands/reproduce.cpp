@@ -16,6 +16,9 @@ in DIR/gates, unless they are there already. Then it runs the other commands, ea
   DIR/ablation      tcert ablate      DIR/h3       tcert hypotheses h3 on replays/replay.csv
   DIR/gate          tcert gate        DIR/sensitivity  tcert sweep --sensitivity, if asked for
 
+  DIR/driven        the same of trials that policies drive in closed loop (tcert drive): bundle,
+                    certificates, h1, h2, and h3 of arms that drive the same worlds in pairs
+
 and prints the tables; DIR/report.html (tcert report) shows all of it. A step that the data do not
 allow (no lighting, no baseline) is left out and named. What an earlier run left in DIR and this one
 does not make is removed; if it was edited, nothing is done. 'tcert verify DIR' makes everything again and compares it.
@@ -26,7 +29,8 @@ Example:
   tcert reproduce --output results
   tcert reproduce my-logs --output results --set body_width_m=0.5
 
-Cost: a quarter of a minute and about 200 MB for the 660 trials; a minute more with --sensitivity.
+Cost: a minute on two cores, of which --no-driven saves two thirds, and about 400 MB; a minute more with
+--sensitivity.
 )";
 
 int run_reproduce(Arguments arguments) { return run_command(kReproduceText, arguments, reproduce); }

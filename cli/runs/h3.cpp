@@ -1,10 +1,11 @@
 #include "cli/runs/h3.hpp"
 
-#include <table/read_data_table.hpp>
 #include <memory>
 #include <stdexcept>
 #include <table/bytes.hpp>
+#include <table/read_data_table.hpp>
 
+#include "analysis/study/driven/paired_arms.hpp"
 #include "analysis/study/h3/hypothesis_h3.hpp"
 #include "cli/runs/certify_trials.hpp"
 #include "cli/runs/data_file.hpp"
@@ -14,6 +15,7 @@
 #include "cli/runs/thread_limit.hpp"
 #include "cli/runs/watched_stages.hpp"
 #include "reports/features_table.hpp"
+#include "reports/h3_driven_table.hpp"
 #include "reports/h3_table.hpp"
 #include "reports/replay_table.hpp"
 
@@ -25,6 +27,8 @@ struct Study {
   std::optional<SyntheticLabel> synthetic;
   Manifest manifest;
   ExitCode code = exit_done;
+  std::vector<TrialRow> trials;  ///< Of a bundle, as the next.
+  std::vector<std::string> extra_columns;
 };
 
 /// The names in the column, each once.
@@ -91,7 +95,20 @@ Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
     study.manifest.inputs.push_back(*input);
   }
   study.code = conclude(summary, opened, progress);
+  study.trials = opened.bundle.trials;
+  study.extra_columns = opened.bundle.extra_columns;
   return study;
+}
+
+study::PairedArms driven_arms(const HypothesesRequest& request, const Study& study) {
+  study::PairedOptions paired;
+  paired.base = request.gated;
+  paired.lead = request.lead;
+  paired.level = request.level;
+  paired.loss_margin = request.loss_margin;
+  paired.replicates = static_cast<std::size_t>(request.replicates);
+  paired.seed = static_cast<std::uint64_t>(request.seed);
+  return study::compare_arms(study.trials, study.extra_columns, paired);
 }
 
 }  // namespace
@@ -99,6 +116,9 @@ Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
 ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
   if (request.bundle.empty() == request.replays.empty()) {
     throw UsageError("h3 needs either BUNDLE or --replays FILE");
+  }
+  if (request.driven && request.bundle.empty()) {
+    throw UsageError("--driven needs a BUNDLE, as 'tcert drive' writes it, not --replays");
   }
   require_range("level", request.level, 1e-9, 1.0 - 1e-9);
   study::H3Options h3;
@@ -127,7 +147,8 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
                       "', which --gated and --lead name; algorithms of the table: " +
                       algorithms_of(study.table));
     }
-    report = h3_report(tested);
+    report =
+        request.driven ? h3_driven_report(driven_arms(request, study), tested) : h3_report(tested);
   } catch (const std::invalid_argument& error) {
     throw BadData(error.what());
   }

@@ -37,6 +37,7 @@ struct HypothesesRequest {
   std::string gated = "M3";
   std::string lead = "CB-V";
   double loss_margin = 0.05;
+  bool driven = false;
   ReplayLawOptions laws;
 
   OutputOptions output;

@@ -81,6 +81,11 @@ OptionTable options_of(HypothesesRequest& request) {
   table.add("lead", request.lead, "NAME", "h3: the algorithm whose lead is to be recovered");
   table.add("loss-margin", request.loss_margin, "P", "h3: share of trials that may be lost")
       .within(1e-9, 1.0 - 1e-9);
+  table.add(
+      "driven",
+      request.driven,
+      "h3: arms that drove the same worlds, compared in pairs, beside the replay; for a bundle "
+      "of 'tcert drive'");
   add_replay_law_options(table, request.laws);
   add_common(table, request);
   return table;

@@ -113,6 +113,9 @@ Settings as_settings(const study::ParameterSet& parameters, const Robot& robot) 
                  effective.curvature_buffer_per_m};
   Settings settings;
   for (const study::ParameterInfo& parameter : study::parameter_table()) {
+    if (parameter.stage == study::Stage::drive) {
+      continue;  // of no log that is there already
+    }
     settings.emplace_back(parameter.key, parameter.get(shown));
   }
   return settings;

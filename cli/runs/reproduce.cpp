@@ -1,7 +1,6 @@
 #include "cli/runs/reproduce.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <table/csv_write.hpp>
 #include <utility>
@@ -13,96 +12,17 @@
 #include "cli/runs/hypotheses.hpp"
 #include "cli/runs/inputs.hpp"
 #include "cli/runs/replay.hpp"
-#include "cli/runs/report/report.hpp"
+#include "cli/runs/reproduce_driven.hpp"
+#include "cli/runs/reproduce_page.hpp"
+#include "cli/runs/reproduce_steps.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/simulate.hpp"
 #include "datasets/corpus/tentacles.hpp"
-#include "reports/findings.hpp"
-#include "reports/results/results.hpp"
 
 namespace tcert::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The runs of the study, one after the other, each into its folder.
-class Steps {
- public:
-  Steps(const ReproduceRequest& request, Progress& progress)
-      : request_(request), progress_(progress), parts_(progress), folder_(request.output.path) {}
-
-  [[nodiscard]] fs::path at(const char* part) const { return folder_ / part; }
-
-  /// A request for a part, told all that was told to this run.
-  template <class Request>
-  [[nodiscard]] Request of(const char* part) const {
-    Request request;
-    request.output.path = (folder_ / part / "").string();
-    request.threads = request_.threads;
-    if constexpr (requires { request.seed; }) {
-      request.seed = request_.seed;
-      request.given = {"seed"};  // Named in the manifest, whatever it is.
-    }
-    return request;
-  }
-
-  /// Likewise, for a run that reads the logs.
-  template <class Request>
-  [[nodiscard]] Request of_logs(const char* part, const std::string& bundle) const {
-    auto request = of<Request>(part);
-    request.bundle = bundle;
-    request.logs = request_.logs;
-    return request;
-  }
-
-  /// Must go well.
-  template <class Request>
-  void require(ExitCode (*run)(const Request&, Progress&), const Request& request) {
-    const ExitCode code = run(request, parts_);
-    if (code != exit_done && code != exit_rejected) {
-      throw BadData("'" + request.output.path + "' could not be made");
-    }
-    note(code);
-  }
-
-  /// May be impossible with these data: it is left out then, and nothing of an earlier run stands
-  /// for it.
-  template <class Request>
-  void attempt(const char* part,
-               const char* command,
-               ExitCode (*run)(const Request&, Progress&),
-               const Request& request) {
-    const auto leave_out = [&](const std::exception& error) {
-      remove_own_folder(folder_ / part, command);
-      progress_.say(std::string(part) + " is left out: " + error.what());
-    };
-    try {
-      const ExitCode code = run(request, parts_);
-      if (code == exit_bad_data) {
-        progress_.say(std::string(part) +
-                      " has no estimate, as said above; what there is stands in " +
-                      (folder_ / part).string());
-      } else {
-        note(code);
-      }
-    } catch (const BadData& error) {
-      leave_out(error);
-    } catch (const UnfitData& error) {
-      leave_out(error);
-    }
-  }
-
-  [[nodiscard]] ExitCode code() const noexcept { return code_; }
-
- private:
-  void note(ExitCode code) { code_ = std::max(code_, code); }
-
-  const ReproduceRequest& request_;
-  Progress& progress_;
-  WithoutSums parts_;
-  fs::path folder_;
-  ExitCode code_ = exit_done;
-};
 
 /// The corpus in its folder, made unless it is there.
 std::string corpus_in(const char* part,
@@ -120,16 +40,6 @@ std::string corpus_in(const char* part,
     static_cast<void>(simulate(corpus, words));
   }
   return corpus.output.path;
-}
-
-/// Where the landmark of the features is, if not where it usually is.
-std::string landmark_of(const OpenedBundle& opened) {
-  const double time_s = opened.parameters.early_window.time_s;
-  std::string text;
-  if (time_s != study::ParameterSet().early_window.time_s) {
-    table::append_number(text, time_s);
-  }
-  return text;
 }
 
 /// True if `inner` is `outer` or lies in it.
@@ -156,7 +66,19 @@ void remove_stale(const ReproduceRequest& request) {
       }
     }
   }
+  if (!drives(request)) {
+    for (const char* const part : {"bundle", "paired"}) {
+      if (request.bundle.empty() || !lies_in(request.bundle, output / "driven" / part)) {
+        folders.emplace_back(output / "driven" / part, "drive");
+      }
+    }
+    folders.emplace_back(output / "driven" / "certificates", "certify");
+    for (const char* const part : {"h1", "h2", "h3"}) {
+      folders.emplace_back(output / "driven" / part, "hypotheses");
+    }
+  }
   require_own_file(output / "report.html");
+  require_own_file(output / "driven" / "report.html");
   for (const auto& [folder, command] : folders) {
     require_own_folder(folder, command);
   }
@@ -164,6 +86,9 @@ void remove_stale(const ReproduceRequest& request) {
     remove_own_folder(folder, command);
   }
   remove_own_file(output / "report.html");
+  remove_own_file(output / "driven" / "report.html");
+  std::error_code not_empty;
+  fs::remove(output / "driven", not_empty);  // only if nothing is left in it
 }
 
 /// To be asked before anything is removed. \throws what opening the bundle does; UsageError for
@@ -183,49 +108,16 @@ void require_readable(const ReproduceRequest& request, Progress& progress) {
   }
 }
 
-/// What each part found, in the order of the paper; the tables are in their files.
-std::string page_of(const Results& results, const OutputFormat& output, const Progress& progress) {
-  constexpr std::array kParts = {ResultKind::certificates,
-                                 ResultKind::h1,
-                                 ResultKind::h2,
-                                 ResultKind::h3,
-                                 ResultKind::ablation,
-                                 ResultKind::sweep,
-                                 ResultKind::gate};
-  const bool is_text = output.table_format() == TableFormat::text;
+}  // namespace
+
+std::string landmark_of(const OpenedBundle& opened) {
+  const double time_s = opened.parameters.early_window.time_s;
   std::string text;
-  if (is_text && results.synthetic) {
-    text += to_string(*results.synthetic) + "\n\n";
-  }
-  for (const ResultKind kind : kParts) {
-    const Result* const result = results.find(kind);
-    const auto findings = result != nullptr ? result_table(*result, "findings") : std::nullopt;
-    if (findings) {
-      text += (is_text ? findings_text(*findings, width_of(output, progress))
-                       : shown(*findings, output, progress)) +
-              '\n';
-    }
+  if (time_s != study::ParameterSet().early_window.time_s) {
+    table::append_number(text, time_s);
   }
   return text;
 }
-
-/// The page of all results, if this build has one: its path is said last.
-void write_page(const ReproduceRequest& request, Progress& progress) {
-  ReportRequest page;
-  page.results = request.output.path;
-  page.bundle = request.bundle;
-  page.threads = request.threads;
-  page.output.path = (fs::path(request.output.path) / "report.html").string();
-  try {
-    static_cast<void>(report(page, progress));
-  } catch (const NoInput& error) {
-    progress.say(std::string("report.html is left out: ") + error.what());
-  } catch (const BadData& error) {
-    progress.say(std::string("report.html is left out: ") + error.what());
-  }
-}
-
-}  // namespace
 
 OptionTable options_of(ReproduceRequest& request) {
   OptionTable table(request.given);
@@ -240,6 +132,9 @@ OptionTable options_of(ReproduceRequest& request) {
   table.add("sensitivity",
             request.sensitivity,
             "also run under every choice that the paper leaves open, one at a time");
+  table.add("no-driven",
+            request.no_driven,
+            "leave out the trials that policies drive in closed loop, which take most of the time");
   add_common(table, request);
   return table;
 }
@@ -286,10 +181,14 @@ ExitCode reproduce(const ReproduceRequest& request, Progress& progress) {
     passes.bundle = corpus_in("gates", true, request, progress);
     steps.attempt("gate", "gate", gate, passes);
   }
-  progress.show(page_of(read_results(output), request.output, progress));
+  ExitCode code = steps.code();
+  if (drives(request)) {
+    code = std::max(code, driven_study(request, progress));
+  }
+  progress.show(pages_of(request, progress));
   progress.sum_up("Bundle:  " + bundle + "\nResults: " + output.string());
   write_page(request, progress);
-  return steps.code();
+  return code;
 }
 
 }  // namespace tcert::cli

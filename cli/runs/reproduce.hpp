@@ -13,6 +13,7 @@ struct ReproduceRequest {
   double effect = 1.0;
   bool no_series = false;
   bool sensitivity = false;
+  bool no_driven = false;
   OutputOptions output;
   std::int64_t seed = 1;
   std::int64_t threads = 0;

@@ -27,7 +27,7 @@ struct KindWords {
   std::string_view question;
 };
 
-constexpr std::array<KindWords, 9> kKinds = {{
+constexpr std::array<KindWords, 11> kKinds = {{
     {ResultKind::corpus, "Trials", ""},
     {ResultKind::certificates, "Certificates", ""},
     {ResultKind::h1, "H1", "Does the early certificate tell more than counting contacts?"},
@@ -37,6 +37,10 @@ constexpr std::array<KindWords, 9> kKinds = {{
     {ResultKind::ablation, "Ablation", "What does each part of the method add?"},
     {ResultKind::sweep, "Sweep", "Does it depend on the parameters?"},
     {ResultKind::gate, "Gate", "Is a margin of 0 an even chance to pass?"},
+    {ResultKind::driven, "Driven trials", ""},
+    {ResultKind::h3_driven,
+     "H3 in closed loop",
+     "Does a speed law in the loop win time without losing successes?"},
 }};
 
 const KindWords* words_of_kind(ResultKind kind) {

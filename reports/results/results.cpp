@@ -1,7 +1,7 @@
 #include "reports/results/results.hpp"
 
-#include <table/read_data_table.hpp>
 #include <fmt/format.h>
+#include <table/read_data_table.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,8 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 10> kWords = {
-    "corpus", "certificates", "h1", "h2", "replays", "h3", "ablation", "sweep", "gate", "other"};
+constexpr std::array<std::string_view, 12> kWords = {"corpus",
+                                                     "certificates",
+                                                     "h1",
+                                                     "h2",
+                                                     "replays",
+                                                     "h3",
+                                                     "ablation",
+                                                     "sweep",
+                                                     "gate",
+                                                     "driven",
+                                                     "h3_driven",
+                                                     "other"};
 
 ResultKind kind_of(const WrittenResult& written) {
   if (written.command == "hypotheses" && written.arguments) {
@@ -30,7 +40,9 @@ ResultKind kind_of(const WrittenResult& written) {
         return ResultKind::h2;
       }
       if (argument.text == "h3") {
-        return ResultKind::h3;
+        const bool is_driven = std::ranges::any_of(
+            *written.arguments, [](const ManifestArgument& one) { return one.text == "--driven"; });
+        return is_driven ? ResultKind::h3_driven : ResultKind::h3;
       }
     }
   }
@@ -40,7 +52,8 @@ ResultKind kind_of(const WrittenResult& written) {
       {"replay", ResultKind::replays},
       {"ablate", ResultKind::ablation},
       {"sweep", ResultKind::sweep},
-      {"gate", ResultKind::gate}};
+      {"gate", ResultKind::gate},
+      {"drive", ResultKind::driven}};
   const auto kind = kinds.find(written.command);
   return kind == kinds.end() ? ResultKind::other : kind->second;
 }
@@ -64,6 +77,7 @@ void add_result(const fs::path& folder, std::string name, Results& results) {
 /// Made from the logs of the study, not from those of the micro-study or from nothing.
 bool of_the_study(const Result& result) {
   return result.kind != ResultKind::corpus && result.kind != ResultKind::gate &&
+         result.kind != ResultKind::driven && result.kind != ResultKind::h3_driven &&
          result.kind != ResultKind::other;
 }
 

@@ -25,6 +25,8 @@ enum class ResultKind {
   ablation,  ///< ablate: cells.csv
   sweep,     ///< sweep: cells.csv
   gate,
+  driven,     ///< drive
+  h3_driven,  ///< hypotheses h3 --driven, of worlds of its own
   other,
 };
 
@@ -64,7 +66,7 @@ struct Results {
 /// \throws MissingResult if there is none.
 [[nodiscard]] Results read_results(const std::filesystem::path& folder);
 
-/// Every result but that of the micro-study, which has a bundle of its own, must have been made
+/// Every result but those of the micro-study and of driven arms, which have bundles of their own, must have been made
 /// from the same logs with the same parameters; and what one was made from that another has written
 /// must be that very file. \throws MixedResults.
 void require_same_inputs(const Results& results);

@@ -5,7 +5,7 @@ namespace {
 
 bool depends(Stage stage, Stage on) noexcept {
   const bool both_last = stage == Stage::control && on == Stage::features;
-  return on <= stage && !both_last;
+  return on <= stage && !both_last && on != Stage::drive;
 }
 
 }  // namespace

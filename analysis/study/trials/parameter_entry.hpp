@@ -62,26 +62,30 @@ ParameterInfo entry_of(const NumberField& field,
           }};
 }
 
-inline ParameterInfo override_of(const NumberField& field,
-                                 Stage stage,
-                                 std::optional<double> RobotOverrides::*member) {
+/// Of a number that may be left at what it would be anyway, which `usual` calls.
+template <class Group>
+ParameterInfo override_of(const NumberField& field,
+                          Stage stage,
+                          Group ParameterSet::*group,
+                          std::optional<double> Group::*member,
+                          std::string_view usual) {
   return {field.key,
           field.unit,
           field.text,
           stage,
-          "a number " + to_string(field.bounds) + ", or 'bundle'",
+          "a number " + to_string(field.bounds) + ", or '" + std::string(usual) + "'",
           [=](const ParameterSet& set) {
-            const std::optional<double> value = set.robot.*member;
-            return value ? number_text(*value) : std::string("bundle");
+            const std::optional<double> value = set.*group.*member;
+            return value ? number_text(*value) : std::string(usual);
           },
           [=, bounds = field.bounds](ParameterSet& set, std::string_view text) {
-            if (text == "bundle") {
-              (set.robot.*member).reset();
+            if (text == usual) {
+              (set.*group.*member).reset();
               return true;
             }
             const auto value = read_number<double>(text, bounds);
             if (value) {
-              set.robot.*member = value;
+              set.*group.*member = value;
             }
             return value.has_value();
           }};

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "analysis/study/trials/parameter_entry.hpp"
 
 namespace tcert::study {
@@ -5,10 +9,31 @@ namespace {
 
 /// The robot's numbers, each of which may take the place of the bundle's.
 void add_robot(ParameterEntries& table) {
-#define TCERT_NUMBER(type, member, key, value, unit, bounds, text) \
-  table.push_back(override_of(                                     \
-      NumberField{#key, unit, bounds, text}, Stage::certify, &RobotOverrides::member));
+#define TCERT_NUMBER(type, member, key, value, unit, bounds, text)   \
+  table.push_back(override_of(NumberField{#key, unit, bounds, text}, \
+                              Stage::certify,                        \
+                              &ParameterSet::robot,                  \
+                              &RobotOverrides::member,               \
+                              "bundle"));
 #include <tcert/parameters/robot.def>
+}
+
+/// Of the policies' numbers, those which each policy has a fitted one of may be left at that.
+void add_policy(ParameterEntries& table) {
+  using Member = std::optional<double> PolicyOverrides::*;
+  constexpr std::array<std::pair<std::string_view, Member>, 3> kFitted{
+      {{"cruise_mps", &PolicyOverrides::cruise_mps},
+       {"caution", &PolicyOverrides::caution},
+       {"lookahead_m", &PolicyOverrides::lookahead_m}}};
+  policies::visit_fields(policies::PolicyParameters{}, [&](const auto& field, auto member) {
+    const auto* const fitted =
+        std::ranges::find(kFitted, field.key, [](const auto& one) { return one.first; });
+    table.push_back(
+        fitted == kFitted.end()
+            ? entry_of(field, Stage::drive, &ParameterSet::policy, member)
+            : override_of(
+                  field, Stage::drive, &ParameterSet::policy_overrides, fitted->second, "fitted"));
+  });
 }
 
 ParameterEntries make_table() {
@@ -22,6 +47,8 @@ ParameterEntries make_table() {
   add_fields(table, Stage::control, &ParameterSet::guards);
   add_fields(table, Stage::control, &ParameterSet::route);
   add_fields(table, Stage::control, &ParameterSet::replay);
+  add_fields(table, Stage::drive, &ParameterSet::drive);
+  add_policy(table);
   return table;
 }
 

@@ -10,8 +10,8 @@
 namespace tcert::study {
 
 std::string_view to_string(Stage stage) noexcept {
-  constexpr std::array<std::string_view, 5> kWords = {
-      "resample", "certify", "witness", "features", "control"};
+  constexpr std::array<std::string_view, 6> kWords = {
+      "resample", "certify", "witness", "features", "control", "drive"};
   return kWords[static_cast<std::size_t>(stage)];
 }
 
@@ -43,6 +43,8 @@ void validate(const ParameterSet& parameters) {
   validate(parameters.route);
   validate(parameters.replay);
   validate(parameters.resample);
+  validate(parameters.drive);
+  policies::validate(parameters.policy);
 }
 
 Robot with_overrides(Robot robot, const RobotOverrides& overrides) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tcert/guards.hpp>
 #include <tcert/parameters.hpp>
+#include <tcert/policy_parameters.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/route_planner.hpp>
 #include <tcert/speed_law.hpp>
@@ -17,6 +18,7 @@
 
 #include "analysis/study/replay/replay_options.hpp"
 #include "analysis/study/trials/features.hpp"
+#include "datasets/driven/drive_parameters.hpp"
 #include "datasets/trial_reader.hpp"
 
 namespace tcert::study {
@@ -25,6 +27,13 @@ namespace tcert::study {
 struct RobotOverrides {
 #define TCERT_NUMBER(type, member, ...) std::optional<type> member;
 #include <tcert/parameters/robot.def>
+};
+
+/// Values that take the place of those that each policy was fitted to.
+struct PolicyOverrides {
+  std::optional<double> cruise_mps;
+  std::optional<double> caution;
+  std::optional<double> lookahead_m;
 };
 
 struct ParameterSet {
@@ -37,6 +46,9 @@ struct ParameterSet {
   GuardParameters guards;
   RouteParameters route;
   ReplayOptions replay;
+  DriveParameters drive;
+  policies::PolicyParameters policy;  ///< But for what is in policy_overrides.
+  PolicyOverrides policy_overrides;
 };
 
 /// The first step of the way from log to result that another value changes. Features and control
@@ -47,6 +59,7 @@ enum class Stage {
   witness,   ///< Log to T_t, under clearance=witness.
   features,  ///< Series to features.
   control,   ///< Series to guarded speeds, routes and replays.
+  drive,     ///< Nothing that is read: how trials are driven.
 };
 
 [[nodiscard]] std::string_view to_string(Stage stage) noexcept;

@@ -24,7 +24,7 @@ struct Move {
   std::vector<Pose> points;  ///< The last is the end.
 };
 
-struct Node {
+struct SearchNode {
   Pose pose;
   std::uint32_t parent = kNone;
   std::uint16_t move = 0;
@@ -71,7 +71,7 @@ class Search {
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
-      const Node node = nodes_[entry.node];
+      const SearchNode node = nodes_[entry.node];
       if (node.move == kArrived) {
         return trace(entry.node);
       }
@@ -193,7 +193,7 @@ class Search {
 
   /// Arcs up to an arrival; the last is cut at the point at which it was seen to be in G.
   [[nodiscard]] std::vector<Arc> trace(std::uint32_t arrival) const {
-    const Node& last = last_[nodes_[arrival].parent];
+    const SearchNode& last = last_[nodes_[arrival].parent];
     std::vector<Arc> arcs{arc_of(last.parent, last.move)};
     double& length = arcs.front().length_m;
     for (const Pose& local : moves_[last.move].points) {
@@ -205,7 +205,7 @@ class Search {
     }
     std::uint32_t index = last.parent;
     while (nodes_[index].parent != kNone) {
-      const Node& node = nodes_[index];
+      const SearchNode& node = nodes_[index];
       Arc arc = arc_of(node.parent, node.move);
       arc.length_m =
           moves_[node.move].spacing_m * static_cast<double>(moves_[node.move].points.size());
@@ -226,8 +226,8 @@ class Search {
   const CurvatureQuery& query_;
   std::size_t columns_ = 0;
   std::vector<Move> moves_;
-  std::vector<Node> nodes_;
-  std::vector<Node> last_;  // parent and move of each arrival
+  std::vector<SearchNode> nodes_;
+  std::vector<SearchNode> last_;  // parent and move of each arrival
   std::vector<bool> seen_;
   std::priority_queue<Entry> queue_;
 };

@@ -62,6 +62,7 @@ std::map<std::string, std::string, std::less<>> worlds_of(const Bundle& bundle) 
 
 Courses::Courses(const Results& results, const Result& certified, const std::string& path) {
   const Result* corpus = results.find(ResultKind::corpus);
+  corpus = corpus == nullptr ? results.find(ResultKind::driven) : corpus;
   if (path.empty() && corpus == nullptr) {
     missing_ =
         "No courses on the maps: the results do not hold the logs. --bundle FOLDER shows where "

@@ -52,6 +52,13 @@ std::string lead_of(const Results& results, std::size_t trials, const PageConten
          " of results.";
 }
 
+/// What dealt trials and driven ones can show, where a page has both.
+constexpr const char* kDealtAndDriven =
+    " Of dealt trials it is given which fail, and their gates are drawn to it: they show that the "
+    "chain of methods works. Driven trials, whose own page is driven/report.html, meet gates that "
+    "know no outcome: what comes out is of policies after published descriptions in declared worlds. "
+    "Neither says anything about a robot.";
+
 Results checked_results(const std::string& folder) {
   try {
     Results results = read_results(folder);
@@ -77,6 +84,30 @@ Results checked_results(const std::string& folder) {
   } catch (const MixedResults& cause) {
     throw BadData(cause.what());
   }
+}
+
+/// Appends what a tree within the results holds, each title with the word before it.
+void add_tree(const Results& tree, const std::string& word, PageContents& contents) {
+  for (PageFindings& one : page_findings(tree)) {
+    one.title = word + ": " + one.title;
+    contents.findings.push_back(std::move(one));
+  }
+  for (PageTable& one : page_tables(tree, contents.left_out)) {
+    one.group = word + ": " + one.group;
+    one.source = tree.folder.filename().string() + "/" + one.source;
+    contents.tables.push_back(std::move(one));
+  }
+  contents.results.insert(contents.results.end(), tree.all.begin(), tree.all.end());
+}
+
+/// The trials that `reproduce` has driven; empty if it has driven none.
+std::optional<Results> driven_tree(const Results& results) {
+  const std::filesystem::path folder = results.folder / "driven";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(folder / "certificates" / "manifest.json", error)) {
+    return std::nullopt;
+  }
+  return checked_results(folder.string());
 }
 
 /// \throws NoInput if there is neither a table, short or long, nor a frame: the page would be
@@ -181,6 +212,10 @@ ExitCode report(const ReportRequest& request, Progress& progress) {
   contents.results = results.all;
   contents.findings = page_findings(results);
   contents.tables = page_tables(results, contents.left_out);
+  const std::optional<Results> driven = driven_tree(results);
+  if (driven) {
+    add_tree(*driven, "Driven", contents);
+  }
   contents.frames = page_frames(results, page);
   require_something(results, contents);
   const PageAssets assets = page_assets();
@@ -192,10 +227,15 @@ ExitCode report(const ReportRequest& request, Progress& progress) {
       progress,
       page,
       contents.left_out);
-  contents.lead = lead_of(results, trials, contents);
+  contents.lead = lead_of(results, trials, contents) + (driven ? kDealtAndDriven : "");
   page.title = (contents.synthetic ? "SYNTHETIC: " : "") + request.title;
   page.report = report_json(contents);
-  write_with_manifest(output, tcert::page(assets, page), manifest_of(results, request));
+  Manifest manifest = manifest_of(results, request);
+  for (const Result& result : driven ? driven->all : std::vector<Result>()) {
+    manifest.inputs.push_back(
+        {"driven/" + result.name + "/manifest.json", digest_file(result.folder / "manifest.json")});
+  }
+  write_with_manifest(output, tcert::page(assets, page), std::move(manifest));
   progress.sum_up("Report: " + output);
   if (request.figures.empty()) {
     return exit_done;

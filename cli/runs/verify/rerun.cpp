@@ -10,6 +10,7 @@
 
 #include "cli/runs/calibrate_rays.hpp"
 #include "cli/runs/certify.hpp"
+#include "cli/runs/drive.hpp"
 #include "cli/runs/experiment/batch.hpp"
 #include "cli/runs/explore.hpp"
 #include "cli/runs/figures/figures.hpp"
@@ -210,6 +211,7 @@ struct Entry {
 constexpr std::array kEntries{
     Entry{"simulate", "terrain", false, again<SimulateTerrainRequest, simulate_terrain>},
     Entry{"simulate", "", false, again<SimulateRequest, simulate>},
+    Entry{"drive", "", false, again<DriveRequest, drive>},
     Entry{"import", "barn", true, again<ImportBarnRequest, import_barn>},
     Entry{"calibrate", "rays", true, again<CalibrateRaysRequest, calibrate_rays>},
     Entry{"certify", "", false, again<CertifyRequest, certify>},

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -46,16 +48,21 @@ TEST(ParameterTable, SetsItsOwnMemberOnly) {
     ParameterSet changed;
     const ParameterSet defaults;
     const bool one_of_many = parameter.accepts.find("number") == std::string::npos;
-    const auto second = parameter.accepts.find(", ");
-    const std::string word =
-        parameter.accepts.substr(one_of_many && second != std::string::npos ? second + 2 : 0);
-    const std::string value =
-        one_of_many                         ? (parameter.key == "clearance" ? "radial"
-                                               : parameter.key == "unknown" ? "free"
-                                                                            : word.substr(0, word.find_first_of(", ")))
-        : parameter.key == "median_samples" ? "5"
-        : parameter.accepts.find("whole") != std::string::npos ? "77"
-                                                               : "0.0625";
+    std::vector<std::string> values{
+        "5", "0.0625", "77", "0.025", "0.5"};  // one of them is within the bounds, and another
+    if (one_of_many) {
+      std::istringstream words(parameter.accepts);  // "path, contact or none"
+      values.clear();
+      for (std::string word; words >> word;) {
+        values.push_back(word.back() == ',' ? word.substr(0, word.size() - 1) : word);
+      }
+    }
+    const auto usable = std::ranges::find_if(values, [&](const std::string& value) {
+      ParameterSet tried;
+      return parameter.set(tried, value) && parameter.get(tried) != parameter.get(defaults);
+    });
+    ASSERT_NE(usable, values.end());
+    const std::string value = *usable;
     ASSERT_TRUE(parameter.set(changed, value)) << value;
     for (const ParameterInfo& other : parameter_table()) {
       if (other.key == parameter.key) {

@@ -1,0 +1,217 @@
+#include "cli/runs/drive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/runs/data_file.hpp"
+#include "cli/runs/drive_by_lines.hpp"
+#include "cli/runs/inputs.hpp"
+#include "cli/runs/result_folder.hpp"
+#include "cli/runs/thread_limit.hpp"
+#include "cli/runs/written_options.hpp"
+#include "datasets/corpus/write_bundle.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::array kLightingTiers{Lighting::dark, Lighting::indoor, Lighting::outdoor};
+
+std::vector<Lighting> lightings_of(const std::string& list) {
+  std::vector<Lighting> lightings;
+  for (const std::string& word : words_of(list)) {
+    const auto* const found =
+        std::ranges::find_if(kLightingTiers, [&](Lighting one) { return name_of(one) == word; });
+    if (found == kLightingTiers.end()) {
+      throw UsageError("--lightings: found '" + word + "', expected Dark, Indoor or Outdoor");
+    }
+    if (std::ranges::find(lightings, *found) != lightings.end()) {
+      throw UsageError("--lightings: found '" + word + "' twice");
+    }
+    lightings.push_back(*found);
+  }
+  return lightings.empty() ? std::vector(kLightingTiers.begin(), kLightingTiers.end()) : lightings;
+}
+
+/// What is driven: the experiment, its trials, and the index that the first is named by.
+struct Driving {
+  study::DrivenExperiment experiment;
+  std::vector<study::DrivenCase> cases;
+  std::uint64_t first = 0;
+};
+
+Driving driving_of(const DriveRequest& request) {
+  Driving driving;
+  study::DrivenExperiment& experiment = driving.experiment;
+  experiment.parameters = effective_parameters({}, request.parameters);
+  experiment.seed = static_cast<std::uint64_t>(request.seed);
+  experiment.native_rates = request.native_rates;
+  const bool is_crossed = request.worlds.has_value();
+  if (!is_crossed && (!request.policies.empty() || !request.lightings.empty())) {
+    throw UsageError(
+        "--policies and --lightings need --worlds N: without it the cells of Table 1 "
+        "are driven, as often as there");
+  }
+  if (is_crossed && is_given(request.given, "trials")) {
+    throw UsageError("--trials and --worlds: expected one of them");
+  }
+  try {
+    experiment.arms = request.policies.empty()
+                          ? study::paper_arms()
+                          : study::parse_arms(request.policies, experiment.parameters.speed_law);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--policies: ") + error.what());
+  }
+  const auto from = static_cast<std::uint64_t>(request.from);
+  if (is_crossed) {
+    const std::vector<Lighting> lightings = lightings_of(request.lightings);
+    driving.cases = study::crossed_cases(
+        experiment.arms.size(), lightings, from, static_cast<std::uint64_t>(*request.worlds));
+    driving.first = from * lightings.size() * experiment.arms.size();
+  } else {
+    driving.cases = study::paper_cases(from, static_cast<std::uint64_t>(request.trials));
+    driving.first = from;
+  }
+  return driving;
+}
+
+/// The world that --from names, under the first lighting.
+DrivenDesign design_by_lines(const DriveRequest& request) {
+  for (const char* const name : {"policies", "worlds", "trials"}) {
+    if (is_given(request.given, name)) {
+      throw UsageError("--" + std::string(name) +
+                       " does nothing to --stdio: one trial is driven, by "
+                       "what is commanded on stdin");
+    }
+  }
+  study::DrivenExperiment experiment;
+  experiment.arms = study::paper_arms();
+  experiment.parameters = effective_parameters({}, request.parameters);
+  experiment.seed = static_cast<std::uint64_t>(request.seed);
+  experiment.native_rates = request.native_rates;
+  const Lighting lighting = lightings_of(request.lightings).front();
+  const std::uint64_t world = study::world_of(lighting, static_cast<std::uint64_t>(request.from));
+  DrivenDesign design = study::design_of(experiment, {1, lighting, world}, 0);
+  design.algorithm = "stdio";
+  return design;
+}
+
+SimulatedBundle bundle_of(const Driving& driving) {
+  const study::DrivenExperiment& experiment = driving.experiment;
+  SimulatedBundle bundle;
+  bundle.info = driven_info(experiment.seed, experiment.parameters.drive, experiment.native_rates);
+  bundle.extra_columns = driven_extra_columns();
+  bundle.trials = driving.cases.size();
+  // The first trial of a world writes its file.
+  std::vector<bool> owns(driving.cases.size());
+  std::set<std::uint64_t> worlds;
+  for (std::size_t i = 0; i < owns.size(); ++i) {
+    owns[i] = worlds.insert(driving.cases[i].world).second;
+  }
+  bundle.simulate = [&driving, owns = std::move(owns)](std::uint64_t i) {
+    SimulatedTrial trial =
+        study::drive_case(driving.experiment, driving.cases[i], driving.first + i).trial;
+    trial.owns_world = owns[i];
+    return trial;
+  };
+  return bundle;
+}
+
+Manifest manifest_of(const DriveRequest& request) {
+  Manifest manifest;
+  manifest.command = "drive";
+  manifest.seed = static_cast<std::uint64_t>(request.seed);
+  manifest.synthetic = SyntheticLabel{static_cast<std::uint64_t>(request.seed)};
+  record(written(request), manifest);
+  return manifest;
+}
+
+}  // namespace
+
+OptionTable options_of(DriveRequest& request) {
+  OptionTable table(request.given);
+  table
+      .add("trials",
+           request.trials,
+           "N",
+           "of the paper's design: blocks of 660, the cells of Table 1 with their numbers")
+      .within(1, 1e7);
+  table
+      .add("worlds",
+           request.worlds,
+           "N",
+           "in place of it: every policy under every lighting in N worlds each, the same for all")
+      .within(1, 1e6);
+  table.add(
+      "policies",
+      request.policies,
+      "LIST",
+      "with --worlds: M1, M2, M3, TVFH, TD*Lite, CB-V, each as it is or with +squash[BETA] or "
+      "+clip[BETA] (gated in the loop), +guards, +A1 (no memory): M3,M3+squash20,CB-V");
+  table.add(
+      "lightings", request.lightings, "LIST", "with --worlds or --stdio: Dark, Indoor, Outdoor");
+  table
+      .add("from",
+           request.from,
+           "K",
+           "begin with trial K of the design, or world K, to make the rest elsewhere")
+      .within(0, 1e9);
+  table.add("native-rates",
+            request.native_rates,
+            "streams at 83, 50 and 20 Hz, as the robot logs them, instead of 20 Hz");
+  table.add("stdio",
+            request.stdio,
+            "one trial that another process drives: a line of what is sensed on stdout, a line "
+            "'speed_mps,yaw_rate_rps' on stdin, at each control step");
+  add_common(table, request);
+  table.parameters(request.parameters);
+  table.config_file();
+  return table;
+}
+
+ExitCode drive(const DriveRequest& request, Progress& progress) {
+  const std::string& output = request.output.path;
+  if (output.empty()) {
+    throw UsageError("needs --output DIR");
+  }
+  if (request.stdio) {
+    return drive_by_lines(design_by_lines(request), output, progress);
+  }
+  const Driving driving = driving_of(request);
+  const ThreadLimit limit(request.threads);
+  ResultFolder result(output, "drive");
+  SimulatedBundle bundle = bundle_of(driving);
+  std::atomic<std::uint64_t> arrived = 0;
+  bundle.simulate = [&arrived, drive_one = std::move(bundle.simulate)](std::uint64_t i) {
+    SimulatedTrial trial = drive_one(i);
+    arrived += trial.row.success == true ? 1 : 0;
+    return trial;
+  };
+  {
+    Stage stage(progress, "driving", bundle.trials);
+    write_simulated_bundle(
+        result.staging(),
+        bundle,
+        [&](std::uint64_t done, std::uint64_t /*total*/) { stage.reach(done); },
+        true);
+  }
+  Manifest manifest = manifest_of(request);
+  result.commit(std::move(manifest));
+  progress.sum_up(fmt::format("{} {} trials driven in {}: {} reached G.",
+                              to_string(SyntheticLabel{driving.experiment.seed}),
+                              bundle.trials,
+                              output,
+                              arrived.load()));
+  return exit_done;
+}
+
+bool is_there(const DriveRequest& request) {
+  return is_current(request.output.path, manifest_of(request));
+}
+
+}  // namespace tcert::cli

@@ -1,0 +1,118 @@
+#include "cli/runs/drive_by_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <string_view>
+#include <table/atomic_file.hpp>
+#include <table/csv_write.hpp>
+
+#include "datasets/bundle_json.hpp"
+#include "datasets/corpus/tentacles.hpp"
+#include "datasets/corpus/write_bundle.hpp"
+#include "datasets/driven/driven_trial.hpp"
+#include "datasets/tick_table.hpp"
+#include "datasets/trial_table.hpp"
+
+namespace tcert::cli {
+namespace {
+
+constexpr std::size_t kLongestLine = 256;
+
+void say(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw table::WriteError("cannot write what is sensed: nobody reads stdout");
+  }
+}
+
+std::string preface(const DrivenWorld& driven, const BundleInfo& info, const TickFormat& format) {
+  const Bounds& bounds = driven.world.bounds;
+  std::string robot = to_bundle_json(info);
+  std::erase(robot, '\n');
+  std::string text =
+      "# robot " + robot + '\n' +
+      fmt::format(
+          "# box {} {} {} {}\n", bounds.low.x_m, bounds.low.y_m, bounds.high.x_m, bounds.high.y_m);
+  for (std::size_t lobe = 0; lobe < driven.lobes.size(); ++lobe) {
+    for (std::size_t lane = 0; lane < driven.lobes[lobe].size(); ++lane) {
+      text += fmt::format("# lane {} {}", lobe, lane);
+      for (const Point& point : driven.lobes[lobe][lane]) {
+        text += fmt::format(" {} {}", point.x_m, point.y_m);
+      }
+      text += '\n';
+    }
+  }
+  std::string header = format.header();
+  header.pop_back();
+  return text + header + ",goal_x_m,goal_y_m,travel_m,measured_mps,bump_bearing_rad,bump_force_n\n";
+}
+
+std::string row_of(const policies::Senses& senses, const TickFormat& format) {
+  std::string row;
+  format.append_row(row, senses.tick, kMissing, kMissing);
+  row.pop_back();
+  for (const double value : {senses.goal.x_m,
+                             senses.goal.y_m,
+                             senses.travel_m,
+                             senses.speed_mps,
+                             senses.bump ? senses.bump->bearing_rad : kMissing,
+                             senses.bump ? senses.bump->force_n : kMissing}) {
+    table::append_cell(row, value);
+  }
+  return row + '\n';
+}
+
+/// "0.15,-0.2".
+policies::Command command_of(std::string_view line, double now_s) {
+  while (line.ends_with('\n') || line.ends_with('\r')) {
+    line.remove_suffix(1);
+  }
+  policies::Command command;
+  const char* const end = line.data() + line.size();
+  const auto [comma, bad_speed] = std::from_chars(line.data(), end, command.speed_mps);
+  if (bad_speed == std::errc{} && comma != end && *comma == ',') {
+    const auto [rest, bad_rate] = std::from_chars(comma + 1, end, command.yaw_rate_rps);
+    if (bad_rate == std::errc{} && rest == end) {
+      return command;
+    }
+  }
+  throw BadData(
+      fmt::format("stdin, at {:.2f} s: found '{}', expected speed_mps,yaw_rate_rps", now_s, line));
+}
+
+policies::Command next_command(double now_s) {
+  std::array<char, kLongestLine> line{};
+  if (std::fgets(line.data(), static_cast<int>(line.size()), stdin) == nullptr) {
+    throw BadData(
+        fmt::format("stdin ended at {:.2f} s, before the trial did: nothing is written", now_s));
+  }
+  return command_of(line.data(), now_s);
+}
+
+}  // namespace
+
+ExitCode drive_by_lines(const DrivenDesign& design, const std::string& output, Progress& progress) {
+  SimulatedBundle bundle;
+  bundle.info = driven_info(design.seed, design.parameters, design.native_rates);
+  const TickFormat format(bundle.info.robot);
+  DrivenRun run(design);
+  say(preface(design.world, bundle.info, format));
+  while (const policies::Senses* const senses = run.next()) {
+    say(row_of(*senses, format));
+    run.take(next_command(run.now_s()));
+  }
+  const DrivenTrial driven = trial_of(run);
+  bundle.extra_columns = driven_extra_columns();
+  bundle.trials = 1;
+  bundle.simulate = [&driven](std::uint64_t /*index*/) { return driven.trial; };
+  write_simulated_bundle(output, bundle, {}, false);
+  progress.sum_up(fmt::format("Driven by lines: {} after {:.1f} s. Bundle: {}",
+                              to_string(driven.trial.row.end_reason),
+                              driven.trial.row.time_s.value_or(0.0),
+                              output));
+  return exit_done;
+}
+
+}  // namespace tcert::cli

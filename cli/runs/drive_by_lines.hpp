@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// A driven trial whose policy is another process: senses out, commands in, a line each.
+
+#include <string>
+
+#include "cli/runs/errors.hpp"
+#include "cli/runs/progress.hpp"
+#include "datasets/driven/driven_design.hpp"
+
+namespace tcert::cli {
+
+/// Drives the design to its end and writes it as a bundle of one trial.
+///
+/// On stdout come comments with what is known beforehand ("# robot {...}", "# box x y x y", "# lane
+/// LOBE LANE x y x y ..."), the header, then a row for each control step: the columns of ticks.csv,
+/// goal_x_m, goal_y_m, travel_m, measured_mps, bump_bearing_rad, bump_force_n. For each row a line
+/// "speed_mps,yaw_rate_rps" is waited for on stdin. What is driven does not depend on how long it
+/// takes: the world stands still meanwhile.
+/// \throws BadData for a line that is no command, or if stdin ends before the trial; WriteError.
+[[nodiscard]] ExitCode drive_by_lines(const DrivenDesign& design,
+                                      const std::string& output,
+                                      Progress& progress);
+
+}  // namespace tcert::cli

@@ -1,0 +1,79 @@
+#include "cli/runs/reproduce_page.hpp"
+
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "cli/runs/report/report.hpp"
+#include "cli/runs/reproduce_driven.hpp"
+#include "reports/findings.hpp"
+#include "reports/results/results.hpp"
+
+namespace tcert::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What each part found, in the order of the paper; the tables are in their files.
+std::string page_of(const Results& results, const OutputFormat& output, const Progress& progress) {
+  constexpr std::array kParts = {ResultKind::certificates,
+                                 ResultKind::h1,
+                                 ResultKind::h2,
+                                 ResultKind::h3,
+                                 ResultKind::h3_driven,
+                                 ResultKind::ablation,
+                                 ResultKind::sweep,
+                                 ResultKind::gate};
+  const bool is_text = output.table_format() == TableFormat::text;
+  std::string text;
+  for (const ResultKind kind : kParts) {
+    const Result* const result = results.find(kind);
+    const auto findings = result != nullptr ? result_table(*result, "findings") : std::nullopt;
+    if (findings) {
+      text += (is_text ? findings_text(*findings, width_of(output, progress))
+                       : shown(*findings, output, progress)) +
+              '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string pages_of(const ReproduceRequest& request, const Progress& progress) {
+  const fs::path output = request.output.path;
+  const Results results = read_results(output);
+  const bool is_text = request.output.table_format() == TableFormat::text;
+  std::string text;
+  if (is_text && results.synthetic) {
+    text += to_string(*results.synthetic) + "\n\n";
+  }
+  if (!drives(request)) {
+    return text + page_of(results, request.output, progress);
+  }
+  const auto heading = [&](const char* words) {
+    return is_text ? std::string(words) + "\n\n" : std::string();
+  };
+  return text +
+         heading("Dealt trials: which of them fail is given, and their gates are drawn to it.") +
+         page_of(results, request.output, progress) + '\n' +
+         heading("Driven trials: policies in closed loop through gates that know no outcome.") +
+         page_of(read_results(output / "driven"), request.output, progress);
+}
+
+void write_page(const ReproduceRequest& request, Progress& progress) {
+  ReportRequest page;
+  page.results = request.output.path;
+  page.bundle = request.bundle;
+  page.threads = request.threads;
+  page.output.path = (fs::path(request.output.path) / "report.html").string();
+  try {
+    static_cast<void>(report(page, progress));
+  } catch (const NoInput& error) {
+    progress.say(std::string("report.html is left out: ") + error.what());
+  } catch (const BadData& error) {
+    progress.say(std::string("report.html is left out: ") + error.what());
+  }
+}
+
+}  // namespace tcert::cli
