@@ -27,21 +27,36 @@ struct DrivenRow : RowOf<ArmComparison> {
   const H3Case* replay = nullptr;
 };
 
+/// The law that an arm of the base is gated by, if its name states the beta.
+std::optional<SpeedLaw> law_of(const std::string& arm_name, const std::string& base) {
+  if (!arm_name.starts_with(base + "+")) {
+    return std::nullopt;
+  }
+  SpeedLaw other;
+  other.beta_per_m *= 2.0;
+  try {
+    const study::Arm arm = study::parse_arm(arm_name, {});
+    const bool is_stated =
+        arm.law && study::parse_arm(arm_name, other).law->beta_per_m == arm.law->beta_per_m;
+    return is_stated ? arm.law : std::nullopt;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // an arm that was named elsewhere
+  }
+}
+
+bool is_gated(const std::string& arm_name, const std::string& base) {
+  return arm_name.starts_with(base + "+") && arm_name != base + "+A1";
+}
+
 const H3Case* replay_of(const std::string& arm_name,
                         const std::string& base,
                         const study::H3Table& replays) {
-  if (!arm_name.starts_with(base + "+") || replays.groups.empty()) {
+  const std::optional<SpeedLaw> law = law_of(arm_name, base);
+  if (!law || replays.groups.empty()) {
     return nullptr;
   }
-  std::optional<study::Arm> arm;
-  try {
-    arm = study::parse_arm(arm_name, {});
-  } catch (const std::invalid_argument&) {
-    return nullptr;  // an arm that was named elsewhere
-  }
   for (const H3Case& one : replays.groups.front().cases) {
-    if (arm->law && !arm->without_memory && one.law == study::to_string(arm->law->kind) &&
-        one.beta_per_m == arm->law->beta_per_m) {
+    if (one.law == study::to_string(law->kind) && one.beta_per_m == law->beta_per_m) {
       return &one;
     }
   }
@@ -104,8 +119,11 @@ Table success_table(const PairedArms& driven, const std::vector<DrivenRow>& rows
           "round. What is lost here a replay cannot see: failures that speed causes.",
       fmt::format(
           "Difference: successes of the arm less those of '{}', interval by days (t). Loss at "
-          "most: one-sided {:g} % bound; non-inferior if it is below {:g}. McNemar: exact, "
-          "pairs as independent. Pairs needed: for {:g} % power, if nothing is lost.",
+          "most: one-sided {:g} % bound, of days or exact, whichever is larger; non-inferior if it "
+          "is below {:g}. McNemar: exact, "
+          "pairs as independent. Pairs needed: for {:g} % power, if no more is lost than won and "
+          "as many "
+          "pairs differ as here; NA if none does.",
           base,
           100.0 * o.level,
           o.loss_margin,
@@ -117,20 +135,22 @@ Table success_table(const PairedArms& driven, const std::vector<DrivenRow>& rows
                   o.replicates,
                   o.seed,
                   o.lead),
-      "Replay: what re-timing the logs of '" + base + "' at the same law says."};
+      "Replay: what re-timing the logs of '" + base +
+          "' at the same law says, where the arm's name states its beta."};
+  if (driven.unknown > 0) {
+    table.footnotes.push_back(std::to_string(driven.unknown) +
+                              " trials without an outcome are left out.");
+  }
   return table;
 }
 
-Table event_table(const std::vector<DrivenRow>& rows, const std::string& base) {
+Table event_table(const std::vector<DrivenRow>& rows, const PairedArms& driven) {
   struct EventRow {
     std::string arm;
     const ArmTotals* totals;
     std::size_t trials;
   };
-  std::vector<EventRow> events;
-  if (!rows.empty()) {
-    events.push_back({base, &rows.front().of.base, rows.front().of.pairs});
-  }
+  std::vector<EventRow> events{{driven.options.base, &driven.base, driven.base_trials}};
   for (const DrivenRow& row : rows) {
     events.push_back({row.of.arm, &row.of.own, row.of.pairs});
   }
@@ -188,10 +208,11 @@ Table driven_findings(const PairedArms& driven, const std::vector<DrivenRow>& ro
                               row.replay->lost,
                               in_words(row.replay->gain.value, {}, 2));
     }
-    const bool is_gated = arm.arm.starts_with(driven.options.base + "+") && row.replay != nullptr;
     findings.push_back(
         {"H3 in closed loop, " + arm.arm,
-         is_gated ? std::string(study::to_string(verdict_of(arm, driven.options.loss_margin))) : "",
+         is_gated(arm.arm, driven.options.base)
+             ? std::string(study::to_string(verdict_of(arm, driven.options.loss_margin)))
+             : "",
          evidence + "."});
   }
   return findings_table(
@@ -219,7 +240,7 @@ FitReport h3_driven_report(const PairedArms& driven, const study::H3Table& repla
       .integer("replicates", "replicates", driven.options.replicates)
       .integer("seed", "seed", driven.options.seed);
   report.summary = std::move(summary).table();
-  report.tables = {success_table(driven, rows), event_table(rows, driven.options.base)};
+  report.tables = {success_table(driven, rows), event_table(rows, driven)};
   report.conditions = driven.conditions;
   report.findings = driven_findings(driven, rows);
   return report;

@@ -22,6 +22,12 @@ namespace {
 
 constexpr std::array kLightingTiers{Lighting::dark, Lighting::indoor, Lighting::outdoor};
 
+constexpr std::array<std::pair<EndReason, const char*>, 4> kEnds{
+    {{EndReason::goal, "reached G"},
+     {EndReason::collision, "collided"},
+     {EndReason::wedged, "were wedged"},
+     {EndReason::timeout, "ran out of time"}}};
+
 std::vector<Lighting> lightings_of(const std::string& list) {
   std::vector<Lighting> lightings;
   for (const std::string& word : words_of(list)) {
@@ -94,7 +100,11 @@ DrivenDesign design_by_lines(const DriveRequest& request) {
   experiment.parameters = effective_parameters({}, request.parameters);
   experiment.seed = static_cast<std::uint64_t>(request.seed);
   experiment.native_rates = request.native_rates;
-  const Lighting lighting = lightings_of(request.lightings).front();
+  const std::vector<Lighting> lightings = lightings_of(request.lightings);
+  if (!request.lightings.empty() && lightings.size() > 1) {
+    throw UsageError("--lightings: expected one for --stdio, which drives one trial");
+  }
+  const Lighting lighting = lightings.front();
   const std::uint64_t world = study::world_of(lighting, static_cast<std::uint64_t>(request.from));
   DrivenDesign design = study::design_of(experiment, {1, lighting, world}, 0);
   design.algorithm = "stdio";
@@ -145,7 +155,9 @@ OptionTable options_of(DriveRequest& request) {
       .add("worlds",
            request.worlds,
            "N",
-           "in place of it: every policy under every lighting in N worlds each, the same for all")
+           "in place of it: every policy in N worlds under every lighting, each lighting in worlds "
+           "of its "
+           "own, the same ones for all policies")
       .within(1, 1e6);
   table.add(
       "policies",
@@ -159,7 +171,8 @@ OptionTable options_of(DriveRequest& request) {
       .add("from",
            request.from,
            "K",
-           "begin with trial K of the design, or world K, to make the rest elsewhere")
+           "begin with trial K of the design, or with the Kth of the N worlds, to make the rest "
+           "elsewhere")
       .within(0, 1e9);
   table.add("native-rates",
             request.native_rates,
@@ -180,33 +193,40 @@ ExitCode drive(const DriveRequest& request, Progress& progress) {
     throw UsageError("needs --output DIR");
   }
   if (request.stdio) {
-    return drive_by_lines(design_by_lines(request), output, progress);
+    return drive_by_lines(design_by_lines(request), output, manifest_of(request), progress);
   }
   const Driving driving = driving_of(request);
   const ThreadLimit limit(request.threads);
   ResultFolder result(output, "drive");
   SimulatedBundle bundle = bundle_of(driving);
-  std::atomic<std::uint64_t> arrived = 0;
-  bundle.simulate = [&arrived, drive_one = std::move(bundle.simulate)](std::uint64_t i) {
+  std::array<std::atomic<std::uint64_t>, kEnds.size()> ended{};
+  bundle.simulate = [&ended, drive_one = std::move(bundle.simulate)](std::uint64_t i) {
     SimulatedTrial trial = drive_one(i);
-    arrived += trial.row.success == true ? 1 : 0;
+    for (std::size_t end = 0; end < kEnds.size(); ++end) {
+      ended[end] += trial.row.end_reason == kEnds[end].first ? 1 : 0;
+    }
     return trial;
   };
-  {
+  try {
     Stage stage(progress, "driving", bundle.trials);
     write_simulated_bundle(
         result.staging(),
         bundle,
         [&](std::uint64_t done, std::uint64_t /*total*/) { stage.reach(done); },
         true);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
   }
-  Manifest manifest = manifest_of(request);
-  result.commit(std::move(manifest));
-  progress.sum_up(fmt::format("{} {} trials driven in {}: {} reached G.",
+  result.commit(manifest_of(request));
+  std::string ends;
+  for (std::size_t end = 0; end < kEnds.size(); ++end) {
+    ends += fmt::format("{}{} {}", end == 0 ? "" : ", ", ended[end].load(), kEnds[end].second);
+  }
+  progress.sum_up(fmt::format("{} {} trials driven in {}: {}.",
                               to_string(SyntheticLabel{driving.experiment.seed}),
                               bundle.trials,
                               output,
-                              arrived.load()));
+                              ends));
   return exit_done;
 }
 

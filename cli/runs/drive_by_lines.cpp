@@ -4,11 +4,14 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 #include <table/atomic_file.hpp>
 #include <table/csv_write.hpp>
+#include <utility>
 
+#include "cli/runs/result_folder.hpp"
 #include "datasets/bundle_json.hpp"
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/corpus/write_bundle.hpp"
@@ -20,6 +23,7 @@ namespace tcert::cli {
 namespace {
 
 constexpr std::size_t kLongestLine = 256;
+constexpr const char* kCommand = "drive by lines";
 
 void say(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
@@ -64,7 +68,7 @@ std::string row_of(const policies::Senses& senses, const TickFormat& format) {
   return row + '\n';
 }
 
-/// "0.15,-0.2".
+/// "0.15,-0.2", also with a blank behind the comma.
 policies::Command command_of(std::string_view line, double now_s) {
   while (line.ends_with('\n') || line.ends_with('\r')) {
     line.remove_suffix(1);
@@ -73,13 +77,18 @@ policies::Command command_of(std::string_view line, double now_s) {
   const char* const end = line.data() + line.size();
   const auto [comma, bad_speed] = std::from_chars(line.data(), end, command.speed_mps);
   if (bad_speed == std::errc{} && comma != end && *comma == ',') {
-    const auto [rest, bad_rate] = std::from_chars(comma + 1, end, command.yaw_rate_rps);
-    if (bad_rate == std::errc{} && rest == end) {
+    const char* const second = comma + 1 != end && comma[1] == ' ' ? comma + 2 : comma + 1;
+    const auto [rest, bad_rate] = std::from_chars(second, end, command.yaw_rate_rps);
+    if (bad_rate == std::errc{} && rest == end && std::isfinite(command.speed_mps) &&
+        std::isfinite(command.yaw_rate_rps)) {
       return command;
     }
   }
   throw BadData(
-      fmt::format("stdin, at {:.2f} s: found '{}', expected speed_mps,yaw_rate_rps", now_s, line));
+      fmt::format("stdin, at {:.2f} s: found '{}', expected two numbers with a comma "
+                  "between, the speed in m/s and the yaw rate in rad/s: 0.15,-0.2",
+                  now_s,
+                  line));
 }
 
 policies::Command next_command(double now_s) {
@@ -93,7 +102,11 @@ policies::Command next_command(double now_s) {
 
 }  // namespace
 
-ExitCode drive_by_lines(const DrivenDesign& design, const std::string& output, Progress& progress) {
+ExitCode drive_by_lines(const DrivenDesign& design,
+                        const std::string& output,
+                        Manifest manifest,
+                        Progress& progress) {
+  ResultFolder result(output, kCommand);  // before anything is driven
   SimulatedBundle bundle;
   bundle.info = driven_info(design.seed, design.parameters, design.native_rates);
   const TickFormat format(bundle.info.robot);
@@ -107,7 +120,9 @@ ExitCode drive_by_lines(const DrivenDesign& design, const std::string& output, P
   bundle.extra_columns = driven_extra_columns();
   bundle.trials = 1;
   bundle.simulate = [&driven](std::uint64_t /*index*/) { return driven.trial; };
-  write_simulated_bundle(output, bundle, {}, false);
+  write_simulated_bundle(result.staging(), bundle, {}, true);
+  manifest.command = kCommand;
+  result.commit(std::move(manifest));
   progress.sum_up(fmt::format("Driven by lines: {} after {:.1f} s. Bundle: {}",
                               to_string(driven.trial.row.end_reason),
                               driven.trial.row.time_s.value_or(0.0),

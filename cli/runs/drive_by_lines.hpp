@@ -7,10 +7,12 @@
 #include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "datasets/driven/driven_design.hpp"
+#include "reports/manifest.hpp"
 
 namespace tcert::cli {
 
-/// Drives the design to its end and writes it as a bundle of one trial.
+/// Drives the design to its end and writes it as a bundle of one trial, with `manifest`, which says
+/// how the world was made; nobody can make the trial again, since its policy is elsewhere.
 ///
 /// On stdout come comments with what is known beforehand ("# robot {...}", "# box x y x y", "# lane
 /// LOBE LANE x y x y ..."), the header, then a row for each control step: the columns of ticks.csv,
@@ -20,6 +22,7 @@ namespace tcert::cli {
 /// \throws BadData for a line that is no command, or if stdin ends before the trial; WriteError.
 [[nodiscard]] ExitCode drive_by_lines(const DrivenDesign& design,
                                       const std::string& output,
+                                      Manifest manifest,
                                       Progress& progress);
 
 }  // namespace tcert::cli

@@ -1,5 +1,6 @@
 #include "cli/runs/h3.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <table/bytes.hpp>
@@ -100,6 +101,18 @@ Study study_of_bundle(const HypothesesRequest& request, Progress& progress) {
   return study;
 }
 
+/// What a replay of the gated algorithm leaves out of a driven bundle.
+void say_driven_arms(const HypothesesRequest& request, const Study& study, Progress& progress) {
+  const auto arm = std::ranges::find_if(study.trials, [&](const TrialRow& row) {
+    return row.algorithm.starts_with(request.gated + "+");
+  });
+  if (!request.driven && arm != study.trials.end()) {
+    progress.say("this bundle has arms that drove the same worlds, such as '" + arm->algorithm +
+                 "': --driven compares them. What follows re-times the logs of '" + request.gated +
+                 "' and sees none of them");
+  }
+}
+
 study::PairedArms driven_arms(const HypothesesRequest& request, const Study& study) {
   study::PairedOptions paired;
   paired.base = request.gated;
@@ -120,7 +133,14 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
   if (request.driven && request.bundle.empty()) {
     throw UsageError("--driven needs a BUNDLE, as 'tcert drive' writes it, not --replays");
   }
-  require_range("level", request.level, 1e-9, 1.0 - 1e-9);
+  for (const char* const name : {"cluster", "interval"}) {
+    if (request.driven && is_given(request.given, name)) {
+      throw UsageError("--" + std::string(name) +
+                       " does nothing to --driven: days are clusters, and intervals of rates are "
+                       "expanded percentiles");
+    }
+  }
+  require_range("level", request.level, request.driven ? 0.5 + 1e-9 : 1e-9, 1.0 - 1e-9);
   study::H3Options h3;
   if (request.gated == request.lead) {
     throw UsageError("--gated and --lead: found '" + request.gated +
@@ -147,6 +167,7 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
                       "', which --gated and --lead name; algorithms of the table: " +
                       algorithms_of(study.table));
     }
+    say_driven_arms(request, study, progress);
     report =
         request.driven ? h3_driven_report(driven_arms(request, study), tested) : h3_report(tested);
   } catch (const std::invalid_argument& error) {

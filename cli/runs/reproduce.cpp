@@ -183,7 +183,11 @@ ExitCode reproduce(const ReproduceRequest& request, Progress& progress) {
   }
   ExitCode code = steps.code();
   if (drives(request)) {
-    code = std::max(code, driven_study(request, progress));
+    try {
+      code = std::max(code, driven_study(request, progress));
+    } catch (const UsageError& error) {
+      progress.say(std::string("driven is left out: ") + error.what());
+    }
   }
   progress.show(pages_of(request, progress));
   progress.sum_up("Bundle:  " + bundle + "\nResults: " + output.string());

@@ -38,7 +38,7 @@ struct DrivenWorld {
 ///
 /// It depends on (seed, k) and the parameters alone. The robot stands behind the first post and
 /// faces the lane that `lobes` lists first; which one this is, is drawn.
-/// \throws std::runtime_error if 10,000 draws in a row are not passable.
+/// \throws std::invalid_argument if 10,000 draws in a row are not passable.
 [[nodiscard]] DrivenWorld draw_gated_world(const DriveParameters& parameters,
                                            std::uint64_t seed,
                                            std::uint64_t index);

@@ -114,8 +114,10 @@ DrivenWorld draw_gated_world(const DriveParameters& parameters,
       break;
     }
     if (++driven.redraws == kMostRedraws) {
-      throw std::runtime_error("no passable world in " + std::to_string(kMostRedraws) +
-                               " draws: raise drive_gate_margin_m or lower drive_blocked_share");
+      throw std::invalid_argument(
+          "no passable world in " + std::to_string(kMostRedraws) +
+          " draws: raise drive_gate_margin_m, lower drive_blocked_share, or set "
+          "drive_worlds=any");
     }
   }
   for (const Gate& gate : gates) {

@@ -151,7 +151,9 @@ TEST(DriveCommand, RefusesWhatItCannotDrive) {
       {{"--lightings", "dark", "--worlds", "1"}, "expected Dark, Indoor or Outdoor"},
       {{"--trials", "3", "--worlds", "1"}, "expected one of them"},
       {{"--set", "drive_friction=-1"}, "drive_friction"},
-      {{"--set", "cruise_mps=0"}, "cruise_mps"}};
+      {{"--set", "cruise_mps=0"}, "cruise_mps"},
+      {{"--set", "lookahead_m=9"}, "at most 64 times policy_cell_m"},
+      {{"--trials", "2", "--set", "drive_gate_margin_m=-0.3"}, "drive_worlds=any"}};
   for (const auto& [more, message] : wrong) {
     const ProcessResult run = drive(work, "d", more);
     EXPECT_EQ(run.exit_code, 2) << to_string(run);
@@ -160,6 +162,48 @@ TEST(DriveCommand, RefusesWhatItCannotDrive) {
   const ProcessResult nowhere = work.run({"drive"});
   EXPECT_EQ(nowhere.exit_code, 2);
   EXPECT_NE(nowhere.err.find("needs --output DIR"), std::string::npos) << to_string(nowhere);
+}
+
+std::string lines_of(const std::string& line, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    text += line + '\n';
+  }
+  return text;
+}
+
+/// A controller that sees nothing and drives straight on: what it is told is a row a command, and
+/// the trial that it drove is a bundle.
+TEST(DriveCommand, GivesTheLoopToAnotherProcess) {
+  Workdir work(TCERT_BINARY);
+  const ProcessResult run =
+      work.run({"drive", "--stdio", "--output", "d"}, lines_of("0.15, 0", 12000));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto trials = rows_of(work.read("d/trials.csv"));
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials[0].at("algorithm"), "stdio");
+  EXPECT_NE(trials[0].at("success"), "1");  // it meets the island beside S
+  const auto told = rows_of(run.out);
+  EXPECT_GT(told.size(), 100U);
+  EXPECT_NE(run.out.find("# lane 1 1 "), std::string::npos);
+  EXPECT_EQ(work.run({"check", "d"}).exit_code, 0);
+}
+
+TEST(DriveCommand, RefusesLinesThatAreNoCommands) {
+  Workdir work(TCERT_BINARY);
+  for (const std::string wrong :
+       {"speed_mps,yaw_rate_rps", "0.1", "0.1,nan", "inf,0", "0.1;0", ""}) {
+    const ProcessResult run = work.run({"drive", "--stdio", "--output", "d"}, wrong + '\n');
+    EXPECT_EQ(run.exit_code, 65) << wrong << run.err;
+    EXPECT_NE(run.err.find("expected two numbers with a comma"), std::string::npos) << run.err;
+  }
+  const ProcessResult left = work.run({"drive", "--stdio", "--output", "d"}, "0.1,0\n");
+  EXPECT_EQ(left.exit_code, 65);
+  EXPECT_NE(left.err.find("before the trial did: nothing is written"), std::string::npos)
+      << left.err;
+  EXPECT_TRUE(work.files("d").empty());
+  work.write("mine/notes.txt", "mine");
+  EXPECT_EQ(work.run({"drive", "--stdio", "--output", "mine"}, lines_of("0,0", 9)).exit_code, 73);
 }
 
 }  // namespace

@@ -35,8 +35,9 @@ std::optional<ClusteredMean> clustered_mean(std::span<const double> differences,
   const auto n = static_cast<double>(differences.size());
   ClusteredMean mean;
   for (const double one : differences) {
-    mean.value += one / n;
+    mean.value += one;
   }
+  mean.value /= n;  // of whole numbers the sum is exact, and nothing varies where nothing does
   std::vector<double> sums(*std::ranges::max_element(clusters) + std::size_t{1}, 0.0);
   std::vector<std::uint8_t> is_there(sums.size(), 0);
   for (std::size_t i = 0; i < differences.size(); ++i) {

@@ -21,7 +21,10 @@ double number_in(const TrialRow& row, std::optional<std::size_t> place) {
   double value = table::kNaN;
   if (place && *place < row.extra.size()) {
     const std::string& cell = row.extra[*place];
-    std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    const auto [rest, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc{} || rest != cell.data() + cell.size()) {
+      return table::kNaN;
+    }
   }
   return value;
 }
@@ -41,6 +44,7 @@ OutcomesByArm outcomes_by_arm(const std::vector<TrialRow>& trials,
   const auto stalls = place_of(extra_columns, "stalls");
   OutcomesByArm found;
   for (const TrialRow& row : trials) {
+    found.unknown += row.success ? 0 : 1;
     if (!row.success || *pair_column >= row.extra.size()) {
       continue;
     }

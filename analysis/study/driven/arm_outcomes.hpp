@@ -2,6 +2,7 @@
 /// \file
 /// What a trial of a driven bundle came to, by arm and world. Internal to paired_arms.cpp.
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ using ArmOutcomes = std::map<std::string, ArmOutcome>;
 struct OutcomesByArm {
   std::vector<std::string> arms;  ///< In the order of the trials.
   std::map<std::string, ArmOutcomes> of;
+  std::size_t unknown = 0;  ///< Trials without an outcome.
 };
 
 /// Trials without an outcome are left out. \throws std::invalid_argument if there is no column

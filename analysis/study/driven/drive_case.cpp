@@ -21,8 +21,7 @@ DrivenTrial drive_case(const DrivenExperiment& experiment,
                        const DrivenCase& one,
                        std::uint64_t index) {
   const DrivenDesign design = design_of(experiment, one, index);
-  return drive_trial(design,
-                     Driver(experiment.arms[one.arm], experiment.parameters, design.world));
+  return drive_trial(design, Driver(experiment.arms[one.arm], experiment.parameters, design.world));
 }
 
 }  // namespace tcert::study

@@ -21,8 +21,8 @@ struct DrivenCase {
 /// lightings make a block of 22 days; worlds of one day share lane width and calibration.
 [[nodiscard]] std::uint64_t world_of(Lighting lighting, std::uint64_t replicate) noexcept;
 
-/// Trials `first` ... `first + count - 1` of the paper's design: blocks of 660, in each the cells of
-/// Table 1 with their numbers of trials (30; 60 of M3 and of CB-V in the dark). Arms are the six
+/// Trials `first` ... `first + count - 1` of the paper's design: blocks of 660, in each the cells
+/// of Table 1 with their numbers of trials (30; 60 of M3 and of CB-V in the dark). Arms are the six
 /// policies in the order of the table's rows.
 [[nodiscard]] std::vector<DrivenCase> paper_cases(std::uint64_t first, std::uint64_t count);
 

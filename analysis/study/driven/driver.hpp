@@ -16,8 +16,8 @@
 
 namespace tcert::study {
 
-/// The parameters of an arm's policy: those of the set, of which cruise and caution are the policy's
-/// fitted ones unless they are set, and risk_weight is 0 without memory.
+/// The parameters of an arm's policy: those of the set, of which cruise and caution are the
+/// policy's fitted ones unless they are set, and risk_weight is 0 without memory.
 [[nodiscard]] policies::PolicyParameters parameters_of(const Arm& arm,
                                                        const ParameterSet& parameters);
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What is each policy's own: the cruise that gives its published median speed, its caution, and how
-/// far ahead it aims.
+/// What is each policy's own: the cruise that gives its published median speed, its caution, and
+/// how far ahead it aims.
 
 #include <tcert/policy.hpp>
 

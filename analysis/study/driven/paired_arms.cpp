@@ -86,7 +86,6 @@ void compare_successes(const std::vector<Pair>& pairs,
     found.both += pair.base->success && pair.own->success ? 1 : 0;
     differences.push_back((pair.own->success ? 1.0 : 0.0) - (pair.base->success ? 1.0 : 0.0));
   }
-  found.mcnemar_p = statistics::mcnemar_exact_p(found.lost, found.won);
   const double differing =
       static_cast<double>(found.lost + found.won) / static_cast<double>(pairs.size());
   found.pairs_needed = statistics::pairs_for_non_inferiority(
@@ -98,20 +97,19 @@ void compare_successes(const std::vector<Pair>& pairs,
   if (!bounded) {
     return;
   }
+  found.mcnemar_p = statistics::mcnemar_exact_p(found.lost, found.won);
   found.difference_interval = mean->interval;
   // One-sided at the level: the ends of a two-sided interval at twice its error.
   const auto one_sided =
       statistics::clustered_mean(differences, clusters, 2.0 * options.level - 1.0)->interval;
-  if (one_sided) {
-    found.loss_upper = -one_sided->low;
-    found.loss_lower = -one_sided->high;
-  } else if (found.lost + found.won == 0) {
-    found.loss_upper = statistics::clopper_pearson_upper(0, pairs.size(), options.level);
-    found.loss_lower = 0.0;
-  }
-  if (found.loss_upper) {
-    found.non_inferior = *found.loss_upper < options.loss_margin;
-  }
+  const auto at_most = [&](std::size_t count) {
+    return *statistics::clopper_pearson_upper(count, pairs.size(), options.level);
+  };
+  const double least_lost = 1.0 - at_most(pairs.size() - found.lost);
+  found.loss_upper = std::clamp(one_sided ? -one_sided->low : -1.0, at_most(found.lost), 1.0);
+  found.loss_lower =
+      std::clamp(one_sided ? -one_sided->high : 1.0, -1.0, least_lost - at_most(found.won));
+  found.non_inferior = *found.loss_upper < options.loss_margin;
 }
 
 /// Metres and seconds of pairs of which both arrive: of an arm and, from other pairs, of the lead.
@@ -246,6 +244,10 @@ PairedArms compare_arms(const std::vector<TrialRow>& trials,
   }
   PairedArms compared;
   compared.options = options;
+  compared.unknown = outcomes.unknown;
+  const std::vector<Pair> with_itself = pairs_of(base->second, base->second);
+  compared.base = totals_of(with_itself, &Pair::base);
+  compared.base_trials = with_itself.size();
   const auto lead_arm = outcomes.of.find(options.lead);
   const std::vector<Pair> lead = lead_arm == outcomes.of.end()
                                      ? std::vector<Pair>()

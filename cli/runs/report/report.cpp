@@ -94,6 +94,7 @@ void add_tree(const Results& tree, const std::string& word, PageContents& conten
   }
   for (PageTable& one : page_tables(tree, contents.left_out)) {
     one.group = word + ": " + one.group;
+    one.table.title = word + ": " + one.table.title;
     one.source = tree.folder.filename().string() + "/" + one.source;
     contents.tables.push_back(std::move(one));
   }

@@ -59,7 +59,7 @@ TEST(CompareArms, CountsWhatIsLostAndWon) {
   EXPECT_EQ(found.own.collisions, 5U);
   EXPECT_EQ(found.base.wedged, 3U);
   EXPECT_NEAR(found.difference, -2.0 / 48.0, 1e-15);
-  EXPECT_NEAR(found.mcnemar_p, 0.7265625, 1e-12);  // binom.test(3, 8)
+  EXPECT_NEAR(found.mcnemar_p.value(), 0.7265625, 1e-12);  // binom.test(3, 8)
   EXPECT_EQ(found.non_inferior, false);
 }
 
@@ -88,6 +88,29 @@ TEST(CompareArms, WithoutADifferenceTheBoundIsExact) {
   EXPECT_NEAR(gated(compared).loss_upper.value(), 1.0 - std::pow(0.05, 1.0 / 48.0), 1e-12);
   EXPECT_EQ(gated(compared).non_inferior, false);  // 6 % and more could be lost
   EXPECT_FALSE(gated(compared).pairs_needed);
+}
+
+/// A loss more never tightens the bound, and what is won does not buy it off.
+TEST(CompareArms, TheBoundOfTheLossRisesWithTheLoss) {
+  double before = 0.0;
+  for (int lost = 0; lost <= 48; ++lost) {
+    const PairedArms compared = compare_arms(study_of(lost, 0), kColumns, {});
+    const double bound = gated(compared).loss_upper.value();
+    EXPECT_GE(bound, before) << lost;
+    EXPECT_GE(bound, static_cast<double>(lost) / 48.0);
+    before = bound;
+  }
+  EXPECT_EQ(before, 1.0);
+  const double won = gated(compare_arms(study_of(0, 1), kColumns, {})).loss_upper.value();
+  EXPECT_NEAR(won, 1.0 - std::pow(0.05, 1.0 / 48.0), 1e-12);
+}
+
+/// Nothing varies, and yet all of it is known: 0.05^(1/48) at least is lost.
+TEST(CompareArms, WhereAllIsLostTheLossIsShown) {
+  const PairedArms compared = compare_arms(study_of(48, 0), kColumns, {});
+  EXPECT_EQ(gated(compared).difference, -1.0);
+  EXPECT_EQ(gated(compared).non_inferior, false);
+  EXPECT_GT(gated(compared).loss_lower.value(), 0.85);
 }
 
 /// The order of trials does not matter, nor does a trial of a world that the base did not drive.
