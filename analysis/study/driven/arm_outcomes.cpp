@@ -1,5 +1,7 @@
 #include "analysis/study/driven/arm_outcomes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
@@ -69,7 +71,7 @@ OutcomesByArm outcomes_by_arm(const std::vector<TrialRow>& trials,
                                                number_in(row, stalls)})
                            .second;
     if (!added) {
-      throw std::invalid_argument("'" + arm + "' has two trials in " + pair + " " + name);
+      throw std::invalid_argument(fmt::format("'{}' has two trials in {} {}", arm, pair, name));
     }
   }
   return found;

@@ -56,7 +56,8 @@ std::string lead_of(const Results& results, std::size_t trials, const PageConten
 constexpr const char* kDealtAndDriven =
     " Of dealt trials it is given which fail, and their gates are drawn to it: they show that the "
     "chain of methods works. Driven trials, whose own page is driven/report.html, meet gates that "
-    "know no outcome: what comes out is of policies after published descriptions in declared worlds. "
+    "know no outcome: what comes out is of policies after published descriptions in declared "
+    "worlds. "
     "Neither says anything about a robot.";
 
 Results checked_results(const std::string& folder) {
@@ -98,7 +99,10 @@ void add_tree(const Results& tree, const std::string& word, PageContents& conten
     one.source = tree.folder.filename().string() + "/" + one.source;
     contents.tables.push_back(std::move(one));
   }
-  contents.results.insert(contents.results.end(), tree.all.begin(), tree.all.end());
+  for (Result result : tree.all) {
+    result.name = tree.folder.filename().string() + "/" + result.name;
+    contents.results.push_back(std::move(result));
+  }
 }
 
 /// The trials that `reproduce` has driven; empty if it has driven none.
