@@ -112,6 +112,7 @@ class RandomGraph {
       at = step.state;
     }
     ASSERT_TRUE(repaired == kBlocked || along == repaired);
+    expect_exact_on_every_shortest_path(expected);
     DStarLite fresh = search_;
     fresh.forget();
     const std::uint64_t start = fresh.expansions();
@@ -123,6 +124,20 @@ class RandomGraph {
   [[nodiscard]] std::uint64_t scratch() const { return scratch_; }
 
  private:
+  // The states that some shortest path leads through are as far from the start as is left.
+  void expect_exact_on_every_shortest_path(const std::vector<PathCost>& to_goal) {
+    if (to_goal[start_] == kBlocked) {
+      return;
+    }
+    const auto from_start = costs_by_dijkstra(states_, edges_, start_);
+    for (std::uint32_t state = 0; state < states_; ++state) {
+      if (state != start_ && from_start[state] != kBlocked && to_goal[state] != kBlocked &&
+          from_start[state] + to_goal[state] == to_goal[start_]) {
+        ASSERT_EQ(search_.cost_to_goal(state), to_goal[state]) << "state " << state;
+      }
+    }
+  }
+
   std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
 
   // Few distinct values, so that paths tie; some blocked, some below the distance.
