@@ -187,7 +187,8 @@ OptionTable options_of(DriveRequest& request) {
   return table;
 }
 
-ExitCode drive(const DriveRequest& request, Progress& progress) {
+// Parameters that contradict each other show when a policy or a world is made of them.
+ExitCode drive(const DriveRequest& request, Progress& progress) try {
   const std::string& output = request.output.path;
   if (output.empty()) {
     throw UsageError("needs --output DIR");
@@ -207,15 +208,13 @@ ExitCode drive(const DriveRequest& request, Progress& progress) {
     }
     return trial;
   };
-  try {
+  {
     Stage stage(progress, "driving", bundle.trials);
     write_simulated_bundle(
         result.staging(),
         bundle,
         [&](std::uint64_t done, std::uint64_t /*total*/) { stage.reach(done); },
         true);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
   }
   result.commit(manifest_of(request));
   std::string ends;
@@ -228,6 +227,8 @@ ExitCode drive(const DriveRequest& request, Progress& progress) {
                               output,
                               ends));
   return exit_done;
+} catch (const std::invalid_argument& error) {
+  throw UsageError(error.what());
 }
 
 bool is_there(const DriveRequest& request) {

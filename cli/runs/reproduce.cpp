@@ -67,14 +67,10 @@ void remove_stale(const ReproduceRequest& request) {
     }
   }
   if (!drives(request)) {
-    for (const char* const part : {"bundle", "paired"}) {
-      if (request.bundle.empty() || !lies_in(request.bundle, output / "driven" / part)) {
-        folders.emplace_back(output / "driven" / part, "drive");
+    for (const auto& [folder, command] : driven_parts(output)) {
+      if (request.bundle.empty() || !lies_in(request.bundle, folder)) {
+        folders.emplace_back(folder, command);
       }
-    }
-    folders.emplace_back(output / "driven" / "certificates", "certify");
-    for (const char* const part : {"h1", "h2", "h3"}) {
-      folders.emplace_back(output / "driven" / part, "hypotheses");
     }
   }
   require_own_file(output / "report.html");
@@ -187,6 +183,10 @@ ExitCode reproduce(const ReproduceRequest& request, Progress& progress) {
       code = std::max(code, driven_study(request, progress));
     } catch (const UsageError& error) {
       progress.say(std::string("driven is left out: ") + error.what());
+      for (const auto& [folder, command] : driven_parts(output)) {
+        remove_own_folder(folder, command);
+      }
+      remove_own_file(output / "driven" / "report.html");
     }
   }
   progress.show(pages_of(request, progress));

@@ -40,6 +40,16 @@ bool drives(const ReproduceRequest& request) {
   return request.bundle.empty() && !request.no_driven;
 }
 
+std::vector<std::pair<fs::path, const char*>> driven_parts(const fs::path& output) {
+  const fs::path folder = output / "driven";
+  return {{folder / "bundle", "drive"},
+          {folder / "paired", "drive"},
+          {folder / "certificates", "certify"},
+          {folder / "h1", "hypotheses"},
+          {folder / "h2", "hypotheses"},
+          {folder / "h3", "hypotheses"}};
+}
+
 ExitCode driven_study(ReproduceRequest request, Progress& progress) {
   request.output.path = (fs::path(request.output.path) / "driven").string();
   Steps steps(request, progress);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <tcert/elementary.hpp>
+#include <tcert/felt_clearance.hpp>
 #include <tcert/proxies.hpp>
 
 namespace tcert {
@@ -98,16 +99,6 @@ void Proxies::restart_windows() noexcept {
   across_m_ = 0.0;
 }
 
-double Proxies::clearance(const RayState& state, double reading) noexcept {
-  if (!std::isfinite(reading)) {
-    return kMissing;
-  }
-  const double stated_m = state.ray.kind == RayKind::bend
-                              ? calibrated_clearance(state.ray.calibration, reading)
-                              : reading;
-  return std::clamp(stated_m, 0.0, state.ray.reach_m);
-}
-
 bool Proxies::feels_contact(const RayState& state,
                             double clearance_m,
                             double force_n) const noexcept {
@@ -202,10 +193,8 @@ LocalGeometry Proxies::update(const Tick& tick,
   double right_m = left_m;
   for (std::size_t k = 0; k < rays_.size(); ++k) {
     RayState& state = rays_[k];
-    const double stated_rad = tick.rays[k].bearing_rad;
-    follow_joint(k, bearing_of(state.ray, stated_rad));
-    clearance_m_[k] =
-        is_usable_bearing(stated_rad) ? clearance(state, tick.rays[k].value) : kMissing;
+    follow_joint(k, bearing_of(state.ray, tick.rays[k].bearing_rad));
+    clearance_m_[k] = felt_clearance(state.ray, tick.rays[k]);
     const bool missing = std::isnan(clearance_m_[k]);
     local.missing_ray = local.missing_ray || missing;
     if (state.side != 0) {

@@ -72,7 +72,6 @@ class Proxies {
   void point(RayState& state, double bearing_rad) const noexcept;
   void follow_joint(std::size_t ray, double bearing_rad) noexcept;
   [[nodiscard]] double since_look(Look& look, double felt_m, double travel_m) const noexcept;
-  [[nodiscard]] static double clearance(const RayState& state, double reading) noexcept;
   [[nodiscard]] bool feels_contact(const RayState& state,
                                    double clearance_m,
                                    double force_n) const noexcept;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tcert/felt_clearance.hpp>
 #include <tcert/tick.hpp>
 #include <witness/samples.hpp>
 
@@ -39,15 +40,6 @@ Point Samples::direction_of(const Robot& robot, std::size_t i, std::size_t k) co
   const double bearing_rad =
       bearings_rad.empty() ? robot.rays[k].bearing_rad : bearings_rad[i * rays + k];
   return direction(poses[i].yaw_rad + bearing_rad);
-}
-
-double clearance_of(const Ray& ray, double value) noexcept {
-  if (!std::isfinite(value)) {
-    return kMissing;
-  }
-  const double clearance_m =
-      ray.kind == RayKind::bend ? calibrated_clearance(ray.calibration, value) : value;
-  return std::clamp(clearance_m, 0.0, ray.reach_m);
 }
 
 Samples at_touch_times(const Robot& robot,
@@ -96,9 +88,7 @@ Samples at_touch_times(const Robot& robot,
     broken = false;
     for (std::size_t k = 0; k < samples.rays; ++k) {
       const RayReading& reading = touch.readings[i * samples.rays + k];
-      samples.clearances_m.push_back(is_usable_bearing(reading.bearing_rad)
-                                         ? clearance_of(robot.rays[k], reading.value)
-                                         : kMissing);
+      samples.clearances_m.push_back(felt_clearance(robot.rays[k], reading));
       if (has_joint) {
         samples.bearings_rad.push_back(bearing_of(robot.rays[k], reading.bearing_rad));
       }

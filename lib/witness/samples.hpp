@@ -39,9 +39,6 @@ struct TouchTrack {
   std::span<const RayReading> readings;
 };
 
-/// The clearance in m that a reading states, clamped to [0, reach]; NaN of what is not finite.
-[[nodiscard]] double clearance_of(const Ray& ray, double value) noexcept;
-
 /// One sample at each time of `touch` at which the pose is known: that of a pose sample, or between
 /// two that are at most `bridge_s` seconds apart, by linear interpolation. A touch without a pose
 /// is left out. The first sample at or after each of `breaks_ns`, which rise, is marked; no pose is

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tcert/felt_clearance.hpp>
 #include <tcert/felt_rays.hpp>
 
 namespace tcert::policies {
@@ -29,14 +30,8 @@ std::span<const FeltRay> RayReader::read(std::span<const RayReading> readings) n
     felt.mount = ray.mount;
     felt.ahead = unit(ray_bearing(ray, reading));
     felt.force_n = reading.fsr_n;
-    felt.clearance_m = felt.depth = kMissing;
-    if (std::isfinite(reading.value) && is_usable_bearing(reading.bearing_rad)) {
-      const double stated_m = ray.kind == RayKind::bend
-                                  ? calibrated_clearance(ray.calibration, reading.value)
-                                  : reading.value;
-      felt.clearance_m = std::clamp(stated_m, 0.0, ray.reach_m);
-      felt.depth = (ray.reach_m - felt.clearance_m) / ray.reach_m;
-    }
+    felt.clearance_m = felt_clearance(ray, reading);
+    felt.depth = (ray.reach_m - felt.clearance_m) / ray.reach_m;  // NaN of a missing one
     felt.contact = std::isnan(felt.force_n)
                        ? felt.clearance_m < ray.reach_m - contact_slack_m_
                        : felt.force_n >= (felt.contact ? contact_off_n_ : contact_on_n_);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tcert/felt_clearance.hpp>
 #include <tcert/tick.hpp>
 #include <witness/samples.hpp>
 
@@ -52,9 +53,9 @@ TEST(Samples, ABreakIsMarkedAndNotInterpolatedAcross) {
 
 TEST(Samples, ClearancesAreThoseOfTheCalibrationWithinTheReach) {
   Ray ray{"left", {}, 0.0, 0.4, RayKind::bend, {{0.0, 1.0}, {0.5, 0.0}}};
-  EXPECT_DOUBLE_EQ(clearance_of(ray, 0.6), 0.2);
-  EXPECT_DOUBLE_EQ(clearance_of(ray, -1.0), 0.4);
-  EXPECT_TRUE(std::isnan(clearance_of(ray, kMissing)));
+  EXPECT_DOUBLE_EQ(felt_clearance(ray, 0.6), 0.2);
+  EXPECT_DOUBLE_EQ(felt_clearance(ray, -1.0), 0.4);
+  EXPECT_TRUE(std::isnan(felt_clearance(ray, kMissing)));
 }
 
 TEST(Samples, AReadingIsFeltWhereItsJointPointed) {
