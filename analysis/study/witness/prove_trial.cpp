@@ -46,7 +46,7 @@ Proof prove(const witness::Samples& samples,
     proof.reason = error.what();
     return proof;
   }
-  witness::Found found = witness::search(proof.cells,
+  witness::Found found = witness::search(witness::SearchSpace(proof.cells),
                                          proof.start,
                                          *course.goal,
                                          robot,
