@@ -39,6 +39,11 @@ constexpr auto declared_fields() {
        false,
        true},
       {"tactile.csv", kForceColumn, "N", optional, "force at the ray's tip"},
+      {"tactile.csv",
+       kBearingColumn,
+       "rad",
+       optional,
+       "of a ray that a joint moves: where it pointed, anticlockwise from ahead"},
 
       {"control.csv", "time_s", "s", required, kClock},
       {"control.csv", "speed_cmd_mps", "m/s", may_be_empty, "commanded"},
@@ -61,8 +66,12 @@ constexpr auto declared_fields() {
       {"bundle.json", "lighting", "", optional, "the tiers that trials.csv may name"},
       {"bundle.json", "trial_limit_s", "s", optional, "when trials are stopped"},
       {"bundle.json", "max_gap_s", "s", optional, "a longer step of a clock breaks the path; 1"},
-      {"bundle.json", "start_at", "", optional, R"("both": first tick when both streams have)"
-                                                R"( begun; or "pose")"},
+      {"bundle.json",
+       "start_at",
+       "",
+       optional,
+       R"("both": first tick when both streams have)"
+       R"( begun; or "pose")"},
       {"bundle.json", "columns", "", optional, "of a file, foreign names of columns and ours"},
       {"bundle.json", "parameters", "", optional, "by their keys; --config and flags go first"},
 

@@ -14,6 +14,7 @@ inline constexpr std::string_view kRayMark = "<ray>";
 inline constexpr std::string_view kBendColumn = "<ray>_bend_rad";
 inline constexpr std::string_view kRangeColumn = "<ray>_range_m";
 inline constexpr std::string_view kForceColumn = "<ray>_fsr_n";
+inline constexpr std::string_view kBearingColumn = "<ray>_bearing_rad";
 
 /// The places are the files "trials.csv", "pose.csv", "tactile.csv", "control.csv" and "ticks.csv",
 /// which has the columns of pose.csv and tactile.csv before its own, and "bundle.json" with its

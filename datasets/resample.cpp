@@ -21,15 +21,17 @@ constexpr std::int64_t kLongestSilenceNs = 60'000'000'000;
 /// Median of the values that are not missing; the mean of the middle two if their number is even.
 class MedianWindow {
  public:
-  void add(double value) noexcept {
+  void add(double value, double bearing_rad = kMissing) noexcept {
     if (std::isnan(value)) {
       return;
     }
     std::size_t place = size_++;
     for (; place > 0 && values_[place - 1] > value; --place) {
       values_[place] = values_[place - 1];
+      bearings_[place] = bearings_[place - 1];
     }
     values_[place] = value;
+    bearings_[place] = bearing_rad;
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -39,11 +41,19 @@ class MedianWindow {
       return kMissing;
     }
     const double upper = values_[size_ / 2];
-    return size_ % 2 == 1 ? upper : 0.5 * (values_[size_ / 2 - 1] + upper);
+    const bool is_felt = size_ % 2 == 1 || !std::isnan(bearing_rad());
+    return is_felt ? upper : 0.5 * (values_[size_ / 2 - 1] + upper);
+  }
+
+  /// Where a ray that a joint moves pointed when it felt the median: what it felt elsewhere is not
+  /// mixed with it, so that of two values in the middle the greater one is taken.
+  [[nodiscard]] double bearing_rad() const noexcept {
+    return size_ == 0 ? kMissing : bearings_[size_ / 2];
   }
 
  private:
-  std::array<double, kMostMedianSamples> values_{};  // ascending
+  std::array<double, kMostMedianSamples> values_{};    // ascending
+  std::array<double, kMostMedianSamples> bearings_{};  // of each
   std::size_t size_ = 0;
 };
 
@@ -161,13 +171,13 @@ class Resampler {
         }
         const RayReading& reading = log_.tactile.readings[i * rays + k];
         if (value.size() < median_samples_) {
-          value.add(reading.value);
+          value.add(reading.value, reading.bearing_rad);
         }
         if (force.size() < median_samples_) {
           force.add(reading.fsr_n);
         }
       }
-      ticks_.readings.push_back({value.median(), force.median()});
+      ticks_.readings.push_back({value.median(), force.median(), value.bearing_rad()});
     }
   }
 

@@ -15,6 +15,8 @@ namespace tcert {
 
 namespace {
 
+constexpr double kWideBody = 20.0;  // m; no robot that feels its way is wider
+
 bool is_number(const nlohmann::json& value) { return value.is_number(); }
 
 bool is_point(const nlohmann::json& value) {
@@ -156,6 +158,15 @@ Robot read_robot(const table::JsonObject& bundle, std::vector<RangeKeys>& keys) 
     read_if_given(from, "curvature_buffer_per_m", robot.curvature_buffer_per_m);
   }
   read_rays(bundle, robot, keys);
+  if (robot.body_width_m > kWideBody) {
+    bundle.problems().add({table::Severity::warning,
+                           "bundle.json",
+                           0,
+                           "robot.body_width_m",
+                           to_text(robot.body_width_m),
+                           "metres: millimetres, centimetres?",
+                           1});
+  }
   if (!bundle.problems().has_error()) {
     try {
       validate(robot);

@@ -11,7 +11,6 @@ namespace tcert {
 namespace {
 
 constexpr std::size_t kPoseColumns = 3;
-constexpr std::size_t kColumnsPerRay = 2;
 
 std::string_view value_name(const Ray& ray) {
   return ray.kind == RayKind::bend ? kBendColumn : kRangeColumn;
@@ -33,7 +32,7 @@ std::string ray_column(const Ray& ray, std::string_view name) {
 void add_ray_columns(const Robot& robot, table::NumberOptions& options) {
   const std::vector<FileField> fields = fields_at("tactile.csv", bundle_fields());
   for (const Ray& ray : robot.rays) {
-    for (const std::string_view name : {value_name(ray), kForceColumn}) {
+    for (const std::string_view name : {value_name(ray), kForceColumn, kBearingColumn}) {
       const auto field = std::ranges::find(fields, name, &FileField::name);
       options.columns.push_back(number_column(*field, ray_column(ray, name)));
     }
@@ -51,6 +50,8 @@ bool interpret_flag(double value, bool& flag) noexcept {
 std::string value_column(const Ray& ray) { return ray_column(ray, value_name(ray)); }
 
 std::string force_column(const Ray& ray) { return ray_column(ray, kForceColumn); }
+
+std::string bearing_column(const Ray& ray) { return ray_column(ray, kBearingColumn); }
 
 table::NumberOptions stream_columns(const std::string& file) {
   table::NumberOptions options;
@@ -80,7 +81,7 @@ const char* interpret_tick(std::span<const double> row,
   const double* cell = row.data() + kPoseColumns;
   bool silent = true;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    readings[k] = {rules.resolve(k, cell[0], counts[k]), cell[1]};
+    readings[k] = {rules.resolve(k, cell[0], counts[k]), cell[1], cell[2]};
     silent = silent && std::isnan(readings[k].value) && std::isnan(readings[k].fsr_n);
     cell += kColumnsPerRay;
   }

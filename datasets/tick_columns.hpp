@@ -21,10 +21,16 @@ namespace tcert {
 /// "<ray>_fsr_n".
 [[nodiscard]] std::string force_column(const Ray& ray);
 
+/// "<ray>_bearing_rad".
+[[nodiscard]] std::string bearing_column(const Ray& ray);
+
+/// Of a ray: its value, its force and its bearing.
+inline constexpr std::size_t kColumnsPerRay = 3;
+
 /// pose.csv or control.csv.
 [[nodiscard]] table::NumberOptions stream_columns(const std::string& file);
 
-/// tactile.csv: per ray its value, required, and its force, optional; either may be empty.
+/// tactile.csv: per ray its value, required, its force and its bearing, optional; each may be empty.
 [[nodiscard]] table::NumberOptions tactile_columns(const Robot& robot);
 
 /// ticks.csv: pose, then as tactile.csv, then the optional speed_cmd_mps, yaw_rate_cmd_rps, stale

@@ -11,9 +11,9 @@ namespace tcert {
 
 namespace {
 
-bool has_any_force(const TickTable& ticks, std::size_t ray) {
+bool has_any(const TickTable& ticks, std::size_t ray, double RayReading::*member) {
   for (std::size_t i = ray; i < ticks.readings.size(); i += ticks.rays) {
-    if (!std::isnan(ticks.readings[i].fsr_n)) {
+    if (!std::isnan(ticks.readings[i].*member)) {
       return true;
     }
   }
@@ -34,13 +34,17 @@ TickFormat::TickFormat(const Robot& robot, const TickTable& ticks, std::span<con
     : rules_(robot, keys),
       has_command_(has_any(ticks.speed_cmd_mps) || has_any(ticks.yaw_rate_cmd_rps)) {
   for (std::size_t k = 0; k < robot.rays.size(); ++k) {
-    has_force_.push_back(has_any_force(ticks, k) ? 1 : 0);
+    has_force_.push_back(has_any(ticks, k, &RayReading::fsr_n) ? 1 : 0);
+    has_bearing_.push_back(has_any(ticks, k, &RayReading::bearing_rad) ? 1 : 0);
   }
   name_columns(robot);
 }
 
 TickFormat::TickFormat(const Robot& robot, std::span<const RangeKeys> keys)
-    : rules_(robot, keys), has_force_(robot.rays.size(), 1), has_command_(true) {
+    : rules_(robot, keys),
+      has_force_(robot.rays.size(), 1),
+      has_bearing_(robot.rays.size(), 1),
+      has_command_(true) {
   name_columns(robot);
 }
 
@@ -50,6 +54,9 @@ void TickFormat::name_columns(const Robot& robot) {
     header_ += ',' + value_column(robot.rays[k]);
     if (has_force_[k] != 0) {
       header_ += ',' + force_column(robot.rays[k]);
+    }
+    if (has_bearing_[k] != 0) {
+      header_ += ',' + bearing_column(robot.rays[k]);
     }
   }
   header_ += has_command_ ? ",speed_cmd_mps,yaw_rate_cmd_rps" : "";
@@ -75,6 +82,9 @@ void TickFormat::append_row(std::string& out,
     table::append_cell(out, rules_.stated(k, tick.rays[k].value));
     if (has_force_[k] != 0) {
       table::append_cell(out, tick.rays[k].fsr_n);
+    }
+    if (has_bearing_[k] != 0) {
+      table::append_cell(out, tick.rays[k].bearing_rad);
     }
   }
   if (has_command_) {

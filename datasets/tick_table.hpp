@@ -43,7 +43,8 @@ class TickFormat {
   void name_columns(const Robot& robot);
 
   RangeRules rules_;
-  std::vector<std::uint8_t> has_force_;  // per ray
+  std::vector<std::uint8_t> has_force_;    // per ray
+  std::vector<std::uint8_t> has_bearing_;  // likewise
   bool has_command_ = false;
   std::string header_;
 };

@@ -30,10 +30,10 @@ PoseStream to_pose_stream(table::NumberTable table) {
 
 TactileStream to_tactile_stream(table::NumberTable table) {
   TactileStream tactile;
-  tactile.rays = table.columns / 2;
+  tactile.rays = table.columns / kColumnsPerRay;
   tactile.readings.reserve(table.rows() * tactile.rays);
-  for (std::size_t i = 0; i < table.values.size(); i += 2) {
-    tactile.readings.push_back({table.values[i], table.values[i + 1]});
+  for (std::size_t i = 0; i < table.values.size(); i += kColumnsPerRay) {
+    tactile.readings.push_back({table.values[i], table.values[i + 1], table.values[i + 2]});
   }
   tactile.time_ns = std::move(table.time_ns);
   return tactile;
@@ -58,7 +58,7 @@ void resolve_readings(const Bundle& bundle, Stream& tactile, StreamReader& reade
   table::NumberTable& table = tactile.table;
   for (std::size_t k = 0; k < rules.rays(); ++k) {
     for (std::size_t row = 0; rules.is_range(k) && row < table.rows(); ++row) {
-      double& value = table.values[row * table.columns + 2 * k];
+      double& value = table.values[row * table.columns + kColumnsPerRay * k];
       value = rules.resolve(k, value, counts[k]);
     }
   }

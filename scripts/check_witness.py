@@ -67,7 +67,7 @@ def clearance(ray, keys, row):
 
 
 def samples(folder, info, proof):
-    """[[pose, clearances, broken]]: touches with a pose, glitches taken out."""
+    """[[pose, clearances, broken, bearings]]: touches with a pose, glitches taken out."""
     gap, rays, out = info.get("max_gap_s", 1.0) * 1e9, proof["rays"], []
     merged = os.path.exists(os.path.join(folder, "ticks.csv"))
     touches = list(table(os.path.join(folder, "ticks.csv" if merged else "tactile.csv")))
@@ -76,7 +76,9 @@ def samples(folder, info, proof):
     starts = sorted(b for s in (times, [t for t, _ in touches]) for a, b in zip(s, s[1:]) if b - a > gap)
     bridge, broken, seen = 0 if merged else proof["rule"]["pose_bridge_s"], True, 0
     for t, row in touches:
-        c = [clearance(r, k, row) for r, k in zip(rays, info["rays"])]
+        b = [row.get(r["name"] + "_bearing_rad", NAN) for r in rays]
+        c = [NAN if abs(a) > 6.3 else clearance(r, k, row) for r, k, a in zip(rays, info["rays"], b)]
+        b = [a if abs(a) <= 6.3 else r["bearing_rad"] for r, a in zip(rays, b)]
         broken = broken or bisect.bisect_right(starts, t) > seen
         seen = bisect.bisect_right(starts, t)
         i = bisect.bisect_right(times, t) - 1
@@ -88,14 +90,14 @@ def samples(folder, info, proof):
                 continue
             share, q = ((t - times[i]) * 1e-9) / ((times[i + 1] - times[i]) * 1e-9), poses[i + 1][1]
             x, y, yaw = x + share * (q["x_m"] - x), y + share * (q["y_m"] - y), yaw + share * turn(yaw, q["yaw_rad"])
-        out.append([((x, y), yaw), c, broken])
+        out.append([((x, y), yaw), c, broken, b])
         broken = False
     for k, ray in enumerate(rays):
         read = [s for s in out if not math.isnan(s[1][k])]
         low = []
         for a, b, c in zip(read, read[1:], read[2:]):
             least = min(a[1][k], c[1][k])
-            tips = [add(mount(s[0], ray), least, unit(s[0][1] + ray["bearing_rad"])) for s in (a, c)]
+            tips = [add(mount(s[0], ray), least, unit(s[0][1] + s[3][k])) for s in (a, c)]
             low += [b] if b[1][k] < least - proof["rule"]["lost_share"] * math.dist(*tips) - 0.006 else []
         for s in low:
             s[1][k] = NAN
@@ -177,8 +179,8 @@ def sweep(cells, run, k, ray, rule, body_radius):
     """What ray k has passed: strips between its positions, remembered 64 positions back."""
     h, chain, side, last_c = cells.h, [], 0, 0.0  # chain: (mount, u, middle, near, far)
     gap = body_radius - math.hypot(ray.get("mount_x_m", 0), ray.get("mount_y_m", 0))
-    for pose, readings, broken in run:
-        m, u, c = mount(pose, ray), unit(pose[1] + ray["bearing_rad"]), readings[k]
+    for pose, readings, broken, bearings in run:
+        m, u, c = mount(pose, ray), unit(pose[1] + bearings[k]), readings[k]
         chain = [] if broken else chain
         if math.isnan(c):
             continue
@@ -296,7 +298,7 @@ def check(bundle, proof):
     for region in (proof["start"], proof["goal"]):
         mark_region(cells, region)
     marked = None
-    for (at, _), _, _ in run:
+    for (at, _), *_ in run:
         if marked is None or math.dist(marked, at) > 0.004:
             marked = at
             cells.disc(at, robot["body_width_m"] / 2)

@@ -243,7 +243,8 @@ bool parse(std::string_view help, const OptionTable& table, Manner& manner, Argu
   Told told{"", manner};
   const po::options_description own = description_of(table.heading(), table, 0, table.own());
   const po::options_description common = common_description(table, told);
-  if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end()) {
+  if (std::ranges::any_of(arguments,
+                          [](const std::string& one) { return one == "--help" || one == "-h"; })) {
     print_help(help, own, common);
     return false;
   }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <table/clock_column.hpp>
+#include <table/name_words.hpp>
 #include <table/nearest_name.hpp>
 #include <utility>
 
@@ -62,12 +63,23 @@ struct Columns {
   }
 };
 
+/// Of a file without a clock by its name: its first column, if that has a unit of time.
+OrderedJson time_by_unit(const table::CsvCheck& check) {
+  if (check.columns.empty() || check.columns.front().numbers != check.rows) {
+    return nullptr;
+  }
+  const std::string& name = check.columns.front().name;
+  const auto words = table::name_words(name);
+  const auto unit = words.empty() ? std::nullopt : table::time_unit_of_word(words.back());
+  return unit ? OrderedJson{{"column", name}, {"unit", table::name_of(*unit)}} : nullptr;
+}
+
 OrderedJson time_of(const table::CsvCheck& check) {
   if (is_plain_trajectory(check)) {
     return {{"column", "#1"}, {"unit", "s"}};
   }
   if (!check.clock) {
-    return nullptr;
+    return time_by_unit(check);
   }
   const std::string& unit = check.clock->unit;
   std::vector<std::string> names;
@@ -108,11 +120,8 @@ OrderedJson rays_of(const Columns& columns) {
     const bool bends = role == ColumnRole::bend;
     for (const auto& [column, unit] : columns.by_role.at(role)) {
       const std::string name = ray_name(column, rays.size());
-      OrderedJson ray{{"name", name},
-                      {"kind", bends ? "bend" : "range"},
-                      {"bearing_deg", nullptr},
-                      {"reach_m", nullptr},
-                      {bends ? "bend_rad" : "range_m", Columns::value_of_column(column, unit)}};
+      OrderedJson ray = frame_of_ray(name, bends ? "bend" : "range");
+      ray[bends ? "bend_rad" : "range_m"] = Columns::value_of_column(column, unit);
       if (bends) {
         ray["calibration"] = {{"bend_rad", nullptr}, {"clearance_m", nullptr}};
       }
@@ -154,11 +163,79 @@ OrderedJson trials_of(const CsvGroup& group) {
   return trials;
 }
 
+/// What a group knows of a pose; null for what it does not.
+OrderedJson pose_of(const CsvGroup& group, const Columns& columns) {
+  OrderedJson pose = stream_of(group);
+  pose["x_m"] = columns.value(ColumnRole::x);
+  pose["y_m"] = columns.value(ColumnRole::y);
+  pose["yaw_rad"] = nullptr;
+  if (columns.has(ColumnRole::yaw)) {
+    pose["yaw_rad"] = columns.value(ColumnRole::yaw);
+  } else if (columns.has_turn()) {
+    OrderedJson quaternion = OrderedJson::array();
+    for (const ColumnRole role : {ColumnRole::quaternion_x,
+                                  ColumnRole::quaternion_y,
+                                  ColumnRole::quaternion_z,
+                                  ColumnRole::quaternion_w}) {
+      quaternion.push_back(columns.has(role) ? OrderedJson(columns.by_role.at(role).front().first)
+                                             : OrderedJson(nullptr));
+    }
+    pose["yaw_rad"] = {{"quaternion", quaternion}};
+  }
+  return pose;
+}
+
+/// "no file has x, y and a heading" once the best that there is has been taken.
+void add_pose(std::span<const CsvGroup> groups,
+              OrderedJson& map,
+              std::vector<std::string>& remarks) {
+  for (const bool whole : {true, false}) {
+    for (const CsvGroup& group : groups) {
+      const Columns columns(group.check);
+      const bool has_place = columns.has(ColumnRole::x) && columns.has(ColumnRole::y);
+      if (!group.is_of_trials && (whole ? columns.has_pose() : has_place)) {
+        map["pose"] = pose_of(group, columns);
+        if (!whole) {
+          remarks.emplace_back("no column is called as a heading: name one under 'pose'");
+        }
+        return;
+      }
+    }
+  }
+  map["pose"] = {{"file", nullptr}, {"x_m", nullptr}, {"y_m", nullptr}, {"yaw_rad", nullptr}};
+  remarks.emplace_back("no file has columns of x, y and a heading: name them under 'pose'");
+}
+
+/// Names the columns of numbers that no name told what they are: one of them may be what is
+/// missing.
+void add_unplaced(std::span<const CsvGroup> groups, std::vector<std::string>& remarks) {
+  constexpr std::size_t kMostNames = 12;
+  std::string names;
+  std::size_t count = 0;
+  for (const CsvGroup& group : groups) {
+    const OrderedJson time = group.is_of_trials ? nullptr : time_of(group.check);
+    for (const table::ColumnCheck& column : group.check.columns) {
+      const bool is_placed =
+          guess_column(column.name, column.least, column.largest).role != ColumnRole::other ||
+          table::is_clock_name(column.name) || (time.is_object() && time["column"] == column.name);
+      if (!group.is_of_trials && column.numbers > 0 && !is_placed && count++ < kMostNames) {
+        names += (names.empty() ? "'" : ", '") + column.name + "'";
+      }
+    }
+  }
+  if (count > 0) {
+    remarks.emplace_back("what is measured in " + names +
+                         (count > kMostNames ? " and others" : "") +
+                         " is not known from the name: a heading, or a ray?");
+  }
+}
+
 }  // namespace
 
 DraftedMap draft_map(std::span<const CsvGroup> groups) {
   OrderedJson map = frame_of_map();
   std::vector<std::string> remarks;
+  add_pose(groups, map, remarks);
   const CsvGroup* outcomes = nullptr;
   OrderedJson rays = OrderedJson::array();
   for (const CsvGroup& group : groups) {
@@ -167,26 +244,6 @@ DraftedMap draft_map(std::span<const CsvGroup> groups) {
       continue;
     }
     const Columns columns(group.check);
-    if (columns.has_pose() && !map.contains("pose")) {
-      OrderedJson pose = stream_of(group);
-      pose["x_m"] = columns.value(ColumnRole::x);
-      pose["y_m"] = columns.value(ColumnRole::y);
-      if (columns.has(ColumnRole::yaw)) {
-        pose["yaw_rad"] = columns.value(ColumnRole::yaw);
-      } else {
-        OrderedJson quaternion = OrderedJson::array();
-        for (const ColumnRole role : {ColumnRole::quaternion_x,
-                                      ColumnRole::quaternion_y,
-                                      ColumnRole::quaternion_z,
-                                      ColumnRole::quaternion_w}) {
-          quaternion.push_back(columns.has(role)
-                                   ? OrderedJson(columns.by_role.at(role).front().first)
-                                   : OrderedJson(nullptr));
-        }
-        pose["yaw_rad"] = {{"quaternion", quaternion}};
-      }
-      map["pose"] = pose;
-    }
     if (columns.has_rays()) {
       OrderedJson stream = stream_of(group);
       stream["no_return"] = {"inf"};
@@ -204,13 +261,12 @@ DraftedMap draft_map(std::span<const CsvGroup> groups) {
       map["control"]["yaw_rate_cmd_rps"] = columns.value(ColumnRole::yaw_rate);
     }
   }
-  if (!map.contains("pose")) {
-    map["pose"] = {{"file", nullptr}, {"x_m", nullptr}, {"y_m", nullptr}, {"yaw_rad", nullptr}};
-    remarks.emplace_back("no file has columns of x, y and a heading: name them under 'pose'");
-  }
   map["rays"] = rays.size() == 1 ? rays.front() : rays;
   if (rays.empty()) {
     remarks.emplace_back("no column is a range or a bend: list rays under 'rays'");
+  }
+  if (rays.empty() || map["pose"]["yaw_rad"].is_null()) {
+    add_unplaced(groups, remarks);
   }
   if (outcomes != nullptr) {
     map["trials"] = trials_of(*outcomes);

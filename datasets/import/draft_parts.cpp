@@ -4,6 +4,30 @@
 #include <utility>
 
 namespace tcert::recording {
+namespace {
+
+/// Where a person must fill in: "robot.body_width_m, course.goal.disc.{x_m, y_m}".
+void collect_nulls(const OrderedJson& value, const std::string& path, std::string& nulls) {
+  std::string here;
+  std::size_t count = 0;
+  for (const auto& [key, member] : value.items()) {
+    if (member.is_null()) {
+      here += (count++ == 0 ? "" : ", ") + key;
+    }
+  }
+  if (count > 0) {
+    nulls += (nulls.empty() ? "" : ", ") + path + (path.empty() ? "" : ".") +
+             (count > 1 ? "{" + here + "}" : here);
+  }
+  for (const auto& [key, member] : value.items()) {
+    if (member.is_structured()) {
+      const std::string step = member.is_object() ? member.value("name", key) : key;
+      collect_nulls(member, path.empty() ? step : path + '.' + step, nulls);
+    }
+  }
+}
+
+}  // namespace
 
 OrderedJson frame_of_map() {
   return {{"format", "tcert-map"},
@@ -15,15 +39,27 @@ OrderedJson frame_of_map() {
 }
 
 DraftedMap finished(OrderedJson map, std::vector<std::string> remarks) {
+  std::string nulls;
+  collect_nulls(map, "", nulls);
   remarks.insert(remarks.begin(),
-                 "replace every null: the width of the body, S and G (leave 'course' out and there "
-                 "is no certificate, only the on-policy corridor value)");
+                 "replace each null: " + nulls +
+                     " (leave 'course' out and there is no certificate, only the on-policy "
+                     "corridor value)");
   return {map.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n",
           std::move(remarks)};
 }
 
 bool is_called(const std::string& name, std::string_view part) {
   return table::case_folded(name).find(part) != std::string::npos;
+}
+
+OrderedJson frame_of_ray(const std::string& name, std::string_view kind) {
+  return {{"name", name},
+          {"kind", kind},
+          {"mount_x_m", nullptr},
+          {"mount_y_m", nullptr},
+          {"bearing_deg", nullptr},
+          {"reach_m", nullptr}};
 }
 
 std::string ray_name(const std::string& column, std::size_t number) {

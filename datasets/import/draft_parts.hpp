@@ -17,7 +17,10 @@ using OrderedJson = nlohmann::ordered_json;
 /// The map with its fixed keys; null where a person must fill in.
 [[nodiscard]] OrderedJson frame_of_map();
 
-/// The map as text, with what to fill in first among the remarks.
+/// A ray with its fixed keys; null where a person must fill in.
+[[nodiscard]] OrderedJson frame_of_ray(const std::string& name, std::string_view kind);
+
+/// The map as text; the first remark names each null that is left in it.
 [[nodiscard]] DraftedMap finished(OrderedJson map, std::vector<std::string> remarks);
 
 /// True if `part` stands in the name, whatever its case.

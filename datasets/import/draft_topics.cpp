@@ -45,12 +45,10 @@ DraftedMap draft_map(std::span<const TopicSurvey> topics) {
   if (scans.empty()) {
     for (const TopicSurvey& topic : topics) {
       if (topic.role == StreamRole::range && topic.messages > 0) {
-        scans.push_back({{"from", topic.name},
-                         {"rays",
-                          {{{"name", ray_name(topic.name, scans.size())},
-                            {"kind", "range"},
-                            {"bearing_deg", nullptr},
-                            {"reach_m", nullptr}}}}});
+        scans.push_back(
+            {{"from", topic.name},
+             {"rays",
+              OrderedJson::array({frame_of_ray(ray_name(topic.name, scans.size()), "range")})}});
       }
     }
   }

@@ -161,7 +161,7 @@ class CsvChecker {
       column.least = column.least ? std::min(*column.least, value) : value;
       column.largest = column.largest ? std::max(*column.largest, value) : value;
       if (std::isinf(value)) {
-        warn(shortened(cell), "a finite number");
+        warn(shortened(cell), "a finite number, but where a range sees nothing");
       }
     } else if (reading.meaning == CellMeaning::missing) {
       ++column.missing;

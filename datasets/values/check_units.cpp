@@ -105,6 +105,21 @@ std::optional<ValueFinding> check_range(const Looked& of) {
                        fmt::format("metres up to about the reach of {:g} m: {}", reach_m, guess));
 }
 
+std::optional<ValueFinding> check_bearing(const Looked& of) {
+  double largest_rad = 0.0;
+  (void)count_readings(of.ticks, of.trial, of.k, [&](RayReading reading) {
+    largest_rad = std::fmax(largest_rad, std::abs(reading.bearing_rad));
+    return false;
+  });
+  if (is_usable_bearing(largest_rad)) {
+    return std::nullopt;
+  }
+  return value_finding(ValueKind::bearing_unit,
+                       bearing_column(of.ray),
+                       fmt::format("angles up to {:g}", largest_rad),
+                       "radians from the heading: degrees? Such a reading counts as missing");
+}
+
 std::optional<ValueFinding> check_force(const Looked& of, const CertificateParameters& parameters) {
   if (of.scan.largest_force_n <= kHeaviestTipN) {
     return std::nullopt;
@@ -146,6 +161,9 @@ std::vector<ValueFinding> check_units(const Robot& robot,
       if (auto one = of.ray.kind == RayKind::bend ? check_bend(of) : check_range(of)) {
         found.push_back(std::move(*one));
       }
+    }
+    if (auto one = check_bearing(of)) {
+      found.push_back(std::move(*one));
     }
     if (auto one = check_force(of, parameters)) {
       found.push_back(std::move(*one));

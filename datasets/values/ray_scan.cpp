@@ -15,7 +15,8 @@ void scan_ray(const TickTable& ticks,
               RayScan& scan) noexcept {
   RayScan found = scan;
   for (const std::uint32_t i : fresh) {
-    const auto [value, force_n] = ticks.readings[i * ticks.rays + k];
+    const double value = ticks.readings[i * ticks.rays + k].value;
+    const double force_n = ticks.readings[i * ticks.rays + k].fsr_n;
     found.known += std::isnan(value) ? 0 : 1;
     found.least = value < found.least ? value : found.least;
     found.largest = value > found.largest ? value : found.largest;

@@ -13,6 +13,7 @@ enum class ValueKind : std::uint8_t {
   bend_unit,      ///< Bends outside the calibration: degrees?
   mount_unit,     ///< Rays mounted metres away from the body: millimetres?
   range_unit,     ///< Ranges far beyond the reach: millimetres, centimetres?
+  bearing_unit,   ///< Bearings beyond a turn: degrees?
   force_unit,     ///< Forces that no tip takes: grams?
   yaw,            ///< Headings that do not follow the motion: degrees, another frame?
   speed,          ///< Poses too fast: millimetres, another unit of time?

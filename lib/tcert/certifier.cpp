@@ -180,7 +180,7 @@ void Certifier::State::certify(const Tick& tick) noexcept {
     } else if (broken) {
       swept->area().break_path();
     }
-    swept->area().sweep(tick.pose, proxies.clearances());
+    swept->area().sweep(tick.pose, proxies.clearances(), proxies.bearings());
   }
   if (!began) {
     lasting_flags |= evidence.in_start ? 0U : flag_start_outside;

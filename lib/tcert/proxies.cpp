@@ -25,6 +25,7 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
     : parameters_(parameters),
       half_width_m_(0.5 * robot.body_width_m),
       clearance_m_(robot.rays.size(), kMissing),
+      look_window_m_(side_window(robot, parameters)),
       left_(side_window(robot, parameters), parameters.travel_deadband_m),
       right_(side_window(robot, parameters), parameters.travel_deadband_m),
       motion_(parameters.curvature_window_m, parameters.travel_deadband_m),
@@ -35,13 +36,8 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
     RayState state;
     state.ray = ray;
     state.ray.reach_m = longest_clearance(ray);
-    const double from_left = std::abs(angle_between(kSquare, ray.bearing_rad));
-    const double from_right = std::abs(angle_between(-kSquare, ray.bearing_rad));
-    const double within = parameters.side_angle_rad + kAngleRounding;
-    state.side = from_left <= within ? 1 : from_right <= within ? -1 : 0;
-    state.offset_m = state.side < 0 ? -ray.mount.y_m : ray.mount.y_m;
-    state.across = std::abs(elementary::sin(ray.bearing_rad));
-    state.ahead = direction(ray.bearing_rad);
+    point(state, ray.bearing_rad);
+    bearing_rad_.push_back(ray.bearing_rad);
     double& reach_m = state.side > 0 ? left_m : right_m;
     if (state.side != 0) {
       reach_m = std::min(reach_m, state.offset_m + state.ray.reach_m * state.across);
@@ -52,11 +48,42 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
                                std::isinf(right_m) ? half_width_m_ : right_m);
 }
 
+void Proxies::point(RayState& state, double bearing_rad) const noexcept {
+  const double from_left = std::abs(angle_between(kSquare, bearing_rad));
+  const double from_right = std::abs(angle_between(-kSquare, bearing_rad));
+  const double within = parameters_.side_angle_rad + kAngleRounding;
+  state.side = from_left <= within ? 1 : from_right <= within ? -1 : 0;
+  state.offset_m = state.side < 0 ? -state.ray.mount.y_m : state.ray.mount.y_m;
+  state.across = std::abs(elementary::sin(bearing_rad));
+  state.ahead = direction(bearing_rad);
+}
+
+void Proxies::follow_joint(std::size_t ray, double bearing_rad) noexcept {
+  if (bearing_rad != bearing_rad_[ray]) {
+    bearing_rad_[ray] = bearing_rad;
+    point(rays_[ray], bearing_rad);
+    moves_ = true;
+  }
+}
+
+// A ray that a joint moves looks to one side at a time: in between, the side is what it last felt
+// there, for as far as a side is remembered.
+double Proxies::since_look(Look& look, double felt_m, double travel_m) const noexcept {
+  if (std::isfinite(felt_m)) {
+    look = {felt_m, travel_m};
+    return felt_m;
+  }
+  const bool is_recent = moves_ && !exceeds(travel_m - look.travel_m, look_window_m_);
+  return is_recent && std::isfinite(look.side_m) ? look.side_m : half_width_m_;
+}
+
 void Proxies::clear() noexcept {
   restart_windows();
-  for (RayState& state : rays_) {
-    state.in_contact = false;
+  for (std::size_t k = 0; k < rays_.size(); ++k) {
+    follow_joint(k, rays_[k].ray.bearing_rad);
+    rays_[k].in_contact = false;
   }
+  moves_ = false;
   std::fill(clearance_m_.begin(), clearance_m_.end(), kMissing);
 }
 
@@ -65,6 +92,8 @@ void Proxies::restart_windows() noexcept {
   right_.clear();
   motion_.clear();
   contact_curvature_.clear();
+  left_look_ = {};
+  right_look_ = {};
   has_yaw_ = false;
   across_m_ = 0.0;
 }
@@ -173,7 +202,10 @@ LocalGeometry Proxies::update(const Tick& tick,
   double right_m = left_m;
   for (std::size_t k = 0; k < rays_.size(); ++k) {
     RayState& state = rays_[k];
-    clearance_m_[k] = clearance(state, tick.rays[k].value);
+    const double stated_rad = tick.rays[k].bearing_rad;
+    follow_joint(k, bearing_of(state.ray, stated_rad));
+    clearance_m_[k] =
+        is_usable_bearing(stated_rad) ? clearance(state, tick.rays[k].value) : kMissing;
     const bool missing = std::isnan(clearance_m_[k]);
     local.missing_ray = local.missing_ray || missing;
     if (state.side != 0) {
@@ -192,8 +224,8 @@ LocalGeometry Proxies::update(const Tick& tick,
       feel_contact(k, tick, travel_m, time_s, memory);
     }
   }
-  local.left_m = left_.add(travel_m, std::isinf(left_m) ? half_width_m_ : left_m);
-  local.right_m = right_.add(travel_m, std::isinf(right_m) ? half_width_m_ : right_m);
+  local.left_m = left_.add(travel_m, since_look(left_look_, left_m, travel_m));
+  local.right_m = right_.add(travel_m, since_look(right_look_, right_m, travel_m));
   local.width_m = across_both(local.left_m, local.right_m);
 
   const double path_radius_m = path_radius(moved, inside_start);

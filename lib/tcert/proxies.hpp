@@ -48,7 +48,11 @@ class Proxies {
   /// Clearance per ray at the last update, clamped to [0, reach]; NaN where the ray is missing.
   [[nodiscard]] std::span<const double> clearances() const noexcept { return clearance_m_; }
 
-  /// The width that would be read if both sides were free to the reach of their rays.
+  /// Bearing per ray at the last update.
+  [[nodiscard]] std::span<const double> bearings() const noexcept { return bearing_rad_; }
+
+  /// The width that would be read if both sides were free to the reach of the rays that look
+  /// there as mounted.
   [[nodiscard]] double reach_width_m() const noexcept { return reach_width_m_; }
 
  private:
@@ -60,6 +64,14 @@ class Proxies {
     Point ahead;            // unit vector of the bearing
     bool in_contact = false;
   };
+  /// What a ray that a joint moves felt when it last looked to a side.
+  struct Look {
+    double side_m = kMissing;
+    double travel_m = 0.0;
+  };
+  void point(RayState& state, double bearing_rad) const noexcept;
+  void follow_joint(std::size_t ray, double bearing_rad) noexcept;
+  [[nodiscard]] double since_look(Look& look, double felt_m, double travel_m) const noexcept;
   [[nodiscard]] static double clearance(const RayState& state, double reading) noexcept;
   [[nodiscard]] bool feels_contact(const RayState& state,
                                    double clearance_m,
@@ -79,6 +91,11 @@ class Proxies {
   double half_width_m_;
   std::vector<RayState> rays_;
   std::vector<double> clearance_m_;
+  std::vector<double> bearing_rad_;
+  bool moves_ = false;  // a ray has been moved by a joint
+  Look left_look_;
+  Look right_look_;
+  double look_window_m_;
   double reach_width_m_ = 0.0;
   TrailingMinimum left_;
   TrailingMinimum right_;

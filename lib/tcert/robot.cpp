@@ -9,7 +9,6 @@ namespace tcert {
 namespace {
 
 constexpr double kFurthest = 1e5;  // m, of a mount and of what a ray reaches
-constexpr double kMostTurn = 6.3;  // rad: a whole turn; more is meant in degrees
 
 double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) noexcept {
   const auto above = std::upper_bound(x.begin(), x.end(), at);
@@ -38,7 +37,7 @@ void validate(const Ray& ray) {
   const std::string name = "ray '" + ray.name + "': ";
   require_in_bounds({name + "mount.x_m", "m", from(-kFurthest, kFurthest), {}}, ray.mount.x_m);
   require_in_bounds({name + "mount.y_m", "m", from(-kFurthest, kFurthest), {}}, ray.mount.y_m);
-  require_in_bounds({name + "bearing_rad", "rad", from(-kMostTurn, kMostTurn), {}},
+  require_in_bounds({name + "bearing_rad", "rad", from(-kLargestBearing, kLargestBearing), {}},
                     ray.bearing_rad);
   require_in_bounds({name + "reach_m", "m", above(0.0, kFurthest), {}}, ray.reach_m);
   if (ray.kind != RayKind::bend) {

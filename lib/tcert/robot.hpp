@@ -2,6 +2,7 @@
 /// \file
 /// The agent A of the paper (body and turning limit), the course, and the rays that feel the walls.
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <tcert/geometry.hpp>
@@ -23,7 +24,8 @@ enum class RayKind {
   range,  ///< A beam: its reading is the clearance itself.
 };
 
-/// One direction in which clearance is felt, fixed to the body.
+/// One direction in which clearance is felt. Its mount is fixed to the body, and so is its bearing,
+/// unless a joint moves it: then each reading states its own (RayReading::bearing_rad).
 struct Ray {
   std::string name;
   Point mount;               ///< In the body frame, x forward and y left.
@@ -54,6 +56,20 @@ struct Course {
   std::optional<Region> start;
   std::optional<Region> goal;
 };
+
+/// The largest bearing, in rad: a little more than a turn.
+inline constexpr double kLargestBearing = 6.3;
+
+/// False of a reading that states a bearing which is none; NaN states none. Nobody knows what such a
+/// reading felt.
+[[nodiscard]] inline bool is_usable_bearing(double stated_rad) noexcept {
+  return !(std::abs(stated_rad) > kLargestBearing);
+}
+
+/// The bearing of a ray at a reading: that of the reading if it states one, else the ray's own.
+[[nodiscard]] inline double bearing_of(const Ray& ray, double stated_rad) noexcept {
+  return std::abs(stated_rad) <= kLargestBearing ? stated_rad : ray.bearing_rad;
+}
 
 /// h_clr(bend). O(log knots). \pre the calibration has at least one knot.
 [[nodiscard]] double calibrated_clearance(const Calibration& calibration, double bend_rad) noexcept;

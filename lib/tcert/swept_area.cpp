@@ -145,7 +145,9 @@ Point SweptArea::local(Point p) const noexcept {
   return {dot(axis_, off), cross(axis_, off)};
 }
 
-void SweptArea::sweep(const Pose& pose, std::span<const double> clearances_m) noexcept {
+void SweptArea::sweep(const Pose& pose,
+                      std::span<const double> clearances_m,
+                      std::span<const double> bearings_rad) noexcept {
   const Pose here{local(pose.position), pose.yaw_rad - frame_.yaw_rad};
   mark_body(here.position);
   for (std::size_t k = 0; k < rays_.size(); ++k) {
@@ -153,7 +155,7 @@ void SweptArea::sweep(const Pose& pose, std::span<const double> clearances_m) no
     const bool in_body =
         norm(ray.mount) + rule_.lost_share * rule_.least_obstacle_m <= body_radius_m_;
     sweeps_[k].advance(transform(here, ray.mount),
-                       direction(here.yaw_rad + ray.bearing_rad),
+                       direction(here.yaw_rad + bearings_rad[k]),
                        clearances_m[k],
                        in_body,
                        rule_,

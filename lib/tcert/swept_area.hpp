@@ -33,8 +33,10 @@ class SweptArea {
   void break_path() noexcept;
 
   /// Adds what a tick proves: the body's disc, and what the rays have passed since the last one.
-  /// `clearances_m` holds one per ray, NaN where it is missing.
-  void sweep(const Pose& pose, std::span<const double> clearances_m) noexcept;
+  /// `clearances_m` and `bearings_rad` hold one per ray, NaN where a clearance is missing.
+  void sweep(const Pose& pose,
+             std::span<const double> clearances_m,
+             std::span<const double> bearings_rad) noexcept;
 
   /// Distance of the segment to the nearest cell that is not swept.
   /// O(blocks within the distance).

@@ -26,6 +26,8 @@ inline constexpr double kLargestPose = 1e9;
 struct RayReading {
   double value = kMissing;  ///< Bend in rad or range in m, by the ray's kind; NaN is missing.
   double fsr_n = kMissing;  ///< Tip force in N; NaN if the ray has no force sensor.
+  /// Where a ray that a joint moves pointed, from the heading; NaN: along the ray's own bearing.
+  double bearing_rad = kMissing;
 };
 
 /// One tick. `rays` holds one reading per ray of the robot, in its order, and is only looked at

@@ -104,7 +104,7 @@ FreeCells free_space(const Robot& robot,
         strips[k].restart();
       }
       strips[k].advance(transform(pose, ray.mount),
-                        direction(pose.yaw_rad + ray.bearing_rad),
+                        samples.direction_of(robot, i, k),
                         samples.clearances_m[i * samples.rays + k],
                         body_radius_m - norm(ray.mount),
                         options.strips,

@@ -18,11 +18,28 @@ bool is_usable(const Pose& pose) noexcept {
          std::abs(pose.position.y_m) <= kLargestPose && std::abs(pose.yaw_rad) <= kLargestPose;
 }
 
-Point tip_of(const Pose& pose, const Ray& ray, double clearance_m) noexcept {
-  return transform(pose, ray.mount) + clearance_m * direction(pose.yaw_rad + ray.bearing_rad);
+/// Of ray `k` at sample `i`, were its clearance `clearance_m`.
+Point tip_of(const Samples& samples,
+             const Robot& robot,
+             std::size_t i,
+             std::size_t k,
+             double clearance_m) noexcept {
+  return transform(samples.poses[i], robot.rays[k].mount) +
+         clearance_m * samples.direction_of(robot, i, k);
+}
+
+bool moves(std::span<const RayReading> readings) noexcept {
+  return std::ranges::any_of(
+      readings, [](const RayReading& reading) { return !std::isnan(reading.bearing_rad); });
 }
 
 }  // namespace
+
+Point Samples::direction_of(const Robot& robot, std::size_t i, std::size_t k) const noexcept {
+  const double bearing_rad =
+      bearings_rad.empty() ? robot.rays[k].bearing_rad : bearings_rad[i * rays + k];
+  return direction(poses[i].yaw_rad + bearing_rad);
+}
 
 double clearance_of(const Ray& ray, double value) noexcept {
   if (!std::isfinite(value)) {
@@ -40,6 +57,7 @@ Samples at_touch_times(const Robot& robot,
                        double bridge_s) {
   Samples samples;
   samples.rays = robot.rays.size();
+  const bool has_joint = moves(touch.readings);
   std::size_t next_pose = 0;  // the first after the touch
   std::size_t next_break = 0;
   bool broken = true;
@@ -77,8 +95,13 @@ Samples at_touch_times(const Robot& robot,
     samples.breaks.push_back(broken ? 1 : 0);
     broken = false;
     for (std::size_t k = 0; k < samples.rays; ++k) {
-      samples.clearances_m.push_back(
-          clearance_of(robot.rays[k], touch.values[i * samples.rays + k]));
+      const RayReading& reading = touch.readings[i * samples.rays + k];
+      samples.clearances_m.push_back(is_usable_bearing(reading.bearing_rad)
+                                         ? clearance_of(robot.rays[k], reading.value)
+                                         : kMissing);
+      if (has_joint) {
+        samples.bearings_rad.push_back(bearing_of(robot.rays[k], reading.bearing_rad));
+      }
     }
   }
   return samples;
@@ -98,8 +121,8 @@ void drop_glitches(Samples& samples, const Robot& robot, double lost_share) {
         return samples.clearances_m[read[at] * samples.rays + k];
       };
       const double least_m = std::min(reading(j - 1), reading(j + 1));
-      const double way_m = distance(tip_of(samples.poses[read[j - 1]], robot.rays[k], least_m),
-                                    tip_of(samples.poses[read[j + 1]], robot.rays[k], least_m));
+      const double way_m = distance(tip_of(samples, robot, read[j - 1], k, least_m),
+                                    tip_of(samples, robot, read[j + 1], k, least_m));
       if (reading(j) < least_m - lost_share * way_m - kGlitch) {
         dropped.push_back(read[j]);
       }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <tcert/robot.hpp>
+#include <tcert/tick.hpp>
 #include <vector>
 
 namespace tcert::witness {
@@ -16,10 +17,14 @@ struct Samples {
   std::size_t rays = 0;
   std::vector<Pose> poses;
   std::vector<double> clearances_m;
+  /// The bearings of the readings, likewise; empty if no joint moves a ray.
+  std::vector<double> bearings_rad;
   /// 1 where the path broke before the sample: no ray sweeps from the one before to this one.
   std::vector<std::uint8_t> breaks;
 
   [[nodiscard]] std::size_t size() const noexcept { return poses.size(); }
+  /// Unit vector of ray `k` of `robot` at sample `i`.
+  [[nodiscard]] Point direction_of(const Robot& robot, std::size_t i, std::size_t k) const noexcept;
 };
 
 /// Poses of a stream; the times, in ns, rise strictly.
@@ -28,11 +33,10 @@ struct PoseTrack {
   std::span<const Pose> poses;
 };
 
-/// Readings of a stream: `values` is row-major, times x rays, as RayReading::value; the times, in
-/// ns, rise strictly.
+/// Readings of a stream, row-major, times x rays of the robot; the times, in ns, rise strictly.
 struct TouchTrack {
   std::span<const std::int64_t> time_ns;
-  std::span<const double> values;
+  std::span<const RayReading> readings;
 };
 
 /// The clearance in m that a reading states, clamped to [0, reach]; NaN of what is not finite.

@@ -96,10 +96,24 @@ void add_issuance(const Table& issuance, std::vector<Finding>& findings) {
   }
 }
 
+/// What the paper's names stand for, where a cell has one.
+void add_names(const Table& issuance, std::vector<Finding>& findings) {
+  for (std::size_t row = 0; row < issuance.rows.size(); ++row) {
+    if (text_at(issuance, row, "cell") == "A1") {
+      findings.push_back({"Ablations",
+                          "",
+                          "A1 is without the memory of contacts, A2 takes unknown space for free, "
+                          "A3 leaves the turn radius out."});
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 Table cell_findings(const Table& cells, const Table& issuance) {
   std::vector<Finding> findings;
+  add_names(issuance, findings);
   add_changes(cells, findings);
   add_issuance(issuance, findings);
   return findings_table(findings);

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -155,6 +157,34 @@ TEST(StudyCommand, IsTheSameForAnyThreadsAndIsMadeAgain) {
   EXPECT_EQ(work.read("of1/manifest.json"), work.read("of2/manifest.json"));
   const ProcessResult verified = work.run({"verify", "of1"});
   EXPECT_EQ(verified.exit_code, 0) << to_string(verified);
+}
+
+/// The sentence before the table says what the table says.
+TEST(StudyCommand, SoundnessBeginsWithWhatItFound) {
+  Workdir work(TCERT_BINARY);
+  const ProcessResult run = work.run(
+      {"study", "soundness", "--worlds", "40", "--hard", "0", "--u-turns", "9", "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << to_string(run);
+  const json rows = rows_of(
+      work, {"soundness", "--worlds", "40", "--hard", "0", "--u-turns", "9"}, "soundness");
+  std::string counts;
+  for (const json& row : rows) {
+    if (row["worlds_of"] == "mixed" && row["noise"] == "no") {
+      counts += (counts.empty() ? "" : "; ") + row["method"].get<std::string>() + ": " +
+                std::to_string(row["violating_worlds"].get<int>());
+      if (row["violating_worlds"] > 0) {
+        std::array<char, 40> excess{};
+        std::snprintf(excess.data(),
+                      excess.size(),
+                      ", by at most %.4f m",
+                      row["largest_excess_m"].get<double>());
+        counts += excess.data();
+      }
+    }
+  }
+  EXPECT_NE(run.out.find("T_t above the truth, mixed: of 40 worlds " + counts + ".\n"),
+            std::string::npos)
+      << counts << '\n' << run.out;
 }
 
 TEST(StudyCommand, RefusesWhatDoesNothing) {

@@ -65,6 +65,21 @@ TEST(Resample, TakesTheMedianOfTheThreeNewestSamplesAtOrBeforeTheTick) {
   EXPECT_EQ(ticks.readings[2].fsr_n, 2.0);  // the same: further samples are missing
 }
 
+/// What a joint's ray felt stays with where it pointed: nothing is a mean of two directions.
+TEST(Resample, TakesTheBearingOfTheSampleThatIsTheMedian) {
+  TrialLog log = steady_log(50, 50, 200);
+  log.tactile.readings = {{5, 1, 0.5}, {1, 1, 0.1}, {9, 1, 0.9}, {kMissing, 1, 0.2}, {7, 1, 0.7}};
+  const TickTable ticks = resample(log);
+  ASSERT_EQ(ticks.size(), 3U);
+  EXPECT_EQ(ticks.readings[1].value, 5.0);  // {5, 1, 9}
+  EXPECT_EQ(ticks.readings[1].bearing_rad, 0.5);
+  EXPECT_EQ(ticks.readings[2].value, 7.0);  // {1, 9, 7}
+  EXPECT_EQ(ticks.readings[2].bearing_rad, 0.7);
+  log.tactile.readings = {{5, 1, 0.5}, {kMissing}, {9, 1, 0.9}, {kMissing}, {kMissing}};
+  EXPECT_EQ(resample(log).readings[1].value, 9.0);  // {5, 9}
+  EXPECT_EQ(resample(log).readings[1].bearing_rad, 0.9);
+}
+
 TEST(Resample, CallsATickStaleWhenTheNewestSampleIsOlderThanTheHold) {
   TrialLog log = steady_log(100, 100, 2000);
   const auto drop = [](std::int64_t t) { return t > 500 * kMs && t < 1300 * kMs; };

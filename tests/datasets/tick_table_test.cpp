@@ -24,7 +24,8 @@ Robot robot_of_two() {
 }
 
 /// Ticks with any finite value, and many missing ones.
-TickTable random_ticks(std::mt19937_64& random, std::size_t size, bool force, bool command) {
+TickTable random_ticks(
+    std::mt19937_64& random, std::size_t size, bool force, bool command, bool joint = false) {
   const auto number = [&random]() {
     const auto value = std::bit_cast<double>(random());
     return std::isfinite(value) ? value : 0.25;
@@ -40,7 +41,8 @@ TickTable random_ticks(std::mt19937_64& random, std::size_t size, bool force, bo
       // A range below 0 is missing.
       const double value = k == 0 ? number() : std::abs(number());
       ticks.readings.push_back({random() % 4 == 0 ? kMissing : value,
-                                force && k == 0 && random() % 2 == 0 ? number() : kMissing});
+                                force && k == 0 && random() % 2 == 0 ? number() : kMissing,
+                                joint && k == 1 && random() % 3 == 0 ? number() : kMissing});
     }
     const auto now = std::span(ticks.readings).last(2);
     const bool silent = std::ranges::all_of(
@@ -67,6 +69,7 @@ void expect_same_tick(const Tick& a, const Tick& b) {
   for (std::size_t k = 0; k < a.rays.size(); ++k) {
     EXPECT_TRUE(same_bits(a.rays[k].value, b.rays[k].value)) << k;
     EXPECT_TRUE(same_bits(a.rays[k].fsr_n, b.rays[k].fsr_n)) << k;
+    EXPECT_TRUE(same_bits(a.rays[k].bearing_rad, b.rays[k].bearing_rad)) << k;
   }
   EXPECT_EQ(a.stale, b.stale);
   EXPECT_EQ(a.segment_start, b.segment_start);
@@ -78,6 +81,9 @@ TEST(TicksCsv, HasAForceColumnOnlyForARayThatFeelsForce) {
             "time_s,x_m,y_m,yaw_rad,left_bend_rad,left_fsr_n,b0_range_m,stale,segment_start\n");
   EXPECT_EQ(TickFormat(robot_of_two(), random_ticks(random, 40, false, true)).header(),
             "time_s,x_m,y_m,yaw_rad,left_bend_rad,b0_range_m,speed_cmd_mps,yaw_rate_cmd_rps,stale,"
+            "segment_start\n");
+  EXPECT_EQ(TickFormat(robot_of_two(), random_ticks(random, 40, false, false, true)).header(),
+            "time_s,x_m,y_m,yaw_rad,left_bend_rad,b0_range_m,b0_bearing_rad,stale,"
             "segment_start\n");
 }
 
@@ -99,7 +105,8 @@ TEST(TicksCsv, ReadsBackBitForBitAsAFileAndLineByLine) {
   const Robot robot = robot_of_two();
   for (int round = 0; round < 60; ++round) {
     SCOPED_TRACE(round);
-    const TickTable ticks = random_ticks(random, 50, round % 2 == 0, round % 3 == 0);
+    const TickTable ticks =
+        random_ticks(random, 50, round % 2 == 0, round % 3 == 0, round % 5 == 0);
     const std::string text = to_ticks_csv(robot, ticks);
     table::DiagnosticGroups problems;
     const auto read = read_ticks_csv(table::Bytes::copy_of(text), robot, {}, 1.0, problems);

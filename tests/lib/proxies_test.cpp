@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tcert/proxies.hpp>
 
@@ -257,6 +258,68 @@ TEST(Proxies, NoCurvatureReadingIsStraight) {
   Felt felt(three_rays(), parameters);
   felt.at(0.0, 0.0, readings(0.3, 0.3));
   EXPECT_EQ(felt.at(0.2, 2.0, readings(0.3, 0.3)).turn_radius_m, 1000.0);
+}
+
+// A joint carries one ray from side to side.
+Robot one_swept_ray() {
+  Robot robot;
+  robot.rays = {{"whisker", {0.1, 0.05}, 0.0, 0.6, RayKind::range, {}}};
+  return robot;
+}
+
+TEST(Proxies, ASideIsWhatASweptRayLastFeltThere) {
+  Felt felt(one_swept_ray());
+  EXPECT_EQ(felt.at(0.0, 0.0, {{0.5, 0.0, 0.0}}).left_m, 0.225);  // it looks ahead
+  EXPECT_NEAR(felt.at(0.02, 0.0, {{0.30, 0.0, kSquare}}).left_m, 0.225, 1e-15);
+  Felt again(one_swept_ray());
+  EXPECT_NEAR(again.at(0.0, 0.0, {{0.30, 0.0, kSquare}}).left_m, 0.35, 1e-15);
+  const LocalGeometry local = again.at(0.02, 0.0, {{0.40, 0.0, -kSquare}});
+  EXPECT_NEAR(local.left_m, 0.35, 1e-15);
+  EXPECT_EQ(local.right_m, 0.225);  // nobody had looked there at the first tick
+}
+
+TEST(Proxies, AnOldLookIsForgottenOverTheSideWindow) {
+  CertificateParameters parameters;
+  parameters.side_window_m = 0.2;
+  Felt felt(one_swept_ray(), parameters);
+  felt.at(0.0, 0.0, {{0.30, 0.0, kSquare}});
+  EXPECT_NEAR(felt.at(0.19, 0.0, {{0.5, 0.0, 0.0}}).left_m, 0.35, 1e-15);
+  EXPECT_EQ(felt.at(0.21, 0.0, {{0.5, 0.0, 0.0}}).left_m, 0.225);
+}
+
+TEST(Proxies, ABearingThatIsNoneMakesTheReadingAMissingOne) {
+  for (const double bearing : {90.0, -90.0, std::numeric_limits<double>::infinity()}) {
+    Felt felt(one_swept_ray());
+    felt.at(0.0, 0.0, {{0.30, 0.0, kSquare}});
+    const LocalGeometry local = felt.at(0.02, 0.0, {{0.30, 0.0, bearing}});
+    EXPECT_TRUE(local.missing_ray) << bearing;
+    EXPECT_TRUE(std::isnan(felt.proxies().clearances()[0]));
+  }
+}
+
+// Readings that state what is known anyway change no bit, and a cleared trial starts as mounted.
+TEST(Proxies, ABearingThatIsTheMountsOwnChangesNothing) {
+  Felt silent(three_rays());
+  Felt stating(three_rays());
+  for (int trial = 0; trial < 2; ++trial) {
+    for (int i = 0; i < 200; ++i) {
+      const double at = 0.013 * i;
+      std::vector<RayReading> felt = readings(
+          0.25 + 0.2 * std::sin(7.0 * at), 0.3 + 0.1 * std::cos(11.0 * at), i % 3 == 0 ? 0.2 : 0.6);
+      const LocalGeometry a = silent.at(at, 0.1 * at, felt);
+      for (std::size_t k = 0; k < felt.size(); ++k) {
+        felt[k].bearing_rad = three_rays().rays[k].bearing_rad;
+      }
+      const LocalGeometry b = stating.at(at, 0.1 * at, felt);
+      ASSERT_EQ(a.left_m, b.left_m);
+      ASSERT_EQ(a.right_m, b.right_m);
+      ASSERT_EQ(a.turn_radius_m, b.turn_radius_m);
+      ASSERT_EQ(a.contacts, b.contacts);
+    }
+    stating.at(3.0, 0.0, {{0.3, 0.0, -kSquare}, {0.3, 0.0, 0.0}, {0.3, 0.0, 0.0}});
+    silent.proxies().clear();
+    stating.proxies().clear();
+  }
 }
 
 }  // namespace

@@ -20,6 +20,9 @@ Robot robot_with_rays() {
   return robot;
 }
 
+// Of the two rays above.
+constexpr std::array<double, 2> kBearings{0.5 * std::numbers::pi, -0.5 * std::numbers::pi};
+
 double distance_to_cell(SweptCell cell, Point p) {
   const double dx = std::max({cell.ix * kCell - p.x_m, 0.0, p.x_m - (cell.ix + 1) * kCell});
   const double dy = std::max({cell.iy * kCell - p.y_m, 0.0, p.y_m - (cell.iy + 1) * kCell});
@@ -35,7 +38,7 @@ TEST(SweptArea, ClearanceEqualsASearchOfAllCells) {
   const std::array<double, 2> clearances{0.3, 0.45};
   for (int k = 0; k < 80; ++k) {
     const double a = 0.015 * k;
-    area.sweep({Point{std::sin(a), 1.0 - std::cos(a)}, a}, clearances);
+    area.sweep({Point{std::sin(a), 1.0 - std::cos(a)}, a}, clearances, kBearings);
   }
   std::vector<SweptCell> unswept;
   for (std::int32_t iy = -80; iy < 80; ++iy) {
@@ -70,7 +73,7 @@ TEST(SweptArea, OfABodyThatStandsIsItsDisc) {
   area.begin({{3.0, -2.0}, 1.0});
   const std::array<double, 2> clearances{0.45, 0.45};
   for (int k = 0; k < 10; ++k) {
-    area.sweep({{3.0, -2.0}, 1.0}, clearances);
+    area.sweep({{3.0, -2.0}, 1.0}, clearances, kBearings);
   }
   const double found = area.clearance({3.0, -2.0}, {3.0, -2.0}).distance_m;
   EXPECT_LE(found, 0.225);
@@ -96,7 +99,7 @@ TEST(SweptArea, ReadsACorridorFromBehind) {
   area.begin({});
   const std::array<double, 2> clearances{0.28, 0.28};
   for (int k = 0; k <= 120; ++k) {
-    area.sweep({{0.016 * k, 0.0}, 0.0}, clearances);
+    area.sweep({{0.016 * k, 0.0}, 0.0}, clearances, kBearings);
   }
   const Point middle{0.96, 0.0};
   EXPECT_LE(area.clearance(middle, middle).distance_m, 0.4 - 0.008);

@@ -58,7 +58,8 @@ tcert_tick to_c(const Tick& tick, std::vector<tcert_reading>& readings) {
           tick.pose.position.y_m,
           tick.pose.yaw_rad,
           tick.stale ? 1 : 0,
-          tick.segment_start ? 1 : 0};
+          tick.segment_start ? 1 : 0,
+          nullptr};
 }
 
 tcert_output empty_output() noexcept {

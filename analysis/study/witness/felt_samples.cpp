@@ -3,18 +3,6 @@
 #include <vector>
 
 namespace tcert::study {
-namespace {
-
-std::vector<double> values_of(const std::vector<RayReading>& readings) {
-  std::vector<double> values;
-  values.reserve(readings.size());
-  for (const RayReading& reading : readings) {
-    values.push_back(reading.value);
-  }
-  return values;
-}
-
-}  // namespace
 
 witness::Samples felt_samples(const TickTable& ticks, const Robot& robot) {
   TickTable fresh;
@@ -35,19 +23,17 @@ witness::Samples felt_samples(const TickTable& ticks, const Robot& robot) {
     const Tick tick = ticks[i];
     fresh.readings.insert(fresh.readings.end(), tick.rays.begin(), tick.rays.end());
   }
-  const std::vector<double> values = values_of(fresh.readings);
   return witness::at_touch_times(
-      robot, {fresh.time_ns, fresh.poses}, {fresh.time_ns, values}, breaks_ns, 0.0);
+      robot, {fresh.time_ns, fresh.poses}, {fresh.time_ns, fresh.readings}, breaks_ns, 0.0);
 }
 
 witness::Samples felt_samples(const TrialLog& log, const Robot& robot, double pose_bridge_s) {
   if (log.merged) {
     return felt_samples(*log.merged, robot);
   }
-  const std::vector<double> values = values_of(log.tactile.readings);
   return witness::at_touch_times(robot,
                                  {log.pose.time_ns, log.pose.poses},
-                                 {log.tactile.time_ns, values},
+                                 {log.tactile.time_ns, log.tactile.readings},
                                  log.breaks_ns,
                                  pose_bridge_s);
 }

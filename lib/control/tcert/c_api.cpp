@@ -126,7 +126,9 @@ tcert_status tcert_update(tcert_certifier* certifier,
   std::vector<RayReading>& readings = certifier->readings;
   const std::size_t count = std::min<std::size_t>(whole.reading_count, readings.size());
   for (std::size_t k = 0; k < count; ++k) {
-    readings[k] = {whole.readings[k].value, whole.readings[k].force_n};
+    readings[k] = {whole.readings[k].value,
+                   whole.readings[k].force_n,
+                   whole.bearings_rad == nullptr ? kMissing : whole.bearings_rad[k]};
   }
   const Tick felt{whole.time_ns,
                   {{whole.x_m, whole.y_m}, whole.yaw_rad},

@@ -88,7 +88,8 @@ enum tcert_unknown { TCERT_UNKNOWN_OCCUPIED = 0, TCERT_UNKNOWN_FREE = 1 };
 enum tcert_speed_law { TCERT_SQUASH = 0, TCERT_CLIP = 1 };
 enum tcert_guard_mode { TCERT_GUARDS_BY_LAW = 0, TCERT_GUARDS_ACT = 1, TCERT_GUARDS_WATCH = 2 };
 
-/** Of tcert_output::flags. From TCERT_CAPACITY_EXCEEDED on they stay set until tcert_reset. */
+/** Of tcert_output::flags. From TCERT_CAPACITY_EXCEEDED to TCERT_MEMORY_EVICTED they stay set until
+ * tcert_reset. */
 enum tcert_flag {
   TCERT_STALE = 1 << 0,
   TCERT_BAD_INPUT = 1 << 1,
@@ -97,7 +98,9 @@ enum tcert_flag {
   TCERT_CAPACITY_EXCEEDED = 1 << 4,
   TCERT_START_OUTSIDE = 1 << 5, /**< The first tick lies outside S: never a certificate. */
   TCERT_GOAL_REACHED = 1 << 6,
-  TCERT_MEMORY_EVICTED = 1 << 7
+  TCERT_MEMORY_EVICTED = 1 << 7,
+  TCERT_ACROSS_HEADING = 1 << 8 /**< Not lasting: the robot moves off its heading, and its sides
+                                     count for less. */
 };
 
 /** Of tcert_output::triggers: why forward motion is refused, or would be. */
@@ -235,6 +238,8 @@ typedef struct tcert_tick {
   double x_m, y_m, yaw_rad;
   int32_t stale;         /**< 1: a required stream is silent, no evidence. */
   int32_t segment_start; /**< 1: there is a gap before this tick. */
+  const double* bearings_rad; /**< Of rays that a joint moves: where each reading was felt, from the
+                                   heading, NaN along the ray's own; null if there is no joint. */
 } tcert_tick;
 
 /** What is known after a tick: see CertifiedTick and GuardedTick of the C++ headers. */

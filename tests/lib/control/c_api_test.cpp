@@ -3,7 +3,9 @@
 #include <tcert/tcert.h>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
+#include <numbers>
 #include <limits>
 #include <string>
 #include <tcert/certifier.hpp>
@@ -254,7 +256,7 @@ TEST(CApi, TakesCalibrationPolygonsAndATrackingErrorTable) {
   tcert_certifier* certifier = nullptr;
   ASSERT_EQ(c.create(certifier), TCERT_OK) << c.message.data();
   const std::array<tcert_reading, 3> readings{{{0.5, 0.0}, {0.4, 0.0}, {0.4, 0.0}}};
-  const tcert_tick tick{sizeof tick, 3, readings.data(), 0, 0.0, 0.0, 0.0, 0, 0};
+  const tcert_tick tick{sizeof tick, 3, readings.data(), 0, 0.0, 0.0, 0.0, 0, 0, nullptr};
   tcert_output out = empty_output();
   ASSERT_EQ(tcert_update(certifier, &tick, &out), TCERT_OK);
   EXPECT_DOUBLE_EQ(out.left_m, 0.1 + 0.3);
@@ -272,6 +274,26 @@ TEST(CApi, KnowsItsWords) {
   EXPECT_EQ(std::string(tcert_flag_text(TCERT_MISSING_RAY)), "missing_ray");
   EXPECT_EQ(std::string(tcert_flag_text(1U << 30U)), "");
   EXPECT_NE(std::string(tcert_version()), "");
+}
+
+/// Of a caller that knows bearings and of one that was compiled before there were any.
+TEST(CApi, TakesTheBearingsOfAJoint) {
+  Robot robot;
+  robot.rays = {{"whisker", {0.1, 0.05}, 0.0, 0.6, RayKind::range, {}}};
+  CSetup c(robot, {});
+  tcert_certifier* certifier = nullptr;
+  ASSERT_EQ(c.create(certifier), TCERT_OK) << c.message.data();
+  const tcert_reading reading{0.3, 0.0};
+  const double to_the_left = 0.5 * std::numbers::pi;
+  tcert_tick tick{sizeof tick, 1, &reading, 0, 0.0, 0.0, 0.0, 0, 0, &to_the_left};
+  tcert_output out = empty_output();
+  ASSERT_EQ(tcert_update(certifier, &tick, &out), TCERT_OK);
+  EXPECT_DOUBLE_EQ(out.left_m, 0.05 + 0.3);
+  ASSERT_EQ(tcert_reset(certifier), TCERT_OK);
+  tick.struct_size = offsetof(tcert_tick, bearings_rad);
+  ASSERT_EQ(tcert_update(certifier, &tick, &out), TCERT_OK);
+  EXPECT_DOUBLE_EQ(out.left_m, 0.5 * robot.body_width_m);
+  tcert_destroy(certifier);
 }
 
 }  // namespace

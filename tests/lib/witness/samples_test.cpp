@@ -24,7 +24,7 @@ TEST(Samples, PosesAreInterpolatedWithinTheBridgeOnly) {
       {{0.0, 0.0}, 3.1}, {{0.1, 0.0}, -3.1}, {{0.5, 0.0}, -3.0}, {{0.6, 0.2}, -3.0}};
   const std::vector<std::int64_t> touch_ns{
       -kMs, 0, 25 * kMs, 50 * kMs, 100 * kMs, 275 * kMs, 300 * kMs, 301 * kMs};
-  const std::vector<double> values{0.1, 0.2, 0.3, 0.4, 0.9, 0.5, kMissing, 0.1};
+  const std::vector<RayReading> values{{0.1}, {0.2}, {0.3}, {0.4}, {0.9}, {0.5}, {kMissing}, {0.1}};
   const Samples samples = at_touch_times(one_ray(), {pose_ns, poses}, {touch_ns, values}, {}, 0.11);
   ASSERT_EQ(samples.size(), 5U);
   EXPECT_NEAR(samples.poses[1].position.x_m, 0.05, 1e-12);
@@ -42,7 +42,7 @@ TEST(Samples, ABreakIsMarkedAndNotInterpolatedAcross) {
   const std::vector<std::int64_t> pose_ns{0, 100 * kMs, 200 * kMs};
   const std::vector<Pose> poses(3);
   const std::vector<std::int64_t> touch_ns{0, 50 * kMs, 120 * kMs, 150 * kMs, 200 * kMs};
-  const std::vector<double> values(5, 0.3);
+  const std::vector<RayReading> values(5, {0.3});
   const std::vector<std::int64_t> breaks{110 * kMs};
   const Samples samples =
       at_touch_times(one_ray(), {pose_ns, poses}, {touch_ns, values}, breaks, 0.11);
@@ -55,6 +55,17 @@ TEST(Samples, ClearancesAreThoseOfTheCalibrationWithinTheReach) {
   EXPECT_DOUBLE_EQ(clearance_of(ray, 0.6), 0.2);
   EXPECT_DOUBLE_EQ(clearance_of(ray, -1.0), 0.4);
   EXPECT_TRUE(std::isnan(clearance_of(ray, kMissing)));
+}
+
+TEST(Samples, AReadingIsFeltWhereItsJointPointed) {
+  const std::vector<std::int64_t> at{0, 10 * kMs, 20 * kMs};
+  const std::vector<Pose> poses(3, Pose{{1.0, 2.0}, 0.5});
+  const std::vector<RayReading> readings{{0.3, 0.0, -0.2}, {0.3, 0.0}, {0.3, 0.0, 90.0}};
+  const Samples samples = at_touch_times(one_ray(), {at, poses}, {at, readings}, {}, 0.0);
+  EXPECT_EQ(samples.direction_of(one_ray(), 0, 0), direction(0.5 - 0.2));
+  EXPECT_EQ(samples.direction_of(one_ray(), 1, 0), direction(0.5 + 0.5 * std::numbers::pi));
+  EXPECT_EQ(samples.clearances_m[1], 0.3);
+  EXPECT_TRUE(std::isnan(samples.clearances_m[2]));  // degrees: nobody knows where
 }
 
 TEST(Samples, AGlitchIsTakenOutAndAWallIsNot) {
