@@ -172,14 +172,16 @@ std::vector<Point> LaneBands::joined(std::span<const EdgeStep> steps) const {
 
 // In S, in G, or so near to its node that the edge keeps most of its length.
 Region LaneBands::end_region(std::uint32_t node, EdgeStep step) const {
-  const Node& at_end = problem_.nodes[node];
-  if (at_end.in_start || at_end.in_goal) {
-    return at_end.in_start ? problem_.start : problem_.goal;
+  const Point position = problem_.nodes[node].pose.position;
+  for (const Region* region : {&problem_.start, &problem_.goal}) {
+    if (contains(*region, position)) {
+      return *region;
+    }
   }
   const auto place = [&](const EdgeEnd& end) { return problem_.nodes[end.node].pose.position; };
   const double edge_m =
       distance(place(begin_of(problem_.edges, step)), place(end_of(problem_.edges, step)));
-  return Disc{at_end.pose.position, std::min(merge_radius_m_, kLeftOfEnds * edge_m)};
+  return Disc{position, std::min(merge_radius_m_, kLeftOfEnds * edge_m)};
 }
 
 // The most that a path can have of margin that crosses the node's line within the merge radius.

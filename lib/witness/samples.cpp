@@ -41,6 +41,21 @@ Point Samples::direction_of(const Robot& robot, std::size_t i, std::size_t k) co
   return direction(poses[i].yaw_rad + bearing_rad);
 }
 
+Samples first_samples(const Samples& samples, std::size_t count) {
+  count = std::min(count, samples.size());
+  const auto first = [count](const auto& values, std::size_t each) {
+    const auto end =
+        values.begin() + static_cast<std::ptrdiff_t>(std::min(values.size(), count * each));
+    return std::vector(values.begin(), end);
+  };
+  return {samples.rays,
+          first(samples.poses, 1),
+          first(samples.clearances_m, samples.rays),
+          first(samples.bearings_rad, samples.rays),
+          first(samples.breaks, 1),
+          first(samples.known_ns, 1)};
+}
+
 double clearance_of(const Ray& ray, double value) noexcept {
   if (!std::isfinite(value)) {
     return kMissing;
@@ -75,6 +90,7 @@ Samples at_touch_times(const Robot& robot,
     }
     const std::int64_t before = track.time_ns[next_pose - 1];
     Pose pose = track.poses[next_pose - 1];
+    std::int64_t known_ns = now;
     if (before != now) {
       const bool broke_within = next_break > 0 && breaks_ns[next_break - 1] > before;
       if (next_pose == track.time_ns.size() || broke_within) {
@@ -85,6 +101,7 @@ Samples at_touch_times(const Robot& robot,
       if (breaks_soon || elapsed_s(before, after) > bridge_s) {
         continue;
       }
+      known_ns = after;
       pose =
           between(pose, track.poses[next_pose], elapsed_s(before, now) / elapsed_s(before, after));
     }
@@ -93,6 +110,7 @@ Samples at_touch_times(const Robot& robot,
     }
     samples.poses.push_back(pose);
     samples.breaks.push_back(broken ? 1 : 0);
+    samples.known_ns.push_back(known_ns);
     broken = false;
     for (std::size_t k = 0; k < samples.rays; ++k) {
       const RayReading& reading = touch.readings[i * samples.rays + k];

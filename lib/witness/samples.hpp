@@ -21,11 +21,16 @@ struct Samples {
   std::vector<double> bearings_rad;
   /// 1 where the path broke before the sample: no ray sweeps from the one before to this one.
   std::vector<std::uint8_t> breaks;
+  /// When both pose and reading were there: of an interpolated pose at that after it. They rise.
+  std::vector<std::int64_t> known_ns;
 
   [[nodiscard]] std::size_t size() const noexcept { return poses.size(); }
   /// Unit vector of ray `k` of `robot` at sample `i`.
   [[nodiscard]] Point direction_of(const Robot& robot, std::size_t i, std::size_t k) const noexcept;
 };
+
+/// The first `count` of them, at most all. O(count x rays).
+[[nodiscard]] Samples first_samples(const Samples& samples, std::size_t count);
 
 /// Poses of a stream; the times, in ns, rise strictly.
 struct PoseTrack {

@@ -23,8 +23,10 @@ bool is_near(Point place,
              const Region& start,
              const Region& goal,
              double merge_radius_m) noexcept {
-  return distance(place, node.pose.position) <= merge_radius_m ||
-         (node.in_start && contains(start, place)) || (node.in_goal && contains(goal, place));
+  const auto share = [&](const Region& region) {
+    return contains(region, node.pose.position) && contains(region, place);
+  };
+  return distance(place, node.pose.position) <= merge_radius_m || share(start) || share(goal);
 }
 
 Checked check_edge(const Checker& checker,

@@ -122,6 +122,50 @@ TEST(WitnessOption, VerifyChecksTheProofs) {
       << to_string(verified);
 }
 
+// Edges: a failed trial has proofs of what it passed, what chains from S to G proves no more than
+// the world has, and what is proved of the whole stays as it is.
+TEST(WitnessOption, EdgesAreProvedInFailedTrialsToo) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "40", "--output", "corpus"}));
+  expect_done(work.run({"certify", "corpus", "--witness", "--output", "whole"}));
+  const ProcessResult asking =
+      work.run({"certify", "corpus", "--witness-edges", "--threads", "2", "--output", "edges"});
+  expect_done(asking);
+  EXPECT_NE(asking.err.find(" edges (proved_m)"), std::string::npos) << asking.err;
+  const Rows trials = rows_of(work.read("edges/certificates.csv"));
+  expect_same_but(rows_of(work.read("whole/certificates.csv")), trials, {});
+  std::size_t failures = 0;
+  std::size_t edges = 0;
+  std::size_t proved = 0;
+  for (const auto& trial : trials) {
+    const std::string& id = trial.at("trial_id");
+    std::size_t proved_here = 0;
+    for (const auto& edge : rows_of(work.read("edges/edges/" + id + ".csv"))) {
+      ++edges;
+      const std::string& margin = edge.at("proved_m");
+      proved_here += !margin.empty() && std::stod(margin) > 0.0 ? 1U : 0U;
+      if (!margin.empty()) {
+        EXPECT_LT(std::stod(margin), 1.2 - 0.45);  // the course is 1.2 m wide where it is widest
+      }
+    }
+    EXPECT_EQ(std::to_string(proved_here), trial.at("edges_proved"));
+    proved += proved_here;
+    failures += trial.at("success") == "0" && proved_here > 10 ? 1U : 0U;
+    if (!trial.at("chain_m").empty() && !trial.at("witness_m").empty()) {
+      EXPECT_LT(std::stod(trial.at("chain_m")), std::stod(trial.at("witness_m")) + 0.02) << id;
+    }
+  }
+  EXPECT_GT(failures, 1U);
+  EXPECT_GT(10 * proved, 9 * edges);
+  for (const std::string& file : work.files("whole/witness")) {
+    const std::string whole = work.read("whole/witness/" + file);
+    const std::string both = work.read("edges/witness/" + file);
+    EXPECT_EQ(both.substr(0, whole.size() - 2), whole.substr(0, whole.size() - 2)) << file;
+  }
+  EXPECT_EQ(work.files("edges/witness").size(), trials.size());
+  expect_done(work.run({"verify", "edges", "--inputs", "corpus"}));
+}
+
 TEST(WitnessOption, AProofThatChoosesItsOwnRuleOrDropsItsLabelIsRefused) {
   Workdir work(TCERT_BINARY);
   expect_done(work.run({"simulate", "--trials", "2", "--output", "corpus"}));
@@ -171,18 +215,29 @@ TEST(WitnessOption, AnotherCheckerAgrees) {
            "goal":{"disc":{"x_m":4.2,"y_m":0,"radius_m":0.4}}}})");
   expect_done(work.run({"simulate", "--trials", "2", "--output", "corpus"}));
   for (const std::string bundle : {"corridor", "corpus"}) {
-    expect_done(work.run({"certify", bundle, "--witness", "--output", bundle + "-out", "--quiet"}));
+    expect_done(
+        work.run({"certify", bundle, "--witness-edges", "--output", bundle + "-out", "--quiet"}));
     const auto files = work.files(bundle + "-out/witness");
     ASSERT_FALSE(files.empty()) << bundle;
     const std::string proof = (work / (bundle + "-out/witness/" + *files.begin())).string();
     const std::string command =
         "python3 -O " + script.string() + " " + (work / bundle).string() + " ";
     EXPECT_EQ(std::system((command + proof + " >/dev/null").c_str()), 0) << bundle;
-    std::string text = test_support::read_text(proof);
-    const std::size_t at = text.find("\"margin_m\":") + 11;
-    text.replace(at, text.find(',', at) - at, "0.9");
-    work.write("changed.json", text);
-    EXPECT_NE(std::system((command + (work / "changed.json").string() + " >/dev/null").c_str()), 0);
+    const std::string text = test_support::read_text(proof);
+    // The margin of the whole, that of the first edge, and where a waypoint lies.
+    const std::size_t edges = text.find("\"edges\":{");
+    ASSERT_NE(edges, std::string::npos);
+    for (const auto& [key, from] : {std::pair("\"margin_m\":", std::size_t{0}),
+                                    std::pair("\"margin_m\":", edges),
+                                    std::pair("\"waypoint\":[", edges)}) {
+      std::string changed = text;
+      const std::size_t at = changed.find(key, from) + std::string(key).size();
+      changed.replace(at, changed.find(',', at) - at, "0.9");
+      work.write("changed.json", changed);
+      EXPECT_NE(std::system((command + (work / "changed.json").string() + " >/dev/null").c_str()),
+                0)
+          << key;
+    }
   }
 }
 

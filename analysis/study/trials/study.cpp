@@ -80,7 +80,8 @@ void study_trials(const Bundle& bundle,
                             robot,
                             bundle.info.course,
                             parameters.witness,
-                            certificate);
+                            certificate,
+                            options.witness_edges ? &trial.series : nullptr);
       }
       if (by_witness) {
         certify_by_witness(trial);

@@ -42,7 +42,8 @@ struct StudyOptions {
   ReadOptions read;
   int threads = 0;  ///< 0: all cores.
   bool ray_margins = false;
-  bool witness = false;  ///< Look for a witness whatever the clearance reading is.
+  bool witness = false;        ///< Look for a witness whatever the clearance reading is.
+  bool witness_edges = false;  ///< And for those of the edges, where one is looked for.
 };
 
 /// Reads a trial's log into `trial`: everything but ticks, series and features. Empty if the trial

@@ -1,13 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 
 #include "analysis/study/soundness/soundness.hpp"
+#include "analysis/study/trials/certify_trial.hpp"
+#include "analysis/study/truth/obstacle_distance.hpp"
 #include "analysis/study/truth/truth.hpp"
 #include "analysis/study/witness/felt_samples.hpp"
 #include "analysis/study/witness/prove_trial.hpp"
@@ -52,6 +56,52 @@ TEST(Witness, NeverExceedsTheTruthOfRandomWorldsWithoutNoise) {
   }
   EXPECT_GT(witnesses, 100U);
   EXPECT_GT(issued, 70U);
+}
+
+/// The least distance from the places of a path, about a centimetre apart, to what is not free.
+double least_distance(const witness::Path& path, const ObstacleDistance& obstacles) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const witness::Piece& piece : path) {
+    const double parts = std::ceil(witness::chord(piece) / 0.01);
+    for (double k = 0.0; k <= parts; ++k) {
+      least_m = std::min(least_m, obstacles.at(witness::point_at(piece, k / parts)));
+    }
+  }
+  return least_m;
+}
+
+// What an edge proves is there: nothing of the world is nearer to its path than that. And no chain
+// of edges proves more of S and G than there is.
+TEST(Witness, EdgesProveNoMoreThanTheWorldHas) {
+  std::size_t proven = 0;
+  std::size_t edges = 0;
+  std::size_t chains = 0;
+  for (std::uint64_t index = 0; index < 48; ++index) {
+    const WorldFamily family = index % 4 == 3 ? WorldFamily::u_turn : mixed_family(index);
+    const RandomWorld drawn = draw_random_world(family, 9, index);
+    const WallIndex walls = feelable_walls(drawn);
+    const TickTable felt = true_ticks(follow_legs(drawn, walls, 9, index), walls);
+    const Course course{drawn.world.start, drawn.world.goal};
+    Certifier certifier(corpus_robot(), course, {});
+    const TrialSeries series = certify_trial(certifier, felt);
+    const Proof proof =
+        prove(felt_samples(felt, corpus_robot()), corpus_robot(), course, {}, {}, &series);
+    ASSERT_TRUE(proof.edges) << proof.reason;
+    const ObstacleDistance obstacles(drawn.world);
+    for (const auto& path : proof.edges->found.paths) {
+      ++edges;
+      if (path) {
+        EXPECT_LE(path->checked.clearance_m, least_distance(path->path, obstacles) + 1e-9) << index;
+      }
+    }
+    proven += proof.edges->proven();
+    if (proof.edges->chain_m) {
+      ++chains;
+      EXPECT_LE(*proof.edges->chain_m, truth_of_drawn(drawn) + 1e-9) << index;
+    }
+  }
+  EXPECT_GT(2 * proven, edges);
+  EXPECT_GT(chains, 24U);
 }
 
 TEST(Witness, AReadingBoundOnlyLowersIt) {
