@@ -165,8 +165,16 @@ Finding early_finding(std::span<const OutcomeGroup> groups) {
 std::optional<Finding> witness_finding(std::span<const FeatureRow> rows) {
   std::vector<double> margins;
   std::size_t sought = 0;
+  std::size_t edges = 0;
+  std::size_t edges_proven = 0;
+  bool has_edges = false;
   for (const FeatureRow& row : rows) {
     sought += row.witness ? 1 : 0;
+    if (row.witness && row.witness->has_edges) {
+      has_edges = true;
+      edges += row.witness->edges;
+      edges_proven += row.witness->edges_proven;
+    }
     if (row.witness && row.witness->margin_m.value_or(0.0) > 0.0) {
       margins.push_back(*row.witness->margin_m);
     }
@@ -179,6 +187,9 @@ std::optional<Finding> witness_finding(std::span<const FeatureRow> rows) {
   if (!margins.empty()) {
     evidence += fmt::format(", {} m in the median; each is in its witness file (witness_m)",
                             fixed(*statistics::median(margins), 3));
+  }
+  if (has_edges) {
+    evidence += fmt::format("; so have {} of {} edges (proved_m)", edges_proven, edges);
   }
   return Finding{"Witnesses", "", evidence + "."};
 }

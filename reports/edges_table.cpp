@@ -9,14 +9,21 @@ struct NumberedEdge {
   std::size_t number;
   const Edge& edge;
   const std::vector<Node>& nodes;
+  const witness::EdgePaths* proofs;
 
   [[nodiscard]] std::uint32_t end(std::size_t which) const { return edge.ends[which].node; }
   [[nodiscard]] Point position(std::size_t which) const { return nodes[end(which)].pose.position; }
 };
 
-ColumnsOf<NumberedEdge> edge_columns() {
-  return ColumnsOf<NumberedEdge>()
-      .integer("edge", "edge", &NumberedEdge::number)
+/// Empty where there is no path.
+TableCell proved_cell(const NumberedEdge& row) {
+  const auto& path = row.proofs->paths[row.number];
+  return path ? TableCell{Number{path->checked.margin_m, kColumnDecimals}} : TableCell{};
+}
+
+ColumnsOf<NumberedEdge> edge_columns(bool has_proofs) {
+  ColumnsOf<NumberedEdge> columns;
+  columns.integer("edge", "edge", &NumberedEdge::number)
       .doc("number of the edge, from 0")
       .integer("a", "a", [](auto& r) { return r.end(0); })
       .doc("node at one end")
@@ -49,23 +56,31 @@ ColumnsOf<NumberedEdge> edge_columns() {
       .fixed(
           "turn_radius_m", "turn radius", "m", 3, [](auto& r) { return r.edge.pass.turn_radius_m; })
       .doc("turn radius there");
+  if (has_proofs) {
+    columns.add(fixed_column("proved_m", "proved", "m"), proved_cell)
+        .doc(
+            "margin of the path along it that was found and checked (--witness-edges); empty if "
+            "there is none");
+  }
+  return columns;
 }
 
 }  // namespace
 
 std::string edges_csv(const study::TrialSeries& series,
+                      const witness::EdgePaths* proofs,
                       const std::optional<SyntheticLabel>& synthetic) {
-  const ColumnsOf<NumberedEdge> columns = edge_columns();
+  const ColumnsOf<NumberedEdge> columns = edge_columns(proofs != nullptr);
   Table table = columns.table("edges", "");
   table.synthetic = synthetic;
   for (std::size_t e = 0; e < series.edges.size(); ++e) {
-    table.add_row(columns.row({e, series.edges[e], series.nodes}));
+    table.add_row(columns.row({e, series.edges[e], series.nodes, proofs}));
   }
   return render(table, TableFormat::csv);
 }
 
 std::vector<ColumnDoc> edge_column_docs() {
-  std::vector<ColumnDoc> docs = edge_columns().docs();
+  std::vector<ColumnDoc> docs = edge_columns(true).docs();
   docs.push_back(synthetic_seed_doc());
   return docs;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include <witness/edge_paths.hpp>
 
 #include "analysis/study/trials/certify_trial.hpp"
 #include "reports/column_doc.hpp"
@@ -12,8 +13,10 @@
 
 namespace tcert {
 
-/// Header and rows, in the order in which the edges were found.
+/// Header and rows, in the order in which the edges were found. With `proofs`, which may be null, a
+/// column more: what each proves.
 [[nodiscard]] std::string edges_csv(const study::TrialSeries& series,
+                                    const witness::EdgePaths* proofs,
                                     const std::optional<SyntheticLabel>& synthetic);
 
 /// What its columns mean, in their order.

@@ -135,6 +135,14 @@ ColumnsOf<study::Proof> witness_columns() {
       .doc("the same");
 }
 
+ColumnsOf<study::EdgeProofs> edge_proof_columns() {
+  return ColumnsOf<study::EdgeProofs>()
+      .integer("edges_proved", "edges proved", [](auto& r) { return r.proven(); })
+      .doc("edges of the graph whose path has a margin above 0 (--witness-edges)")
+      .add(fixed_column("chain_m", "chain", "m"), [](auto& r) { return short_cell(r.chain_m); })
+      .doc("margin of the widest chain of such paths from S to G; empty if there is none");
+}
+
 ColumnsOf<CertifiedTrial> certificate_columns(WitnessColumns witness) {
   ColumnsOf<CertifiedTrial> columns;
   columns.part(name_columns(), [](auto& r) { return r.trial.row; })
@@ -160,8 +168,15 @@ ColumnsOf<CertifiedTrial> certificate_columns(WitnessColumns witness) {
       .doc("every flag that any tick had, + between")
       .text("log_sha256", "SHA-256 of the log", [](auto& r) { return not_empty(r.log_sha256); })
       .doc("digest of the log's files");
-  if (witness == WitnessColumns::yes) {
-    columns.part(witness_columns(), [](auto& r) { return r.trial.proof; });
+  if (witness != WitnessColumns::no) {
+    columns.part(witness_columns(), [](auto& r) -> const study::Proof* {
+      return r.trial.proof ? &*r.trial.proof : nullptr;
+    });
+  }
+  if (witness == WitnessColumns::with_edges) {
+    columns.part(edge_proof_columns(), [](auto& r) -> const study::EdgeProofs* {
+      return r.trial.proof && r.trial.proof->edges ? &*r.trial.proof->edges : nullptr;
+    });
   }
   return columns;
 }
@@ -211,7 +226,7 @@ std::vector<ColumnDoc> feature_column_docs() {
 }
 
 std::vector<ColumnDoc> certificate_column_docs() {
-  std::vector<ColumnDoc> docs = certificate_columns(WitnessColumns::yes).docs();
+  std::vector<ColumnDoc> docs = certificate_columns(WitnessColumns::with_edges).docs();
   docs.push_back(synthetic_seed_doc());
   return docs;
 }
@@ -221,7 +236,11 @@ std::vector<TableCell> certificates_row(const study::StudiedTrial& trial,
                                         WitnessColumns witness) {
   static const ColumnsOf<CertifiedTrial> plain = certificate_columns(WitnessColumns::no);
   static const ColumnsOf<CertifiedTrial> full = certificate_columns(WitnessColumns::yes);
-  return (witness == WitnessColumns::yes ? full : plain).row({trial, log_sha256});
+  static const ColumnsOf<CertifiedTrial> most = certificate_columns(WitnessColumns::with_edges);
+  const ColumnsOf<CertifiedTrial>& columns = witness == WitnessColumns::no    ? plain
+                                             : witness == WitnessColumns::yes ? full
+                                                                              : most;
+  return columns.row({trial, log_sha256});
 }
 
 }  // namespace tcert

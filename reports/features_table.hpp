@@ -25,8 +25,8 @@ namespace tcert {
 [[nodiscard]] std::vector<ColumnDoc> feature_column_docs();
 [[nodiscard]] std::vector<ColumnDoc> certificate_column_docs();
 
-/// Whether the certificate table has the columns of the witness.
-enum class WitnessColumns { no, yes };
+/// Whether the certificate table has the columns of the witness, and of those of edges.
+enum class WitnessColumns { no, yes, with_edges };
 
 /// Columns of the certificate table, no rows: where and when each certificate was issued, what
 /// decides it, and the digest of the log that it was made from.

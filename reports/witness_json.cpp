@@ -9,6 +9,8 @@
 
 #include "datasets/robot_json.hpp"
 #include "reports/sha256.hpp"
+#include "reports/witness_edges_json.hpp"
+#include "reports/witness_path_json.hpp"
 
 namespace tcert {
 namespace {
@@ -60,19 +62,6 @@ std::string digest_of(const Runs& runs) {
     lines += '\n';
   }
   return sha256(lines);
-}
-
-ordered_json point_json(Point p) { return {p.x_m, p.y_m}; }
-
-Point point_from(const ordered_json& json) {
-  if (!json.is_array() || json.size() != 2) {
-    throw WitnessFormatError("a point is not [x, y]");
-  }
-  return {json[0].get<double>(), json[1].get<double>()};
-}
-
-ordered_json number_or_null(double value) {
-  return value < std::numeric_limits<double>::infinity() ? ordered_json(value) : ordered_json();
 }
 
 Region region_from(const ordered_json& json) {
@@ -165,22 +154,6 @@ witness::FreeCells cells_from(const ordered_json& free, double cell_m, std::size
   return cells;
 }
 
-/// A piece of any other kind is no path, and whoever draws it would have endless work.
-void require_within(const witness::Piece& piece, const witness::Lattice& lattice) {
-  constexpr double kMostTurn = 3.0;
-  const auto lies_within = [&](Point p) {
-    const int column = lattice.column_of(p.x_m);
-    const int row = lattice.row_of(p.y_m);
-    return column >= 0 && column < lattice.columns && row >= 0 && row < lattice.rows;
-  };
-  if (!lies_within(piece.from) || !lies_within(piece.to) ||
-      !(std::abs(piece.turn_rad) <= kMostTurn)) {
-    throw WitnessFormatError(
-        "a piece of the path leaves the box of the free space, or turns by "
-        "more than 3 rad");
-  }
-}
-
 WitnessDocument document_from(const ordered_json& json, std::size_t max_cells) {
   if (json.at("format") != "tcert-witness" || json.at("version") != 1) {
     throw WitnessFormatError("it is not of format tcert-witness, version 1");
@@ -214,17 +187,11 @@ WitnessDocument document_from(const ordered_json& json, std::size_t max_cells) {
   validate(document.robot);
   validate(Course{document.start, document.goal});
   document.cells = cells_from(json.at("free"), document.rule.cell_m, max_cells);
-  for (const ordered_json& piece : json.at("path")) {
-    document.path.push_back(
-        {point_from(piece.at("from")), point_from(piece.at("to")), piece.at("turn_rad")});
-    require_within(document.path.back(), document.cells.lattice());
+  document.path = path_from(json.at("path"), document.cells.lattice());
+  document.stated = measured_from(json, !document.path.empty());
+  if (json.contains("edges")) {
+    document.edges = edges_from(json.at("edges"), document.cells.lattice());
   }
-  document.stated.margin_m = json.at("margin_m");
-  document.stated.clearance_m = json.at("clearance_m");
-  const ordered_json& radius = json.at("turn_radius_m");
-  document.stated.turn_radius_m =
-      radius.is_null() ? std::numeric_limits<double>::infinity() : radius.get<double>();
-  document.stated.bottleneck = point_from(json.at("bottleneck"));
   return document;
 }
 
@@ -242,10 +209,7 @@ std::string to_json(const WitnessDocument& document) {
   json["version"] = 1;
   json["trial_id"] = document.trial_id;
   json["log_sha256"] = document.log_sha256;
-  json["margin_m"] = document.stated.margin_m;
-  json["clearance_m"] = document.stated.clearance_m;
-  json["turn_radius_m"] = number_or_null(document.stated.turn_radius_m);
-  json["bottleneck"] = point_json(document.stated.bottleneck);
+  add_measured(document.stated, !document.path.empty(), json);
   json["assumptions"] = kAssumptions;
   json["robot"] = {{"body_width_m", document.robot.body_width_m},
                    {"min_turn_radius_m", document.robot.min_turn_radius_m},
@@ -262,12 +226,7 @@ std::string to_json(const WitnessDocument& document) {
                   {"lost_share", document.rule.strips.lost_share},
                   {"reading_bound_m", document.rule.strips.reading_bound_m},
                   {"pose_bridge_s", document.pose_bridge_s}};
-  json["path"] = ordered_json::array();
-  for (const witness::Piece& piece : document.path) {
-    json["path"].push_back({{"from", point_json(piece.from)},
-                            {"to", point_json(piece.to)},
-                            {"turn_rad", piece.turn_rad}});
-  }
+  json["path"] = path_json(document.path);
   const witness::Lattice& lattice = document.cells.lattice();
   const Runs runs = runs_of(document.cells);
   json["free"] = {{"first_x", lattice.first_x},
@@ -276,6 +235,9 @@ std::string to_json(const WitnessDocument& document) {
                   {"rows", lattice.rows},
                   {"sha256", digest_of(runs)},
                   {"runs", runs}};
+  if (document.edges) {
+    json["edges"] = edges_json(*document.edges);
+  }
   return json.dump() + '\n';
 }
 

@@ -12,6 +12,7 @@
 #include <witness/free_space.hpp>
 
 #include "reports/table.hpp"
+#include "reports/witnessed_edges.hpp"
 
 namespace tcert {
 
@@ -25,8 +26,9 @@ struct WitnessDocument {
   double pose_bridge_s = 0.0;
   witness::FreeSpaceOptions rule;  ///< Its max_cells is not written.
   witness::FreeCells cells;        ///< F_t.
-  witness::Path path;
-  witness::Checked stated;  ///< Not refused.
+  witness::Path path;              ///< From S to G; no piece if there is none.
+  witness::Checked stated;         ///< Of the path; not refused.
+  std::optional<WitnessedEdges> edges{};
 };
 
 /// The text is not a witness; what() says what was expected.

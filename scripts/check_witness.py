@@ -4,8 +4,9 @@
     check_witness.py BUNDLE WITNESS.json ...
 
 BUNDLE is a folder with bundle.json and logs/ (CSV with the tool's own columns, no clock repaired).
-From the log it builds the free cells near the path, measures the path, and compares with what the
-witness states, as lib/witness/README.md describes. A line a witness; exit code 1 if one falls.
+From the log it builds the free cells near the paths, of the trial and of its edges, measures the
+paths, and compares with what the witness states, as lib/witness/README.md describes; nodes are taken
+as stated. A line a witness; exit code 1 if one falls.
 """
 import bisect, csv, hashlib, itertools, json, math, os, sys
 from decimal import Decimal
@@ -126,13 +127,15 @@ def overlap(a, b):
 
 # --- the free cells ------------------------------------------------------------------------------
 class Cells:
-    """Cells within a distance of the path: {row: {column: free}}."""
+    """Cells within a distance of the paths: {row: {column: free}}."""
 
-    def __init__(self, h, chords, reach):
+    def __init__(self, h, chords):
+        """Of chords (from, to, distance)."""
         self.h, self.rows = h, {}
-        steps = sum(math.dist(a, b) / h + 2 for a, b, _ in chords)
-        require(steps * (2 * reach / h + 2) < MOST_WORK and sum(math.dist(a, b) + 2 * reach for a, b, _ in chords) * reach / h / h < MOST_CELLS, "its path has too many cells near it")
-        for a, b, _ in chords:
+        work = sum((math.dist(a, b) / h + 2) * (2 * reach / h + 2) for a, b, reach in chords)
+        area = sum((math.dist(a, b) + 2 * reach) * reach for a, b, reach in chords)
+        require(work < MOST_WORK and area / h / h < MOST_CELLS, "its path has too many cells near it")
+        for a, b, reach in chords:
             for k in range(n := max(1, math.ceil(math.dist(a, b) / h)) + 1):
                 p = add(a, k / max(1, n - 1), add(b, -1, a))
                 for iy in range(math.floor((p[1] - reach) / h), math.floor((p[1] + reach) / h) + 1):
@@ -154,7 +157,15 @@ class Cells:
                     row[ix] = True
 
     def disc(self, c, r):
-        self.box((c[0] - r, c[1] - r), (c[0] + r, c[1] + r), lambda x, y: math.hypot(max(c[0] - x, x + self.h - c[0]), max(c[1] - y, y + self.h - c[1])) < r)
+        """Marks what the disc covers: of each row what lies between the ends of its chord there."""
+        h = self.h
+        for iy in range(math.floor((c[1] - r) / h), math.floor((c[1] + r) / h) + 1):
+            off = max(c[1] - iy * h, (iy + 1) * h - c[1])
+            if off < r:
+                half, row = math.sqrt(r * r - off * off), self.rows.get(iy, {})
+                for ix in range(math.floor((c[0] - half) / h) + 1, math.floor((c[0] + half) / h)):
+                    if ix in row:
+                        row[ix] = True
 
 
 def inside(region, p):
@@ -168,7 +179,8 @@ def inside(region, p):
 def mark_region(cells, region):
     h = cells.h
     if "disc" in region:
-        return cells.disc((region["disc"]["x_m"], region["disc"]["y_m"]), region["disc"]["radius_m"])
+        x, y, r = (region["disc"][k] for k in ("x_m", "y_m", "radius_m"))
+        return cells.box((x - r, y - r), (x + r, y + r), lambda left, low: max(x - left, left + h - x) ** 2 + max(y - low, low + h - y) ** 2 <= r * r)
     v = region["polygon"]
     edges = list(zip(v, v[-1:] + v[:-1]))
     middle = lambda x, y: (x + h / 2, y + h / 2)
@@ -248,11 +260,12 @@ def marked_as_stated(cells, free):
 
 
 # --- the path ------------------------------------------------------------------------------------
-def measure(proof):
+heading = lambda p, end: math.atan2(p["to"][1] - p["from"][1], p["to"][0] - p["from"][0]) + end * p["turn_rad"] / 2
+
+
+def measure(robot, pieces):
     """Chords (from, to, bulge), and the largest curvature; an exception if it is no path."""
-    robot, chords, curvature, spare, pieces = proof["robot"], [], 0.0, 0.0, proof["path"]
-    heading = lambda p, end: math.atan2(p["to"][1] - p["from"][1], p["to"][0] - p["from"][0]) + end * p["turn_rad"] / 2
-    require(inside(proof["start"], pieces[0]["from"]) and inside(proof["goal"], pieces[-1]["to"]), "it does not lead from S to G")
+    chords, curvature, spare = [], 0.0, 0.0
     for p, after in zip(pieces, pieces[1:] + [None]):
         bend, chord = abs(p["turn_rad"]), math.dist(p["from"], p["to"])
         require(0 < chord < INF and bend <= 3, "a piece has no length, or turns too far")
@@ -268,12 +281,62 @@ def measure(proof):
     return chords, curvature
 
 
+def measured_edges(proof):
+    """(what is stated, chords, curvature) of every edge that has a path, from waypoint to waypoint."""
+    if "edges" not in proof:
+        return
+    nodes, radius = proof["edges"]["nodes"], proof["edges"]["merge_radius_m"]
+    for n in nodes:
+        at, place = n["pose"][:2], n["waypoint"][:2]
+        near = math.dist(at, place) <= radius or any(inside(r, at) and inside(r, place) for r in (proof["start"], proof["goal"]))
+        require(near, "a waypoint lies too far from its node")
+    for e in proof["edges"]["paths"]:
+        if not e["path"]:
+            continue
+        ends = []
+        for end, way in (e["from"], 0), (e["to"], math.pi):
+            require(0 <= end["node"] < len(nodes) and end["side"] in ("front", "back"), "an edge has no such end")
+            x, y, yaw = nodes[end["node"]]["waypoint"]
+            ends.append(([x, y], yaw + way + (0 if end["side"] == "front" else math.pi)))
+        first, last = e["path"][0], e["path"][-1]
+        leads = first["from"] == ends[0][0] and last["to"] == ends[1][0] and abs(turn(heading(first, -1), ends[0][1])) <= 1e-7 and abs(turn(heading(last, 1), ends[1][1])) <= 1e-7
+        require(leads, "an edge does not lead from waypoint to waypoint")
+        yield (e, *measure(proof["robot"], e["path"]))
+
+
+def compare(stated, chords, curvature, cells, robot):
+    """The margin, if it is as stated."""
+    reach = stated["clearance_m"] + 2 * cells.h
+    least = nearest(chords, cells, reach)
+    require(least > 0, "the path leaves the free cells")
+    radius, buffer = 1 / curvature if curvature else INF, robot["curvature_buffer_per_m"]
+    slack = 1 / (curvature + buffer) if curvature + buffer else INF
+    margin = min(2 * least - robot["body_width_m"] - 2 * robot["tracking_buffer_m"], slack - robot["min_turn_radius_m"])
+    stated_radius = INF if stated["turn_radius_m"] is None else stated["turn_radius_m"]
+    for name, found, claim in ("margin_m", margin, stated["margin_m"]), ("clearance_m", least, stated["clearance_m"]), ("turn_radius_m", radius, stated_radius):
+        require(found == claim or abs(found - claim) < 1e-9 * max(1, abs(claim)), f"it states {name} {claim}, measured are {found}")
+    return margin
+
+
 def to_cell(a, b, x, y, h):
     box = lambda p: math.hypot(max(x - p[0], 0, p[0] - x - h), max(y - p[1], 0, p[1] - y - h))
     corners = [(x, y), (x + h, y), (x, y + h), (x + h, y + h)]
     sides = [cross(add(b, -1, a), add(c, -1, a)) for c in corners]
     meets = min(sides) <= 0 <= max(sides) and max(a[0], b[0]) >= x and min(a[0], b[0]) <= x + h and max(a[1], b[1]) >= y and min(a[1], b[1]) <= y + h
     return 0.0 if meets else min(box(a), box(b), *(to_segment(c, a, b) for c in corners))
+
+
+def nearest(chords, cells, least):
+    """Distance of the chords to the nearest cell that is not free, if that is below `least`."""
+    h = cells.h
+    for a, b, bulge in chords:
+        low, high = (min(a[i], b[i]) - least - h for i in (0, 1)), (max(a[i], b[i]) + least + h for i in (0, 1))
+        (x0, y0), (x1, y1) = (math.floor(v / h) for v in low), (math.floor(v / h) for v in high)
+        for iy in range(y0, y1 + 1):
+            row = cells.blocked.get(iy, ())
+            for ix in row[bisect.bisect_left(row, x0) : bisect.bisect_right(row, x1)]:
+                least = min(least, to_cell(a, b, ix * h, iy * h, h) - bulge)
+    return least
 
 
 def check(bundle, proof):
@@ -291,10 +354,13 @@ def check(bundle, proof):
     start = info["course"].get("start", {"disc": {"x_m": x, "y_m": y, "radius_m": radius}})
     require(proof["start"] == start and proof["goal"] == info["course"]["goal"], "it states another course")
     require(not overlap(start, proof["goal"]), "S and G overlap")
-    chords, curvature = measure(proof)
+    edges, found = list(measured_edges(proof)), []
+    if proof["path"]:
+        require(inside(start, proof["path"][0]["from"]) and inside(proof["goal"], proof["path"][-1]["to"]), "it does not lead from S to G")
+        found.append((proof, *measure(robot, proof["path"])))
+    require(found + edges, "it has no path")
     h = rule["cell_m"]
-    reach = proof["clearance_m"] + 2 * h
-    cells = Cells(h, chords, reach)
+    cells = Cells(h, [(a, b, stated["clearance_m"] + 2 * h) for stated, chords, _ in found + edges for a, b, _ in chords])
     for region in (proof["start"], proof["goal"]):
         mark_region(cells, region)
     marked = None
@@ -304,22 +370,12 @@ def check(bundle, proof):
             cells.disc(at, robot["body_width_m"] / 2)
     for k, ray in enumerate(proof["rays"]):
         sweep(cells, run, k, ray, rule, robot["body_width_m"] / 2)
-    least = reach
-    for iy, row in cells.rows.items():
-        for ix in (ix for ix, free in row.items() if not free):
-            for a, b, bulge in chords:
-                if abs(ix * h - a[0]) < least + 0.2 and abs(iy * h - a[1]) < least + 0.2:
-                    least = min(least, to_cell(a, b, ix * h, iy * h, h) - bulge)
-    require(least > 0, "the path leaves the free cells")
-    radius, buffer = 1 / curvature if curvature else INF, robot["curvature_buffer_per_m"]
-    slack = 1 / (curvature + buffer) if curvature + buffer else INF
-    margin = min(2 * least - robot["body_width_m"] - 2 * robot["tracking_buffer_m"], slack - robot["min_turn_radius_m"])
-    stated_radius = INF if proof["turn_radius_m"] is None else proof["turn_radius_m"]
-    for name, found, stated in ("margin_m", margin, proof["margin_m"]), ("clearance_m", least, proof["clearance_m"]), ("turn_radius_m", radius, stated_radius):
-        require(found == stated or abs(found - stated) < 1e-9 * max(1, abs(stated)), f"it states {name} {stated}, measured are {found}")
+    cells.blocked = {iy: sorted(ix for ix, free in row.items() if not free) for iy, row in cells.rows.items()}
+    margins = [compare(*one, cells, robot) for one in found + edges]
     require(marked_as_stated(cells, proof["free"]), "it states other free cells near the path")
     other = [f"{k} {v:g}" for k, v in robot.items() if v != info["robot"].get(k, 0)]
-    return f"{margin:.6f} m" + (" for another robot than the bundle's: " + ", ".join(other) if other else "")
+    whole = f"{margins[0]:.6f} m" if found else "no path from S to G"
+    return whole + (f", {len(edges)} edges" if "edges" in proof else "") + (" for another robot than the bundle's: " + ", ".join(other) if other else "")
 
 
 def main():

@@ -18,7 +18,9 @@ read_csv(FILE, comment='#'). R reads them by read.csv(FILE, comment.char = '#').
 
 --witness also looks for a path through what each run felt, and writes it with the margin that it
 proves, and what that rests on, into DIR/witness/<trial_id>.json; 'clearance=witness' takes T_t from
-it (lib/witness/README.md). It costs about 60 ms a trial.
+it (lib/witness/README.md). It costs about 60 ms a trial. --witness-edges proves each edge of the
+corridor graph by a path of its own too, in failed trials as well: such paths chain at the nodes. It
+costs about 2 ms an edge more.
 
 Last it says in how many successes and failures a certificate was issued, why not if in none, and a
 line for each sign that values are not what their columns say: degrees in radians, millimetres, grams,
@@ -29,6 +31,7 @@ Usage: tcert certify BUNDLE [options]
 Example:
   tcert certify corpus --output results
   tcert certify corpus --set clearance=witness --witness --output proven
+  tcert certify corpus --witness-edges --output edges
   tcert certify corpus --trials 't00000*' --set memory_weight_m=0 --format csv
 
 Cost: one pass over the logs, a few trials in memory at a time; the series take about as much space

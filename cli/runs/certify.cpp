@@ -73,6 +73,12 @@ OptionTable options_of(CertifyRequest& request) {
             "look for a witness of each trial, a path that proves its margin, whatever 'clearance' "
             "is; write DIR/witness/<trial_id>.json, which 'verify' checks, and its margin into "
             "certificates.csv (witness_m)");
+  table.add(
+      "witness-edges",
+      request.witness_edges,
+      "as --witness, and a path along each edge of the corridor graph, in a failed trial too: "
+      "into the same file, its margin into DIR/edges (proved_m), how many there are and what "
+      "they prove in a chain into certificates.csv (edges_proved, chain_m)");
   table.add("truth",
             request.truth,
             "two more columns in the features: T of each trial's known world, at least and at most "
@@ -83,9 +89,10 @@ OptionTable options_of(CertifyRequest& request) {
 
 ExitCode certify(const CertifyRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
-  if (output.empty() &&
-      (request.ticks || request.no_series || request.ray_margins || request.witness)) {
-    throw UsageError("--ticks, --no-series, --ray-margins and --witness need --output");
+  if (output.empty() && (request.ticks || request.no_series || request.ray_margins ||
+                         request.witness || request.witness_edges)) {
+    throw UsageError(
+        "--ticks, --no-series, --ray-margins, --witness and --witness-edges need --output");
   }
   OpenedBundle opened = open_for(request.bundle, request.logs, progress);
   if (request.truth) {
@@ -98,16 +105,19 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
   ResultFolder folder(output, "certify");
   Failures failures(request.truth);
   study::StudyRecord study;
-  const CertifySummary summary =
-      certify_trials(opened,
-                     request.threads,
-                     progress,
-                     &folder,
-                     {!request.no_series, request.ticks, request.ray_margins, request.witness},
-                     [&](study::TrialRecord&& trial) {
-                       failures.add(trial);
-                       study.add(std::move(trial));
-                     });
+  const CertifySummary summary = certify_trials(opened,
+                                                request.threads,
+                                                progress,
+                                                &folder,
+                                                {!request.no_series,
+                                                 request.ticks,
+                                                 request.ray_margins,
+                                                 request.witness || request.witness_edges,
+                                                 request.witness_edges},
+                                                [&](study::TrialRecord&& trial) {
+                                                  failures.add(trial);
+                                                  study.add(std::move(trial));
+                                                });
   std::vector<Table> tables = study_tables(study);
   const Table findings = certify_findings(study.rows());
   tables.push_back(findings);

@@ -14,6 +14,7 @@ struct CertifyRequest {
   bool no_series = false;
   bool ray_margins = false;
   bool witness = false;
+  bool witness_edges = false;
   bool truth = false;
   LogOptions logs;
   OutputOptions output;

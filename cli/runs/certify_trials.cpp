@@ -150,7 +150,9 @@ CertifySummary certify_trials(const OpenedBundle& opened,
       opened.parameters.speed_law, files.ray_margins, synthetic_label(bundle.info)};
   const bool has_witness =
       files.witness || opened.parameters.certificate.clearance == ClearanceReading::witness;
-  const WitnessColumns witness = has_witness ? WitnessColumns::yes : WitnessColumns::no;
+  const WitnessColumns witness = files.witness_edges ? WitnessColumns::with_edges
+                                 : has_witness       ? WitnessColumns::yes
+                                                     : WitnessColumns::no;
   std::unique_ptr<TrialTables> tables;
   if (folder != nullptr) {
     tables = std::make_unique<TrialTables>(bundle, witness, folder->staging());
@@ -161,7 +163,8 @@ CertifySummary certify_trials(const OpenedBundle& opened,
   const study::StudyOptions study{{opened.logs.repair},
                                   static_cast<int>(threads),
                                   files.ray_margins && folder != nullptr,
-                                  files.witness};
+                                  files.witness,
+                                  files.witness_edges};
   const auto work = [&](study::StudiedTrial&& trial) -> std::function<bool()> {
     auto done = std::make_shared<CertifiedTrial>();
     done->rejected = trial.rejected;

@@ -19,10 +19,11 @@
 namespace tcert::cli {
 
 struct CertifyFiles {
-  bool series = true;        ///< series/<trial_id>.csv, edges/<trial_id>.csv
-  bool ticks = false;        ///< ticks/<trial_id>.csv
-  bool ray_margins = false;  ///< Columns in the series.
-  bool witness = false;      ///< witness/<trial_id>.json
+  bool series = true;          ///< series/<trial_id>.csv, edges/<trial_id>.csv
+  bool ticks = false;          ///< ticks/<trial_id>.csv
+  bool ray_margins = false;    ///< Columns in the series.
+  bool witness = false;        ///< witness/<trial_id>.json
+  bool witness_edges = false;  ///< In it, and in edges/<trial_id>.csv; with `witness` alone.
 };
 
 struct CertifySummary {

@@ -29,6 +29,15 @@ std::string comment_line(const std::optional<SyntheticLabel>& label) {
   return label ? "# " + to_string(*label) + '\n' : std::string();
 }
 
+std::optional<WitnessedEdges> witnessed_edges(const study::StudiedTrial& trial,
+                                              double merge_radius_m) {
+  if (!trial.proof->edges) {
+    return std::nullopt;
+  }
+  return WitnessedEdges{
+      merge_radius_m, trial.series.nodes, trial.series.edges, trial.proof->edges->found};
+}
+
 }  // namespace
 
 void write_trial_files(const study::StudiedTrial& trial,
@@ -39,8 +48,11 @@ void write_trial_files(const study::StudiedTrial& trial,
                        std::span<const RangeKeys> range_keys) {
   const std::string name = trial.row->trial_id + ".csv";
   if (files.series) {
+    const witness::EdgePaths* const proofs =
+        trial.proof && trial.proof->edges ? &trial.proof->edges->found : nullptr;
     folder.write(std::filesystem::path("series") / name, series_csv(trial, format, robot));
-    folder.write(std::filesystem::path("edges") / name, edges_csv(trial.series, format.synthetic));
+    folder.write(std::filesystem::path("edges") / name,
+                 edges_csv(trial.series, proofs, format.synthetic));
   }
   if (files.ticks) {
     // A log, so it is labelled as those of the corpus are.
@@ -54,7 +66,7 @@ void write_witness(const study::StudiedTrial& trial,
                    const OpenedBundle& opened,
                    const Robot& robot,
                    const ResultFolder& folder) {
-  if (!trial.proof || !trial.proof->witness) {
+  if (!trial.proof || (!trial.proof->witness && !trial.proof->edges)) {
     return;
   }
   const study::ParameterSet& parameters = opened.parameters;
@@ -69,8 +81,9 @@ void write_witness(const study::StudiedTrial& trial,
       parameters.witness.pose_bridge_s,
       witness::free_space_options(parameters.witness, parameters.certificate),
       proof.cells,
-      proof.witness->path,
-      proof.witness->checked};
+      proof.witness ? proof.witness->path : witness::Path{},
+      proof.witness ? proof.witness->checked : witness::Checked{},
+      witnessed_edges(trial, parameters.certificate.merge_radius_m)};
   folder.write(std::filesystem::path("witness") / (trial.row->trial_id + ".json"),
                to_json(document));
 }

@@ -23,7 +23,7 @@ void write_trial_files(const study::StudiedTrial& trial,
                        const Robot& robot,
                        std::span<const RangeKeys> range_keys);
 
-/// Its proof, if it has one. \throws WriteError.
+/// Its proof, if it has one: of the trial, or of its edges. \throws WriteError.
 void write_witness(const study::StudiedTrial& trial,
                    const std::string& log_sha256,
                    const OpenedBundle& opened,

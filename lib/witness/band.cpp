@@ -59,11 +59,13 @@ class Stretching {
     }
     const double share = largest_m > kLongestMove ? kLongestMove / largest_m : 1.0;
     std::vector<Point> there = points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = problem_.held; i + problem_.held < points.size(); ++i) {
       there[i] = points[i] + share * Point{step[2 * i], step[2 * i + 1]};
     }
-    there.front() = nearest_within(problem_.start, there.front());
-    there.back() = nearest_within(problem_.goal, there.back());
+    if (problem_.held == 0) {
+      there.front() = nearest_within(problem_.start, there.front());
+      there.back() = nearest_within(problem_.goal, there.back());
+    }
     return there;
   }
 
@@ -71,13 +73,23 @@ class Stretching {
   using Row = std::array<double, BandedSystem::kBand>;
 
   template <class Add>
-  double sum_up(const std::vector<Point>& p, const Add& add) const {
+  [[nodiscard]] double sum_up(const std::vector<Point>& p, const Add& add) const {
     double sum = 0.0;
+    const std::size_t last = p.size() - 1;
     const auto take = [&](std::size_t point, double residual, const auto& derivatives) {
       sum += 0.5 * residual * residual;
-      add(2 * point, derivatives, residual);
+      add(
+          2 * point,
+          [&] {
+            Row row = derivatives();
+            for (std::size_t k = 0; k < row.size(); ++k) {
+              const std::size_t of = point + k / 2;
+              row[k] = of < problem_.held || of + problem_.held > last ? 0.0 : row[k];
+            }
+            return row;
+          },
+          residual);
     };
-    const std::size_t last = p.size() - 1;
     for (const std::size_t end : {std::size_t{0}, last}) {
       const double lack_m = clearance_m_ - problem_.field.at(p[end]);
       if (lack_m > 0.0) {

@@ -2,6 +2,7 @@
 /// \file
 /// An elastic band: a polygon that is moved until the path it stands for has a wanted margin.
 
+#include <cstddef>
 #include <tcert/region.hpp>
 #include <tcert/robot.hpp>
 #include <vector>
@@ -14,6 +15,8 @@ struct BandProblem {
   const Region& start;
   const Region& goal;
   const Robot& robot;
+  /// So many points at either end stay where they are; two keep the headings at the ends as well.
+  std::size_t held = 0;
 };
 
 /// A polygon and the margin that estimate() gives it.
@@ -24,7 +27,8 @@ struct Band {
 
 /// Moves the points of `polygon`, about equally far apart, towards the margin `wanted_m`, in at
 /// most `iterations` steps, of which those taken are subtracted. Its first point stays in S, its
-/// last in G. Hands back the best that was met, `polygon` itself if nothing was better.
+/// last in G, if they are not held. Hands back the best that was met, `polygon` itself if nothing
+/// was better.
 ///
 /// Least squares by Gauss and Newton, damped (Levenberg and Marquardt): what lacks of the clearance
 /// at the middle of each edge, what a corner turns by too much, and, as weak terms, uneven edges

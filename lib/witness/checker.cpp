@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <tcert/region_overlap.hpp>
-#include <witness/border_cells.hpp>
 #include <witness/checker.hpp>
-#include <witness/region_shape.hpp>
 
 namespace tcert::witness {
 namespace {
@@ -43,24 +42,47 @@ std::string fault_of(const Path& path,
   return contains(goal, path.back().to) ? "" : "the path does not end in G";
 }
 
+/// How near a path comes to what is not free, and where.
+struct Nearest {
+  double least_m = kInfinity;
+  Point place;
+};
+
+/// Looks at one more piece, of this length, in chords.
+void look_at(const Piece& piece, double length_m, const BorderCells& borders, Nearest& nearest) {
+  const double turn = std::abs(piece.turn_rad);
+  const double parts = std::max({1.0,
+                                 std::ceil(length_m / kLongestChord),
+                                 std::ceil(std::sqrt(length_m * turn / (8.0 * kMostBulge)))});
+  const double bulge_m = length_m * turn / (8.0 * parts * parts);
+  const auto last = static_cast<std::int64_t>(parts);
+  Point a = piece.from;
+  for (std::int64_t k = 1; k <= last; ++k) {
+    const Point b = k == last ? piece.to : point_at(piece, static_cast<double>(k) / parts);
+    const double near_m = borders.distance_m(a, b, nearest.least_m + bulge_m) - bulge_m;
+    if (near_m < nearest.least_m) {
+      nearest = {near_m, 0.5 * (a + b)};
+    }
+    a = b;
+  }
+}
+
 }  // namespace
 
-Checked check(const Path& path,
-              const FreeCells& cells,
-              const Region& start,
-              const Region& goal,
-              const Robot& robot) {
+Checked Checker::check(const Path& path,
+                       const Region& start,
+                       const Region& goal,
+                       const Robot& robot) const {
   Checked checked{fault_of(path, start, goal, robot.min_turn_radius_m), -kInfinity, 0.0, 0.0, {}};
   if (checked.refused.empty() && touch(start, goal)) {
     checked.refused = "S and G overlap";
   }
-  const BorderCells borders(cells);
-  if (checked.refused.empty() && borders.are_cut()) {
+  if (checked.refused.empty() && borders_.are_cut()) {
     checked.refused = "free cells lie along the border of the lattice";
   }
-  const Lattice& lattice = cells.lattice();
+  const Lattice& lattice = cells_.lattice();
   const auto is_free = [&](Point p) {
-    return cells.is_free(lattice.column_of(p.x_m), lattice.row_of(p.y_m));
+    return cells_.is_free(lattice.column_of(p.x_m), lattice.row_of(p.y_m));
   };
   // Of the joints first: what lies between them is then no longer than the lattice.
   const auto is_outside = [&](const Piece& one) { return !is_free(one.from) || !is_free(one.to); };
@@ -70,9 +92,8 @@ Checked check(const Path& path,
   if (!checked.refused.empty()) {
     return checked;
   }
-  double least_m = kInfinity;
+  Nearest nearest;
   double curvature = 0.0;
-  Point narrowest;
   Point tightest;
   double break_rad = 0.0;
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -86,36 +107,31 @@ Checked check(const Path& path,
     const double bent =
         next_rad > kMostBreak ? kInfinity : (turn + break_rad + next_rad) / length_m;
     break_rad = next_rad > kMostBreak ? 0.0 : next_rad;
-    const double parts = std::max({1.0,
-                                   std::ceil(length_m / kLongestChord),
-                                   std::ceil(std::sqrt(length_m * turn / (8.0 * kMostBulge)))});
-    const double bulge_m = length_m * turn / (8.0 * parts * parts);
-    Point a = piece.from;
-    for (double k = 1.0; k <= parts; ++k) {
-      const Point b = k == parts ? piece.to : point_at(piece, k / parts);
-      const double near_m = borders.distance_m(a, b, least_m + bulge_m) - bulge_m;
-      if (near_m < least_m) {
-        least_m = near_m;
-        narrowest = 0.5 * (a + b);
-      }
-      a = b;
-    }
+    look_at(piece, length_m, borders_, nearest);
     if (bent > curvature) {
       curvature = bent;
       tightest = piece.to;
     }
   }
-  if (!(least_m > 0.0)) {
+  if (!(nearest.least_m > 0.0)) {
     checked.refused = "the path leaves F_t";
     return checked;
   }
-  const double width_m = 2.0 * least_m - robot.body_width_m - 2.0 * robot.tracking_buffer_m;
+  const double width_m = 2.0 * nearest.least_m - robot.body_width_m - 2.0 * robot.tracking_buffer_m;
   const double slack_m = 1.0 / (curvature + robot.curvature_buffer_per_m) - robot.min_turn_radius_m;
-  checked.clearance_m = least_m;
+  checked.clearance_m = nearest.least_m;
   checked.turn_radius_m = 1.0 / curvature;
   checked.margin_m = std::min(width_m, slack_m);
-  checked.bottleneck = width_m <= slack_m ? narrowest : tightest;
+  checked.bottleneck = width_m <= slack_m ? nearest.place : tightest;
   return checked;
+}
+
+Checked check(const Path& path,
+              const FreeCells& cells,
+              const Region& start,
+              const Region& goal,
+              const Robot& robot) {
+  return Checker(cells).check(path, start, goal, robot);
 }
 
 }  // namespace tcert::witness

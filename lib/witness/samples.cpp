@@ -42,6 +42,33 @@ Point Samples::direction_of(const Robot& robot, std::size_t i, std::size_t k) co
   return direction(poses[i].yaw_rad + bearing_rad);
 }
 
+bool add_sample(Samples& samples,
+                const Robot& robot,
+                const Pose& pose,
+                std::span<const RayReading> readings,
+                bool is_after_break,
+                std::int64_t known_ns) {
+  if (!is_usable(pose)) {
+    return false;
+  }
+  samples.rays = robot.rays.size();
+  const bool has_joint = !samples.bearings_rad.empty() || moves(readings);
+  while (has_joint && samples.bearings_rad.size() < samples.clearances_m.size()) {
+    samples.bearings_rad.push_back(  // no joint had been heard of
+        robot.rays[samples.bearings_rad.size() % samples.rays].bearing_rad);
+  }
+  for (std::size_t k = 0; k < samples.rays; ++k) {
+    samples.clearances_m.push_back(felt_clearance(robot.rays[k], readings[k]));
+    if (has_joint) {
+      samples.bearings_rad.push_back(bearing_of(robot.rays[k], readings[k].bearing_rad));
+    }
+  }
+  samples.poses.push_back(pose);
+  samples.breaks.push_back(is_after_break ? 1 : 0);
+  samples.known_ns.push_back(known_ns);
+  return true;
+}
+
 Samples at_touch_times(const Robot& robot,
                        const PoseTrack& track,
                        const TouchTrack& touch,
@@ -49,7 +76,6 @@ Samples at_touch_times(const Robot& robot,
                        double bridge_s) {
   Samples samples;
   samples.rays = robot.rays.size();
-  const bool has_joint = moves(touch.readings);
   std::size_t next_pose = 0;  // the first after the touch
   std::size_t next_break = 0;
   bool broken = true;
@@ -67,6 +93,7 @@ Samples at_touch_times(const Robot& robot,
     }
     const std::int64_t before = track.time_ns[next_pose - 1];
     Pose pose = track.poses[next_pose - 1];
+    std::int64_t known_ns = now;
     if (before != now) {
       const bool broke_within = next_break > 0 && breaks_ns[next_break - 1] > before;
       if (next_pose == track.time_ns.size() || broke_within) {
@@ -77,21 +104,13 @@ Samples at_touch_times(const Robot& robot,
       if (breaks_soon || elapsed_s(before, after) > bridge_s) {
         continue;
       }
+      known_ns = after;
       pose =
           between(pose, track.poses[next_pose], elapsed_s(before, now) / elapsed_s(before, after));
     }
-    if (!is_usable(pose)) {
-      continue;
-    }
-    samples.poses.push_back(pose);
-    samples.breaks.push_back(broken ? 1 : 0);
-    broken = false;
-    for (std::size_t k = 0; k < samples.rays; ++k) {
-      const RayReading& reading = touch.readings[i * samples.rays + k];
-      samples.clearances_m.push_back(felt_clearance(robot.rays[k], reading));
-      if (has_joint) {
-        samples.bearings_rad.push_back(bearing_of(robot.rays[k], reading.bearing_rad));
-      }
+    const auto readings = touch.readings.subspan(i * samples.rays, samples.rays);
+    if (add_sample(samples, robot, pose, readings, broken, known_ns)) {
+      broken = false;
     }
   }
   return samples;

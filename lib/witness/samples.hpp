@@ -21,11 +21,21 @@ struct Samples {
   std::vector<double> bearings_rad;
   /// 1 where the path broke before the sample: no ray sweeps from the one before to this one.
   std::vector<std::uint8_t> breaks;
+  /// When both pose and reading were there: of an interpolated pose at that after it. They rise.
+  std::vector<std::int64_t> known_ns;
 
   [[nodiscard]] std::size_t size() const noexcept { return poses.size(); }
   /// Unit vector of ray `k` of `robot` at sample `i`.
   [[nodiscard]] Point direction_of(const Robot& robot, std::size_t i, std::size_t k) const noexcept;
 };
+
+/// Adds one, with a reading a ray; false if its pose cannot be used. O(rays).
+bool add_sample(Samples& samples,
+                const Robot& robot,
+                const Pose& pose,
+                std::span<const RayReading> readings,
+                bool is_after_break,
+                std::int64_t known_ns);
 
 /// Poses of a stream; the times, in ns, rise strictly.
 struct PoseTrack {

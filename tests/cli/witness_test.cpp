@@ -122,6 +122,50 @@ TEST(WitnessOption, VerifyChecksTheProofs) {
       << to_string(verified);
 }
 
+// Edges: a failed trial has proofs of what it passed, what chains from S to G proves no more than
+// the world has, and what is proved of the whole stays as it is.
+TEST(WitnessOption, EdgesAreProvedInFailedTrialsToo) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "40", "--output", "corpus"}));
+  expect_done(work.run({"certify", "corpus", "--witness", "--output", "whole"}));
+  const ProcessResult asking =
+      work.run({"certify", "corpus", "--witness-edges", "--threads", "2", "--output", "edges"});
+  expect_done(asking);
+  EXPECT_NE(asking.err.find(" edges (proved_m)"), std::string::npos) << asking.err;
+  const Rows trials = rows_of(work.read("edges/certificates.csv"));
+  expect_same_but(rows_of(work.read("whole/certificates.csv")), trials, {});
+  std::size_t failures = 0;
+  std::size_t edges = 0;
+  std::size_t proved = 0;
+  for (const auto& trial : trials) {
+    const std::string& id = trial.at("trial_id");
+    std::size_t proved_here = 0;
+    for (const auto& edge : rows_of(work.read("edges/edges/" + id + ".csv"))) {
+      ++edges;
+      const std::string& margin = edge.at("proved_m");
+      proved_here += !margin.empty() && std::stod(margin) > 0.0 ? 1U : 0U;
+      if (!margin.empty()) {
+        EXPECT_LT(std::stod(margin), 1.2 - 0.45);  // the course is 1.2 m wide where it is widest
+      }
+    }
+    EXPECT_EQ(std::to_string(proved_here), trial.at("edges_proved"));
+    proved += proved_here;
+    failures += trial.at("success") == "0" && proved_here > 10 ? 1U : 0U;
+    if (!trial.at("chain_m").empty() && !trial.at("witness_m").empty()) {
+      EXPECT_LT(std::stod(trial.at("chain_m")), std::stod(trial.at("witness_m")) + 0.02) << id;
+    }
+  }
+  EXPECT_GT(failures, 1U);
+  EXPECT_GT(10 * proved, 9 * edges);
+  for (const std::string& file : work.files("whole/witness")) {
+    const std::string whole = work.read("whole/witness/" + file);
+    const std::string both = work.read("edges/witness/" + file);
+    EXPECT_EQ(both.substr(0, whole.size() - 2), whole.substr(0, whole.size() - 2)) << file;
+  }
+  EXPECT_EQ(work.files("edges/witness").size(), trials.size());
+  expect_done(work.run({"verify", "edges", "--inputs", "corpus"}));
+}
+
 TEST(WitnessOption, AProofThatChoosesItsOwnRuleOrDropsItsLabelIsRefused) {
   Workdir work(TCERT_BINARY);
   expect_done(work.run({"simulate", "--trials", "2", "--output", "corpus"}));
@@ -171,27 +215,35 @@ TEST(WitnessOption, AnotherCheckerAgrees) {
            "goal":{"disc":{"x_m":4.2,"y_m":0,"radius_m":0.4}}}})");
   expect_done(work.run({"simulate", "--trials", "2", "--output", "corpus"}));
   for (const std::string bundle : {"corridor", "corpus"}) {
-    expect_done(work.run({"certify", bundle, "--witness", "--output", bundle + "-out", "--quiet"}));
+    expect_done(
+        work.run({"certify", bundle, "--witness-edges", "--output", bundle + "-out", "--quiet"}));
     const auto files = work.files(bundle + "-out/witness");
     ASSERT_FALSE(files.empty()) << bundle;
     const std::string proof = (work / (bundle + "-out/witness/" + *files.begin())).string();
     const std::string command =
         "python3 -O " + script.string() + " " + (work / bundle).string() + " ";
     EXPECT_EQ(std::system((command + proof + " >/dev/null").c_str()), 0) << bundle;
-    std::string text = test_support::read_text(proof);
-    const std::size_t at = text.find("\"margin_m\":") + 11;
-    text.replace(at, text.find(',', at) - at, "0.9");
-    work.write("changed.json", text);
-    EXPECT_NE(std::system((command + (work / "changed.json").string() + " >/dev/null").c_str()), 0);
+    const std::string text = test_support::read_text(proof);
+    // The margin of the whole, that of the first edge, and where a waypoint lies.
+    const std::size_t edges = text.find("\"edges\":{");
+    ASSERT_NE(edges, std::string::npos);
+    for (const auto& [key, from] : {std::pair("\"margin_m\":", std::size_t{0}),
+                                    std::pair("\"margin_m\":", edges),
+                                    std::pair("\"waypoint\":[", edges)}) {
+      std::string changed = text;
+      const std::size_t at = changed.find(key, from) + std::string(key).size();
+      changed.replace(at, changed.find(',', at) - at, "0.9");
+      work.write("changed.json", changed);
+      EXPECT_NE(std::system((command + (work / "changed.json").string() + " >/dev/null").c_str()),
+                0)
+          << key;
+    }
   }
 }
 
 TEST(WitnessOption, NothingThatGoesFromTickToTickTakesItForItsReading) {
   Workdir work(TCERT_BINARY);
   expect_done(work.run({"simulate", "--trials", "12", "--output", "corpus"}));
-  const ProcessResult live = work.run({"live", "--bundle", "corpus", "--set", "clearance=witness"});
-  EXPECT_EQ(live.exit_code, 2);
-  EXPECT_NE(live.err.find("take width, radial or swept"), std::string::npos) << to_string(live);
   const ProcessResult sweep = work.run({"sweep", "corpus", "--grid", "clearance=width,witness"});
   EXPECT_NE((sweep.out + sweep.err).find("take width, radial or swept"), std::string::npos)
       << to_string(sweep);
@@ -199,6 +251,57 @@ TEST(WitnessOption, NothingThatGoesFromTickToTickTakesItForItsReading) {
       work.run({"replay", "corpus", "--set", "clearance=witness", "--replan", "--output", "by"}));
   expect_done(work.run({"replay", "corpus", "--replan", "--output", "width"}));
   EXPECT_EQ(work.read("by/replay.csv"), work.read("width/replay.csv"));
+}
+
+std::vector<std::string> column_of(const std::string& series, const std::string& name) {
+  std::vector<std::string> cells;
+  for (auto& row : rows_of(series)) {
+    cells.push_back(row[name]);
+  }
+  return cells;
+}
+
+// Live rows know what a look found one look later; nothing else of them differs from those of
+// certify, nor does anything but T_t from those of width.
+TEST(WitnessOption, ALiveRunLooksWhenCertifyDoes) {
+  Workdir work(TCERT_BINARY);
+  expect_done(work.run({"simulate", "--trials", "4", "--output", "corpus"}));
+  expect_done(work.run({"certify", "corpus", "--ticks", "--output", "width"}));
+  EXPECT_EQ(work.run({"live", "--bundle", "corpus", "--set", "clearance=witness"}).exit_code, 2);
+  constexpr std::size_t kEvery = 25;
+  std::size_t earlier = 0;
+  for (int trial = 0; trial < 4; ++trial) {
+    const std::string id = "t000000" + std::to_string(trial);
+    const std::string record = "record-" + id;
+    const ProcessResult live = work.run({"live",
+                                         "--bundle",
+                                         "corpus",
+                                         "--set",
+                                         "clearance=witness",
+                                         "--set",
+                                         "witness_every=" + std::to_string(kEvery),
+                                         "--record",
+                                         record},
+                                        work.read("width/ticks/" + id + ".csv"));
+    expect_done(live);
+    expect_done(work.run({"certify", record, "--output", "by-" + id}));
+    const std::string series = work.read("by-" + id + "/series/live.csv");
+    const std::vector<std::string> at_once = column_of(series, "certificate_m");
+    const std::vector<std::string> later = column_of(live.out, "certificate_m");
+    ASSERT_EQ(at_once.size(), later.size());
+    for (std::size_t i = 0; i < later.size(); ++i) {
+      EXPECT_EQ(later[i], i < kEvery ? at_once.front() : at_once[i - kEvery]) << i;
+    }
+    for (std::size_t i = 1; i + 1 < at_once.size(); ++i) {
+      earlier += at_once[i] != at_once.front() ? 1 : 0;
+      EXPECT_TRUE(at_once[i] == at_once[i - 1] || (i + 1) % kEvery == 0) << i;
+    }
+    EXPECT_EQ(column_of(series, "margin_m"),
+              column_of(work.read("width/series/" + id + ".csv"), "margin_m"));
+    const bool proves = live.err.find("a witness proves a margin of") != std::string::npos;
+    EXPECT_EQ(proves, at_once.back() != at_once.front()) << live.err;
+  }
+  EXPECT_GT(earlier, 0U) << "no look before the last found a witness";
 }
 
 TEST(WitnessOption, NeedsAFolder) {

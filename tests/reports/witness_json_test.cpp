@@ -5,7 +5,9 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <tcert/certifier.hpp>
 
+#include "analysis/study/trials/certify_trial.hpp"
 #include "analysis/study/witness/felt_samples.hpp"
 #include "analysis/study/witness/prove_trial.hpp"
 #include "datasets/corpus/tentacles.hpp"
@@ -25,8 +27,10 @@ struct Case {
   WitnessDocument document;
 };
 
+enum class Of { trial, trial_and_edges, edges };
+
 /// A run through a random world without noise, and its witness.
-Case proven(std::uint64_t index) {
+Case proven(std::uint64_t index, Of of = Of::trial) {
   const RandomWorld drawn = draw_random_world(WorldFamily::discs, 9, index);
   const WallIndex walls = feelable_walls(drawn);
   Case made;
@@ -37,12 +41,15 @@ Case proven(std::uint64_t index) {
   made.info.seed = 9;
   made.parameters.witness.witness_cell_m = 0.01;  // a smaller file
   const witness::WitnessParameters& parameters = made.parameters.witness;
+  Certifier certifier(made.info.robot, made.info.course, {});
+  const study::TrialSeries series = study::certify_trial(certifier, *made.log.merged);
   const study::Proof proof =
       study::prove(study::witness_samples(made.log, made.info.robot, parameters, {}),
                    made.info.robot,
                    made.info.course,
                    parameters,
-                   {});
+                   {},
+                   of == Of::trial ? nullptr : &series);
   if (!proof.witness) {
     throw std::runtime_error(proof.reason);
   }
@@ -57,6 +64,14 @@ Case proven(std::uint64_t index) {
                    proof.cells,
                    proof.witness->path,
                    proof.witness->checked};
+  if (of != Of::trial) {
+    made.document.edges = WitnessedEdges{
+        CertificateParameters{}.merge_radius_m, series.nodes, series.edges, proof.edges->found};
+  }
+  if (of == Of::edges) {
+    made.document.path.clear();
+    made.document.stated = {};
+  }
   return made;
 }
 
@@ -68,6 +83,50 @@ TEST(WitnessJson, ReadsBackToTheSameBytesAndStands) {
   EXPECT_EQ(read.path, made.document.path);
   EXPECT_EQ(to_json(read), text);
   EXPECT_EQ(fault_of_witness(read, made.info, made.parameters, made.log, kLog), "");
+}
+
+TEST(WitnessJson, EdgesReadBackAndStandWithAPathAndWithout) {
+  const std::string plain = to_json(proven(2).document);
+  for (const Of of : {Of::trial_and_edges, Of::edges}) {
+    const Case made = proven(2, of);
+    const std::string text = to_json(made.document);
+    const WitnessDocument read = witness_from_json(text, kRoom);
+    ASSERT_TRUE(read.edges);
+    EXPECT_GT(read.edges->edges.size(), 4U);
+    EXPECT_EQ(to_json(read), text);
+    EXPECT_EQ(fault_of_witness(read, made.info, made.parameters, made.log, kLog), "");
+    if (of == Of::trial_and_edges) {  // it begins with the file without them
+      EXPECT_EQ(text.substr(0, plain.size() - 2), plain.substr(0, plain.size() - 2));
+    }
+  }
+}
+
+TEST(WitnessJson, SaysWhatIsWrongWithAnEdge) {
+  const Case made = proven(2, Of::edges);
+  const auto fault = [&](const auto& change) {
+    WitnessDocument other = made.document;
+    change(*other.edges);
+    return fault_of_witness(other, made.info, made.parameters, made.log, kLog);
+  };
+  const std::size_t e = 2;
+  EXPECT_EQ(fault([&](WitnessedEdges& edges) { edges.found.paths[e]->checked.margin_m += 1e-12; }),
+            "edge 2: the checker measures another margin");
+  EXPECT_EQ(fault([&](WitnessedEdges& edges) {
+              edges.found.waypoints[edges.edges[e].ends[0].node].yaw_rad += 1e-6;
+            }).substr(6),
+            ": the checker refuses it: the path does not lead from waypoint to waypoint");
+  EXPECT_EQ(fault([&](WitnessedEdges& edges) { edges.found.waypoints[3].position.x_m += 1.0; }),
+            "a waypoint lies too far from its node");
+  const char* const other_run = "its edges are those of another run";
+  EXPECT_EQ(fault([&](WitnessedEdges& edges) { edges.nodes[3].pose.position.x_m += 1e-9; }),
+            other_run);
+  EXPECT_EQ(fault([&](WitnessedEdges& edges) { edges.merge_radius_m = 0.2; }), other_run);
+  EXPECT_EQ(fault([&](WitnessedEdges& edges) { edges.edges[e].ends[0].side = Side::back; }),
+            other_run);
+  WitnessDocument nothing = made.document;
+  nothing.edges = std::nullopt;
+  EXPECT_EQ(fault_of_witness(nothing, made.info, made.parameters, made.log, kLog),
+            "it has no path");
 }
 
 TEST(WitnessJson, SaysWhatIsWrong) {
@@ -142,21 +201,26 @@ TEST(WitnessJson, RefusesPiecesThatAreNoPath) {
   }
 }
 
-TEST(WitnessJson, AThousandTamperedProofsAreRefused) {
-  const Case made = proven(2);
+/// Changes digits of the text from `from` on, of which there are claims, a thousand times.
+void expect_tampering_refused(const Case& made, std::size_t from, unsigned seed) {
   const std::string text = to_json(made.document);
-  const auto lies_between = [&](std::size_t at, const char* from, const char* to) {
-    return at > text.find(from) && at < text.find(to);
+  const auto lies_between = [&](std::size_t at, const char* begin, const char* end) {
+    return at > text.find(begin) && at < text.find(end);
   };
-  std::mt19937 engine(4);
+  std::mt19937 engine(seed);
   int tampered = 0;
   while (tampered < 1000) {
-    const std::size_t at = engine() % text.size();
+    const std::size_t at = from + engine() % (text.size() - from);
+    if (text[at] < '0' || text[at] > '9') {
+      continue;
+    }
     const bool is_claim = lies_between(at, "\"log_sha256\"", "\"assumptions\"") ||
                           lies_between(at, "\"rays\"", "\"rule\"") || at > text.find("\"path\"");
     const std::size_t begin = text.find_last_not_of("0123456789", at);
-    const bool is_late = text[begin] == '.' && at - begin > 4;
-    if (!is_claim || is_late || text[at] < '0' || text[at] > '9') {
+    const std::size_t end = text.find_first_not_of("0123456789", at);
+    const bool is_tiny = text.compare(end, 2, "e-") == 0 || text.compare(begin - 1, 2, "e-") == 0;
+    const bool is_late = (text[begin] == '.' && at - begin > 4) || is_tiny;
+    if (!is_claim || is_late) {
       continue;
     }
     std::string other = text;
@@ -175,6 +239,13 @@ TEST(WitnessJson, AThousandTamperedProofsAreRefused) {
     ++tampered;
     EXPECT_TRUE(is_refused(other, made)) << other.substr(at - std::min<std::size_t>(at, 40), 60);
   }
+}
+
+TEST(WitnessJson, AThousandTamperedProofsAreRefused) { expect_tampering_refused(proven(2), 0, 4); }
+
+TEST(WitnessJson, AThousandTamperedProofsOfEdgesAreRefused) {
+  const Case made = proven(2, Of::edges);
+  expect_tampering_refused(made, to_json(made.document).find("\"edges\""), 5);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// \file
 /// A trial with what its early window shows, and the columns that hold it in a table.
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -15,6 +16,9 @@ namespace tcert::study {
 /// A witness was looked for.
 struct SoughtWitness {
   std::optional<double> margin_m;  ///< Of the one that was found.
+  bool has_edges = false;          ///< Those of the edges were looked for, too.
+  std::size_t edges = 0;
+  std::size_t edges_proven = 0;
 };
 
 struct FeatureRow {

@@ -143,25 +143,6 @@ std::size_t certificate_falls(std::span<const CertifiedTick> series) {
   return falls;
 }
 
-void add_trial_facts(const LoggedTrial& trial, std::int64_t end_ns, Features& features) {
-  features.ticks = trial.ticks.size();
-  features.end_s = seconds_of(end_ns);
-  features.travel_m = trial.series.back().travel_m;
-  features.issued = trial.series.back().issued;
-  if (*features.issued) {
-    const auto first = std::find_if(trial.series.begin(),
-                                    trial.series.end(),
-                                    [](const CertifiedTick& tick) { return tick.issued; });
-    const auto row = static_cast<std::size_t>(first - trial.series.begin());
-    features.issued_s = seconds_of(trial.ticks.time_ns[row] - trial.ticks.time_ns[0]);
-    features.issued_before_goal = (first->flags & flag_goal_reached) == 0;
-  }
-  features.certificate_falls = certificate_falls(trial.series);
-  if (std::isfinite(trial.series.back().certificate_m)) {
-    features.certificate_m = trial.series.back().certificate_m;
-  }
-}
-
 void require(bool holds, const char* what) {
   if (!holds) {
     throw std::invalid_argument(what);
@@ -169,6 +150,24 @@ void require(bool holds, const char* what) {
 }
 
 }  // namespace
+
+void add_certificate(const TickTable& ticks,
+                     std::span<const CertifiedTick> series,
+                     Features& features) {
+  const CertifiedTick& last = series.back();
+  features.issued = last.issued;
+  features.issued_s = std::nullopt;
+  features.issued_before_goal = std::nullopt;
+  if (last.issued) {
+    const auto first = std::ranges::find_if(series, &CertifiedTick::issued);
+    const auto row = static_cast<std::size_t>(first - series.begin());
+    features.issued_s = seconds_of(ticks.time_ns[row] - ticks.time_ns[0]);
+    features.issued_before_goal = (first->flags & flag_goal_reached) == 0;
+  }
+  features.certificate_falls = certificate_falls(series);
+  features.certificate_m =
+      std::isfinite(last.certificate_m) ? std::optional(last.certificate_m) : std::nullopt;
+}
 
 void validate(const EarlyWindowOptions& options) { require_fields(options); }
 
@@ -187,7 +186,10 @@ Features early_features(const Robot& robot,
   const FreshTicks fresh = fresh_ticks(ticks, series, nanoseconds_of(options.dwell_window_s));
   const std::int64_t end_ns = ticks.time_ns.back() - ticks.time_ns.front();
   const LoggedTrial trial{robot, ticks, series, fresh, options};
-  add_trial_facts(trial, end_ns, features);
+  features.ticks = ticks.size();
+  features.end_s = seconds_of(end_ns);
+  features.travel_m = series.back().travel_m;
+  add_certificate(ticks, series, features);
 
   const Window landmark = time_window(fresh, end_ns, options.time_s);
   Window first = landmark;

@@ -83,4 +83,10 @@ struct Features {
                                       std::span<const CertifiedTick> series,
                                       const EarlyWindowOptions& options = {});
 
+/// What the series says of the certificate: issued or not, when, and T_t at the end. O(ticks).
+/// \pre there is a tick, and one of the series for each.
+void add_certificate(const TickTable& ticks,
+                     std::span<const CertifiedTick> series,
+                     Features& features);
+
 }  // namespace tcert::study

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "analysis/study/witness/felt_samples.hpp"
 #include "analysis/study/witness/witness_series.hpp"
 #include "datasets/tick_limit.hpp"
 
@@ -27,6 +28,36 @@ std::vector<double> ray_margins_of(Certifier& certifier, const TickTable& ticks)
     margins.insert(margins.end(), now.begin(), now.end());
   }
   return margins;
+}
+
+/// \pre all but the proof is there.
+void add_proof(const TrialLog& log,
+               const Robot& robot,
+               const Course& course,
+               const ParameterSet& parameters,
+               const StudyOptions& options,
+               StudiedTrial& trial) {
+  const CertificateParameters certificate = parameters_of_ticks(parameters.certificate);
+  const witness::WitnessParameters& of_witness = parameters.witness;
+  trial.proof = prove(witness_samples(log, robot, of_witness, certificate),
+                      robot,
+                      course,
+                      of_witness,
+                      certificate,
+                      options.witness_edges ? &trial.series : nullptr);
+  if (parameters.certificate.clearance != ClearanceReading::witness) {
+    return;
+  }
+  if (of_witness.witness_every > 0) {
+    trial.looks = witness_looks(felt_samples(log, robot, of_witness.pose_bridge_s),
+                                trial.series.ticks,
+                                robot,
+                                course,
+                                of_witness,
+                                certificate);
+    keep_best(trial.looks, robot, course, *trial.proof);
+  }
+  certify_by_witness(trial);
 }
 
 }  // namespace
@@ -76,14 +107,7 @@ void study_trials(const Bundle& bundle,
           early_features(robot, trial.ticks, trial.series.ticks, parameters.early_window);
       trial.not_issued = why_not_issued(bundle.info.course, trial.ticks, trial.series);
       if (by_witness || options.witness) {
-        trial.proof = prove(witness_samples(*log, robot, parameters.witness, certificate),
-                            robot,
-                            bundle.info.course,
-                            parameters.witness,
-                            certificate);
-      }
-      if (by_witness) {
-        certify_by_witness(trial);
+        add_proof(*log, robot, bundle.info.course, parameters, options, trial);
       }
     }
     return work(std::move(trial));

@@ -15,7 +15,7 @@
 #include "analysis/study/trials/features.hpp"
 #include "analysis/study/trials/not_issued.hpp"
 #include "analysis/study/trials/parameters.hpp"
-#include "analysis/study/witness/prove_trial.hpp"
+#include "analysis/study/witness/witness_looks.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/ticks.hpp"
 #include "datasets/trial_reader.hpp"
@@ -34,6 +34,7 @@ struct StudiedTrial {
   Features features;
   std::optional<NotIssued> not_issued;
   std::optional<Proof> proof;           ///< Empty unless a witness was asked for.
+  std::vector<WitnessLook> looks;       ///< Under clearance=witness, while the run went on.
   std::vector<double> speed_cmd_mps;    ///< Of the raw control stream, or of merged ticks.
   std::vector<double> loop_latency_ms;  ///< Of the raw control stream; NaN where missing.
 };
@@ -42,7 +43,8 @@ struct StudyOptions {
   ReadOptions read;
   int threads = 0;  ///< 0: all cores.
   bool ray_margins = false;
-  bool witness = false;  ///< Look for a witness whatever the clearance reading is.
+  bool witness = false;        ///< Look for a witness whatever the clearance reading is.
+  bool witness_edges = false;  ///< And for those of the edges, where one is looked for.
 };
 
 /// Reads a trial's log into `trial`: everything but ticks, series and features. Empty if the trial

@@ -55,6 +55,11 @@ TrialRecord summarise(StudiedTrial&& trial) {
   std::optional<SoughtWitness> sought;
   if (trial.proof) {
     sought = SoughtWitness{trial.proof->certificate_m()};
+    if (trial.proof->edges) {
+      sought->has_edges = true;
+      sought->edges = trial.series.edges.size();
+      sought->edges_proven = trial.proof->edges->proven();
+    }
   }
   TrialRecord summary{{*trial.row, trial.features, trial.not_issued, sought},
                       known_median(trial.speed_cmd_mps),

@@ -71,8 +71,9 @@ std::vector<Arc> stretched_path(const World& world,
   std::vector<Arc> path;
   try {
     const witness::FreeCells cells = cells_of(world, cell_m);
+    const witness::SearchSpace space(cells);
     const witness::Found found =
-        witness::search(cells, *world.start, *world.goal, robot, poses_along(first), kBandSteps);
+        witness::search(space, *world.start, *world.goal, robot, poses_along(first), kBandSteps);
     if (found.witness) {
       for (const witness::Piece& piece : found.witness->path) {
         path.push_back(arc_of(piece));

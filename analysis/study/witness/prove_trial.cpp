@@ -28,7 +28,8 @@ Proof prove(const witness::Samples& samples,
             const Robot& robot,
             const Course& course,
             const witness::WitnessParameters& parameters,
-            const CertificateParameters& certificate) {
+            const CertificateParameters& certificate,
+            const TrialSeries* series) {
   Proof proof;
   if (!course.goal) {
     proof.reason = "the course has no goal";
@@ -46,14 +47,15 @@ Proof prove(const witness::Samples& samples,
     proof.reason = error.what();
     return proof;
   }
-  witness::Found found = witness::search(proof.cells,
-                                         proof.start,
-                                         *course.goal,
-                                         robot,
-                                         samples,
-                                         static_cast<int>(parameters.witness_steps));
+  const witness::SearchSpace space(proof.cells);
+  witness::Found found = witness::search(
+      space, proof.start, *course.goal, robot, samples, static_cast<int>(parameters.witness_steps));
   proof.witness = std::move(found.witness);
   proof.reason = proof.witness ? std::string() : std::move(found.reason);
+  if (series != nullptr) {
+    proof.edges = prove_edges(
+        space, *series, samples, robot, {proof.start, course.goal}, parameters, certificate);
+  }
   return proof;
 }
 

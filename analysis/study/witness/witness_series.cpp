@@ -1,5 +1,7 @@
 #include "analysis/study/witness/witness_series.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 
 #include "analysis/study/trials/study.hpp"
@@ -25,22 +27,21 @@ void certify_by_witness(StudiedTrial& trial) {
     return;
   }
   trial.series.bottleneck = std::nullopt;
-  for (CertifiedTick& tick : trial.series.ticks) {
-    tick.certificate_m = -std::numeric_limits<double>::infinity();
-    tick.issued = false;
+  double certificate_m = -std::numeric_limits<double>::infinity();
+  auto look = trial.looks.begin();
+  for (std::size_t i = 0; i < trial.series.ticks.size(); ++i) {
+    if (look != trial.looks.end() && look->tick == i) {
+      certificate_m = std::max(certificate_m, look->found.checked.margin_m);
+      ++look;
+    }
+    if (i + 1 == trial.series.ticks.size()) {
+      certificate_m = std::max(certificate_m, trial.proof->certificate_m().value_or(certificate_m));
+    }
+    trial.series.ticks[i].certificate_m = certificate_m;
+    trial.series.ticks[i].issued = certificate_m > 0.0;
   }
-  Features& features = trial.features;
-  features.certificate_falls = 0;
-  features.certificate_m = trial.proof->certificate_m();
-  features.issued = features.certificate_m.value_or(0.0) > 0.0;
-  features.issued_s = std::nullopt;
-  features.issued_before_goal = std::nullopt;
-  CertifiedTick& last = trial.series.ticks.back();
-  last.certificate_m = features.certificate_m.value_or(last.certificate_m);
-  last.issued = *features.issued;
-  if (last.issued) {
-    features.issued_s = features.end_s;
-    features.issued_before_goal = false;
+  add_certificate(trial.ticks, trial.series.ticks, trial.features);
+  if (*trial.features.issued) {
     trial.not_issued = std::nullopt;
   } else {
     trial.not_issued = without_witness(trial);

@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// The series of a trial whose certificate is that of its witness.
+/// The series of a trial whose certificate is that of its witnesses.
 
 namespace tcert::study {
 
 struct StudiedTrial;
 
-/// Takes T_t out of the series, edges' bottleneck and features of `trial`, and puts the witness's
-/// margin at the last tick in its place: a witness is found at the end of a trial.
-/// All else stays as it is. \pre the trial has a proof.
+/// Takes T_t out of the series, edges' bottleneck and features of `trial`, and puts in its place
+/// the largest margin that a look has proved by then; at the last tick the proof of the trial
+/// counts, too. All else stays as it is. \pre the trial has a proof.
 void certify_by_witness(StudiedTrial& trial);
 
 }  // namespace tcert::study

@@ -22,6 +22,7 @@
 #include "cli/runs/live/live_audit.hpp"
 #include "cli/runs/live/live_bundle.hpp"
 #include "cli/runs/live/live_record.hpp"
+#include "cli/runs/live/live_witness.hpp"
 #include "cli/runs/live/patient_output.hpp"
 #include "cli/runs/live/producer.hpp"
 #include "cli/runs/live/stall_watch.hpp"
@@ -179,7 +180,8 @@ ExitCode live(const LiveRequest& request, Progress& progress) {
   const study::ParameterSet parameters =
       effective_parameters(info.parameters, options.logs.parameters);
   const Robot robot = effective_robot(info, parameters);
-  Certifier certifier = certifier_of(robot, info.course, parameters.certificate);
+  Certifier certifier =
+      certifier_of(robot, info.course, study::parameters_of_ticks(parameters.certificate));
   Guards guards(parameters.speed_law,
                 parameters.guards,
                 tracking_error_table(options.tracking_error, options.logs.decimal_comma, progress));
@@ -203,6 +205,11 @@ ExitCode live(const LiveRequest& request, Progress& progress) {
   }
   const bool drops =
       options.slow_consumer == "drop" || (options.slow_consumer == "auto" && listens);
+  std::optional<LiveWitness> witness;
+  if (parameters.certificate.clearance == ClearanceReading::witness) {
+    using WhenLate = LiveWitness::WhenLate;
+    witness.emplace(robot, info.course, parameters, drops ? WhenLate::skip : WhenLate::wait);
+  }
   RowSink rows(drops ? RowSink::WhenSlow::drop : RowSink::WhenSlow::wait, interrupt);
   TickSource source(robot,
                     info,
@@ -222,8 +229,11 @@ ExitCode live(const LiveRequest& request, Progress& progress) {
   };
   const auto take = [&](const TickLine& line) {
     stall.tick();
-    const CertifiedTick certified = certifier.update(line.tick);
+    CertifiedTick certified = certifier.update(line.tick);
     const GuardedTick guarded = guards.update(line.tick, certified);
+    if (witness) {
+      witness->take(line.tick, certified);
+    }
     if (record) {
       record->add(line, certified, status);
     }
@@ -251,6 +261,9 @@ ExitCode live(const LiveRequest& request, Progress& progress) {
   const bool audited = !audit || audit->close(status);
   const bool recorded = !record || record->close(status);
   source.report_ranges();
+  if (witness) {
+    status.say("tcert live: " + witness->conclude());
+  }
   report(source, *producer, rows, status, has_reader);
   const bool written = rows.disk_error() == 0 || rows.dropped() == 0;
   if (!recorded || !audited || !written) {

@@ -97,7 +97,7 @@ std::vector<MapEdge> edges_of(const fs::path& path) {
 }
 
 /// The path of witness/<trial>.json, 5 cm apart and less in bends; nothing if there is no such
-/// file.
+/// file or path.
 void add_witness(const fs::path& path, TrialMap& map) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
@@ -117,7 +117,9 @@ void add_witness(const fs::path& path, TrialMap& map) {
         map.witness.push_back(witness::point_at(piece, k / parts));
       }
     }
-    map.witness_bottleneck = proof.stated.bottleneck;
+    if (!proof.path.empty()) {
+      map.witness_bottleneck = proof.stated.bottleneck;
+    }
   } catch (const WitnessFormatError& wrong) {
     throw BadData("'" + path.string() + "': " + wrong.what());
   }

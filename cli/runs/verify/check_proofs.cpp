@@ -11,6 +11,7 @@
 #include "analysis/study/trials/parameters.hpp"
 #include "cli/runs/bundle_digest.hpp"
 #include "cli/runs/verify/find_input.hpp"
+#include "datasets/tick_limit.hpp"
 #include "datasets/trial_reader.hpp"
 #include "reports/witness_check.hpp"
 
@@ -42,7 +43,8 @@ std::string fault_of_proof(const WitnessDocument& proof,
   if (row == bundle.trials.end()) {
     return "the bundle has no trial '" + proof.trial_id + "'";
   }
-  const TrialResult read = read_trial(bundle, *row, options);
+  TrialResult read = read_trial(bundle, *row, options);
+  reject_too_many_ticks(read.log, parameters.resample.tick_s, proof.trial_id, read.diagnostics);
   if (!read.log) {
     return "its log cannot be read";
   }
@@ -104,7 +106,7 @@ void check_proofs(const VerifyTarget& target,
       }
     } catch (const WitnessFormatError& error) {
       faults[i] = error.what();
-    } catch (const std::length_error& error) {
+    } catch (const std::logic_error& error) {  // too many cells, or parameters that are none
       faults[i] = error.what();
     }
   });

@@ -36,7 +36,7 @@ double found_margin(const FreeCells& cells,
                     const Region& start,
                     const Region& goal,
                     const Robot& robot) {
-  const Found found = search(cells, start, goal, robot, {}, 600);
+  const Found found = search(SearchSpace(cells), start, goal, robot, {}, 600);
   EXPECT_TRUE(found.witness) << found.reason;
   if (!found.witness) {
     return -1.0;
@@ -90,9 +90,10 @@ TEST(Search, SaysWhyThereIsNone) {
   });
   const Region start = Disc{{0.6, 0.5}, 0.1};
   const Region goal = Disc{{3.4, 0.5}, 0.1};
-  EXPECT_EQ(search(cells, start, goal, robot_of(0.45, 0.35), {}, 600).reason,
+  EXPECT_EQ(search(SearchSpace(cells), start, goal, robot_of(0.45, 0.35), {}, 600).reason,
             "no route from S to G is as wide as the body");
-  EXPECT_EQ(search(cells, start, start, robot_of(0.45, 0.35), {}, 600).reason, "S and G overlap");
+  EXPECT_EQ(search(SearchSpace(cells), start, start, robot_of(0.45, 0.35), {}, 600).reason,
+            "S and G overlap");
 }
 
 TEST(Search, ItsBitsDoNotDependOnHowOftenItRuns) {
@@ -102,8 +103,8 @@ TEST(Search, ItsBitsDoNotDependOnHowOftenItRuns) {
   });
   const Region start = Disc{{0.4, 2.5}, 0.1};
   const Region goal = Disc{{2.5, 0.4}, 0.1};
-  const Found one = search(cells, start, goal, robot_of(0.45, 0.35), {}, 300);
-  const Found two = search(cells, start, goal, robot_of(0.45, 0.35), {}, 300);
+  const Found one = search(SearchSpace(cells), start, goal, robot_of(0.45, 0.35), {}, 300);
+  const Found two = search(SearchSpace(cells), start, goal, robot_of(0.45, 0.35), {}, 300);
   ASSERT_TRUE(one.witness && two.witness);
   EXPECT_EQ(one.witness->path, two.witness->path);
 }

@@ -1,16 +1,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <random>
 
 #include "analysis/study/soundness/soundness.hpp"
+#include "analysis/study/trials/certify_trial.hpp"
+#include "analysis/study/truth/obstacle_distance.hpp"
 #include "analysis/study/truth/truth.hpp"
 #include "analysis/study/witness/felt_samples.hpp"
 #include "analysis/study/witness/prove_trial.hpp"
+#include "analysis/study/witness/witness_looks.hpp"
 #include "datasets/bundle.hpp"
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/random_worlds/random_run.hpp"
@@ -52,6 +58,116 @@ TEST(Witness, NeverExceedsTheTruthOfRandomWorldsWithoutNoise) {
   }
   EXPECT_GT(witnesses, 100U);
   EXPECT_GT(issued, 70U);
+}
+
+/// The least distance from the places of a path, about a centimetre apart, to what is not free.
+double least_distance(const witness::Path& path, const ObstacleDistance& obstacles) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const witness::Piece& piece : path) {
+    const double parts = std::ceil(witness::chord(piece) / 0.01);
+    for (double k = 0.0; k <= parts; ++k) {
+      least_m = std::min(least_m, obstacles.at(witness::point_at(piece, k / parts)));
+    }
+  }
+  return least_m;
+}
+
+// What an edge proves is there: nothing of the world is nearer to its path than that. And no chain
+// of edges proves more of S and G than there is.
+TEST(Witness, EdgesProveNoMoreThanTheWorldHas) {
+  std::size_t proven = 0;
+  std::size_t edges = 0;
+  std::size_t chains = 0;
+  for (std::uint64_t index = 0; index < 48; ++index) {
+    const WorldFamily family = index % 4 == 3 ? WorldFamily::u_turn : mixed_family(index);
+    const RandomWorld drawn = draw_random_world(family, 9, index);
+    const WallIndex walls = feelable_walls(drawn);
+    const TickTable felt = true_ticks(follow_legs(drawn, walls, 9, index), walls);
+    const Course course{drawn.world.start, drawn.world.goal};
+    Certifier certifier(corpus_robot(), course, {});
+    const TrialSeries series = certify_trial(certifier, felt);
+    const Proof proof =
+        prove(felt_samples(felt, corpus_robot()), corpus_robot(), course, {}, {}, &series);
+    ASSERT_TRUE(proof.edges) << proof.reason;
+    const ObstacleDistance obstacles(drawn.world);
+    for (const auto& path : proof.edges->found.paths) {
+      ++edges;
+      if (path) {
+        EXPECT_LE(path->checked.clearance_m, least_distance(path->path, obstacles) + 1e-9) << index;
+      }
+    }
+    proven += proof.edges->proven();
+    if (proof.edges->chain_m) {
+      ++chains;
+      EXPECT_LE(*proof.edges->chain_m, truth_of_drawn(drawn) + 1e-9) << index;
+    }
+  }
+  EXPECT_GT(2 * proven, edges);
+  EXPECT_GT(chains, 24U);
+}
+
+/// True if every free cell of the one is free in the other.
+bool is_within(const witness::FreeCells& less, const witness::FreeCells& more) {
+  const witness::Lattice& box = less.lattice();
+  const auto right = static_cast<int>(box.first_x - more.lattice().first_x);
+  const auto up = static_cast<int>(box.first_y - more.lattice().first_y);
+  for (int row = 0; row < box.rows; ++row) {
+    for (int column = 0; column < box.columns; ++column) {
+      if (less.is_free(column, row) && !more.is_free(column + right, row + up)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// What was free is free later, though glitches are told by what is felt after them; so a path found
+// then proves at least as much of all that was felt, and no look exceeds the truth.
+TEST(Witness, WhatWasProvedWhileARunWentOnStaysProved) {
+  std::mt19937_64 engine(11);
+  witness::WitnessParameters parameters;
+  parameters.witness_every = 12;
+  std::size_t looks = 0;
+  std::size_t glitches = 0;
+  for (std::uint64_t index = 0; index < 24; ++index) {
+    const WorldFamily family = index % 4 == 3 ? WorldFamily::u_turn : mixed_family(index);
+    const RandomWorld drawn = draw_random_world(family, 9, index);
+    const WallIndex walls = feelable_walls(drawn);
+    TickTable felt = true_ticks(follow_legs(drawn, walls, 9, index), walls);
+    for (RayReading& reading : felt.readings) {
+      if (engine() % 50 == 0) {  // a glitch, which is too small
+        reading.value *= 0.3;
+        ++glitches;
+      }
+    }
+    const Course course{drawn.world.start, drawn.world.goal};
+    Certifier certifier(corpus_robot(), course, {});
+    const TrialSeries series = certify_trial(certifier, felt);
+    const witness::Samples samples = felt_samples(felt, corpus_robot());
+    witness::Samples ready = samples;
+    witness::drop_glitches(
+        ready, corpus_robot(), witness::free_space_options(parameters, {}).strips.lost_share);
+    Proof proof = prove(ready, corpus_robot(), course, parameters, {});
+    witness::FreeCells before;
+    for (std::size_t i = 11; i + 1 < series.ticks.size(); i += 60) {
+      const Proof now =
+          prove_so_far(samples, series.ticks[i].time_ns, corpus_robot(), course, parameters, {});
+      EXPECT_TRUE(is_within(before, now.cells)) << index << " at tick " << i;
+      EXPECT_TRUE(is_within(now.cells, proof.cells)) << index << " at tick " << i;
+      before = now.cells;
+    }
+    for (const WitnessLook& look :
+         witness_looks(samples, series.ticks, corpus_robot(), course, parameters, {})) {
+      ++looks;
+      EXPECT_EQ((look.tick + 1) % 12, 0U);
+      EXPECT_LE(look.found.checked.margin_m, truth_of_drawn(drawn) + 1e-9) << index;
+      keep_best({&look, 1}, corpus_robot(), course, proof);
+      ASSERT_TRUE(proof.certificate_m());
+      EXPECT_GE(*proof.certificate_m(), look.found.checked.margin_m) << index;
+    }
+  }
+  EXPECT_GT(looks, 40U);
+  EXPECT_GT(glitches, 100U);
 }
 
 TEST(Witness, AReadingBoundOnlyLowersIt) {
