@@ -3,34 +3,22 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
 #include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
-#include <tcert/certifier.hpp>
-#include <tcert/guards.hpp>
 #include <utility>
 
 #include "cli/runs/guard_options.hpp"
-#include "cli/runs/inputs.hpp"
 #include "cli/runs/interrupt.hpp"
 #include "cli/runs/live/line_buffer.hpp"
-#include "cli/runs/live/live_audit.hpp"
 #include "cli/runs/live/live_bundle.hpp"
-#include "cli/runs/live/live_record.hpp"
-#include "cli/runs/live/live_witness.hpp"
+#include "cli/runs/live/live_ticks.hpp"
 #include "cli/runs/live/patient_output.hpp"
 #include "cli/runs/live/producer.hpp"
 #include "cli/runs/live/stall_watch.hpp"
 #include "cli/runs/live/tick_source.hpp"
-#include "cli/runs/result_folder.hpp"
-#include "datasets/tick_line.hpp"
-#include "reports/features_table.hpp"
-#include "reports/series.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -47,6 +35,38 @@ void require_known(const LiveRequest& o) {
 
 constexpr int kLastRowsMs = 2000;
 
+/// Lines of a producer as ticks for `take`, which returns false to end the run.
+template <typename Take>
+class LineFeed {
+ public:
+  LineFeed(TickSource& source, Take take) : source_(source), take_(take) {}
+
+  void add(std::string_view bytes) { lines_.add(bytes); }
+  void end() { lines_.end(); }
+
+  /// Takes the lines that are whole. False if `take` does.
+  [[nodiscard]] bool take_lines() {
+    std::string line;
+    while (lines_.next(line)) {
+      for (const TickLine& tick : source_.take(line)) {
+        if (!take_(tick)) {
+          return false;
+        }
+      }
+    }
+    for (; too_long_ < lines_.too_long(); ++too_long_) {
+      source_.reject("a line of more than 1 MiB");
+    }
+    return true;
+  }
+
+ private:
+  TickSource& source_;
+  Take take_;
+  LineBuffer lines_;
+  std::size_t too_long_ = 0;
+};
+
 /// Takes lines until the producer ends or an interrupt comes. `take` is given every tick; false
 /// ends it too.
 template <typename Take>
@@ -56,23 +76,8 @@ void follow(Producer& producer,
             StallWatch& stall,
             int interrupt,
             Take take) {
-  LineBuffer lines;
+  LineFeed feed(source, take);
   std::string bytes;
-  std::string line;
-  std::size_t too_long = 0;
-  const auto take_lines = [&] {
-    while (lines.next(line)) {
-      for (const TickLine& tick : source.take(line)) {
-        if (!take(tick)) {
-          return false;
-        }
-      }
-    }
-    for (; too_long < lines.too_long(); ++too_long) {
-      source.reject("a line of more than 1 MiB");
-    }
-    return true;
-  };
   for (;;) {
     std::array<pollfd, 3> wait{{{interrupt, POLLIN, 0},
                                 {producer.descriptor(), POLLIN, 0},
@@ -92,15 +97,37 @@ void follow(Producer& producer,
     if (event == Producer::Event::came) {
       source.restart();
     }
-    lines.add(bytes);
+    feed.add(bytes);
     if (event == Producer::Event::left || event == Producer::Event::end) {
-      lines.end();
+      feed.end();
     }
-    if (!take_lines() || event == Producer::Event::end) {
+    if (!feed.take_lines() || event == Producer::Event::end) {
       return;
     }
   }
 }
+
+/// Rows for whoever reads stdout; a full disk behind it is said once, and the run goes on.
+class SaidRows {
+ public:
+  SaidRows(RowSink& rows, StatusLines& status) : rows_(rows), status_(status) {}
+
+  /// False if the run is to end.
+  [[nodiscard]] bool put(std::string_view text) {
+    const bool go_on = rows_.put(text);
+    if (rows_.disk_error() != 0 && !std::exchange(is_full_said_, true)) {
+      status_.say("tcert live: cannot write to stdout: " +
+                  std::generic_category().message(rows_.disk_error()) +
+                  "; the run goes on, rows that find no room are counted");
+    }
+    return go_on;
+  }
+
+ private:
+  RowSink& rows_;
+  StatusLines& status_;
+  bool is_full_said_ = false;
+};
 
 /// What there is to say at the end; nothing if all went well.
 void report(const TickSource& source,
@@ -174,81 +201,33 @@ OptionTable options_of(LiveRequest& request) {
 }
 
 ExitCode live(const LiveRequest& request, Progress& progress) {
-  const LiveRequest& options = request;
-  require_known(options);
-  const BundleInfo info = describe(options.bundle, progress);
-  const study::ParameterSet parameters =
-      effective_parameters(info.parameters, options.logs.parameters);
-  const Robot robot = effective_robot(info, parameters);
-  Certifier certifier =
-      certifier_of(robot, info.course, study::parameters_of_ticks(parameters.certificate));
-  Guards guards(parameters.speed_law,
-                parameters.guards,
-                tracking_error_table(options.tracking_error, options.logs.decimal_comma, progress));
-  const SeriesFormat format{
-      parameters.speed_law, options.ray_margins, synthetic_label(info), options.guards};
-  std::optional<LiveAudit> audit;
-  if (!options.audit.empty()) {
-    require_apart(options.bundle, options.audit);
-    audit.emplace(options.audit, parameters.guards);
-  }
-  std::optional<LiveRecord> record;
-  if (!options.record.empty()) {
-    record.emplace(options.record, info_of_record(info, robot, parameters));
-  }
+  require_known(request);
+  const BundleInfo info = describe(request.bundle, progress);
+  const bool listens = !request.listen.empty();
+  const bool drops =
+      request.slow_consumer == "drop" || (request.slow_consumer == "auto" && listens);
+  LiveTicks ticks(
+      request, info, drops ? LiveWitness::WhenLate::skip : LiveWitness::WhenLate::wait, progress);
   StatusLines status;
   const int interrupt = interrupt_descriptor();
-  const std::unique_ptr<Producer> producer = open_producer(options.listen);
-  const bool listens = !options.listen.empty();
+  const std::unique_ptr<Producer> producer = open_producer(request.listen);
   if (listens) {
     status.say("tcert live: listening on " + producer->name());
   }
-  const bool drops =
-      options.slow_consumer == "drop" || (options.slow_consumer == "auto" && listens);
-  std::optional<LiveWitness> witness;
-  if (parameters.certificate.clearance == ClearanceReading::witness) {
-    using WhenLate = LiveWitness::WhenLate;
-    witness.emplace(robot, info.course, parameters, drops ? WhenLate::skip : WhenLate::wait);
-  }
   RowSink rows(drops ? RowSink::WhenSlow::drop : RowSink::WhenSlow::wait, interrupt);
-  TickSource source(robot,
+  SaidRows said(rows, status);
+  TickSource source(ticks.robot(),
                     info,
-                    {producer->name(), options.input_format, options.logs.decimal_comma, !listens},
+                    {producer->name(), request.input_format, request.logs.decimal_comma, !listens},
                     status);
-  StallWatch stall(options.stale_after_s, status);
-  std::string row;
-  bool is_full_said = false;
-  const auto put = [&](std::string_view text) {
-    const bool go_on = rows.put(text);
-    if (rows.disk_error() != 0 && !std::exchange(is_full_said, true)) {
-      status.say("tcert live: cannot write to stdout: " +
-                 std::generic_category().message(rows.disk_error()) +
-                 "; the run goes on, rows that find no room are counted");
-    }
-    return go_on;
-  };
+  StallWatch stall(request.stale_after_s, status);
   const auto take = [&](const TickLine& line) {
     stall.tick();
-    CertifiedTick certified = certifier.update(line.tick);
-    const GuardedTick guarded = guards.update(line.tick, certified);
-    if (witness) {
-      witness->take(line.tick, certified);
-    }
-    if (record) {
-      record->add(line, certified, status);
-    }
-    row.clear();
-    append_series_row(
-        row, line.tick, certified, certifier.ray_margins(), format, guarded, line.yaw_rate_cmd_rps);
-    const bool go_on = put(row);
-    if (audit) {
-      audit->add(line.tick, certified, guarded, status);
-    }
-    return go_on;
+    return said.put(ticks.row_of(line, status));
   };
   bool has_reader = true;
   try {
-    if (put(series_header(format, robot))) {
+    if (said.put(ticks.header())) {
       follow(*producer, source, rows, stall, interrupt, take);
       if (const auto tick = source.last()) {
         take(*tick);
@@ -258,15 +237,11 @@ ExitCode live(const LiveRequest& request, Progress& progress) {
   } catch (const BrokenPipe&) {
     has_reader = false;  // whoever read the rows has had enough: the run ends as by a signal
   }
-  const bool audited = !audit || audit->close(status);
-  const bool recorded = !record || record->close(status);
+  const bool kept = ticks.close(status);
   source.report_ranges();
-  if (witness) {
-    status.say("tcert live: " + witness->conclude());
-  }
   report(source, *producer, rows, status, has_reader);
   const bool written = rows.disk_error() == 0 || rows.dropped() == 0;
-  if (!recorded || !audited || !written) {
+  if (!kept || !written) {
     return exit_cannot_write;
   }
   return source.bad_lines() > 0 ? exit_rejected : exit_done;

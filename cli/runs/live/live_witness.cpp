@@ -1,8 +1,8 @@
 #include "cli/runs/live/live_witness.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <chrono>
-#include <fmt/format.h>
 #include <utility>
 
 #include "analysis/study/witness/witness_looks.hpp"
@@ -80,10 +80,9 @@ std::string LiveWitness::conclude() {
                           ? fmt::format("a witness proves a margin of {:.3f} m", certificate_m_)
                           : "no witness: " + last.reason;
   if (late_ > 0) {
-    words += fmt::format(
-        "; {} searches took longer than {} ticks, raise 'witness_every'",
-        late_,
-        parameters_.witness.witness_every);
+    words += fmt::format("; {} searches took longer than {} ticks, raise 'witness_every'",
+                         late_,
+                         parameters_.witness.witness_every);
   }
   if (left_out_ > 0) {
     words += fmt::format("; of the last {} ticks nothing was kept", left_out_);
