@@ -45,9 +45,9 @@ const TermRows& widest_term(const GlmmProblem& problem, const Eigen::VectorXd& p
 }
 
 void add_no_convergence(const GlmmProblem& problem, const GlmmMaximum& maximum, GlmmFit& fit) {
-  constexpr double kRunaway = 25.0;
+  constexpr double kDiverged = 25.0;
   const double largest = maximum.parameters.head(problem.thetas()).cwiseAbs().maxCoeff();
-  if (largest > kRunaway) {
+  if (largest > kDiverged) {
     fit.termination = GlmmTermination::diverging;
     fit.conditions.push_back({ConditionKind::infinite_variance,
                               ConditionSeverity::error,
