@@ -1,5 +1,7 @@
 #include "reports/edges_table.hpp"
 
+#include <string>
+
 #include "reports/columns_of.hpp"
 
 namespace tcert {
@@ -19,6 +21,33 @@ struct NumberedEdge {
 TableCell proved_cell(const NumberedEdge& row) {
   const auto& path = row.proofs->paths[row.number];
   return path ? TableCell{Number{path->checked.margin_m, kColumnDecimals}} : TableCell{};
+}
+
+/// How a value is spread over the ticks of the best pass: <name>_min_m ... <name>_max_m.
+void add_profile(ColumnsOf<NumberedEdge>& columns,
+                 const std::string& name,
+                 const std::string& heading,
+                 const char* unit,
+                 Profile Pass::*profile,
+                 const std::string& what) {
+  struct Level {
+    const char* name;
+    double Profile::*value;
+    const char* words;
+  };
+  for (const Level& level : {Level{"min", &Profile::min, "least "},
+                             Level{"p05", &Profile::p05, "5 % quantile of the "},
+                             Level{"p50", &Profile::p50, "median "},
+                             Level{"p95", &Profile::p95, "95 % quantile of the "},
+                             Level{"max", &Profile::max, "largest "}}) {
+    columns
+        .fixed(name + '_' + level.name + '_' + unit,
+               heading + ' ' + level.name,
+               unit,
+               3,
+               [profile, value = level.value](auto& r) { return r.edge.pass.*profile.*value; })
+        .doc(level.words + what);
+  }
 }
 
 ColumnsOf<NumberedEdge> edge_columns(bool has_proofs) {
@@ -56,6 +85,9 @@ ColumnsOf<NumberedEdge> edge_columns(bool has_proofs) {
       .fixed(
           "turn_radius_m", "turn radius", "m", 3, [](auto& r) { return r.edge.pass.turn_radius_m; })
       .doc("turn radius there");
+  add_profile(columns, "width", "width", "m", &Pass::width, "free width over that pass");
+  add_profile(
+      columns, "turn_radius", "turn radius", "m", &Pass::turn_radius, "turn radius over that pass");
   if (has_proofs) {
     columns.add(fixed_column("proved_m", "proved", "m"), proved_cell)
         .doc(

@@ -90,9 +90,10 @@ Driving driving_of(const DriveRequest& request) {
 DrivenDesign design_by_lines(const DriveRequest& request) {
   for (const char* const name : {"policies", "worlds", "trials"}) {
     if (is_given(request.given, name)) {
-      throw UsageError("--" + std::string(name) +
-                       " does nothing to --stdio: one trial is driven, by "
-                       "what is commanded on stdin");
+      throw UsageError(
+          "--" + std::string(name) +
+          " does nothing to --stdio and --listen: one trial is driven, by what another "
+          "process commands");
     }
   }
   study::DrivenExperiment experiment;
@@ -102,12 +103,12 @@ DrivenDesign design_by_lines(const DriveRequest& request) {
   experiment.native_rates = request.native_rates;
   const std::vector<Lighting> lightings = lightings_of(request.lightings);
   if (!request.lightings.empty() && lightings.size() > 1) {
-    throw UsageError("--lightings: expected one for --stdio, which drives one trial");
+    throw UsageError("--lightings: expected one for --stdio and --listen, which drive one trial");
   }
   const Lighting lighting = lightings.front();
   const std::uint64_t world = study::world_of(lighting, static_cast<std::uint64_t>(request.from));
   DrivenDesign design = study::design_of(experiment, {1, lighting, world}, 0);
-  design.algorithm = "stdio";
+  design.algorithm = request.name;
   return design;
 }
 
@@ -165,8 +166,10 @@ OptionTable options_of(DriveRequest& request) {
       "LIST",
       "with --worlds: M1, M2, M3, TVFH, TD*Lite, CB-V, each as it is or with +squash[BETA] or "
       "+clip[BETA] (gated in the loop), +guards, +A1 (no memory): M3,M3+squash20,CB-V");
-  table.add(
-      "lightings", request.lightings, "LIST", "with --worlds or --stdio: Dark, Indoor, Outdoor");
+  table.add("lightings",
+            request.lightings,
+            "LIST",
+            "with --worlds, --stdio or --listen: Dark, Indoor, Outdoor");
   table
       .add("from",
            request.from,
@@ -181,6 +184,14 @@ OptionTable options_of(DriveRequest& request) {
             request.stdio,
             "one trial that another process drives: a line of what is sensed on stdout, a line "
             "'speed_mps,yaw_rate_rps' on stdin, at each control step");
+  table.add("listen",
+            request.listen,
+            "WHERE",
+            "the same over a socket, unix:PATH, that the other process connects to");
+  table.add("name",
+            request.name,
+            "WORD",
+            "with --stdio or --listen: what your policy is called in trials.csv");
   add_common(table, request);
   table.parameters(request.parameters);
   table.config_file();
@@ -193,8 +204,15 @@ ExitCode drive(const DriveRequest& request, Progress& progress) try {
   if (output.empty()) {
     throw UsageError("needs --output DIR");
   }
-  if (request.stdio) {
-    return drive_by_lines(design_by_lines(request), output, manifest_of(request), progress);
+  if (request.stdio && !request.listen.empty()) {
+    throw UsageError("--stdio and --listen: expected one of them");
+  }
+  if (request.stdio || !request.listen.empty()) {
+    return drive_by_lines(
+        design_by_lines(request), request.listen, output, manifest_of(request), progress);
+  }
+  if (is_given(request.given, "name")) {
+    throw UsageError("--name is that of a policy of your own: it needs --stdio or --listen");
   }
   const Driving driving = driving_of(request);
   const ThreadLimit limit(request.threads);

@@ -2,16 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string_view>
+#include <system_error>
 #include <table/atomic_file.hpp>
 #include <table/csv_write.hpp>
 #include <utility>
 
 #include "cli/runs/result_folder.hpp"
+#include "cli/runs/unix_listener.hpp"
 #include "datasets/bundle_json.hpp"
 #include "datasets/corpus/tentacles.hpp"
 #include "datasets/corpus/write_bundle.hpp"
@@ -24,12 +30,6 @@ namespace {
 
 constexpr std::size_t kLongestLine = 256;
 constexpr const char* kCommand = "drive by lines";
-
-void say(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw table::WriteError("cannot write what is sensed: nobody reads stdout");
-  }
-}
 
 std::string preface(const DrivenWorld& driven, const BundleInfo& info, const TickFormat& format) {
   const Bounds& bounds = driven.world.bounds;
@@ -69,7 +69,7 @@ std::string row_of(const policies::Senses& senses, const TickFormat& format) {
 }
 
 /// "0.15,-0.2", also with a blank behind the comma.
-policies::Command command_of(std::string_view line, double now_s) {
+policies::Command command_of(std::string_view line, const std::string& from, double now_s) {
   while (line.ends_with('\n') || line.ends_with('\r')) {
     line.remove_suffix(1);
   }
@@ -85,24 +85,71 @@ policies::Command command_of(std::string_view line, double now_s) {
     }
   }
   throw BadData(
-      fmt::format("stdin, at {:.2f} s: found '{}', expected two numbers with a comma "
+      fmt::format("{}, at {:.2f} s: found '{}', expected two numbers with a comma "
                   "between, the speed in m/s and the yaw rate in rad/s: 0.15,-0.2",
+                  from,
                   now_s,
                   line));
 }
 
-policies::Command next_command(double now_s) {
-  std::array<char, kLongestLine> line{};
-  if (std::fgets(line.data(), static_cast<int>(line.size()), stdin) == nullptr) {
-    throw BadData(
-        fmt::format("stdin ended at {:.2f} s, before the trial did: nothing is written", now_s));
+/// The two ends of the other process: stdout and stdin, or a connection.
+class Lines {
+ public:
+  /// Waits for who connects, if there is something to listen on, and says on what.
+  Lines(const std::string& listen, Progress& progress) {
+    if (listen.empty()) {
+      return;
+    }
+    if (!listen.starts_with("unix:")) {
+      throw UsageError("--listen: found '" + listen + "', expected unix:PATH");
+    }
+    const UnixListener listener(listen.substr(5));
+    progress.say("tcert drive: listening on " + listener.name());
+    const int connection = listener.accept();
+    own_out_.reset(connection < 0 ? nullptr : ::fdopen(connection, "w"));
+    own_in_.reset(own_out_ ? ::fdopen(::dup(connection), "r") : nullptr);
+    if (!own_in_) {
+      throw NoInput("cannot listen on '" + listener.name() +
+                    "': " + std::generic_category().message(errno));
+    }
+    out_ = own_out_.get();
+    in_ = own_in_.get();
+    name_ = listener.name();
   }
-  return command_of(line.data(), now_s);
-}
+
+  void say(const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), out_) != text.size() || std::fflush(out_) != 0) {
+      throw table::WriteError("cannot write what is sensed: nobody reads " +
+                              (name_ == "stdin" ? "stdout" : name_));
+    }
+  }
+
+  /// \throws BadData if there is none.
+  [[nodiscard]] policies::Command next_command(double now_s) {
+    std::array<char, kLongestLine> line{};
+    if (std::fgets(line.data(), static_cast<int>(line.size()), in_) == nullptr) {
+      throw BadData(fmt::format(
+          "{} ended at {:.2f} s, before the trial did: nothing is written", name_, now_s));
+    }
+    return command_of(line.data(), name_, now_s);
+  }
+
+ private:
+  struct Closing {
+    void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+  };
+
+  std::unique_ptr<std::FILE, Closing> own_out_;
+  std::unique_ptr<std::FILE, Closing> own_in_;
+  std::FILE* out_ = stdout;
+  std::FILE* in_ = stdin;
+  std::string name_ = "stdin";
+};
 
 }  // namespace
 
 ExitCode drive_by_lines(const DrivenDesign& design,
+                        const std::string& listen,
                         const std::string& output,
                         Manifest manifest,
                         Progress& progress) {
@@ -111,10 +158,11 @@ ExitCode drive_by_lines(const DrivenDesign& design,
   bundle.info = driven_info(design.seed, design.parameters, design.native_rates);
   const TickFormat format(bundle.info.robot);
   DrivenRun run(design);
-  say(preface(design.world, bundle.info, format));
+  Lines lines(listen, progress);
+  lines.say(preface(design.world, bundle.info, format));
   while (const policies::Senses* const senses = run.next()) {
-    say(row_of(*senses, format));
-    run.take(next_command(run.now_s()));
+    lines.say(row_of(*senses, format));
+    run.take(lines.next_command(run.now_s()));
   }
   const DrivenTrial driven = trial_of(run);
   bundle.extra_columns = driven_extra_columns();

@@ -58,6 +58,7 @@ study::TruthOptions truth_options(const WorldRequest& request) {
   truth.step_m = request.step_m;
   truth.curvature = !request.no_curvature;
   truth.path_cell_m = request.path_cell_m;
+  truth.turn_cell_m = request.turn_cell_m;
   return truth;
 }
 
@@ -165,6 +166,13 @@ OptionTable options_of(WorldRequest& request) {
           "M",
           "of the cells in which the path of 'T at least' is stretched; smaller may be tighter and "
           "costs more; 0 leaves that out")
+      .within(0.0, 1e3);
+  table
+      .add("turn-cell",
+           request.turn_cell_m,
+           "M",
+           "let 'T at most' know the turning limit, in cells of this size; 0.01 takes seconds, "
+           "smaller is tighter and costs more; 0 leaves it that of clearance alone")
       .within(0.0, 1e3);
   table.add("cell-size", request.cell_m, "M", "of a cell of a MovingAI map").within(1e-6, 1e6);
   table.add("start",

@@ -17,6 +17,7 @@ struct WorldRequest {
   bool no_curvature = false;
   double step_m = 0.02;
   double path_cell_m = 0.01;
+  double turn_cell_m = 0.0;
   double cell_m = 1.0;
   std::string start;
   std::string goal;

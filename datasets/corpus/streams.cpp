@@ -100,10 +100,10 @@ std::vector<std::int64_t> sample_times(double rate_hz,
   }
 }
 
-Pose odometry(const Pose& pose, double side, table::RandomStream& random) noexcept {
-  const double yaw = pose.yaw_rad + side * (kYawNoise * random.normal());
-  const double x = pose.position.x_m + kPoseNoise * random.normal();
-  const double y = pose.position.y_m + side * (kPoseNoise * random.normal());
+Pose odometry(const Pose& pose, double side, table::RandomStream& random, double scale) noexcept {
+  const double yaw = pose.yaw_rad + side * (scale * kYawNoise * random.normal());
+  const double x = pose.position.x_m + scale * kPoseNoise * random.normal();
+  const double y = pose.position.y_m + side * (scale * kPoseNoise * random.normal());
   return {{rounded_to(x, 1e4), rounded_to(y, 1e4)},
           rounded_to(std::remainder(yaw, 2.0 * std::numbers::pi), 1e4)};
 }

@@ -33,8 +33,12 @@ inline constexpr double kPoseRate = 20.0;     ///< Hz.
                                                      table::RandomStream& random);
 
 /// What odometry says of a pose: white noise of 0.8 mm and 0.002 rad, one standard deviation.
-/// `side` is 1, or -1 for the noise seen in a mirror along the x axis.
-[[nodiscard]] Pose odometry(const Pose& pose, double side, table::RandomStream& random) noexcept;
+/// `side` is 1, or -1 for the noise seen in a mirror along the x axis; `scale` is that of the
+/// noise.
+[[nodiscard]] Pose odometry(const Pose& pose,
+                            double side,
+                            table::RandomStream& random,
+                            double scale = 1.0) noexcept;
 
 /// Laplace about the median: short most of the time, with the odd late loop.
 [[nodiscard]] double draw_latency_ms(double median_ms,

@@ -61,7 +61,9 @@ const Robot& corpus_robot() {
   return robot;
 }
 
-std::array<double, kTentacles> cast_tentacles(const WallIndex& walls, const Pose& pose) noexcept {
+std::array<double, kTentacles> cast_tentacles(const WallIndex& walls,
+                                              const Pose& pose,
+                                              double front_rad) noexcept {
   const Robot& robot = corpus_robot();
   const Point u = direction(pose.yaw_rad);
   std::array<double, kTentacles> clearances{};
@@ -69,16 +71,21 @@ std::array<double, kTentacles> cast_tentacles(const WallIndex& walls, const Pose
     const Ray& ray = robot.rays[k];
     const Point mount = pose.position + Point{u.x_m * ray.mount.x_m - u.y_m * ray.mount.y_m,
                                               u.y_m * ray.mount.x_m + u.x_m * ray.mount.y_m};
+    const double bearing_rad = bearing_of(ray, k == kFront ? front_rad : kMissing);
     clearances[k] =
-        walls.cast(pose.position, mount, direction(pose.yaw_rad + ray.bearing_rad), ray.reach_m);
+        walls.cast(pose.position, mount, direction(pose.yaw_rad + bearing_rad), ray.reach_m);
   }
   return clearances;
 }
 
 TentacleSensors::TentacleSensors(double calibration_bias_m,
                                  table::RandomStream random,
-                                 bool mirrored)
-    : calibration_bias_m_(calibration_bias_m), random_(random), order_{0, 1, 2} {
+                                 bool mirrored,
+                                 double noise_scale)
+    : calibration_bias_m_(noise_scale * calibration_bias_m),
+      noise_scale_(noise_scale),
+      random_(random),
+      order_{0, 1, 2} {
   if (mirrored) {
     std::swap(order_[0], order_[1]);
   }
@@ -103,9 +110,11 @@ double TentacleSensors::texture(std::size_t tentacle) const noexcept {
 
 std::array<RayReading, kTentacles> TentacleSensors::read(const WallIndex& walls,
                                                          const Pose& pose,
-                                                         double speed_mps) noexcept {
+                                                         double speed_mps,
+                                                         double front_rad) noexcept {
   const Robot& robot = corpus_robot();
-  const auto clearances = cast_tentacles(walls, pose);
+  const auto clearances = cast_tentacles(walls, pose, front_rad);
+  const double glitch_share = noise_scale_ * kGlitchShare;
   travelled_m_ += distance(pose.position, last_.value_or(pose.position));
   const double rub = std::max(kLeastForce, kForcePerSpeed * (speed_mps - kSlowest));
   last_ = pose.position;
@@ -119,17 +128,19 @@ std::array<RayReading, kTentacles> TentacleSensors::read(const WallIndex& walls,
                             ? std::clamp(clearance + calibration_bias_m_, 0.0, ray.reach_m)
                             : ray.reach_m;
     const double noise =
-        std::sqrt(noise_m_[k] * noise_m_[k] - kWhiteNoise * kWhiteNoise) * texture(k) +
-        kWhiteNoise * random_.normal();
+        noise_scale_ *
+        (std::sqrt(noise_m_[k] * noise_m_[k] - kWhiteNoise * kWhiteNoise) * texture(k) +
+         kWhiteNoise * random_.normal());
     double bend =
         calibrated_bend(ray.calibration, felt) + noise * bend_per_metre(ray.calibration, felt);
     const double glitch = random_.uniform();
-    if (glitch < kGlitchShare) {
-      bend = ray.calibration.bend_rad.back() * glitch / kGlitchShare;
+    if (glitch < glitch_share) {
+      bend = ray.calibration.bend_rad.back() * glitch / glitch_share;
     }
-    const double force = kForceNoise * random_.normal();
+    const double force = noise_scale_ * kForceNoise * random_.normal();
     readings[k].value = rounded_to(bend, 1e4);
     readings[k].fsr_n = rounded_to(touching_[k] ? rub + force : std::abs(force), 1e2);
+    readings[k].bearing_rad = k == kFront ? front_rad : kMissing;
   }
   return readings;
 }

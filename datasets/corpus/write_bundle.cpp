@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include <table/csv_write.hpp>
 
 #include "datasets/bundle_json.hpp"
+#include "datasets/tick_columns.hpp"
 #include "datasets/trial_table.hpp"
 
 namespace tcert {
@@ -65,14 +67,27 @@ std::string pose_csv(const PoseStream& stream, std::string_view first_line) {
   return text;
 }
 
+/// True if a joint moves the ray.
+bool moves(const TactileStream& stream, std::size_t ray) {
+  for (std::size_t i = ray; i < stream.readings.size(); i += stream.rays) {
+    if (!std::isnan(stream.readings[i].bearing_rad)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::string tactile_csv(const TactileStream& stream,
                         const std::vector<Ray>& rays,
                         std::string_view first_line) {
   std::string text(first_line);
   text.reserve(text.size() + 16 * (1 + rays.size()) * (stream.time_ns.size() + 2));
   text += "time_s";
-  for (const Ray& ray : rays) {
-    text += fmt::format(",{0}_bend_rad,{0}_fsr_n", ray.name);
+  std::vector<bool> has_joint;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    has_joint.push_back(moves(stream, k));
+    text += fmt::format(",{0}_bend_rad,{0}_fsr_n", rays[k].name);
+    text += has_joint[k] ? ',' + bearing_column(rays[k]) : "";
   }
   text += '\n';
   for (std::size_t i = 0; i < stream.time_ns.size(); ++i) {
@@ -81,6 +96,9 @@ std::string tactile_csv(const TactileStream& stream,
       const RayReading& reading = stream.readings[i * stream.rays + k];
       table::append_cell(text, reading.value);
       table::append_cell(text, reading.fsr_n);
+      if (has_joint[k]) {
+        table::append_cell(text, reading.bearing_rad);
+      }
     }
     text += '\n';
   }

@@ -43,7 +43,8 @@ DrivenSensors::DrivenSensors(const DrivenDesign& design, const WallIndex& walls)
       pose_times_(times_of(design, draws::kDrivenPose, kPoseRate)),
       tentacles_(design.world.calibration_bias_m,
                  noise_of(design, draws::kDrivenTactile),
-                 design.mirrored),
+                 design.mirrored,
+                 design.parameters.noise_scale),
       pose_random_(noise_of(design, draws::kDrivenPose)),
       bump_random_(noise_of(design, draws::kDrivenBumper)),
       speed_random_(noise_of(design, draws::kDrivenSpeed)) {}
@@ -52,15 +53,27 @@ void DrivenSensors::sample(const SensedStep& step, TrialLog& log) {
   for (; next_tactile_ < tactile_times_.size() && tactile_times_[next_tactile_] <= step.to_ns;
        ++next_tactile_) {
     const std::int64_t time = tactile_times_[next_tactile_];
-    const auto readings = tentacles_.read(walls_, pose_during(step, time), step.speed_mps);
+    const auto readings =
+        tentacles_.read(walls_, pose_during(step, time), step.speed_mps, front_bearing_rad(time));
     log.tactile.time_ns.push_back(time);
     log.tactile.readings.insert(log.tactile.readings.end(), readings.begin(), readings.end());
   }
   for (; next_pose_ < pose_times_.size() && pose_times_[next_pose_] <= step.to_ns; ++next_pose_) {
     const std::int64_t time = pose_times_[next_pose_];
     log.pose.time_ns.push_back(time);
-    log.pose.poses.push_back(odometry(pose_during(step, time), side_, pose_random_));
+    log.pose.poses.push_back(
+        odometry(pose_during(step, time), side_, pose_random_, parameters_.noise_scale));
   }
+}
+
+// A sine, so that the joint rests where it turns back.
+double DrivenSensors::front_bearing_rad(std::int64_t time_ns) const noexcept {
+  if (parameters_.sweep_rad == 0.0) {
+    return kMissing;
+  }
+  const double turns = parameters_.sweep_hz * 1e-9 * static_cast<double>(time_ns);
+  const double phase = 2.0 * std::numbers::pi * (turns - std::floor(turns));
+  return rounded_to(side_ * parameters_.sweep_rad * elementary::sin(phase), 1e4);
 }
 
 void DrivenSensors::feel(const Hold& hold, const Pose& pose) noexcept {
@@ -74,15 +87,16 @@ std::optional<policies::Bump> DrivenSensors::read_bump() noexcept {
   std::optional<policies::Bump> read = bump_;
   bump_.reset();
   if (read) {
-    const double off = side_ * parameters_.bump_bearing_sd_rad * bump_random_.normal();
+    const double scale = parameters_.noise_scale;
+    const double off = side_ * scale * parameters_.bump_bearing_sd_rad * bump_random_.normal();
     read->bearing_rad = std::remainder(read->bearing_rad + off, 2.0 * std::numbers::pi);
-    read->force_n *= elementary::exp(parameters_.bump_log_sd * bump_random_.normal());
+    read->force_n *= elementary::exp(scale * parameters_.bump_log_sd * bump_random_.normal());
   }
   return read;
 }
 
 double DrivenSensors::measured_speed_mps(double speed_mps) noexcept {
-  return speed_mps + parameters_.speed_noise_mps * speed_random_.normal();
+  return speed_mps + parameters_.noise_scale * parameters_.speed_noise_mps * speed_random_.normal();
 }
 
 }  // namespace tcert

@@ -42,6 +42,9 @@ class DrivenSensors {
   [[nodiscard]] double measured_speed_mps(double speed_mps) noexcept;
 
  private:
+  /// Of the frontal tentacle, as its joint says; NaN without a joint.
+  [[nodiscard]] double front_bearing_rad(std::int64_t time_ns) const noexcept;
+
   DriveParameters parameters_;
   const WallIndex& walls_;
   double side_;

@@ -1,9 +1,19 @@
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
 
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 #include "support/workdir.hpp"
@@ -187,6 +197,62 @@ TEST(DriveCommand, GivesTheLoopToAnotherProcess) {
   EXPECT_GT(told.size(), 100U);
   EXPECT_NE(run.out.find("# lane 1 1 "), std::string::npos);
   EXPECT_EQ(work.run({"check", "d"}).exit_code, 0);
+}
+
+/// Connects to a socket that may not be there yet; -1 after ten seconds.
+int connected_to(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
+  for (int attempt = 0; attempt < 500; ++attempt) {
+    const int end = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (::connect(end, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
+      return end;
+    }
+    ::close(end);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return -1;
+}
+
+// The same world and the same commands are the same trial, whichever way they come.
+TEST(DriveCommand, GivesTheLoopToAnotherProcessOverASocket) {
+  Workdir work(TCERT_BINARY);
+  const std::string path = (work / "loop").string();
+  ProcessResult run;
+  std::thread tool([&] {
+    run =
+        work.run({"drive", "--listen", "unix:" + path, "--name", "mine", "--output", "by-socket"});
+  });
+  const int end = connected_to(path);
+  EXPECT_GE(end, 0);
+  if (end >= 0) {
+    std::FILE* const told = ::fdopen(end, "r");
+    std::array<char, 1U << 16U> line{};
+    while (std::fgets(line.data(), static_cast<int>(line.size()), told) != nullptr) {
+      if (std::isdigit(static_cast<unsigned char>(line[0])) != 0) {  // a row, not what leads to it
+        constexpr std::string_view kOn = "0.15,0\n";
+        EXPECT_EQ(::send(end, kOn.data(), kOn.size(), MSG_NOSIGNAL),
+                  static_cast<ssize_t>(kOn.size()));
+      }
+    }
+    std::fclose(told);
+  }
+  tool.join();
+  ASSERT_EQ(run.exit_code, 0) << to_string(run);
+  EXPECT_NE(run.err.find("listening on unix:"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(path)) << "the socket is gone with its connection";
+  ASSERT_EQ(work.run({"drive", "--stdio", "--output", "d"}, lines_of("0.15,0", 12000)).exit_code,
+            0);
+  EXPECT_EQ(rows_of(work.read("by-socket/trials.csv"))[0].at("algorithm"), "mine");
+  for (const char* const stream : {"pose", "tactile", "control"}) {
+    const std::string file = std::string("/logs/t0000000/") + stream + ".csv";
+    EXPECT_EQ(work.read("by-socket" + file), work.read("d" + file));
+    EXPECT_GT(work.read("d" + file).size(), 1000U);
+  }
+  EXPECT_EQ(work.run({"drive", "--listen", "udp:5", "--output", "x"}).exit_code, 2);
+  EXPECT_EQ(work.run({"drive", "--listen", "unix:a", "--stdio", "--output", "x"}).exit_code, 2);
+  EXPECT_EQ(work.run({"drive", "--name", "mine", "--output", "x"}).exit_code, 2);
 }
 
 TEST(DriveCommand, RefusesLinesThatAreNoCommands) {

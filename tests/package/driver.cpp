@@ -1,9 +1,15 @@
-// A policy as a process of its own: it reads what `tcert drive --stdio` says a robot senses, and
-// answers each line with a command. It drives as M3 does, gated by the certificate as it goes.
+// A policy as a process of its own: it reads what `tcert drive` says a robot senses, and answers
+// each line with a command. It drives as M3 does, gated by the certificate as it goes. With the
+// path of a socket, that of `tcert drive --listen unix:PATH`; without, of --stdio.
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -63,9 +69,23 @@ tcert::policies::CourseLine read_course(std::string& header) {
   return line;
 }
 
+// Lets standard input and output be a connection.
+bool talk_to(const char* path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path, sizeof address.sun_path - 1);
+  const int end = socket(AF_UNIX, SOCK_STREAM, 0);
+  return connect(end, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+         dup2(end, STDIN_FILENO) >= 0 && dup2(end, STDOUT_FILENO) >= 0;
+}
+
 }  // namespace
 
-int main() {
+int main(int count, char** words) {
+  if (count > 1 && !talk_to(words[1])) {
+    std::perror(words[1]);
+    return 1;
+  }
   std::string header;
   tcert::policies::PolicySetup setup;
   setup.robot = robot();

@@ -11,6 +11,7 @@
 #include <tcert/certifier.hpp>
 #include <tuple>
 
+#include "analysis/study/soundness/soundness_walk.hpp"
 #include "analysis/study/truth/slack.hpp"
 #include "analysis/study/witness/felt_samples.hpp"
 #include "analysis/study/witness/prove_trial.hpp"
@@ -78,36 +79,33 @@ SoundnessOutcome certify(const TickTable& ticks,
 WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
                          const SoundnessOptions& options,
                          std::uint64_t index) {
-  const RandomWorld drawn = draw_random_world(options.family(index), options.seed, index);
-  const Robot& robot = corpus_robot();
+  const SoundnessWalk walk = options.driven
+                                 ? driven_walk(options.seed, index)
+                                 : random_walk(options.family(index), options.seed, index);
   WorldOutcome world;
-  world.family = drawn.family;
-  world.lanes = drawn.lanes;
-  world.explored = drawn.explored;
-  world.clearance_truth_m = upper_value(drawn, robot);
-  world.truth_m = drawn.family == WorldFamily::u_turn
-                      ? u_turn_value(drawn.corridor_m, drawn.wall_m, robot)
-                      : world.clearance_truth_m;
-  const WallIndex walls = feelable_walls(drawn);
-  const Drive driven = follow_legs(drawn, walls, options.seed, index);
-  world.reached = driven.end_reason == EndReason::goal;
-  const TickTable felt = true_ticks(driven, walls);
-  const TickTable logged = logged_ticks(driven, walls, options.seed, index);
+  world.family = walk.family;
+  world.truth_m = walk.truth_m;
+  world.clearance_truth_m = walk.clearance_truth_m;
+  world.lanes = walk.lanes;
+  world.explored = walk.explored;
+  world.reached = walk.drive.end_reason == EndReason::goal;
+  const TickTable felt = true_ticks(walk.drive, walk.walls);
+  const TickTable logged = logged_ticks(walk.drive, walk.walls, options.seed, index);
   world.ticks = static_cast<std::uint32_t>(felt.size());
-  const Course course{drawn.world.start, drawn.world.goal};
   for (const SoundnessMethod& method : methods) {
     const TickTable& ticks = method.noise ? logged : felt;
     if (method.parameters.clearance == ClearanceReading::witness) {
       const witness::Samples samples =
           method.native_rates
-              ? witness_samples(native_log(driven, walls, method.noise, options.seed, index),
-                                robot,
-                                method.witness,
-                                method.parameters)
-              : felt_samples(ticks, robot);
-      world.outcomes.push_back(prove_at_end(samples, course, method, world.truth_m));
+              ? witness_samples(
+                    native_log(walk.drive, walk.walls, method.noise, options.seed, index),
+                    corpus_robot(),
+                    method.witness,
+                    method.parameters)
+              : felt_samples(ticks, corpus_robot());
+      world.outcomes.push_back(prove_at_end(samples, walk.course, method, walk.truth_m));
     } else {
-      world.outcomes.push_back(certify(ticks, course, method, world.truth_m));
+      world.outcomes.push_back(certify(ticks, walk.course, method, walk.truth_m));
     }
   }
   return world;

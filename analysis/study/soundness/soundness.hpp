@@ -38,6 +38,7 @@ struct SoundnessOptions {
   std::uint64_t seed = 1;
   std::uint64_t first = 0;                                    ///< Number of the first world.
   WorldFamily (*family)(std::uint64_t index) = mixed_family;  ///< Of the world of a number.
+  bool driven = false;  ///< By policies through gated worlds in place of those.
 };
 
 /// One method in one world.

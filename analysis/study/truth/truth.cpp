@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/study/truth/curvature_value.hpp"
+#include "analysis/study/truth/turning_bound.hpp"
 
 namespace tcert::study {
 
@@ -34,6 +35,14 @@ Truth truth_of(const World& world, const Robot& robot, const TruthOptions& optio
   CurvatureValue found = curvature_value(world, robot, truth.upper_m, search);
   truth.lower_m = found.slack_m;
   truth.path = std::move(found.path);
+  if (options.turn_cell_m > 0.0) {
+    truth.upper_m = turning_upper(world,
+                                  robot,
+                                  options.convention,
+                                  truth.lower_m,
+                                  truth.upper_m,
+                                  options.turn_cell_m);
+  }
   return truth;
 }
 

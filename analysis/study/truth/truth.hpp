@@ -18,6 +18,7 @@ struct TruthOptions {
   double step_m = 0.02;   ///< Of the grid, where the clearance has no exact answer.
   bool curvature = true;  ///< Search with the turning limit; else T is the clearance-only value.
   double path_cell_m = 0.01;  ///< As of CurvatureOptions.
+  double turn_cell_m = 0.0;   ///< Of turning_upper(), which lowers upper_m; 0: it is not asked.
 };
 
 /// [lower_m, upper_m] holds T(E; A) = sup over paths from S to G of min(clearance slack, curvature

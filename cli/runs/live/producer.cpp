@@ -3,8 +3,6 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "cli/runs/errors.hpp"
+#include "cli/runs/unix_listener.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -23,25 +22,6 @@ namespace {
 constexpr std::size_t kChunk = 65536;
 
 std::string reason() { return std::generic_category().message(errno); }
-
-/// Owns a file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int value = -1) : value_(value) {}
-  ~Descriptor() { reset(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  void reset(int value = -1) {
-    if (value_ >= 0) {
-      ::close(value_);
-    }
-    value_ = value;
-  }
-  [[nodiscard]] int get() const noexcept { return value_; }
-
- private:
-  int value_;
-};
 
 /// Reads from a stream; 0 bytes are its end, nothing is a false alarm. \throws BadData.
 Producer::Event read_stream(int descriptor,
@@ -76,71 +56,23 @@ class StandardInput : public Producer {
   std::string name_ = "stdin";
 };
 
-/// The file of a listening socket: removed at the end, unless somebody else has put another there.
-class SocketFile {
- public:
-  SocketFile() = default;
-  ~SocketFile() {
-    struct stat now {};
-    if (!path_.empty() && ::lstat(path_.c_str(), &now) == 0 && now.st_dev == own_.st_dev &&
-        now.st_ino == own_.st_ino) {
-      ::unlink(path_.c_str());
-    }
-  }
-  SocketFile(const SocketFile&) = delete;
-  SocketFile& operator=(const SocketFile&) = delete;
-
-  /// The file at `path` is ours.
-  void own(const std::string& path) {
-    if (::lstat(path.c_str(), &own_) == 0) {
-      path_ = path;
-    }
-  }
-
- private:
-  std::string path_;
-  struct stat own_ {};
-};
-
 class UnixSocket : public Producer {
  public:
-  explicit UnixSocket(std::string path) : path_(std::move(path)), name_("unix:" + path_) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    if (path_.empty() || path_.size() >= sizeof address.sun_path) {
-      throw UsageError("--listen " + name_ + ": the path must have 1 to " +
-                       std::to_string(sizeof address.sun_path - 1) + " bytes");
-    }
-    std::memcpy(address.sun_path, path_.c_str(), path_.size());
-    listener_.reset(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-    const auto* const generic = reinterpret_cast<const sockaddr*>(&address);
-    const auto bind = [&] { return ::bind(listener_.get(), generic, sizeof address) == 0; };
-    bool bound = bind();
-    if (!bound && errno == EADDRINUSE && is_forsaken(path_, generic, sizeof address)) {
-      ::unlink(path_.c_str());
-      bound = bind();
-    }
-    if (bound) {
-      file_.own(path_);
-    }
-    if (!bound || ::listen(listener_.get(), 4) != 0) {
-      throw NoInput("cannot listen on '" + name_ + "': " + reason());
-    }
-  }
+  explicit UnixSocket(const std::string& path) : listener_(path) {}
 
-  [[nodiscard]] const std::string& name() const override { return name_; }
+  [[nodiscard]] const std::string& name() const override { return listener_.name(); }
 
   [[nodiscard]] int descriptor() const override {
-    return client_.get() >= 0 ? client_.get() : listener_.get();
+    return client_.get() >= 0 ? client_.get() : listener_.descriptor();
   }
 
   Event receive(std::string& bytes) override {
     bytes.clear();
     if (client_.get() < 0) {
-      client_.reset(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+      client_.reset(listener_.accept());
       return client_.get() >= 0 ? Event::came : Event::none;
     }
-    const Event event = read_stream(client_.get(), bytes, Event::left, name_);
+    const Event event = read_stream(client_.get(), bytes, Event::left, name());
     if (event == Event::left) {
       client_.reset();
     }
@@ -148,21 +80,7 @@ class UnixSocket : public Producer {
   }
 
  private:
-  /// A socket that was left behind: nobody listens on it. Any other file refuses connections too.
-  static bool is_forsaken(const std::string& path, const sockaddr* address, socklen_t size) {
-    struct stat file {};
-    const bool is_socket = ::lstat(path.c_str(), &file) == 0 && S_ISSOCK(file.st_mode);
-    const Descriptor probe(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-    const bool forsaken =
-        is_socket && ::connect(probe.get(), address, size) != 0 && errno == ECONNREFUSED;
-    errno = EADDRINUSE;
-    return forsaken;
-  }
-
-  std::string path_;
-  std::string name_;
-  Descriptor listener_;
-  SocketFile file_;
+  UnixListener listener_;
   Descriptor client_;
 };
 

@@ -51,6 +51,10 @@ FitReport soundness_study(const StudyRequest& request, Progress& progress) {
   run("mixed", request.worlds, mixed_family, kMixedFamilies, study::mixed_methods());
   run("hard", request.hard, hard_family, kHardFamilies, study::mixed_methods());
   run("u_turn", request.u_turns, u_turn_family, {}, study::u_turn_methods());
+  if (request.driven > 0) {
+    options.driven = true;
+    run("driven", request.driven, mixed_family, {}, study::mixed_methods());
+  }
   return soundness_report(runs);
 }
 

@@ -22,7 +22,8 @@ struct Study {
 };
 
 constexpr std::array kStudies{
-    Study{"soundness", "soundness tightness", "worlds hard u-turns witness", soundness_study},
+    Study{
+        "soundness", "soundness tightness", "worlds hard u-turns driven witness", soundness_study},
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
@@ -35,8 +36,15 @@ constexpr Study kScenarios{"terrain TERRAIN", "scenarios baselines", "seeds", te
 
 constexpr std::int64_t kMostDataSets = 1000000;
 
-constexpr std::array kOfSome{
-    "worlds", "hard", "u-turns", "witness", "data-sets", "replicates", "terrains", "seeds"};
+constexpr std::array kOfSome{"worlds",
+                             "hard",
+                             "u-turns",
+                             "driven",
+                             "witness",
+                             "data-sets",
+                             "replicates",
+                             "terrains",
+                             "seeds"};
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
@@ -99,6 +107,13 @@ OptionTable options_of(StudyRequest& request) {
            request.u_turns,
            "N",
            "soundness: worlds that ask for a turn by half; 0 leaves them out")
+      .within(0, 1e8);
+  table
+      .add("driven",
+           request.driven,
+           "N",
+           "soundness: gated worlds that a policy drives through in closed loop, wandering as it "
+           "does")
       .within(0, 1e8);
   table.add("witness",
             request.witness,

@@ -14,6 +14,7 @@ struct StudyRequest {
   std::int64_t worlds = 100000;
   std::int64_t hard = 10000;
   std::int64_t u_turns = 10000;
+  std::int64_t driven = 0;
   bool witness = false;
   std::optional<std::int64_t> data_sets;  ///< None: as many as the study usually has.
   std::optional<std::int64_t> replicates;

@@ -17,8 +17,11 @@ using namespace driven_test;
 
 namespace fs = std::filesystem;
 
+/// Of every other trial a joint moves the frontal tentacle.
 DrivenTrial trial_number(std::uint64_t index, bool native_rates) {
-  DrivenDesign design = design_driven({}, 1, index);
+  DriveParameters parameters;
+  parameters.sweep_rad = index % 2 == 1 ? 1.2 : 0.0;
+  DrivenDesign design = design_driven(parameters, 1, index);
   design.algorithm = "line";
   design.native_rates = native_rates;
   return drive_trial(design, LineDriver(design.world));
@@ -34,6 +37,7 @@ void expect_same_ticks(const TickTable& a, const TickTable& b) {
   for (std::size_t i = 0; i < a.readings.size(); ++i) {
     ASSERT_TRUE(same(a.readings[i].value, b.readings[i].value));
     ASSERT_TRUE(same(a.readings[i].fsr_n, b.readings[i].fsr_n));
+    ASSERT_TRUE(same(a.readings[i].bearing_rad, b.readings[i].bearing_rad));
   }
   for (std::size_t i = 0; i < a.size(); ++i) {
     ASSERT_EQ(a.poses[i].position, b.poses[i].position);

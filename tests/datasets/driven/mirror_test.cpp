@@ -41,6 +41,8 @@ void expect_mirrored(const TrialLog& log, const TrialLog& image) {
     for (const auto& [k, other] : {std::pair{0, 1}, std::pair{1, 0}, std::pair{2, 2}}) {
       ASSERT_EQ(a[k].value, b[other].value) << i;
       ASSERT_EQ(a[k].fsr_n, b[other].fsr_n) << i;
+      ASSERT_TRUE(std::isnan(a[k].bearing_rad) ? std::isnan(b[other].bearing_rad)
+                                               : a[k].bearing_rad == -b[other].bearing_rad);
     }
   }
   ASSERT_EQ(log.control.time_ns, image.control.time_ns);
@@ -74,6 +76,19 @@ TEST(Mirroring, OfAWorldAndItsDrawsMirrorsTheLogBitForBit) {
     bumps += trial.events.bumps;
   }
   EXPECT_GT(bumps, 100U);
+}
+
+TEST(Mirroring, OfAJointMirrorsItsBearings) {
+  DriveParameters parameters;
+  parameters.time_limit_s = 20.0;
+  parameters.sweep_rad = 1.2;
+  for (std::uint64_t index = 0; index < 6; ++index) {
+    SCOPED_TRACE(index);
+    const DrivenDesign design = design_driven(parameters, 5, index);
+    const DrivenDesign image = mirrored(design);
+    expect_mirrored(drive_trial(design, LineDriver(design.world)).trial.log,
+                    drive_trial(image, LineDriver(image.world)).trial.log);
+  }
 }
 
 TEST(Mirroring, HoldsInRandomWorldsOfEveryFamily) {
