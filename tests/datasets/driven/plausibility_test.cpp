@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
+#include <vector>
 
 #include "datasets/driven/watched.hpp"
 
@@ -93,6 +95,56 @@ TEST(DrivenLogs, HaveTheGlitchesOfTheCorpusAndNoneThatTellsAnything) {
     EXPECT_GT(free_samples[i], 5000.0);
     EXPECT_NEAR(glitches[i], kShare * free_samples[i], 4.0 * std::sqrt(kShare * free_samples[i]));
     EXPECT_NEAR(glitches_fast[i], kShare * free_fast[i], 4.0 * std::sqrt(kShare * free_fast[i]));
+  }
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
+  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
+  double aa = 0.0;
+  double bb = 0.0;
+  double ab = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    aa += (a[i] - mean_a) * (a[i] - mean_a);
+    bb += (b[i] - mean_b) * (b[i] - mean_b);
+    ab += (a[i] - mean_a) * (b[i] - mean_b);
+  }
+  return ab / std::sqrt(aa * bb);
+}
+
+// What is drawn of a trial apart from its gates says nothing of them, nor of one another: how weak
+// the body is, how slow the loop, how far off the tentacles are that day, when samples are lost.
+// Each trial here is one of a day of its own, and over after a second.
+TEST(DrivenLogs, HaveNoDrawThatTellsOfAnother) {
+  constexpr std::uint64_t kTrials = 2000;
+  DriveParameters parameters;
+  parameters.time_limit_s = 1.0;
+  parameters.choice = WorldChoice::any;
+  const std::array names{"margin", "crash force", "bias", "latency", "samples", "first gate"};
+  std::array<std::vector<double>, names.size()> drawn;
+  for (std::uint64_t i = 0; i < kTrials; ++i) {
+    DrivenDesign design = design_driven(parameters, 21, kTrialsPerDay * i);
+    design.native_rates = true;
+    const DrivenTrial trial = drive_trial(design, Steady{0.05, 0.0});
+    const std::vector<double>& latencies = trial.trial.log.control.loop_latency_ms;
+    drawn[0].push_back(*design.world.margin_m);
+    drawn[1].push_back(std::log(trial.events.crash_force_n));
+    drawn[2].push_back(design.world.calibration_bias_m);
+    drawn[3].push_back(std::accumulate(latencies.begin(), latencies.end(), 0.0) /
+                       static_cast<double>(latencies.size()));
+    drawn[4].push_back(static_cast<double>(trial.trial.log.tactile.time_ns.size()));
+    drawn[5].push_back(design.world.gate_margins_m.front());
+  }
+  const double most = 4.0 / std::sqrt(static_cast<double>(kTrials));
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    for (std::size_t b = a + 1; b < names.size(); ++b) {
+      if (a == 0 && b == 5) {
+        EXPECT_GT(correlation(drawn[a], drawn[b]), most) << "a gate is part of the way";
+      } else {
+        EXPECT_LT(std::abs(correlation(drawn[a], drawn[b])), most) << names[a] << ", " << names[b];
+      }
+    }
   }
 }
 
