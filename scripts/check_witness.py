@@ -268,7 +268,7 @@ def measure(robot, pieces):
     chords, curvature, spare = [], 0.0, 0.0
     for p, after in zip(pieces, pieces[1:] + [None]):
         bend, chord = abs(p["turn_rad"]), math.dist(p["from"], p["to"])
-        require(0 < chord < INF and bend <= 3, "a piece has no length, or turns too far")
+        require(len(p["from"]) == len(p["to"]) == 2 and 0 < chord < INF and bend <= 3, "a piece has no length, or turns too far")
         length = chord * (bend / 2) / math.sin(bend / 2) if bend else chord
         kink = abs(turn(heading(p, 1), heading(after, -1))) if after else 0.0
         require(after is None or p["to"] == after["from"], "two pieces do not meet")
@@ -281,17 +281,24 @@ def measure(robot, pieces):
     return chords, curvature
 
 
+def states_nothing(one):
+    """Whether all that a path would prove is null."""
+    return all(one[name] is None for name in ("margin_m", "clearance_m", "turn_radius_m", "bottleneck"))
+
+
 def measured_edges(proof):
     """(what is stated, chords, curvature) of every edge that has a path, from waypoint to waypoint."""
     if "edges" not in proof:
         return
     nodes, radius = proof["edges"]["nodes"], proof["edges"]["merge_radius_m"]
+    require(0 <= radius < INF, "its merge radius is none")
     for n in nodes:
         at, place = n["pose"][:2], n["waypoint"][:2]
         near = math.dist(at, place) <= radius or any(inside(r, at) and inside(r, place) for r in (proof["start"], proof["goal"]))
         require(near, "a waypoint lies too far from its node")
     for e in proof["edges"]["paths"]:
         if not e["path"]:
+            require(states_nothing(e), "an edge states what no path of it proves")
             continue
         ends = []
         for end, way in (e["from"], 0), (e["to"], math.pi):
@@ -311,6 +318,8 @@ def compare(stated, chords, curvature, cells, robot):
     require(least > 0, "the path leaves the free cells")
     radius, buffer = 1 / curvature if curvature else INF, robot["curvature_buffer_per_m"]
     slack = 1 / (curvature + buffer) if curvature + buffer else INF
+    near = min(to_segment(stated["bottleneck"], a, b) for a, b, _ in chords)
+    require(len(stated["bottleneck"]) == 2 and near < 0.06, "its bottleneck does not lie on its path")
     margin = min(2 * least - robot["body_width_m"] - 2 * robot["tracking_buffer_m"], slack - robot["min_turn_radius_m"])
     stated_radius = INF if stated["turn_radius_m"] is None else stated["turn_radius_m"]
     for name, found, claim in ("margin_m", margin, stated["margin_m"]), ("clearance_m", least, stated["clearance_m"]), ("turn_radius_m", radius, stated_radius):
@@ -358,7 +367,8 @@ def check(bundle, proof):
     if proof["path"]:
         require(inside(start, proof["path"][0]["from"]) and inside(proof["goal"], proof["path"][-1]["to"]), "it does not lead from S to G")
         found.append((proof, *measure(robot, proof["path"])))
-    require(found + edges, "it has no path")
+    else:
+        require("edges" in proof and states_nothing(proof), "it has no path, or states what none proves")
     h = rule["cell_m"]
     cells = Cells(h, [(a, b, stated["clearance_m"] + 2 * h) for stated, chords, _ in found + edges for a, b, _ in chords])
     for region in (proof["start"], proof["goal"]):
@@ -375,7 +385,7 @@ def check(bundle, proof):
     require(marked_as_stated(cells, proof["free"]), "it states other free cells near the path")
     other = [f"{k} {v:g}" for k, v in robot.items() if v != info["robot"].get(k, 0)]
     whole = f"{margins[0]:.6f} m" if found else "no path from S to G"
-    return whole + (f", {len(edges)} edges" if "edges" in proof else "") + (" for another robot than the bundle's: " + ", ".join(other) if other else "")
+    return whole + (f", {len(edges)} edges, waypoints within {proof['edges']['merge_radius_m']:g} m" if "edges" in proof else "") + (" for another robot than the bundle's: " + ", ".join(other) if other else "")
 
 
 def main():

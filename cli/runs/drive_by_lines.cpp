@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -70,7 +70,7 @@ std::string row_of(const policies::Senses& senses, const TickFormat& format) {
 
 /// "0.15,-0.2", also with a blank behind the comma.
 policies::Command command_of(std::string_view line, const std::string& from, double now_s) {
-  while (line.ends_with('\n') || line.ends_with('\r')) {
+  if (line.ends_with('\r')) {
     line.remove_suffix(1);
   }
   policies::Command command;
@@ -84,12 +84,14 @@ policies::Command command_of(std::string_view line, const std::string& from, dou
       return command;
     }
   }
+  std::string found(line);
+  std::replace(found.begin(), found.end(), '\0', '?');  // which would end the message
   throw BadData(
       fmt::format("{}, at {:.2f} s: found '{}', expected two numbers with a comma "
                   "between, the speed in m/s and the yaw rate in rad/s: 0.15,-0.2",
                   from,
                   now_s,
-                  line));
+                  found));
 }
 
 /// The two ends of the other process: stdout and stdin, or a connection.
@@ -126,12 +128,19 @@ class Lines {
 
   /// \throws BadData if there is none.
   [[nodiscard]] policies::Command next_command(double now_s) {
-    std::array<char, kLongestLine> line{};
-    if (std::fgets(line.data(), static_cast<int>(line.size()), in_) == nullptr) {
+    std::string line;
+    int byte = std::fgetc(in_);
+    for (; byte != EOF && byte != '\n' && line.size() < kLongestLine; byte = std::fgetc(in_)) {
+      line += static_cast<char>(byte);
+    }
+    if (byte == EOF && line.empty()) {
       throw BadData(fmt::format(
           "{} ended at {:.2f} s, before the trial did: nothing is written", name_, now_s));
     }
-    return command_of(line.data(), name_, now_s);
+    if (line.size() == kLongestLine) {
+      line += "...";  // is no command
+    }
+    return command_of(line, name_, now_s);
   }
 
  private:

@@ -59,6 +59,9 @@ study::TruthOptions truth_options(const WorldRequest& request) {
   truth.curvature = !request.no_curvature;
   truth.path_cell_m = request.path_cell_m;
   truth.turn_cell_m = request.turn_cell_m;
+  if (request.no_curvature && request.turn_cell_m > 0.0) {
+    throw UsageError("--turn-cell does nothing to --no-curvature");
+  }
   return truth;
 }
 
@@ -171,8 +174,9 @@ OptionTable options_of(WorldRequest& request) {
       .add("turn-cell",
            request.turn_cell_m,
            "M",
-           "let 'T at most' know the turning limit, in cells of this size; 0.01 takes seconds, "
-           "smaller is tighter and costs more; 0 leaves it that of clearance alone")
+           "let 'T at most' know the turning limit, in cells of this size: 0.01 takes up to some "
+           "seconds a world, half of it eight times that and is tighter; 0 leaves it that of "
+           "clearance alone")
       .within(0.0, 1e3);
   table.add("cell-size", request.cell_m, "M", "of a cell of a MovingAI map").within(1e-6, 1e6);
   table.add("start",

@@ -7,13 +7,19 @@
 namespace tcert::witness {
 namespace {
 
+/// A count, of which nobody wants a fraction.
+std::string printed(double count) {
+  std::string text = std::to_string(count);
+  return text.substr(0, text.find('.'));
+}
+
 Lattice lattice_over(Point low, Point high, double cell_m, std::size_t max_cells) {
   const double left = std::floor(low.x_m / cell_m) - 1.0;
   const double bottom = std::floor(low.y_m / cell_m) - 1.0;
   const double columns = std::ceil(high.x_m / cell_m) + 1.0 - left;
   const double rows = std::ceil(high.y_m / cell_m) + 1.0 - bottom;
   if (!(columns * rows <= static_cast<double>(max_cells))) {
-    throw std::length_error("the box of the run holds " + std::to_string(columns * rows) +
+    throw std::length_error("the box of the run holds " + printed(columns * rows) +
                             " cells; max_witness_cells is " + std::to_string(max_cells));
   }
   return {cell_m,

@@ -257,8 +257,14 @@ TEST(DriveCommand, GivesTheLoopToAnotherProcessOverASocket) {
 
 TEST(DriveCommand, RefusesLinesThatAreNoCommands) {
   Workdir work(TCERT_BINARY);
-  for (const std::string wrong :
-       {"speed_mps,yaw_rate_rps", "0.1", "0.1,nan", "inf,0", "0.1;0", ""}) {
+  for (const std::string& wrong : {std::string("speed_mps,yaw_rate_rps"),
+                                  std::string("0.1"),
+                                  std::string("0.1,nan"),
+                                  std::string("inf,0"),
+                                  std::string("0.1;0"),
+                                  std::string(),
+                                  std::string("0.1,0.2\0rubbish", 15),
+                                  "0.1," + std::string(400, '0')}) {
     const ProcessResult run = work.run({"drive", "--stdio", "--output", "d"}, wrong + '\n');
     EXPECT_EQ(run.exit_code, 65) << wrong << run.err;
     EXPECT_NE(run.err.find("expected two numbers with a comma"), std::string::npos) << run.err;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "analysis/study/truth/cell_grid.hpp"
@@ -20,7 +21,7 @@ constexpr double kResolution = 1e-3;    // m
 constexpr double kCellsOfPiece = 16.0;  // in a piece of path, at least
 constexpr int kFewestBins = 8;          // so that a piece turns by less than a right angle
 constexpr int kMostBins = 256;
-constexpr std::size_t kMostStates = std::size_t{1} << 28U;
+constexpr std::size_t kMostStates = std::size_t{1} << 26U;
 
 /// Displacements along a heading and to either side of it.
 struct Box {
@@ -98,9 +99,18 @@ struct TurningGrid {
   std::vector<std::uint8_t> goals;
 };
 
+CellGrid turning_cells(const World& world, double cell_m) {
+  try {
+    return cell_grid(world, cell_m);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(error.what()) +
+                                ", of the cells for turning (--turn-cell)");
+  }
+}
+
 TurningGrid turning_grid(const World& world, double cell_m) {
   require_regions(world);
-  TurningGrid grid{cell_grid(world, cell_m), {}, {}, {}};
+  TurningGrid grid{turning_cells(world, cell_m), {}, {}, {}};
   const double round_m = cell_m / std::numbers::sqrt2;
   const ObstacleDistance obstacles(world);
   grid.most_m.resize(grid.cells.size());
@@ -122,7 +132,8 @@ class TurningSearch {
     const auto bins = static_cast<std::size_t>(pieces.bins);
     if (grid.cells.size() > kMostStates / bins) {
       throw std::invalid_argument(
-          "too many cells for the bound with the turning limit: raise its cell");
+          "more cells and headings than 2^26: raise the size of the cells for turning "
+          "(--turn-cell)");
     }
     seen_.assign(grid.cells.size() * bins, 0);
     for (int bin = 0; bin < pieces.bins; ++bin) {

@@ -22,7 +22,7 @@ namespace tcert::study {
 /// cells of R / 35. Nothing is found out where c or R is below 2 cells.
 ///
 /// O(log(range) cells n (L / cell)) time, n bytes a cell.
-/// \throws std::invalid_argument without S or G, or if cells times bins are more than 2^28.
+/// \throws std::invalid_argument without S or G, or if cells times bins are more than 2^26.
 [[nodiscard]] double turning_upper(const World& world,
                                    const Robot& robot,
                                    SlackConvention convention,

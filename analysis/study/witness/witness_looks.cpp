@@ -44,7 +44,7 @@ std::vector<WitnessLook> witness_looks(const witness::Samples& felt,
   return looks;
 }
 
-void keep_best(std::span<const WitnessLook> looks,
+void keep_best(std::vector<WitnessLook>& looks,
                const Robot& robot,
                const Course& course,
                Proof& proof) {
@@ -59,6 +59,9 @@ void keep_best(std::span<const WitnessLook> looks,
     proof.witness = witness::Witness{path, std::move(again)};
     proof.reason.clear();
   }
+  std::erase_if(looks, [&](const WitnessLook& look) {
+    return !proof.witness || margin_m(look) > proof.witness->checked.margin_m;
+  });
 }
 
 }  // namespace tcert::study

@@ -44,8 +44,9 @@ struct WitnessLook {
                                                      const CertificateParameters& certificate);
 
 /// Makes the best of the looks the witness of the trial, as all that was felt measures it, if that
-/// is more than what was found at its end.
-void keep_best(std::span<const WitnessLook> looks,
+/// is more than what was found at its end. Looks that claim more than the witness that the trial
+/// then has go: where the box of the whole run has no room, all of them.
+void keep_best(std::vector<WitnessLook>& looks,
                const Robot& robot,
                const Course& course,
                Proof& proof);

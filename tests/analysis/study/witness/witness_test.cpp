@@ -161,13 +161,33 @@ TEST(Witness, WhatWasProvedWhileARunWentOnStaysProved) {
       ++looks;
       EXPECT_EQ((look.tick + 1) % 12, 0U);
       EXPECT_LE(look.found.checked.margin_m, truth_of_drawn(drawn) + 1e-9) << index;
-      keep_best({&look, 1}, corpus_robot(), course, proof);
+      std::vector<WitnessLook> one{look};
+      keep_best(one, corpus_robot(), course, proof);
+      EXPECT_EQ(one.size(), 1U) << "it is within what was felt in the end";
       ASSERT_TRUE(proof.certificate_m());
       EXPECT_GE(*proof.certificate_m(), look.found.checked.margin_m) << index;
     }
   }
   EXPECT_GT(looks, 40U);
   EXPECT_GT(glitches, 100U);
+}
+
+// What the whole run has no room for is claimed at no time: no file could hold it.
+TEST(Witness, ALookCountsOnlyWithAWitnessInTheEnd) {
+  const RandomWorld drawn = draw_random_world(WorldFamily::discs, 9, 2);
+  const WallIndex walls = feelable_walls(drawn);
+  const TickTable felt = true_ticks(follow_legs(drawn, walls, 9, 2), walls);
+  const Course course{drawn.world.start, drawn.world.goal};
+  Proof proof = prove(felt_samples(felt, corpus_robot()), corpus_robot(), course, {}, {});
+  ASSERT_TRUE(proof.witness);
+  std::vector<WitnessLook> looks{{3, *proof.witness}};
+  Proof none;
+  none.start = proof.start;
+  none.reason = "no room";
+  keep_best(looks, corpus_robot(), course, none);
+  EXPECT_TRUE(looks.empty());
+  EXPECT_FALSE(none.witness);
+  EXPECT_EQ(none.reason, "no room");
 }
 
 TEST(Witness, AReadingBoundOnlyLowersIt) {
