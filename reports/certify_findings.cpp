@@ -185,7 +185,7 @@ std::optional<Finding> witness_finding(std::span<const FeatureRow> rows) {
   std::string evidence = fmt::format(
       "{} of {} trials have a path that proves a margin above 0", margins.size(), sought);
   if (!margins.empty()) {
-    evidence += fmt::format(", {} m in the median; each is in its witness file (witness_m)",
+    evidence += fmt::format(", {} m in the median; each is in certificates.csv (witness_m)",
                             fixed(*statistics::median(margins), 3));
   }
   if (has_edges) {

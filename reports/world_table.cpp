@@ -54,7 +54,11 @@ Table world_table(const Robot& robot, const study::TruthOptions& options) {
                       : fmt::format("clearance - {} m", 0.5 * robot.body_width_m),
                   robot.min_turn_radius_m),
       options.curvature
-          ? "At least: of a path with that turn radius. At most: of the clearance alone."
+          ? std::string("At least: of a path with that turn radius. At most: ") +
+                (options.turn_cell_m > 0.0
+                     ? fmt::format("no way was left that turns no more sharply, in cells of {} m.",
+                                   options.turn_cell_m)
+                     : "of the clearance alone.")
           : "The turn radius is left out: both are of the clearance alone.",
       "Clearance: of the widest path; exact for discs (error 0), else from a grid. Connected: 1 if "
       "there is a path of a point, 0 if none was found; then T at least is not stated, and on a "

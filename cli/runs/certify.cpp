@@ -95,6 +95,10 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
         "--ticks, --no-series, --ray-margins, --witness and --witness-edges need --output");
   }
   OpenedBundle opened = open_for(request.bundle, request.logs, progress);
+  if (opened.parameters.witness.witness_every > 0 &&
+      opened.parameters.certificate.clearance != ClearanceReading::witness) {
+    progress.say("witness_every does nothing without clearance=witness: T_t is that of the ticks");
+  }
   if (request.truth) {
     add_truth(opened, request.threads, progress);
   }

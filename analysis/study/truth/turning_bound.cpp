@@ -196,9 +196,9 @@ class TurningSearch {
     });
     for (const int turn : {-1, 0, 1}) {
       const int next_bin = (bin + turn + pieces_.bins) % pieces_.bins;
-      for_each(cell, steps_[static_cast<std::size_t>(3 * bin + turn + 1)], [&](std::size_t next) {
-        visit(next, next_bin);
-      });
+      for_each(cell,
+               steps_[3 * static_cast<std::size_t>(bin) + static_cast<std::size_t>(turn + 1)],
+               [&](std::size_t next) { visit(next, next_bin); });
     }
     return is_there;
   }
