@@ -1,11 +1,8 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
 
 #include <array>
 #include <cctype>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -16,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "support/unix_client.hpp"
 #include "support/workdir.hpp"
 
 namespace tcert {
@@ -199,22 +197,6 @@ TEST(DriveCommand, GivesTheLoopToAnotherProcess) {
   EXPECT_EQ(work.run({"check", "d"}).exit_code, 0);
 }
 
-/// Connects to a socket that may not be there yet; -1 after ten seconds.
-int connected_to(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  path.copy(address.sun_path, sizeof address.sun_path - 1);
-  for (int attempt = 0; attempt < 500; ++attempt) {
-    const int end = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (::connect(end, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
-      return end;
-    }
-    ::close(end);
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return -1;
-}
-
 // The same world and the same commands are the same trial, whichever way they come.
 TEST(DriveCommand, GivesTheLoopToAnotherProcessOverASocket) {
   Workdir work(TCERT_BINARY);
@@ -224,7 +206,7 @@ TEST(DriveCommand, GivesTheLoopToAnotherProcessOverASocket) {
     run =
         work.run({"drive", "--listen", "unix:" + path, "--name", "mine", "--output", "by-socket"});
   });
-  const int end = connected_to(path);
+  const int end = test_support::connected_to(path);
   EXPECT_GE(end, 0);
   if (end >= 0) {
     std::FILE* const told = ::fdopen(end, "r");
@@ -258,13 +240,13 @@ TEST(DriveCommand, GivesTheLoopToAnotherProcessOverASocket) {
 TEST(DriveCommand, RefusesLinesThatAreNoCommands) {
   Workdir work(TCERT_BINARY);
   for (const std::string& wrong : {std::string("speed_mps,yaw_rate_rps"),
-                                  std::string("0.1"),
-                                  std::string("0.1,nan"),
-                                  std::string("inf,0"),
-                                  std::string("0.1;0"),
-                                  std::string(),
-                                  std::string("0.1,0.2\0rubbish", 15),
-                                  "0.1," + std::string(400, '0')}) {
+                                   std::string("0.1"),
+                                   std::string("0.1,nan"),
+                                   std::string("inf,0"),
+                                   std::string("0.1;0"),
+                                   std::string(),
+                                   std::string("0.1,0.2\0rubbish", 15),
+                                   "0.1," + std::string(400, '0')}) {
     const ProcessResult run = work.run({"drive", "--stdio", "--output", "d"}, wrong + '\n');
     EXPECT_EQ(run.exit_code, 65) << wrong << run.err;
     EXPECT_NE(run.err.find("expected two numbers with a comma"), std::string::npos) << run.err;

@@ -24,6 +24,7 @@
 #include "datasets/trial_reader.hpp"
 #include "reports/series.hpp"
 #include "support/c_words.hpp"
+#include "support/unix_client.hpp"
 #include "support/workdir.hpp"
 
 namespace tcert {
@@ -95,19 +96,8 @@ class Live : public ::testing::Test {
   }
 
   [[nodiscard]] int connect_unix(const std::string& name) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    const std::string path = work_ / name;
-    path.copy(address.sun_path, sizeof address.sun_path - 1);
-    int descriptor = -1;
-    EXPECT_TRUE(eventually([&] {
-      descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-      if (::connect(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0) {
-        return true;
-      }
-      ::close(descriptor);
-      return false;
-    }));
+    const int descriptor = test_support::connected_to((work_ / name).string());
+    EXPECT_GE(descriptor, 0);
     return descriptor;
   }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "datasets/driven/watched.hpp"
+#include "support/correlation.hpp"
 
 namespace tcert {
 namespace {
@@ -98,21 +99,6 @@ TEST(DrivenLogs, HaveTheGlitchesOfTheCorpusAndNoneThatTellsAnything) {
   }
 }
 
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto n = static_cast<double>(a.size());
-  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
-  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
-  double aa = 0.0;
-  double bb = 0.0;
-  double ab = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    aa += (a[i] - mean_a) * (a[i] - mean_a);
-    bb += (b[i] - mean_b) * (b[i] - mean_b);
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
-  }
-  return ab / std::sqrt(aa * bb);
-}
-
 // What is drawn of a trial apart from its gates says nothing of them, nor of one another: how weak
 // the body is, how slow the loop, how far off the tentacles are that day, when samples are lost.
 // Each trial here is one of a day of its own, and over after a second.
@@ -140,9 +126,11 @@ TEST(DrivenLogs, HaveNoDrawThatTellsOfAnother) {
   for (std::size_t a = 0; a < names.size(); ++a) {
     for (std::size_t b = a + 1; b < names.size(); ++b) {
       if (a == 0 && b == 5) {
-        EXPECT_GT(correlation(drawn[a], drawn[b]), most) << "a gate is part of the way";
+        EXPECT_GT(test_support::correlation(drawn[a], drawn[b]), most)
+            << "a gate is part of the way";
       } else {
-        EXPECT_LT(std::abs(correlation(drawn[a], drawn[b])), most) << names[a] << ", " << names[b];
+        EXPECT_LT(std::abs(test_support::correlation(drawn[a], drawn[b])), most)
+            << names[a] << ", " << names[b];
       }
     }
   }

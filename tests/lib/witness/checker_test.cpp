@@ -9,37 +9,16 @@
 #include <witness/polygon.hpp>
 #include <witness/region_shape.hpp>
 
+#include "lib/witness/cells.hpp"
 #include "lib/witness/walls.hpp"
 
 namespace tcert::witness {
 namespace {
 
-constexpr double kCell = 0.005;
 constexpr double kInf = std::numeric_limits<double>::infinity();
-
-/// Free are the cells whose middles are.
-FreeCells cells_where(Point low, Point high, const std::function<bool(Point)>& is_free) {
-  FreeCells cells(low, high, kCell, std::size_t{1} << 24U);
-  const Lattice& lattice = cells.lattice();
-  for (int iy = 1; iy + 1 < lattice.rows; ++iy) {
-    for (int ix = 1; ix + 1 < lattice.columns; ++ix) {
-      if (is_free(lattice.corner(ix, iy) + Point{0.5 * kCell, 0.5 * kCell})) {
-        cells.mark(ix, iy);
-      }
-    }
-  }
-  return cells;
-}
 
 bool within(Point p, double left, double right, double bottom, double top) {
   return p.x_m > left && p.x_m < right && p.y_m > bottom && p.y_m < top;
-}
-
-Robot robot_of(double width_m, double radius_m) {
-  Robot robot;
-  robot.body_width_m = width_m;
-  robot.min_turn_radius_m = radius_m;
-  return robot;
 }
 
 // A corridor 1 m wide and straight: the disc that fits has its width.

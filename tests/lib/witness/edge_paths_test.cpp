@@ -9,31 +9,12 @@
 #include <witness/edge_paths.hpp>
 #include <witness/waypoint.hpp>
 
+#include "lib/witness/cells.hpp"
+
 namespace tcert::witness {
 namespace {
 
-constexpr double kCell = 0.005;
 constexpr double kPi = std::numbers::pi;
-
-FreeCells cells_where(Point low, Point high, const std::function<bool(Point)>& is_free) {
-  FreeCells cells(low, high, kCell, std::size_t{1} << 24U);
-  const Lattice& lattice = cells.lattice();
-  for (int iy = 1; iy + 1 < lattice.rows; ++iy) {
-    for (int ix = 1; ix + 1 < lattice.columns; ++ix) {
-      if (is_free(lattice.corner(ix, iy) + Point{0.5 * kCell, 0.5 * kCell})) {
-        cells.mark(ix, iy);
-      }
-    }
-  }
-  return cells;
-}
-
-Robot robot_of(double width_m, double radius_m) {
-  Robot robot;
-  robot.body_width_m = width_m;
-  robot.min_turn_radius_m = radius_m;
-  return robot;
-}
 
 Node node_at(Point position, double yaw_rad) {
   return {{position, yaw_rad}, direction(yaw_rad), false, false};

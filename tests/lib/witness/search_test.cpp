@@ -6,30 +6,15 @@
 #include <witness/polygon.hpp>
 #include <witness/search.hpp>
 
+#include "lib/witness/cells.hpp"
+
 namespace tcert::witness {
 namespace {
 
-constexpr double kCell = 0.005;
-
 FreeCells free_where(Point low, Point high, const std::function<bool(Point, Point)>& is_free) {
-  FreeCells cells(low, high, kCell, std::size_t{1} << 24U);
-  const Lattice& lattice = cells.lattice();
-  for (int iy = 1; iy + 1 < lattice.rows; ++iy) {
-    for (int ix = 1; ix + 1 < lattice.columns; ++ix) {
-      const Point middle = lattice.corner(ix, iy) + Point{0.5 * kCell, 0.5 * kCell};
-      if (is_free(middle, {0.5 * kCell, 0.5 * kCell})) {
-        cells.mark(ix, iy);
-      }
-    }
-  }
-  return cells;
-}
-
-Robot robot_of(double width_m, double radius_m) {
-  Robot robot;
-  robot.body_width_m = width_m;
-  robot.min_turn_radius_m = radius_m;
-  return robot;
+  return cells_where(low, high, [&](Point middle) {
+    return is_free(middle, {0.5 * kCell, 0.5 * kCell});
+  });
 }
 
 double found_margin(const FreeCells& cells,

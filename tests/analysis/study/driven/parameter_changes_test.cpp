@@ -1,5 +1,6 @@
 // What changing one number does in closed loop: each direction is what physics says of it, written
-// down before it was tried. All worlds are met by both sides of a change.
+// down before it was tried, but for the forces of a faster robot and of a blind camera, of which
+// more had been expected. All worlds are met by both sides of a change.
 
 #include <gtest/gtest.h>
 

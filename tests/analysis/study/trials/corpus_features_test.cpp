@@ -18,6 +18,7 @@
 #include "analysis/study/trials/certify_trial.hpp"
 #include "analysis/study/trials/features.hpp"
 #include "datasets/corpus/corpus.hpp"
+#include "support/correlation.hpp"
 
 namespace tcert::study {
 namespace {
@@ -126,24 +127,9 @@ std::vector<double> ranks(const std::vector<double>& values) {
   return rank;
 }
 
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const double n = static_cast<double>(a.size());
-  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
-  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
-  double ab = 0.0;
-  double aa = 0.0;
-  double bb = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
-    aa += (a[i] - mean_a) * (a[i] - mean_a);
-    bb += (b[i] - mean_b) * (b[i] - mean_b);
-  }
-  return ab / std::sqrt(aa * bb);
-}
-
 /// Spearman's, ties at mean ranks.
 double rho(const Study& study, Column a, Column b) {
-  return correlation(ranks(study.column[a]), ranks(study.column[b]));
+  return test_support::correlation(ranks(study.column[a]), ranks(study.column[b]));
 }
 
 /// The same with ranks taken within algorithm and lighting, as shares of the cell.
@@ -168,7 +154,7 @@ double rho_within_cells(const Study& study, Column a, Column b) {
       }
     }
   }
-  return correlation(shares[0], shares[1]);
+  return test_support::correlation(shares[0], shares[1]);
 }
 
 void print_histogram(const Study& study, Column column, double width, std::size_t classes) {

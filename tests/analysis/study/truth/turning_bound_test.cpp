@@ -38,7 +38,7 @@ TEST(TurningBound, IsAtLeastTheTruthOfUTurnsAndLittleAbove) {
   std::cout << above_m.size() << " U-turns: above the truth by " << above_m[above_m.size() / 2]
             << " m at the median, " << above_m.back() << " at most; below clearance in "
             << lower_than_clearance << "\n";
-  EXPECT_LT(above_m[above_m.size() / 2], 0.10);  // 0.07 in cells of 5 mm
+  EXPECT_LT(above_m[above_m.size() / 2], 0.10);  // measured: 0.092; 0.068 in cells of 5 mm
   EXPECT_GT(lower_than_clearance, 8U);
 }
 
