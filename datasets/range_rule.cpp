@@ -80,7 +80,10 @@ double RangeRules::stated(std::size_t ray, double reading) const noexcept {
   if (reading == 0.0) {
     return -kInfinity;
   }
-  return reading == rays_[ray].reach_m ? kInfinity : reading;
+  if (reading == rays_[ray].reach_m) {
+    return kInfinity;
+  }
+  return reading;
 }
 
 }  // namespace tcert

@@ -20,11 +20,11 @@ std::vector<std::string> notes(const study::H3Table& h3) {
   const study::H3Options& o = h3.options;
   std::vector<std::string> notes = {
       "A replay can only lose successes: it cannot see failures that speed would cause.",
-      "Laws: squash is that of section 3.5, on the tick margin; clip that of 4.4 (G1), on the "
-      "robust margin, where the guards G2 and G3 halt.",
-      "Rates: total length over total time of the trials that succeed ungated, standing still "
-      "included; a stall counts at the retreat speed, so that no trial drops out of the pair. "
-      "Commanded speed: median of the trials' medians.",
+      ("Laws: squash is that of section 3.5, on the tick margin; clip that of 4.4 (G1), on the "
+       "robust margin, where the guards G2 and G3 halt."),
+      ("Rates: total length over total time of the trials that succeed ungated, standing still "
+       "included; a stall counts at the retreat speed, so that no trial drops out of the pair. "
+       "Commanded speed: median of the trials' medians."),
       "Gain: gated less ungated '" + o.gated + "', the same trials. Gap: '" + o.baseline +
           "' less ungated '" + o.gated + "', '" + o.baseline +
           "' standardised to the lightings of '" + o.gated +

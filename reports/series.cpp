@@ -45,7 +45,7 @@ void append_number(std::string& out, double value) {
 
 void append_count(std::string& out, std::uint32_t value) {
   std::array<char, 10> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   out.append(digits.data(), end);
   out += ',';
 }
@@ -175,6 +175,7 @@ void append_cells(std::string& out, const SeriesRow& row) {
 
 std::vector<ColumnDoc> series_columns() {
   std::vector<ColumnDoc> columns;
+  columns.reserve(kColumns.size() + kGuardColumns.size() + 2);
   for (const SeriesColumn& one : kColumns) {
     columns.push_back({std::string(one.name), std::string(one.unit), std::string(one.doc)});
   }

@@ -114,7 +114,7 @@ std::string fault_of_witness(const WitnessDocument& document,
   }
   const witness::Checker checker(cells);
   if (!document.path.empty()) {
-    const std::string fault = fault_of_path(
+    std::string fault = fault_of_path(
         checker.check(document.path, of_run.start, of_run.goal, robot), document.stated);
     if (!fault.empty()) {
       return fault;

@@ -1,5 +1,6 @@
 #include "reports/witness_json.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -22,7 +23,7 @@ constexpr double kLeastCell = 1e-4;                      // m
 constexpr std::int64_t kMostAlong = 1'000'000'000;       // cells
 constexpr std::int64_t kFarthest = 100'000'000'000'000;  // the number of a cell
 
-constexpr std::string_view kAssumptions[] = {
+constexpr std::array<std::string_view, 4> kAssumptions = {
     "Readings, less reading_bound_m, are not above the true clearance; poses are true, between two "
     "pose samples too.",
     "At depth h behind its tip every obstacle is at least h / lost_share wide, up to "

@@ -111,6 +111,12 @@ void take_parameters(const po::parsed_options& parsed,
   }
 }
 
+[[noreturn]] void refuse_key(const std::string& key,
+                             const std::string& path,
+                             const po::options_description& all) {
+  throw UsageError(path + ": unknown key '" + key + "'" + did_you_mean(key, names_of(all)));
+}
+
 void read_config(const std::string& path,
                  const po::options_description& all,
                  const OptionTable& table,
@@ -125,7 +131,7 @@ void read_config(const std::string& path,
     const std::string& key = option.string_key;
     if (option.unregistered || key == kSet || key == kConfig || key == kPositional ||
         key == "help") {
-      throw UsageError(path + ": unknown key '" + key + "'" + did_you_mean(key, names_of(all)));
+      refuse_key(key, path, all);
     }
   }
   take_parameters(parsed, table, &ParameterChanges::of_file);

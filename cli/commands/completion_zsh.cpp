@@ -40,7 +40,7 @@ std::string option_spec(const OptionForm& option) {
 }
 
 std::string arguments_of(const NamedForm& one, const std::vector<NamedForm>& forms) {
-  const auto separator = " \\\n        ";
+  const auto* const separator = " \\\n        ";
   std::string text = "_arguments -S";
   for (const OptionForm& option : one.form.options) {
     text += separator + option_spec(option);

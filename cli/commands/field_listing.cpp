@@ -110,19 +110,19 @@ Table bundle_listing() {
     add_fields(file_of(place), place, table);
   }
   table.footnotes = {
-      "A bundle has bundle.json, trials.csv, and of each trial pose.csv and tactile.csv or, "
-      "instead of all streams, ticks.csv, which is used as it is; control.csv is optional. "
-      "worlds/<world>.json may hold the truth ('tcert help world').",
-      "A CSV file may end in .gz or .zst, its columns may stand in any order; a further column "
-      "of trials.csv goes into the table of features, one of a stream is left alone. <ray> is a "
-      "ray's name: a ray of kind bend has a bend, one of kind range a range.",
-      "Frames: poses, S and G lie in one frame, in which the robot is tracked (of odometry, or "
-      "of a map); the body's frame has x ahead and y to the left; angles are anticlockwise, in "
-      "radians.",
-      "Clocks: time_s of the streams is one clock, which may begin anywhere; time_s of "
-      "trials.csv is a length of time.",
-      "A missing cell is empty, NA or nan. An unknown key of bundle.json is an error. 'tcert "
-      "check BUNDLE' names every problem with its line."};
+      ("A bundle has bundle.json, trials.csv, and of each trial pose.csv and tactile.csv or, "
+       "instead of all streams, ticks.csv, which is used as it is; control.csv is optional. "
+       "worlds/<world>.json may hold the truth ('tcert help world')."),
+      ("A CSV file may end in .gz or .zst, its columns may stand in any order; a further column of "
+       "trials.csv goes into the table of features, one of a stream is left alone. <ray> is a "
+       "ray's name: a ray of kind bend has a bend, one of kind range a range."),
+      ("Frames: poses, S and G lie in one frame, in which the robot is tracked (of odometry, or of "
+       "a map); the body's frame has x ahead and y to the left; angles are anticlockwise, in "
+       "radians."),
+      ("Clocks: time_s of the streams is one clock, which may begin anywhere; time_s of trials.csv "
+       "is a length of time."),
+      ("A missing cell is empty, NA or nan. An unknown key of bundle.json is an error. 'tcert "
+       "check BUNDLE' names every problem with its line.")};
   return table;
 }
 
@@ -134,25 +134,23 @@ Table map_listing() {
     add_fields(std::string(place), fields_at(place, fields), table);
   }
   table.footnotes = {
-      R"(Of a bag: {"robot": {"body_width_m": 0.35}, "course": {"goal": {"disc": {"x_m": 6, "y_m": )"
-      R"(2, "radius_m": 0.5}}}, "pose": {"from": "/odom"}, "rays": {"from": "/scan", "every": 4, )"
-      R"("no_return": ["inf", 0], "offset": "tf_static"}, "control": {"from": "/cmd_vel"}})",
-      R"(Of CSV files: {"pose": {"file": "{trial}/odom.csv", "time": {"column": "t", "unit": "ns"}, )"
-      R"("x_m": {"column": "x", "unit": "mm"}, "y_m": {"column": "y", "unit": "mm"}, "yaw_rad": )"
-      R"({"column": "heading", "unit": "deg"}}, "rays": {"file": "{trial}/touch.csv", "rays": )"
-      R"([{"name": "left", "kind": "range", "bearing_deg": 90, "reach_m": 0.5, "range_m": )"
-      R"({"column": "left_mm", "unit": "mm"}}]}, "trials": {"table": "outcomes.csv", "id": "run", )"
-      R"("success": {"column": "result", "true": ["ok"]}}})",
-      "Keys of bundle.json other than rays (robot, course, lighting, max_gap_s, parameters, ...) "
-      "may "
-      "stand in the map and go into the bundle: 'tcert help bundle'. A value is a column's name, "
-      "or "
-      "an object. An unknown key is an error.",
-      "Rows late by less than max_gap_s are put in order; of two of one time the first is used; a "
-      "row without any value of a stream is no sample of it. A range that is not finite, 0 or "
-      "less, "
-      "or beyond its limits is missing, unless 'no_return' says that nothing was in reach; -inf is "
-      "0: nearer than the sensor can see.",
+      (R"(Of a bag: {"robot": {"body_width_m": 0.35}, "course": {"goal": {"disc": {"x_m": 6, )"
+       R"("y_m": 2, "radius_m": 0.5}}}, "pose": {"from": "/odom"}, "rays": {"from": "/scan", )"
+       R"("every": 4, "no_return": ["inf", 0], "offset": "tf_static"}, "control": {"from": )"
+       R"("/cmd_vel"}})"),
+      (R"(Of CSV files: {"pose": {"file": "{trial}/odom.csv", "time": {"column": "t", "unit": )"
+       R"("ns"}, "x_m": {"column": "x", "unit": "mm"}, "y_m": {"column": "y", "unit": "mm"}, )"
+       R"("yaw_rad": {"column": "heading", "unit": "deg"}}, "rays": {"file": "{trial}/touch.csv", )"
+       R"("rays": [{"name": "left", "kind": "range", "bearing_deg": 90, "reach_m": 0.5, )"
+       R"("range_m": {"column": "left_mm", "unit": "mm"}}]}, "trials": {"table": "outcomes.csv", )"
+       R"("id": "run", "success": {"column": "result", "true": ["ok"]}}})"),
+      ("Keys of bundle.json other than rays (robot, course, lighting, max_gap_s, parameters, ...) "
+       "may stand in the map and go into the bundle: 'tcert help bundle'. A value is a column's "
+       "name, or an object. An unknown key is an error."),
+      ("Rows late by less than max_gap_s are put in order; of two of one time the first is used; a "
+       "row without any value of a stream is no sample of it. A range that is not finite, 0 or "
+       "less, or beyond its limits is missing, unless 'no_return' says that nothing was in reach; "
+       "-inf is 0: nearer than the sensor can see."),
       "'tcert check SOURCE --write-map FILE' drafts a map."};
   return table;
 }

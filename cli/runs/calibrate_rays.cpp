@@ -1,5 +1,7 @@
 #include "cli/runs/calibrate_rays.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -69,8 +71,8 @@ void fit_to_reach(const BundleInfo& info, const std::string& bundle, RayPairs& p
   for (const std::string& name : pairs.rays) {
     const auto found = std::ranges::find(info.robot.rays, name, &Ray::name);
     if (found == info.robot.rays.end() || found->kind != RayKind::bend) {
-      throw BadData("'" + bundle + "' has no ray '" + name + "' of kind bend" +
-                    did_you_mean(name, bending));
+      throw BadData(fmt::format(
+          "'{}' has no ray '{}' of kind bend{}", bundle, name, did_you_mean(name, bending)));
     }
     reach.push_back(found->reach_m);
   }

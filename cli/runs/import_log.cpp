@@ -31,8 +31,8 @@ void sum_up(const recording::LogImportResult& result,
     return std::count_if(result.trials.begin(), result.trials.end(), holds);
   };
   const auto rejected = count([](const auto& trial) { return trial.rejected; });
-  const auto successes = count([](const auto& trial) { return trial.success == true; });
-  const auto failures = count([](const auto& trial) { return trial.success == false; });
+  const auto successes = count([](const auto& trial) { return trial.success.value_or(false); });
+  const auto failures = count([](const auto& trial) { return !trial.success.value_or(true); });
   const auto kept = static_cast<std::ptrdiff_t>(result.trials.size()) - rejected;
   std::string used;
   for (std::size_t i = 0; i < result.streams.size(); ++i) {

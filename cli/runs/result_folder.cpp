@@ -141,9 +141,9 @@ void ResultFile::close() {
   }
 }
 
-ResultFolder::ResultFolder(const fs::path& path, const std::string& command)
+ResultFolder::ResultFolder(const fs::path& path, std::string command)
     : path_((path / "").parent_path()),
-      command_(command),
+      command_(std::move(command)),
       before_(state_of(path_)),
       folder_(path_, may_replace(path_, command_)) {}
 

@@ -34,7 +34,7 @@ class ResultFolder {
   /// Replaces a folder only if it is empty, or holds what the same command wrote and nothing else:
   /// no file added and none changed.
   /// \throws WriteError if the name is taken or cannot be written: before any work is done.
-  ResultFolder(const std::filesystem::path& path, const std::string& command);
+  ResultFolder(const std::filesystem::path& path, std::string command);
 
   [[nodiscard]] const std::filesystem::path& staging() const noexcept { return folder_.staging(); }
 

@@ -1,5 +1,7 @@
 #include "cli/runs/written_options.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace tcert::cli {
@@ -75,7 +77,7 @@ WrittenOptions written_options(const OptionTable& table, const OptionTable& usua
     for (const Settings* const parameters : {&changes->of_file, &changes->of_flags}) {
       for (const auto& [key, value] : *parameters) {
         written.arguments.push_back({"--set", false});
-        written.arguments.push_back({key + "=" + value, false});
+        written.arguments.push_back({fmt::format("{}={}", key, value), false});
       }
     }
   }

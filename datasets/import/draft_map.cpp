@@ -277,7 +277,7 @@ DraftedMap draft_map(std::span<const CsvGroup> groups) {
     remarks.emplace_back(
         "no table of outcomes was found: 'trials' names one, else outcomes are not known");
   }
-  return finished(std::move(map), std::move(remarks));
+  return finished(map, std::move(remarks));
 }
 
 }  // namespace tcert::recording

@@ -19,10 +19,11 @@ void collect_nulls(const OrderedJson& value, const std::string& path, std::strin
     nulls += (nulls.empty() ? "" : ", ") + path + (path.empty() ? "" : ".") +
              (count > 1 ? "{" + here + "}" : here);
   }
+  const std::string before = path.empty() ? "" : path + '.';
   for (const auto& [key, member] : value.items()) {
     if (member.is_structured()) {
       const std::string step = member.is_object() ? member.value("name", key) : key;
-      collect_nulls(member, path.empty() ? step : path + '.' + step, nulls);
+      collect_nulls(member, before + step, nulls);
     }
   }
 }
@@ -38,7 +39,7 @@ OrderedJson frame_of_map() {
             {"goal", {{"disc", {{"x_m", nullptr}, {"y_m", nullptr}, {"radius_m", 0.5}}}}}}}};
 }
 
-DraftedMap finished(OrderedJson map, std::vector<std::string> remarks) {
+DraftedMap finished(const OrderedJson& map, std::vector<std::string> remarks) {
   std::string nulls;
   collect_nulls(map, "", nulls);
   remarks.insert(remarks.begin(),

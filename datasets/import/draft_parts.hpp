@@ -21,7 +21,7 @@ using OrderedJson = nlohmann::ordered_json;
 [[nodiscard]] OrderedJson frame_of_ray(const std::string& name, std::string_view kind);
 
 /// The map as text; the first remark names each null that is left in it.
-[[nodiscard]] DraftedMap finished(OrderedJson map, std::vector<std::string> remarks);
+[[nodiscard]] DraftedMap finished(const OrderedJson& map, std::vector<std::string> remarks);
 
 /// True if `part` stands in the name, whatever its case.
 [[nodiscard]] bool is_called(const std::string& name, std::string_view part);

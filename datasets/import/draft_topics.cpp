@@ -62,7 +62,7 @@ DraftedMap draft_map(std::span<const TopicSurvey> topics) {
   if (control != nullptr) {
     map["control"] = {{"from", control->name}};
   }
-  return finished(std::move(map), std::move(remarks));
+  return finished(map, std::move(remarks));
 }
 
 }  // namespace tcert::recording

@@ -58,6 +58,7 @@ struct NoReturn {
   std::optional<double> range_max_m;
 };
 
+// NOLINTNEXTLINE(bugprone-exception-escape): json moves without a throw.
 struct MappedRay {
   nlohmann::json ray;  ///< As bundle.json has it.
   ValueSource value;   ///< Its bend or its range.

@@ -61,7 +61,7 @@ class StreamSet {
  private:
   struct Stream;
 
-  void take_rays(Stream& stream, std::span<const double> values);
+  static void take_rays(Stream& stream, std::span<const double> values);
   void merge_rays();
 
   const LogMap& map_;

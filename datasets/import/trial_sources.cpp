@@ -85,7 +85,7 @@ std::string trial_in(const std::string& pattern, const std::string& file) {
     return "";
   }
   for (std::size_t end = before.size() + 1; end <= file.size() && file[end - 1] != '/'; ++end) {
-    const std::string trial = file.substr(before.size(), end - before.size());
+    std::string trial = file.substr(before.size(), end - before.size());
     std::string whole = pattern;
     for (std::size_t at = whole.find(kMark); at != std::string::npos;
          at = whole.find(kMark, at + trial.size())) {

@@ -93,7 +93,7 @@ bool read_date(std::string_view cell, std::int64_t& time_ns) {
       return false;
     }
   }
-  const std::int64_t whole_s = days * 86400 + hours * 3600 + minutes * 60 + seconds;
+  const std::int64_t whole_s = days * 86400 + (hours * 3600 + minutes * 60 + seconds);
   time_ns = whole_s * 1'000'000'000 + fraction_ns;
   while (rest.starts_with(' ')) {
     rest.remove_prefix(1);

@@ -123,11 +123,11 @@ void SweptArea::begin(const Pose& first) noexcept {
       continue;
     }
     if (const auto* disc = std::get_if<Disc>(&*regions_[k])) {
-      std::get<Disc>(*local_regions_[k]).centre = local(disc->centre);
+      std::get_if<Disc>(&*local_regions_[k])->centre = local(disc->centre);
       continue;
     }
-    const auto& given = std::get<Polygon>(*regions_[k]).vertices;
-    auto& moved = std::get<Polygon>(*local_regions_[k]).vertices;
+    const auto& given = std::get_if<Polygon>(&*regions_[k])->vertices;
+    auto& moved = std::get_if<Polygon>(&*local_regions_[k])->vertices;
     for (std::size_t i = 0; i < given.size(); ++i) {
       moved[i] = local(given[i]);
     }

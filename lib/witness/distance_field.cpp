@@ -43,6 +43,46 @@ std::int64_t meeting(std::int64_t left,
   return numerator >= 0 ? numerator / denominator : -((-numerator + denominator - 1) / denominator);
 }
 
+/// The lower envelope of the parabolas of a row: the columns that own it, and where each begins.
+struct Envelope {
+  std::vector<std::int64_t> owner;
+  std::vector<std::int64_t> from;
+};
+
+/// Fills in the distances between two vertices of a row that touch what is not free.
+void fill_between(std::int64_t begin,
+                  std::int64_t end,
+                  const std::int32_t* steps,
+                  double cell_m,
+                  Envelope& envelope,
+                  float* distances_m) {
+  auto& [owner, from] = envelope;
+  const auto squared = [steps](std::int64_t at, std::int64_t of) {
+    return (at - of) * (at - of) + static_cast<std::int64_t>(steps[of]) * steps[of];
+  };
+  std::size_t count = 1;
+  owner[0] = from[0] = begin;
+  for (std::int64_t ix = begin + 1; ix <= end; ++ix) {
+    while (count > 0 && squared(from[count - 1], owner[count - 1]) > squared(from[count - 1], ix)) {
+      --count;
+    }
+    const std::int64_t first =
+        count == 0 ? begin : 1 + meeting(owner[count - 1], ix, steps[owner[count - 1]], steps[ix]);
+    if (first <= end) {
+      owner[count] = ix;
+      from[count] = first;
+      ++count;
+    }
+  }
+  for (std::int64_t ix = end - 1; ix > begin; --ix) {
+    while (from[count - 1] > ix) {
+      --count;
+    }
+    distances_m[ix] =
+        static_cast<float>(cell_m * std::sqrt(static_cast<double>(squared(ix, owner[count - 1]))));
+  }
+}
+
 }  // namespace
 
 DistanceField::DistanceField(const FreeCells& cells)
@@ -52,14 +92,10 @@ DistanceField::DistanceField(const FreeCells& cells)
       distance_m_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
   const std::vector<std::int32_t> steps = steps_in_columns(cells, columns_, rows_);
   const auto width = static_cast<std::size_t>(columns_);
-  std::vector<std::int64_t> owner(width);  // the columns of the lower envelope
-  std::vector<std::int64_t> from(width);   // and where each begins
+  Envelope envelope{std::vector<std::int64_t>(width), std::vector<std::int64_t>(width)};
   for (int iy = 0; iy < rows_; ++iy) {
     const std::int32_t* const row = &steps[static_cast<std::size_t>(iy) * width];
     float* const distances_m = &distance_m_[static_cast<std::size_t>(iy) * width];
-    const auto squared = [row](std::int64_t at, std::int64_t of) {
-      return (at - of) * (at - of) + static_cast<std::int64_t>(row[of]) * row[of];
-    };
     // Between two vertices that touch what is not free nothing beyond them is nearer.
     std::int64_t left = 0;
     for (std::int64_t right = 1; right < columns_; ++right) {
@@ -67,30 +103,8 @@ DistanceField::DistanceField(const FreeCells& cells)
         continue;
       }
       const std::int64_t begin = std::exchange(left, right);
-      if (right == begin + 1) {
-        continue;
-      }
-      std::size_t count = 1;
-      owner[0] = from[0] = begin;
-      for (std::int64_t ix = begin + 1; ix <= right; ++ix) {
-        while (count > 0 &&
-               squared(from[count - 1], owner[count - 1]) > squared(from[count - 1], ix)) {
-          --count;
-        }
-        const std::int64_t first =
-            count == 0 ? begin : 1 + meeting(owner[count - 1], ix, row[owner[count - 1]], row[ix]);
-        if (first <= right) {
-          owner[count] = ix;
-          from[count] = first;
-          ++count;
-        }
-      }
-      for (std::int64_t ix = right - 1; ix > begin; --ix) {
-        while (from[count - 1] > ix) {
-          --count;
-        }
-        distances_m[ix] = static_cast<float>(
-            lattice_.cell_m * std::sqrt(static_cast<double>(squared(ix, owner[count - 1]))));
+      if (right > begin + 1) {
+        fill_between(begin, right, row, lattice_.cell_m, envelope, distances_m);
       }
     }
   }

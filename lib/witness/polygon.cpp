@@ -27,8 +27,8 @@ std::vector<Point> resampled(const std::vector<Point>& polygon, double spacing_m
   std::vector<Point> points{polygon.front()};
   std::size_t k = 1;
   double done_m = 0.0;
-  for (double i = 1.0; i < pieces; ++i) {
-    const double want_m = length_m * i / pieces;
+  for (std::size_t i = 1; static_cast<double>(i) < pieces; ++i) {
+    const double want_m = length_m * static_cast<double>(i) / pieces;
     double edge_m = distance(polygon[k - 1], polygon[k]);
     while (k + 1 < polygon.size() && done_m + edge_m < want_m) {
       done_m += edge_m;

@@ -53,9 +53,11 @@ bool RowOfRegion::covers(const Box& box) const noexcept {
       return false;
     }
     const bool straddles = (edge.to.y_m > middle.y_m) != (edge.from.y_m > middle.y_m);
-    inside ^= straddles && middle.x_m < edge.to.x_m + (middle.y_m - edge.to.y_m) /
-                                                          (edge.from.y_m - edge.to.y_m) *
-                                                          (edge.from.x_m - edge.to.x_m);
+    if (straddles && middle.x_m < edge.to.x_m + (middle.y_m - edge.to.y_m) /
+                                                    (edge.from.y_m - edge.to.y_m) *
+                                                    (edge.from.x_m - edge.to.x_m)) {
+      inside = !inside;
+    }
   }
   return inside;
 }

@@ -77,28 +77,31 @@ void add_incidence_rows(const std::string& panel,
 
 }  // namespace
 
-std::optional<Figure> incidence_figure(const Table& from, const std::string& predictor) {
+std::optional<Figure> incidence_figure(const Table& h1_incidence_curve,
+                                       const std::string& predictor) {
   const std::string subject = predictor.empty() ? "the predictor" : predictor_label(predictor);
-  Figure figure =
-      named("incidence", "Reaching the goal, by quartile of " + subject, from.synthetic);
+  Figure figure = named(
+      "incidence", "Reaching the goal, by quartile of " + subject, h1_incidence_curve.synthetic);
   figure.caption =
       "Cumulative incidence of egress (Aalen-Johansen, failure competing) with 95 % intervals; Q1 "
       "has the lowest values. Below: trials at risk.";
-  figure.key = {"quartile", distinct(from, "strata")};
+  figure.key = {"quartile", distinct(h1_incidence_curve, "strata")};
   figure.data = figure_table("incidence",
                              {"panel", "quartile", "at_risk"},
                              {"time_s", "incidence", "incidence_low", "incidence_high"});
   double last = 0.0;
-  for (std::size_t row = 0; row < from.rows.size(); ++row) {
-    last = std::fmax(last, number_at(from, row, "time"));
+  for (std::size_t row = 0; row < h1_incidence_curve.rows.size(); ++row) {
+    last = std::fmax(last, number_at(h1_incidence_curve, row, "time"));
   }
   if (!(last > 0.0)) {
     return std::nullopt;
   }
   const double step = round_step(last, kRiskTimes);
   std::vector<double> times;
-  for (double time = 0.0; time <= last; time += step) {
-    times.push_back(time);
+  double next = 0.0;
+  while (next <= last) {
+    times.push_back(next);
+    next += step;
   }
   Axis time = axis("time", "s");
   time.low = -0.07 * last;
@@ -106,9 +109,10 @@ std::optional<Figure> incidence_figure(const Table& from, const std::string& pre
   time.ticks = times;
   std::vector<Panel> curves;
   std::vector<Panel> risks;
-  for (const std::string& panel : distinct(from, "panel")) {
+  for (const std::string& panel : distinct(h1_incidence_curve, "panel")) {
     for (const std::string& group : figure.key.classes) {
-      add_incidence_rows(panel, group, incidence_of(from, panel, group), times, figure.data);
+      add_incidence_rows(
+          panel, group, incidence_of(h1_incidence_curve, panel, group), times, figure.data);
     }
     Panel one;
     one.title = panel_title(panel);

@@ -2,6 +2,7 @@
 
 #include <table/not_a_number.hpp>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,10 +20,10 @@ struct Line {
 };
 
 /// What is drawn last lies on top.
-constexpr Line kMargins[] = {{"margin_m", "tick margin m_t"},
-                             {"edge_margin_m", "edge margin"},
-                             {"corridor_value_m", "corridor value V_t"},
-                             {"certificate_m", "certificate T_t"}};
+constexpr auto kMargins = std::to_array<Line>({{"margin_m", "tick margin m_t"},
+                                               {"edge_margin_m", "edge margin"},
+                                               {"corridor_value_m", "corridor value V_t"},
+                                               {"certificate_m", "certificate T_t"}});
 
 /// Speed over the window that ends at `row`.
 double measured_speed(const table::DataTable& series,

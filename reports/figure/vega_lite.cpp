@@ -1,5 +1,6 @@
 #include "reports/figure/vega_lite.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -61,8 +62,8 @@ Json panel_of(const Figure& figure, const Panel& panel, bool alone) {
 /// The look on light ground.
 Json default_config() {
   Json style = Json::object();
-  const std::pair<const char*, const char*> tones[] = {
-      {"ink", "#222222"}, {"muted", "#888888"}, {"faint", "#d0d0d0"}};
+  const auto tones = std::to_array<std::pair<const char*, const char*>>(
+      {{"ink", "#222222"}, {"muted", "#888888"}, {"faint", "#d0d0d0"}});
   for (const auto& [name, colour] : tones) {
     style[name] = {{"color", colour}, {"stroke", colour}};
     style[std::string(name) + "-text"] = {{"color", colour}};

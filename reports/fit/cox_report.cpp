@@ -10,6 +10,7 @@
 namespace tcert {
 namespace {
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): it has no default constructor.
 struct CoxRow : RowOf<statistics::CoxCoefficient> {
   statistics::ClusterT by_t;
 };

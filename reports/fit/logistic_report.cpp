@@ -11,6 +11,7 @@ bool is_robust(const statistics::LogisticFit& fit) {
   return fit.variance == statistics::CoefficientVariance::robust;
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): it has no default constructor.
 struct LogisticRow : RowOf<statistics::LogisticCoefficient> {
   statistics::ProfileLimits profile;
   statistics::ClusterT by_t;

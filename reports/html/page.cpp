@@ -144,7 +144,7 @@ std::string page(const PageAssets& assets, const PageData& data) {
     out += text;
     done = at + place.size();
   }
-  return out.append(assets.html, done, std::string::npos);
+  return out.append(assets.html, done);
 }
 
 }  // namespace tcert

@@ -3,6 +3,7 @@
 #include <table/not_a_number.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -30,7 +31,7 @@ struct ListColumn {
   bool choice;   ///< A few values, to filter by.
 };
 
-constexpr ListColumn kColumns[] = {
+constexpr auto kColumns = std::to_array<ListColumn>({
     {"trial_id", "trial", "", -1, false},
     {"algorithm", "algorithm", "", -1, true},
     {"lighting", "lighting", "", -1, true},
@@ -43,7 +44,7 @@ constexpr ListColumn kColumns[] = {
     {"issued_s", "issued at", "s", 1, false},
     {"certificate_m", "T_t", "m", 3, false},
     {"corridor_value_m", "V_t", "m", 3, false},
-};
+});
 
 double parsed(std::string_view text) {
   double value = table::kNaN;

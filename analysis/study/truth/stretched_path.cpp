@@ -16,7 +16,8 @@ constexpr double kSpacing = 0.02;  // m, of the poses that stand for a first pat
 
 /// The cells within the bounds that no obstacle touches.
 witness::FreeCells cells_of(const World& world, double cell_m) {
-  const auto& [low, high] = world.bounds;
+  const Point low = world.bounds.low;
+  const Point high = world.bounds.high;
   witness::FreeCells cells(low, high, cell_m, kMostPathCells);
   const witness::Lattice& lattice = cells.lattice();
   const CellGrid grid{lattice.corner(0, 0),

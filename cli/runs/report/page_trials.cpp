@@ -113,7 +113,7 @@ void add_witness(const fs::path& path, TrialMap& map) {
       const double wanted = std::max(std::ceil(witness::chord(piece) / 0.05),
                                      std::ceil(std::abs(piece.turn_rad) / 0.1));
       const double parts = std::clamp(wanted, 1.0, kMostParts);
-      for (double k = map.witness.empty() ? 0.0 : 1.0; k <= parts; ++k) {
+      for (int k = map.witness.empty() ? 0 : 1; k <= parts; ++k) {
         map.witness.push_back(witness::point_at(piece, k / parts));
       }
     }
