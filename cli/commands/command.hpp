@@ -37,6 +37,7 @@ extern const Command kReplay;
 extern const Command kExplore;
 extern const Command kGate;
 extern const Command kStudy;
+extern const Command kBatch;
 extern const Command kReport;
 extern const Command kReproduce;
 extern const Command kFigures;

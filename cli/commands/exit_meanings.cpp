@@ -9,7 +9,7 @@ constexpr std::array<ExitMeaning, 10> kMeanings{
     {{"0", "done"},
      {"1", "a check found something"},
      {"2", "wrong usage"},
-     {"3", "done, but some trials, cells or lines were rejected"},
+     {"3", "done, but some trials, cells or lines were rejected, or parts of a batch are missing"},
      {"4 to 8", "ends of 'tcert explore'"},
      {"65", "bad data"},
      {"66", "no such input"},

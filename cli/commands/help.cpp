@@ -58,7 +58,7 @@ Cost: none.
 
 constexpr std::array kCommands = {
     &kSimulate,   &kDrive,   &kImport, &kCalibrate, &kCheck,   &kCertify, &kWorld, &kFit,
-    &kHypotheses, &kAblate,  &kSweep,  &kReplay,    &kExplore, &kGate,    &kStudy, &kReport,
+    &kHypotheses, &kAblate,  &kSweep,  &kReplay,    &kExplore, &kGate,    &kStudy, &kBatch, &kReport,
     &kReproduce,  &kFigures, &kVerify, &kLive,      &kHelp,    &kVersion};
 
 struct HelpRequest {

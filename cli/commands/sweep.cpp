@@ -1,4 +1,4 @@
-#include "cli/runs/experiment/batch.hpp"
+#include "cli/runs/experiment/cells.hpp"
 
 #include "cli/commands/run_command.hpp"
 

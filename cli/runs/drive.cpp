@@ -198,6 +198,26 @@ OptionTable options_of(DriveRequest& request) {
   return table;
 }
 
+std::uint64_t trials_of(const DriveRequest& request) {
+  if (request.stdio || !request.listen.empty()) {
+    throw UsageError("--stdio and --listen drive one trial, which has no pieces");
+  }
+  return driving_of(request).cases.size();
+}
+
+void make_trials(const DriveRequest& request,
+                 ItemRange trials,
+                 const std::filesystem::path& folder) try {
+  Driving driving = driving_of(request);
+  const auto begin = driving.cases.begin();
+  driving.cases = {begin + static_cast<std::ptrdiff_t>(trials.first),
+                   begin + static_cast<std::ptrdiff_t>(trials.last)};
+  driving.first += trials.first;
+  write_simulated_bundle(folder, bundle_of(driving), {}, false);
+} catch (const std::invalid_argument& error) {
+  throw UsageError(error.what());
+}
+
 // Parameters that contradict each other show when a policy or a world is made of them.
 ExitCode drive(const DriveRequest& request, Progress& progress) try {
   const std::string& output = request.output.path;

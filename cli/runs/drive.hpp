@@ -2,7 +2,10 @@
 /// \file
 /// `drive`: policies in closed loop, as a bundle with its manifest.
 
+#include <filesystem>
+
 #include "analysis/study/driven/drive_case.hpp"
+#include "cli/runs/batch/items.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
@@ -30,6 +33,12 @@ struct DriveRequest {
 
 /// Writes the bundle and its manifest.json whole or not at all. \throws UsageError, WriteError.
 [[nodiscard]] ExitCode drive(const DriveRequest& request, Progress& progress);
+
+/// How many trials are asked for, and a bundle of some of them in a new folder. \throws UsageError.
+[[nodiscard]] std::uint64_t trials_of(const DriveRequest& request);
+void make_trials(const DriveRequest& request,
+                 ItemRange trials,
+                 const std::filesystem::path& folder);
 
 /// True if the output is this bundle as this build makes it, every file with its bytes.
 [[nodiscard]] bool is_there(const DriveRequest& request);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/runs/certify.hpp"
-#include "cli/runs/experiment/batch.hpp"
+#include "cli/runs/experiment/cells.hpp"
 #include "cli/runs/gate.hpp"
 #include "cli/runs/hypotheses.hpp"
 #include "cli/runs/inputs.hpp"

@@ -15,8 +15,20 @@ std::uint64_t seed_of(const SimulateRequest& request) {
   return static_cast<std::uint64_t>(request.seed);
 }
 
-std::uint64_t trials_of(const SimulateRequest& request) {
-  return request.micro_study ? kGatePasses : static_cast<std::uint64_t>(request.trials);
+/// Those of `trials`, counted from the first that the request asks for.
+CorpusOptions corpus_of(const SimulateRequest& request, ItemRange trials) {
+  const auto from = static_cast<std::uint64_t>(request.from);
+  CorpusOptions corpus;
+  corpus.seed = seed_of(request);
+  corpus.trials = from + static_cast<std::uint64_t>(request.trials);
+  corpus.effect = request.effect;
+  corpus.native_rates = request.native_rates;
+  if (from + trials.first > 0 || from + trials.last < corpus.trials) {
+    for (std::uint64_t trial = trials.first; trial < trials.last; ++trial) {
+      corpus.subset.push_back(from + trial);
+    }
+  }
+  return corpus;
 }
 
 Manifest manifest_of(const SimulateRequest& request) {
@@ -35,6 +47,11 @@ Manifest manifest_of(const SimulateRequest& request) {
                             {{"trials", std::to_string(request.trials)},
                              {"effect", effect},
                              {"native-rates", request.native_rates ? "true" : "false"}});
+    if (request.from > 0) {
+      manifest.options.emplace_back("from", std::to_string(request.from));
+      manifest.arguments.insert(manifest.arguments.end(),
+                                {{"--from"}, {std::to_string(request.from)}});
+    }
     for (const auto& [name, value] : {std::pair("--trials", manifest.options[1].second),
                                       std::pair("--effect", manifest.options[2].second)}) {
       manifest.arguments.insert(manifest.arguments.end(), {{name}, {value}});
@@ -49,6 +66,19 @@ Manifest manifest_of(const SimulateRequest& request) {
 
 }  // namespace
 
+std::uint64_t trials_of(const SimulateRequest& request) {
+  return request.micro_study ? kGatePasses : static_cast<std::uint64_t>(request.trials);
+}
+
+void make_trials(const SimulateRequest& request,
+                 ItemRange trials,
+                 const std::filesystem::path& folder) {
+  if (request.micro_study) {
+    throw UsageError("--micro-study: its 60 passes are made at once");
+  }
+  simulate_corpus(folder, corpus_of(request, trials));
+}
+
 OptionTable options_of(SimulateRequest& request) {
   OptionTable table(request.given);
   table
@@ -57,6 +87,12 @@ OptionTable options_of(SimulateRequest& request) {
            "N",
            "another number for tests of scaling; blocks of 660 are alike")
       .within(1, 1e8);
+  table
+      .add("from",
+           request.from,
+           "K",
+           "begin with trial K of the design, to make the rest elsewhere")
+      .within(0, 1e9);
   table
       .add("effect",
            request.effect,
@@ -79,6 +115,9 @@ ExitCode simulate(const SimulateRequest& request, Progress& progress) {
   if (output.empty()) {
     throw UsageError("needs --output DIR");
   }
+  if (request.micro_study && is_given(request.given, "from")) {
+    throw UsageError("--from does nothing to --micro-study");
+  }
   const ThreadLimit limit(request.threads);
   ResultFolder result(output, "simulate");
   {
@@ -89,12 +128,8 @@ ExitCode simulate(const SimulateRequest& request, Progress& progress) {
     if (request.micro_study) {
       simulate_micro_study(result.staging(), seed_of(request), advance, true);
     } else {
-      CorpusOptions corpus;
-      corpus.seed = seed_of(request);
-      corpus.trials = trials_of(request);
-      corpus.effect = request.effect;
-      corpus.native_rates = request.native_rates;
-      simulate_corpus(result.staging(), corpus, advance, true);
+      simulate_corpus(
+          result.staging(), corpus_of(request, {0, trials_of(request)}), advance, true);
     }
   }
   result.commit(manifest_of(request));

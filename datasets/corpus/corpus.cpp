@@ -45,8 +45,9 @@ BundleInfo corpus_info(const CorpusOptions& options) {
   info.provenance = fmt::format(
       "synthetic, seed {}: made by tcert, not logged by a robot; Table 1 and the published medians "
       "are "
-      "built in, everything else is declared; {} trials, effect {}, streams at {}",
+      "built in, everything else is declared; {}{} trials, effect {}, streams at {}",
       options.seed,
+      options.subset.empty() ? "" : fmt::format("{} of ", options.subset.size()),
       options.trials,
       options.effect,
       options.native_rates ? "83 (tactile), 50 (control) and 20 Hz (pose)" : "20 Hz");

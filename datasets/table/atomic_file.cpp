@@ -67,13 +67,36 @@ void AtomicFile::sync() {
 
 void AtomicFile::keep_when_interrupted() noexcept { forget_interrupted(temporary_); }
 
+void AtomicFile::close() {
+  if (::close(std::exchange(descriptor_, -1)) != 0) {
+    fail_to_write("cannot write", path_, errno);
+  }
+}
+
+// A link, unlike a rename, fails where the name is taken, on network file systems too; those without
+// links may know how to rename without replacing.
+bool AtomicFile::commit_new() {
+  sync();
+  close();
+  bool linked = ::link(temporary_.c_str(), path_.c_str()) == 0;
+  if (!linked && errno != EEXIST) {
+    linked = ::renameat2(
+                 AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0;
+  }
+  if (!linked && errno != EEXIST) {
+    fail_to_write("cannot link to", path_, errno);
+  }
+  if (linked) {
+    sync_folder(folder_of(path_));
+  }
+  return linked;  // The destructor removes the other name.
+}
+
 void AtomicFile::commit(Durable durable) {
   if (durable == Durable::yes) {
     sync();
   }
-  if (::close(std::exchange(descriptor_, -1)) != 0) {
-    fail_to_write("cannot write", path_, errno);
-  }
+  close();
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
     fail_to_write("cannot rename to", path_, errno);
   }

@@ -62,7 +62,13 @@ class AtomicFile {
   /// sync() unless told otherwise, and rename. \throws WriteError.
   void commit(Durable durable = Durable::yes);
 
+  /// The same, but takes no name that is taken, whoever takes it at the same time, on whichever
+  /// machine: false if it is. \throws WriteError.
+  [[nodiscard]] bool commit_new();
+
  private:
+  void close();
+
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   int descriptor_ = -1;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a batch found, in sentences: which cells change the early certificate, and which issue
+/// What cells found, in sentences: which cells change the early certificate, and which issue
 /// certificates that the full method does not.
 
 #include "reports/table.hpp"

@@ -200,7 +200,7 @@ std::vector<TableCell> cell_speed(const study::H3Table& h3) {
   return has_case ? speed_columns("").row(h3.groups.front()) : std::vector<TableCell>{};
 }
 
-Table cells_table(const BatchNotes& notes) {
+Table cells_table(const CellNotes& notes) {
   Table table = table_of_cells("cells",
                                "H1 under each cell's parameters",
                                cell_panel_columns(interval_text(notes.interval, notes.level)));
@@ -227,7 +227,7 @@ Table cell_issuance_table() {
   return table;
 }
 
-Table cell_speed_table(const BatchNotes& notes) {
+Table cell_speed_table(const CellNotes& notes) {
   Table table = table_of_cells("speed",
                                "Speed gated by the margin under each cell's parameters (H3)",
                                speed_columns(interval_text(notes.interval, notes.level)));

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The tables of a batch: H1 by cell and panel, how each cell issues certificates, and what its
+/// The tables of cells: H1 by cell and panel, how each cell issues certificates, and what its
 /// speed law gains.
 
 #include <cstddef>
@@ -14,8 +14,8 @@
 
 namespace tcert {
 
-/// What the footnotes say of how a batch was made.
-struct BatchNotes {
+/// What the footnotes say of how they were made.
+struct CellNotes {
   double level = 0.95;
   std::size_t replicates = 0;
   std::string cluster;
@@ -23,9 +23,9 @@ struct BatchNotes {
 };
 
 /// Columns, no rows. Each begins with the cell's name, parameters and status.
-[[nodiscard]] Table cells_table(const BatchNotes& notes);
+[[nodiscard]] Table cells_table(const CellNotes& notes);
 [[nodiscard]] Table cell_issuance_table();
-[[nodiscard]] Table cell_speed_table(const BatchNotes& notes);
+[[nodiscard]] Table cell_speed_table(const CellNotes& notes);
 
 /// What a cell has in these tables behind its name: one row per panel; one row; one row of the
 /// first case of all lightings together, or an empty one.

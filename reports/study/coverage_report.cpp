@@ -149,8 +149,8 @@ FitReport null_report(const std::vector<NullAuc>& rows) {
   };
   std::map<std::string, Sum> sums;
   for (const NullAuc& row : rows) {
-    Sum& sum = sums[row.panel];
-    sum.panel = row.panel;
+    Sum& sum = sums[std::string(to_string(row.panel))];
+    sum.panel = to_string(row.panel);
     ++sum.corpora;
     sum.covered += row.covers().value_or(false) ? 1 : 0;
     sum.intervals += row.interval ? 1 : 0;
@@ -172,7 +172,7 @@ FitReport null_report(const std::vector<NullAuc>& rows) {
       });
   ColumnsOf<NullAuc> of_corpora;
   of_corpora.integer("seed", "seed", &NullAuc::seed)
-      .text("panel", "panel", &NullAuc::panel)
+      .text("panel", "panel", [](const NullAuc& row) { return std::string(to_string(row.panel)); })
       .estimate(
           "auc", "AUC", "", 3, [](const NullAuc& row) { return Estimated(row.auc, row.interval); })
       .yes_or_no("covers", "holds 0.5", &NullAuc::covers);

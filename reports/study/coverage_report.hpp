@@ -12,6 +12,7 @@
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
 #include "analysis/study/coverage/ray_study.hpp"
+#include "analysis/study/h1/hypothesis_h1.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {
@@ -35,12 +36,17 @@ using ScenarioRates =
 /// H1's AUC of the certificate on a corpus whose outcomes have nothing to do with it.
 struct NullAuc {
   std::uint64_t seed = 0;
-  std::string panel;
+  study::H1PanelKind panel{};
   std::optional<double> auc;
   std::optional<statistics::Interval> interval;
 
   [[nodiscard]] std::optional<bool> covers() const noexcept;
 };
+
+void row_cells(auto& row, table::Is<NullAuc> auto& one) {
+  row(one.seed, one.panel, one.auc, one.interval);
+}
+
 [[nodiscard]] FitReport null_report(const std::vector<NullAuc>& rows);
 
 }  // namespace tcert

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "reports/columns_of.hpp"
 #include "reports/findings.hpp"
@@ -15,7 +14,6 @@ namespace {
 using study::SoundnessMethod;
 using study::SoundnessSummary;
 using study::Tightness;
-using study::WorldOutcome;
 
 struct RateRow {
   std::string worlds_of;
@@ -23,25 +21,23 @@ struct RateRow {
   SoundnessSummary summary;
 };
 
-void add_rates(const std::string& worlds_of,
-               const std::vector<SoundnessMethod>& methods,
-               const std::vector<WorldOutcome>& worlds,
-               std::vector<RateRow>& rows) {
-  for (std::size_t m = 0; m < methods.size() && !worlds.empty(); ++m) {
-    rows.push_back({worlds_of, &methods[m], study::summarise(worlds, m)});
-  }
-}
-
 Table rate_table(const SoundnessRuns& runs) {
   std::vector<RateRow> rows;
+  const auto add = [&](std::string worlds_of,
+                       const SoundnessMethod& method,
+                       const SoundnessSummary& summary) {
+    if (summary.worlds > 0) {
+      rows.push_back({std::move(worlds_of), &method, summary});
+    }
+  };
   for (const SoundnessWorlds& kind : runs.kinds) {
-    add_rates(kind.name, kind.methods, kind.worlds, rows);
+    for (std::size_t m = 0; m < kind.methods.size(); ++m) {
+      add(kind.name, kind.methods[m], kind.tally.of_all(m));
+    }
     for (const WorldFamily family : kind.families) {
-      std::vector<WorldOutcome> of_family;
-      std::ranges::copy_if(kind.worlds,
-                           std::back_inserter(of_family),
-                           [&](const WorldOutcome& world) { return world.family == family; });
-      add_rates(std::string(name_of(family)), kind.methods, of_family, rows);
+      for (std::size_t m = 0; m < kind.methods.size(); ++m) {
+        add(std::string(name_of(family)), kind.methods[m], kind.tally.of(family, m));
+      }
     }
   }
   const auto count = [](auto member) {
@@ -67,13 +63,16 @@ Table rate_table(const SoundnessRuns& runs) {
               })
       .number("upper_95",
               "rate at most",
-              [](const RateRow& row) { return row.summary.violation_bound; })
+              [](const RateRow& row) { return row.summary.violation_bound(); })
       .answer()
       .integer("ticks", "ticks", count(&SoundnessSummary::ticks))
       .integer("issued", "issued", count(&SoundnessSummary::issued))
       .integer("untraversable", "T <= 0", count(&SoundnessSummary::untraversable))
       .integer("issued_untraversable", "issued, T <= 0", count(&SoundnessSummary::spurious))
-      .integer("violating_ticks", "ticks violated", count(&SoundnessSummary::violating_ticks));
+      .integer("violating_ticks", "ticks violated", count(&SoundnessSummary::violating_ticks))
+      .integer("worst_world", "worst world", [](const RateRow& row) {
+        return row.summary.worst_world;
+      });
   Table table = columns.table("soundness", "Is the certificate at most the truth?", rows);
   table.footnotes = {
       "A violation is T_t > T at any tick, however small. The bound is on the rate of worlds: "
@@ -90,7 +89,7 @@ Table tightness_table(const SoundnessRuns& runs) {
   std::vector<Row> rows;
   for (const SoundnessWorlds& kind : runs.kinds) {
     for (std::size_t m = 0; m < kind.methods.size(); ++m) {
-      for (const Tightness& one : study::tightness_of(kind.worlds, m)) {
+      for (const Tightness& one : kind.tally.tightness(m)) {
         rows.push_back({&kind.methods[m], one});
       }
     }
@@ -127,7 +126,7 @@ std::string claimed_too_much(const SoundnessWorlds& kind, bool noise) {
     if (kind.methods[m].noise != noise) {
       continue;
     }
-    const SoundnessSummary summary = study::summarise(kind.worlds, m);
+    const SoundnessSummary& summary = kind.tally.of_all(m);
     text +=
         fmt::format("{}{}: {}", text.empty() ? "" : "; ", kind.methods[m].name, summary.violations);
     if (summary.violations > 0) {
@@ -142,10 +141,10 @@ Table soundness_findings(const SoundnessRuns& runs) {
   for (const SoundnessWorlds& kind : runs.kinds) {
     for (const bool noise : {false, true}) {
       if (const std::string counts = claimed_too_much(kind, noise);
-          !counts.empty() && !kind.worlds.empty()) {
+          !counts.empty() && kind.tally.worlds() > 0) {
         findings.push_back({"T_t above the truth, " + kind.name + (noise ? ", noise" : ""),
                             "",
-                            fmt::format("of {} worlds {}.", kind.worlds.size(), counts)});
+                            fmt::format("of {} worlds {}.", kind.tally.worlds(), counts)});
       }
     }
   }
@@ -158,7 +157,7 @@ FitReport soundness_report(const SoundnessRuns& runs) {
   FitReport report = study_report("soundness", runs.seed);
   std::vector<std::pair<std::string, std::uint64_t>> counts;
   for (const SoundnessWorlds& kind : runs.kinds) {
-    counts.emplace_back(kind.name, kind.worlds.size());
+    counts.emplace_back(kind.name, kind.tally.worlds());
   }
   counts.emplace_back("seed", runs.seed);
   report.summary = study_summary(counts);

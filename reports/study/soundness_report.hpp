@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/study/soundness/soundness.hpp"
+#include "analysis/study/soundness/soundness_tally.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert {
@@ -16,7 +16,7 @@ struct SoundnessWorlds {
   std::string name;
   std::vector<WorldFamily> families;  ///< That have rows of their own, if they are several.
   std::vector<study::SoundnessMethod> methods;
-  std::vector<study::WorldOutcome> worlds;
+  study::SoundnessTally tally{methods.size(), families};
 };
 
 struct SoundnessRuns {

@@ -25,15 +25,22 @@ ColumnsOf<TerrainRates>& add_found(ColumnsOf<TerrainRates>& columns) {
 
 Table told_table(const std::vector<TerrainRates>& rows) {
   ColumnsOf<TerrainRates> columns;
-  columns.fixed("told", "told, of L", "", 2, &TerrainRates::told)
-      .yes_or_no("model_trusted", "model trusted", &TerrainRates::trusted);
+  columns
+      .fixed("told",
+             "told, of L",
+             "",
+             2,
+             [](const TerrainRates& row) { return row.telling.told; })
+      .yes_or_no("model_trusted",
+                 "model trusted",
+                 [](const TerrainRates& row) { return row.telling.trusted; });
   add_found(columns)
       .integer("contradicted", "L found contradicted", count(&Soundness::contradicted))
       .integer("reached", "reached", count(&Soundness::reached))
       .integer("not_reachable", "not reachable", count(&Soundness::not_reachable))
       .integer("limit", "ended by the limit", count(&Soundness::limit))
       .fixed("mean_samples", "mean measurements", "", 1, [](const TerrainRates& row) {
-        return row.found.mean_samples;
+        return row.found.mean_samples();
       });
   Table table =
       columns.table("terrain_soundness", "What the certified rules hold safe that is not", rows);
@@ -43,12 +50,15 @@ Table told_table(const std::vector<TerrainRates>& rows) {
 
 Table trust_table(const std::vector<TerrainRates>& rows) {
   ColumnsOf<TerrainRates> columns;
-  columns.number("beta", "beta", &TerrainRates::beta)
-      .fixed("sd", "band", "sd", 2, [](const TerrainRates& row) { return std::sqrt(row.beta); });
+  columns
+      .number("beta", "beta", [](const TerrainRates& row) { return row.telling.beta; })
+      .fixed("sd", "band", "sd", 2, [](const TerrainRates& row) {
+        return std::sqrt(row.telling.beta);
+      });
   add_found(columns)
       .integer("reached", "reached", count(&Soundness::reached))
       .fixed("mean_samples", "mean measurements", "", 1, [](const TerrainRates& row) {
-        return row.found.mean_samples;
+        return row.found.mean_samples();
       });
   return columns.table(
       "terrain_trust", "What a band of the model costs that is trusted with certifying", rows);

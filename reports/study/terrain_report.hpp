@@ -14,9 +14,7 @@ namespace tcert {
 
 /// Random terrains under one way of telling the rules what they need.
 struct TerrainRates {
-  double told = 1.0;  ///< Times the true Lipschitz constant.
-  bool trusted = false;
-  double beta = 3.0;
+  terrain::study::Telling telling;
   terrain::study::Soundness found;
 };
 

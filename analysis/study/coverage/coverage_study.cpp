@@ -1,8 +1,5 @@
 #include "analysis/study/coverage/coverage_study.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,11 +11,11 @@
 #include <statistics/roc/auc_statistic.hpp>
 #include <statistics/roc/roc.hpp>
 #include <table/random.hpp>
+#include <utility>
 
 namespace tcert::study::coverage {
 namespace {
 
-constexpr std::size_t kMethods = 8;
 constexpr std::array<const char*, kMethods> kMethodNames{"analytic_plain",
                                                          "analytic_clustered",
                                                          "percentile_trials",
@@ -27,17 +24,10 @@ constexpr std::array<const char*, kMethods> kMethodNames{"analytic_plain",
                                                          "percentile_days",
                                                          "expanded_days",
                                                          "bca_days"};
-constexpr std::size_t kQuantities = 4;
 constexpr std::array<const char*, kQuantities> kQuantityNames{"auc", "delta_auc", "c", "delta_c"};
 /// Where the quantities are among the values of the joined statistic: each of its parts has the
 /// first predictor, the second, the difference.
 constexpr std::array<std::size_t, kQuantities> kValueOf{0, 2, 3, 5};
-
-/// Intervals of every quantity by every method, and the estimates.
-struct Intervals {
-  std::array<std::array<std::optional<statistics::Interval>, kMethods>, kQuantities> by_quantity;
-  std::array<double, kQuantities> estimate{};
-};
 
 /// DeLong's intervals of the AUCs and the jackknife's of the Cs.
 void add_analytic(const Study& study,
@@ -83,63 +73,6 @@ void add_bootstrap(const statistics::Statistic& statistic,
   }
 }
 
-Intervals intervals_of(const Study& study, const Options& options, std::uint64_t index) {
-  const std::vector<statistics::Score> scores{{study.first, statistics::HigherMeans::success},
-                                              {study.second, statistics::HigherMeans::success}};
-  const std::vector<statistics::Predictor> predictors{
-      {"first", study.first, statistics::LargerMeans::shorter_time},
-      {"second", study.second, statistics::LargerMeans::shorter_time}};
-  const statistics::SurvivalOutcome outcome{{}, study.time, study.success};
-  Intervals result;
-  for (const bool clustered : {false, true}) {
-    add_analytic(study, scores, outcome, predictors, options.level, clustered, result);
-  }
-  const statistics::Statistic statistic =
-      statistics::joined({statistics::auc_statistic(scores, study.success, {{0, 1}}),
-                          statistics::concordance_statistic(outcome, predictors, {{0, 1}})});
-  for (const bool clustered : {false, true}) {
-    const statistics::ResamplingPlan plan =
-        clustered ? statistics::ResamplingPlan::of_clusters(study.day)
-                  : statistics::ResamplingPlan::of_rows(study.success.size());
-    // Every data set resamples by its own stream.
-    add_bootstrap(statistic,
-                  plan,
-                  {options.replicates, options.seed + index, clustered ? 101U : 100U},
-                  options.level,
-                  clustered ? 5 : 2,
-                  result);
-  }
-  return result;
-}
-
-Coverage summary(const std::vector<Intervals>& all,
-                 std::size_t quantity,
-                 std::size_t method,
-                 double truth) {
-  Coverage result;
-  result.quantity = kQuantityNames[quantity];
-  result.method = kMethodNames[method];
-  result.truth = truth;
-  double covered = 0.0;
-  double width = 0.0;
-  for (const Intervals& of_set : all) {
-    result.mean_estimate += of_set.estimate[quantity] / static_cast<double>(all.size());
-    const auto& interval = of_set.by_quantity[quantity][method];
-    if (!interval) {
-      ++result.missing;
-      continue;
-    }
-    ++result.intervals;
-    covered += interval->low <= truth && truth <= interval->high ? 1.0 : 0.0;
-    width += interval->high - interval->low;
-  }
-  const auto count = static_cast<double>(result.intervals);
-  result.covered = covered / count;
-  result.monte_carlo_se = std::sqrt(result.covered * (1.0 - result.covered) / count);
-  result.mean_width = width / count;
-  return result;
-}
-
 /// Pr(x of the higher ability > x of the lower) over independent abilities, the higher above the
 /// threshold of failure and the lower below what `lower_end` says: given both, the difference of
 /// the predictors is normal.
@@ -165,6 +98,16 @@ double mean_over_pairs(double correlation, LowerEnd lower_end) {
     }
   }
   return sum / weight;
+}
+
+/// Of the quantities, in their order.
+std::array<double, kQuantities> true_values() {
+  const double first_auc = true_auc(kFirstCorrelation);
+  const double first_c = true_c(kFirstCorrelation);
+  return {first_auc,
+          first_auc - true_auc(kSecondCorrelation),
+          first_c,
+          first_c - true_c(kSecondCorrelation)};
 }
 
 }  // namespace
@@ -208,26 +151,76 @@ double true_c(double correlation) {
   return mean_over_pairs(correlation, [](double higher, double) { return higher; });
 }
 
-std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const Options& options) {
-  std::vector<Intervals> all(options.data_sets);
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, options.data_sets, 1), [&](const Range& range) {
-    for (std::size_t index = range.begin(); index < range.end(); ++index) {
-      all[index] = intervals_of(simulate(scenario, options.seed, stream, index), options, index);
-    }
-  });
-  const double first_auc = true_auc(kFirstCorrelation);
-  const double first_c = true_c(kFirstCorrelation);
-  const std::array<double, kQuantities> truth{first_auc,
-                                              first_auc - true_auc(kSecondCorrelation),
-                                              first_c,
-                                              first_c - true_c(kSecondCorrelation)};
-  std::vector<Coverage> rows;
+Intervals intervals_of(const Scenario& scenario,
+                       std::uint32_t stream,
+                       const Options& options,
+                       std::uint64_t index) {
+  const Study study = simulate(scenario, options.seed, stream, index);
+  const std::vector<statistics::Score> scores{{study.first, statistics::HigherMeans::success},
+                                              {study.second, statistics::HigherMeans::success}};
+  const std::vector<statistics::Predictor> predictors{
+      {"first", study.first, statistics::LargerMeans::shorter_time},
+      {"second", study.second, statistics::LargerMeans::shorter_time}};
+  const statistics::SurvivalOutcome outcome{{}, study.time, study.success};
+  Intervals result;
+  for (const bool clustered : {false, true}) {
+    add_analytic(study, scores, outcome, predictors, options.level, clustered, result);
+  }
+  const statistics::Statistic statistic =
+      statistics::joined({statistics::auc_statistic(scores, study.success, {{0, 1}}),
+                          statistics::concordance_statistic(outcome, predictors, {{0, 1}})});
+  for (const bool clustered : {false, true}) {
+    const statistics::ResamplingPlan plan =
+        clustered ? statistics::ResamplingPlan::of_clusters(study.day)
+                  : statistics::ResamplingPlan::of_rows(study.success.size());
+    // Every data set resamples by its own stream.
+    add_bootstrap(statistic,
+                  plan,
+                  {options.replicates, options.seed + index, clustered ? 101U : 100U},
+                  options.level,
+                  clustered ? 5 : 2,
+                  result);
+  }
+  return result;
+}
+
+CoverageTally::CoverageTally(const std::string& scenario) {
+  static const std::array<double, kQuantities> truth = true_values();
   for (std::size_t quantity = 0; quantity < kQuantities; ++quantity) {
-    for (std::size_t method = 0; method < kMethods; ++method) {
-      rows.push_back(summary(all, quantity, method, truth[quantity]));
-      rows.back().scenario = scenario.name;
+    for (const char* const method : kMethodNames) {
+      Coverage sum;
+      sum.scenario = scenario;
+      sum.quantity = kQuantityNames[quantity];
+      sum.method = method;
+      sum.truth = truth[quantity];
+      sums_.push_back(std::move(sum));
     }
+  }
+}
+
+void CoverageTally::add(const Intervals& set) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    Coverage& sum = sums_[i];
+    sum.mean_estimate += set.estimate[i / kMethods];
+    const auto& interval = set.by_quantity[i / kMethods][i % kMethods];
+    if (!interval) {
+      ++sum.missing;
+      continue;
+    }
+    ++sum.intervals;
+    sum.covered += interval->low <= sum.truth && sum.truth <= interval->high ? 1.0 : 0.0;
+    sum.mean_width += interval->high - interval->low;
+  }
+}
+
+std::vector<Coverage> CoverageTally::rows() const {
+  std::vector<Coverage> rows = sums_;
+  for (Coverage& row : rows) {
+    const auto count = static_cast<double>(row.intervals);
+    row.mean_estimate /= static_cast<double>(row.intervals + row.missing);
+    row.covered /= count;
+    row.monte_carlo_se = std::sqrt(row.covered * (1.0 - row.covered) / count);
+    row.mean_width /= count;
   }
   return rows;
 }

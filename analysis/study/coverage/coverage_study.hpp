@@ -1,9 +1,13 @@
 #pragma once
 // How often intervals of AUCs and Cs cover the truth, on simulated studies whose truth is known.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <statistics/basics/interval_row.hpp>
 #include <string>
+#include <table/row_text.hpp>
 #include <vector>
 
 namespace tcert::study::coverage {
@@ -67,11 +71,45 @@ struct Coverage {
   double mean_width = 0.0;
 };
 
+inline constexpr std::size_t kMethods = 8;
+inline constexpr std::size_t kQuantities = 4;
+
+/// Of one data set: the estimate of every quantity, and its intervals by every method.
+struct Intervals {
+  std::array<std::array<std::optional<statistics::Interval>, kMethods>, kQuantities> by_quantity;
+  std::array<double, kQuantities> estimate{};
+};
+
+void row_cells(auto& row, table::Is<Intervals> auto& set) {
+  for (std::size_t quantity = 0; quantity < kQuantities; ++quantity) {
+    row(set.estimate[quantity]);
+    for (auto& interval : set.by_quantity[quantity]) {
+      row(interval);
+    }
+  }
+}
+
+/// Data set number `index` of a scenario. `stream` must differ between scenarios.
+[[nodiscard]] Intervals intervals_of(const Scenario& scenario,
+                                     std::uint32_t stream,
+                                     const Options& options,
+                                     std::uint64_t index);
+
+/// What the data sets of a scenario come to, one after the other.
+class CoverageTally {
+ public:
+  explicit CoverageTally(const std::string& scenario);
+
+  void add(const Intervals& set);
+
+  /// A row a quantity and method.
+  [[nodiscard]] std::vector<Coverage> rows() const;
+
+ private:
+  std::vector<Coverage> sums_;  ///< Of what the rows have means of.
+};
+
 /// 22 days of 30 trials with a within-day correlation of 0, 0.2, 0.5 and 0.8.
 [[nodiscard]] std::vector<Scenario> coverage_scenarios();
-
-/// All methods on all data sets of a scenario. `stream` must differ between scenarios. The same
-/// numbers for any number of threads.
-std::vector<Coverage> run(const Scenario& scenario, std::uint32_t stream, const Options& options);
 
 }  // namespace tcert::study::coverage

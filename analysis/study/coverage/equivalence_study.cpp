@@ -1,8 +1,5 @@
 #include "analysis/study/coverage/equivalence_study.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -31,38 +28,6 @@ std::optional<statistics::Equivalence> tested(const LightingStudy& study, double
   statistics::EquivalenceOptions options;
   options.margin = margin;
   return statistics::equivalence(*scores.joint, options);
-}
-
-EquivalenceRates rates_of(const std::vector<std::optional<statistics::Equivalence>>& all) {
-  EquivalenceRates rates;
-  double squares = 0.0;
-  double sum = 0.0;
-  for (const std::optional<statistics::Equivalence>& one : all) {
-    if (!one || !one->heterogeneity) {
-      continue;
-    }
-    ++rates.tested;
-    const statistics::EquivalencePair& pair = one->pairs[1];
-    rates.equivalent += *one->equivalent ? 1.0 : 0.0;
-    rates.one_pair += pair.equivalent ? 1.0 : 0.0;
-    rates.different += one->heterogeneity->p_value < 0.05 ? 1.0 : 0.0;
-    rates.mean_error += pair.standard_error;
-    rates.mean_range += *one->range;
-    rates.mean_power_margin += *one->margin_with_power;
-    sum += pair.difference;
-    squares += pair.difference * pair.difference;
-  }
-  const auto count = static_cast<double>(rates.tested);
-  for (double* const rate : {&rates.equivalent,
-                             &rates.one_pair,
-                             &rates.different,
-                             &rates.mean_error,
-                             &rates.mean_range,
-                             &rates.mean_power_margin}) {
-    *rate /= count;
-  }
-  rates.true_error = std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));
-  return rates;
 }
 
 }  // namespace
@@ -110,22 +75,59 @@ LightingStudy simulate(const LightingScenario& scenario,
   return study;
 }
 
-EquivalenceRates run_equivalence(const LightingScenario& scenario,
+EquivalenceSets::EquivalenceSets(const LightingScenario& scenario,
                                  std::uint32_t stream,
-                                 std::size_t data_sets,
-                                 std::uint64_t seed) {
-  const double better = correlation_of(kBetterAuc);
-  const double worse = correlation_of(kBetterAuc - scenario.difference);
-  std::vector<std::optional<statistics::Equivalence>> all(data_sets);
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, data_sets, 8), [&](const Range& range) {
-    for (std::size_t index = range.begin(); index < range.end(); ++index) {
-      all[index] =
-          tested(simulate(scenario, {better, better, worse}, seed, stream, index), scenario.margin);
-    }
+                                 std::uint64_t seed)
+    : scenario_(scenario), stream_(stream), seed_(seed) {}
+
+std::optional<EquivalenceFound> EquivalenceSets::operator()(std::uint64_t index) const {
+  static const double better = correlation_of(kBetterAuc);
+  std::call_once(is_known_, [&] {
+    correlation_ = {better, better, correlation_of(kBetterAuc - scenario_.difference)};
   });
-  EquivalenceRates rates = rates_of(all);
-  rates.scenario = scenario.name;
+  const auto one =
+      tested(simulate(scenario_, correlation_, seed_, stream_, index), scenario_.margin);
+  if (!one || !one->heterogeneity) {
+    return std::nullopt;
+  }
+  const statistics::EquivalencePair& pair = one->pairs[1];
+  return EquivalenceFound{*one->equivalent,
+                          pair.equivalent,
+                          one->heterogeneity->p_value < 0.05,
+                          pair.standard_error,
+                          *one->range,
+                          *one->margin_with_power,
+                          pair.difference};
+}
+
+void EquivalenceTally::add(const std::optional<EquivalenceFound>& found) {
+  if (!found) {
+    return;
+  }
+  ++sums_.tested;
+  sums_.equivalent += found->equivalent ? 1.0 : 0.0;
+  sums_.one_pair += found->one_pair ? 1.0 : 0.0;
+  sums_.different += found->different ? 1.0 : 0.0;
+  sums_.mean_error += found->error;
+  sums_.mean_range += found->range;
+  sums_.mean_power_margin += found->power_margin;
+  sum_ += found->difference;
+  squares_ += found->difference * found->difference;
+}
+
+EquivalenceRates EquivalenceTally::rates() const {
+  EquivalenceRates rates = sums_;
+  const auto count = static_cast<double>(rates.tested);
+  for (double* const rate : {&rates.equivalent,
+                             &rates.one_pair,
+                             &rates.different,
+                             &rates.mean_error,
+                             &rates.mean_range,
+                             &rates.mean_power_margin}) {
+    *rate /= count;
+  }
+  rates.true_error =
+      std::sqrt(std::max(0.0, squares_ / count - (sum_ / count) * (sum_ / count)));
   return rates;
 }
 

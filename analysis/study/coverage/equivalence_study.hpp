@@ -5,8 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <table/factor.hpp>
+#include <table/row_text.hpp>
 #include <vector>
 
 namespace tcert::study::coverage {
@@ -43,6 +46,22 @@ LightingStudy simulate(const LightingScenario& scenario,
                        std::uint32_t stream,
                        std::uint64_t index);
 
+/// What one data set gives. Nothing without an AUC and a variance in every lighting.
+struct EquivalenceFound {
+  bool equivalent = false;
+  bool one_pair = false;
+  bool different = false;
+  double error = 0.0;
+  double range = 0.0;
+  double power_margin = 0.0;
+  double difference = 0.0;  ///< Of the pair first, third.
+};
+
+void row_cells(auto& row, table::Is<EquivalenceFound> auto& found) {
+  row(found.equivalent, found.one_pair, found.different);
+  row(found.error, found.range, found.power_margin, found.difference);
+}
+
 struct EquivalenceRates {
   std::string scenario;
   std::size_t tested = 0;          ///< Data sets with an AUC and a variance in every lighting.
@@ -59,11 +78,35 @@ struct EquivalenceRates {
 /// alike, half a margin and a margin apart.
 [[nodiscard]] std::vector<LightingScenario> equivalence_scenarios();
 
-/// All data sets of a scenario, 0.76 the AUC of the better lightings. `stream` must differ between
-/// scenarios. The same numbers for any number of threads.
-EquivalenceRates run_equivalence(const LightingScenario& scenario,
-                                 std::uint32_t stream,
-                                 std::size_t data_sets,
-                                 std::uint64_t seed = 1);
+/// Data sets of a scenario, 0.76 the AUC of the better lightings. `stream` must differ between
+/// scenarios.
+class EquivalenceSets {
+ public:
+  EquivalenceSets(const LightingScenario& scenario, std::uint32_t stream, std::uint64_t seed);
+
+  /// Data set number `index`. Thread-safe.
+  [[nodiscard]] std::optional<EquivalenceFound> operator()(std::uint64_t index) const;
+
+ private:
+  LightingScenario scenario_;
+  std::uint32_t stream_;
+  std::uint64_t seed_;
+  // A third of a second, which whoever makes no data set of it need not wait for.
+  mutable std::once_flag is_known_;
+  mutable std::array<double, kLightings> correlation_{};
+};
+
+/// What the data sets of a scenario come to, one after the other.
+class EquivalenceTally {
+ public:
+  void add(const std::optional<EquivalenceFound>& found);
+
+  [[nodiscard]] EquivalenceRates rates() const;
+
+ private:
+  EquivalenceRates sums_;  ///< Of what the rates are means of.
+  double sum_ = 0.0;
+  double squares_ = 0.0;
+};
 
 }  // namespace tcert::study::coverage

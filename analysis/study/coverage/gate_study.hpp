@@ -1,12 +1,16 @@
 #pragma once
 // How often the sets of the 50 % point cover its large-sample value, over simulated micro-studies.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <table/row_text.hpp>
 #include <vector>
 
-#include "analysis/study/watch.hpp"
+#include "analysis/study/gate/even_chance.hpp"
 
 namespace tcert::study::coverage {
 
@@ -15,6 +19,40 @@ struct GateOptions {
   std::size_t replicates = 999;
   std::uint64_t first_seed = 1;
   double level = 0.95;
+};
+
+inline constexpr std::size_t kGateMethods = 4;
+
+/// One micro-study, with its sets in the order fieller, profile, bootstrap percentile, BCa.
+struct GateStudy {
+  std::vector<double> margin;         ///< Of its passes, metres.
+  std::vector<std::uint8_t> success;  ///< The same.
+  std::optional<double> point;        ///< None if the passes are separated.
+  std::array<ConfidenceSet, kGateMethods> sets;
+};
+
+void row_cells(auto& row, table::Is<GateStudy> auto& study) {
+  row(study.margin, study.success, study.point);
+  for (auto& set : study.sets) {
+    row(set.kind, set.low, set.high);
+  }
+}
+
+/// Micro-studies: passes are simulated, resampled to ticks and certified as the tool does.
+class GateStudies {
+ public:
+  explicit GateStudies(const GateOptions& options);
+  ~GateStudies();
+  GateStudies(const GateStudies&) = delete;
+  GateStudies& operator=(const GateStudies&) = delete;
+
+  /// Micro-study number `index`. Thread-safe.
+  [[nodiscard]] GateStudy operator()(std::uint64_t index) const;
+
+ private:
+  struct Certifiers;
+  GateOptions options_;
+  std::unique_ptr<Certifiers> certifiers_;  ///< One a thread.
 };
 
 struct GateCoverage {
@@ -37,8 +75,7 @@ struct GateSummary {
   std::vector<GateCoverage> methods;
 };
 
-/// Passes are simulated, resampled to ticks and certified as the tool does. The same numbers for
-/// any number of threads. `watch` hears of each study that is made, and of each that is evaluated.
-GateSummary run_gates(const GateOptions& options, const Watch& watch = {});
+/// What micro-studies come to. \throws std::domain_error if all of them together are separated.
+[[nodiscard]] GateSummary summarise(const std::vector<GateStudy>& studies);
 
 }  // namespace tcert::study::coverage

@@ -1,8 +1,5 @@
 #include "analysis/study/coverage/ray_study.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <statistics/calibration/conformal.hpp>
@@ -128,11 +125,24 @@ std::vector<RayScenario> ray_scenarios() {
           {"100 days, 0.05", 100, 0.05, 0.0}};
 }
 
-RayCoverage run_rays(const RayScenario& scenario,
-                     std::uint32_t stream,
-                     std::size_t calibrations,
-                     std::size_t new_days,
-                     std::uint64_t seed) {
+RayCalibrated calibrate_one(const RayScenario& scenario,
+                            std::uint32_t stream,
+                            std::size_t new_days,
+                            std::uint64_t seed,
+                            std::uint64_t index) {
+  RayCalibrationOptions options;
+  options.alpha = scenario.alpha;
+  options.seed = index + 1;
+  const RayCalibrationResult made = calibrate_rays(
+      days_of(index, 0, scenario.days, scenario.glitches, seed, stream), options);
+  return {made.calibration->bound->quantile_m,
+          covered_days(days_of(index, scenario.days, new_days, scenario.glitches, seed, stream),
+                       made.calibration->usable)};
+}
+
+RayCoverage summarise(const RayScenario& scenario,
+                      std::size_t new_days,
+                      const std::vector<RayCalibrated>& calibrations) {
   RayCoverage row;
   row.scenario = scenario.name;
   row.days = scenario.days;
@@ -140,41 +150,26 @@ RayCoverage run_rays(const RayScenario& scenario,
   row.promised = 1.0 - scenario.alpha;
   row.bound_days = days_of_bound(scenario.days, scenario.alpha);
   row.rank = statistics::conformal_rank(row.bound_days, scenario.alpha).value();
-  row.calibrations = calibrations;
+  row.calibrations = calibrations.size();
   row.new_days = new_days;
   row.expected = static_cast<double>(row.rank) / static_cast<double>(row.bound_days + 1);
   row.expected_low = statistics::conformal_coverage_quantile(row.bound_days, row.rank, 0.05);
-  std::vector<std::size_t> covered(calibrations);
-  std::vector<double> quantiles(calibrations);
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, calibrations, 8), [&](const Range& range) {
-    for (std::size_t index = range.begin(); index < range.end(); ++index) {
-      RayCalibrationOptions options;
-      options.alpha = scenario.alpha;
-      options.seed = index + 1;
-      const RayCalibrationResult made = calibrate_rays(
-          days_of(index, 0, scenario.days, scenario.glitches, seed, stream), options);
-      quantiles[index] = made.calibration->bound->quantile_m;
-      covered[index] =
-          covered_days(days_of(index, scenario.days, new_days, scenario.glitches, seed, stream),
-                       made.calibration->usable);
-    }
-  });
+  const auto n = static_cast<double>(calibrations.size());
+  std::vector<std::size_t> covered;
   double sum = 0.0;
   double squares = 0.0;
-  for (std::size_t index = 0; index < calibrations; ++index) {
-    const double share = static_cast<double>(covered[index]) / static_cast<double>(new_days);
+  for (const RayCalibrated& one : calibrations) {
+    const double share = static_cast<double>(one.covered_days) / static_cast<double>(new_days);
     sum += share;
     squares += share * share;
-    row.mean_quantile_m += quantiles[index] / static_cast<double>(calibrations);
+    row.mean_quantile_m += one.quantile_m / n;
+    covered.push_back(one.covered_days);
   }
-  const auto n = static_cast<double>(calibrations);
   row.covered = sum / n;
   row.monte_carlo_se = std::sqrt(std::max(0.0, squares / n - row.covered * row.covered) / n);
   row.distance = distance_to_law(covered, row);
-  std::vector<std::size_t> sorted = covered;
-  std::ranges::sort(sorted);
-  row.low = static_cast<double>(sorted[sorted.size() / 20]) / static_cast<double>(new_days);
+  std::ranges::sort(covered);
+  row.low = static_cast<double>(covered[covered.size() / 20]) / static_cast<double>(new_days);
   return row;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <table/row_text.hpp>
 #include <vector>
 
 #include "datasets/ray_pairs.hpp"
@@ -27,6 +28,24 @@ struct RayScenario {
                                          std::size_t count,
                                          std::uint64_t seed,
                                          std::uint32_t stream);
+
+/// How one calibration fares on new days.
+struct RayCalibrated {
+  double quantile_m = 0.0;
+  std::uint64_t covered_days = 0;
+};
+
+void row_cells(auto& row, table::Is<RayCalibrated> auto& one) {
+  row(one.quantile_m, one.covered_days);
+}
+
+/// Calibration number `index`: calibrate_rays() of its own days, asked of `new_days` others.
+/// `stream` must differ between scenarios.
+[[nodiscard]] RayCalibrated calibrate_one(const RayScenario& scenario,
+                                          std::uint32_t stream,
+                                          std::size_t new_days,
+                                          std::uint64_t seed,
+                                          std::uint64_t index);
 
 struct RayCoverage {
   std::string scenario;
@@ -52,12 +71,9 @@ struct RayCoverage {
 /// 100 at 0.05 (50).
 [[nodiscard]] std::vector<RayScenario> ray_scenarios();
 
-/// Each calibration is calibrate_rays() of its own days and asked of `new_days` others. The same
-/// numbers for any number of threads. `stream` must differ between scenarios.
-[[nodiscard]] RayCoverage run_rays(const RayScenario& scenario,
-                                   std::uint32_t stream,
-                                   std::size_t calibrations,
-                                   std::size_t new_days = 100,
-                                   std::uint64_t seed = 1);
+/// What the calibrations of a scenario come to.
+[[nodiscard]] RayCoverage summarise(const RayScenario& scenario,
+                                    std::size_t new_days,
+                                    const std::vector<RayCalibrated>& calibrations);
 
 }  // namespace tcert::study::coverage

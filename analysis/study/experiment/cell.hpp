@@ -17,7 +17,7 @@
 namespace tcert::study {
 
 struct Cell {
-  std::string name;                                            ///< Unique within a batch.
+  std::string name;                                            ///< Unique within a run.
   std::vector<std::pair<std::string, std::string>> overrides;  ///< Key and value, in order.
 };
 

@@ -5,11 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <statistics/basics/binomial_interval.hpp>
-#include <statistics/basics/quantile.hpp>
 #include <tcert/certifier.hpp>
-#include <tuple>
 
 #include "analysis/study/soundness/soundness_walk.hpp"
 #include "analysis/study/truth/slack.hpp"
@@ -76,41 +72,6 @@ SoundnessOutcome certify(const TickTable& ticks,
   return outcome;
 }
 
-WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
-                         const SoundnessOptions& options,
-                         std::uint64_t index) {
-  const SoundnessWalk walk = options.driven
-                                 ? driven_walk(options.seed, index)
-                                 : random_walk(options.family(index), options.seed, index);
-  WorldOutcome world;
-  world.family = walk.family;
-  world.truth_m = walk.truth_m;
-  world.clearance_truth_m = walk.clearance_truth_m;
-  world.lanes = walk.lanes;
-  world.explored = walk.explored;
-  world.reached = walk.drive.end_reason == EndReason::goal;
-  const TickTable felt = true_ticks(walk.drive, walk.walls);
-  const TickTable logged = logged_ticks(walk.drive, walk.walls, options.seed, index);
-  world.ticks = static_cast<std::uint32_t>(felt.size());
-  for (const SoundnessMethod& method : methods) {
-    const TickTable& ticks = method.noise ? logged : felt;
-    if (method.parameters.clearance == ClearanceReading::witness) {
-      const witness::Samples samples =
-          method.native_rates
-              ? witness_samples(
-                    native_log(walk.drive, walk.walls, method.noise, options.seed, index),
-                    corpus_robot(),
-                    method.witness,
-                    method.parameters)
-              : felt_samples(ticks, corpus_robot());
-      world.outcomes.push_back(prove_at_end(samples, walk.course, method, walk.truth_m));
-    } else {
-      world.outcomes.push_back(certify(ticks, walk.course, method, walk.truth_m));
-    }
-  }
-  return world;
-}
-
 }  // namespace
 
 std::vector<SoundnessMethod> mixed_methods() {
@@ -165,54 +126,52 @@ double upper_value(const RandomWorld& drawn, const Robot& robot) {
       exact_disc_clearance(drawn.world).upper_m, robot.body_width_m, SlackConvention::width);
 }
 
+WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
+                         const SoundnessOptions& options,
+                         std::uint64_t index) {
+  const SoundnessWalk walk = options.driven
+                                 ? driven_walk(options.seed, index)
+                                 : random_walk(options.family(index), options.seed, index);
+  WorldOutcome world;
+  world.family = walk.family;
+  world.truth_m = walk.truth_m;
+  world.clearance_truth_m = walk.clearance_truth_m;
+  world.lanes = walk.lanes;
+  world.explored = walk.explored;
+  world.reached = walk.drive.end_reason == EndReason::goal;
+  const TickTable felt = true_ticks(walk.drive, walk.walls);
+  const TickTable logged = std::ranges::any_of(methods, &SoundnessMethod::noise)
+                               ? logged_ticks(walk.drive, walk.walls, options.seed, index)
+                               : TickTable{};
+  world.ticks = static_cast<std::uint32_t>(felt.size());
+  for (const SoundnessMethod& method : methods) {
+    const TickTable& ticks = method.noise ? logged : felt;
+    if (method.parameters.clearance == ClearanceReading::witness) {
+      const witness::Samples samples =
+          method.native_rates
+              ? witness_samples(
+                    native_log(walk.drive, walk.walls, method.noise, options.seed, index),
+                    corpus_robot(),
+                    method.witness,
+                    method.parameters)
+              : felt_samples(ticks, corpus_robot());
+      world.outcomes.push_back(prove_at_end(samples, walk.course, method, walk.truth_m));
+    } else {
+      world.outcomes.push_back(certify(ticks, walk.course, method, walk.truth_m));
+    }
+  }
+  return world;
+}
+
 std::vector<WorldOutcome> study_soundness(const std::vector<SoundnessMethod>& methods,
                                           const SoundnessOptions& options) {
   std::vector<WorldOutcome> worlds(options.worlds);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options.worlds, 16), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      worlds[i] = study_world(methods, options, options.first + i);
+      worlds[i] = study_world(methods, options, i);
     }
   });
   return worlds;
-}
-
-SoundnessSummary summarise(const std::vector<WorldOutcome>& worlds, std::size_t method) {
-  SoundnessSummary summary;
-  summary.worlds = worlds.size();
-  for (const WorldOutcome& world : worlds) {
-    const SoundnessOutcome& outcome = world.outcomes[method];
-    summary.ticks += world.ticks;
-    summary.issued += outcome.issued ? 1U : 0U;
-    summary.untraversable += world.truth_m <= 0.0 ? 1U : 0U;
-    summary.spurious += outcome.issued && world.truth_m <= 0.0 ? 1U : 0U;
-    summary.violations += outcome.violating_ticks > 0 ? 1U : 0U;
-    summary.violating_ticks += outcome.violating_ticks;
-    summary.largest_excess_m = std::max(summary.largest_excess_m, outcome.excess_m);
-  }
-  summary.violation_bound =
-      statistics::clopper_pearson_upper(summary.violations, summary.worlds).value_or(1.0);
-  return summary;
-}
-
-std::vector<Tightness> tightness_of(const std::vector<WorldOutcome>& worlds, std::size_t method) {
-  std::map<std::tuple<WorldFamily, unsigned, unsigned>, std::vector<double>> gaps;
-  for (const WorldOutcome& world : worlds) {
-    const double certificate_m = world.outcomes[method].certificate_m;
-    if (world.reached && certificate_m > kNoPath) {
-      gaps[{world.family, world.explored, world.lanes}].push_back(world.truth_m - certificate_m);
-    }
-  }
-  std::vector<Tightness> rows;
-  for (auto& [key, values] : gaps) {
-    const auto& [family, explored, lanes] = key;
-    rows.push_back({family,
-                    explored,
-                    lanes,
-                    values.size(),
-                    statistics::quantile_in_place(values, 0.5).value(),
-                    statistics::quantile_in_place(values, 0.9).value()});
-  }
-  return rows;
 }
 
 }  // namespace tcert::study

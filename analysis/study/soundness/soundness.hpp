@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <table/row_text.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/robot.hpp>
 #include <vector>
@@ -36,7 +37,6 @@ struct SoundnessMethod {
 struct SoundnessOptions {
   std::size_t worlds = 1000;
   std::uint64_t seed = 1;
-  std::uint64_t first = 0;                                    ///< Number of the first world.
   WorldFamily (*family)(std::uint64_t index) = mixed_family;  ///< Of the world of a number.
   bool driven = false;  ///< By policies through gated worlds in place of those.
 };
@@ -49,6 +49,10 @@ struct SoundnessOutcome {
   bool issued = false;
 };
 
+void row_cells(auto& row, table::Is<SoundnessOutcome> auto& outcome) {
+  row(outcome.certificate_m, outcome.excess_m, outcome.violating_ticks, outcome.issued);
+}
+
 struct WorldOutcome {
   WorldFamily family = WorldFamily::gates;
   double truth_m = 0.0;  ///< T_upper by clearance; of a U-turn the exact T.
@@ -60,6 +64,11 @@ struct WorldOutcome {
   std::vector<SoundnessOutcome> outcomes;  ///< One per method.
 };
 
+void row_cells(auto& row, table::Is<WorldOutcome> auto& world) {
+  row(world.family, world.truth_m, world.clearance_truth_m, world.ticks);
+  row(world.lanes, world.explored, world.reached, world.outcomes);
+}
+
 /// T of the U-turn about a wall of thickness t between corridors of width w: the largest
 /// min(2 (d - r_B), w + t/2 - d - R_min) over d <= w/2. To turn by half, a path of radius at least
 /// r needs 2 r across, and the corridors leave 2 (w - d) + t between clearances d.
@@ -68,37 +77,13 @@ struct WorldOutcome {
 /// T_upper of a random world by clearance alone, in the width convention.
 [[nodiscard]] double upper_value(const RandomWorld& drawn, const Robot& robot);
 
-/// Worlds in parallel, each in its own slot: the same for any number of threads.
+/// One world, certified by every method.
+[[nodiscard]] WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
+                                       const SoundnessOptions& options,
+                                       std::uint64_t index);
+
+/// The worlds of `options` in parallel, each in its own slot: the same for any number of threads.
 [[nodiscard]] std::vector<WorldOutcome> study_soundness(const std::vector<SoundnessMethod>& methods,
                                                         const SoundnessOptions& options);
-
-/// What the outcomes of one method say of all worlds.
-struct SoundnessSummary {
-  std::size_t worlds = 0;
-  std::uint64_t ticks = 0;
-  std::size_t issued = 0;
-  std::size_t spurious = 0;       ///< Issued although T <= 0.
-  std::size_t untraversable = 0;  ///< Worlds with T <= 0.
-  std::size_t violations = 0;     ///< Worlds with T_t > T at some tick.
-  std::uint64_t violating_ticks = 0;
-  double largest_excess_m = 0.0;  ///< Largest T_t - T where above 0; else 0.
-  double violation_bound = 1.0;   ///< One-sided 95 % Clopper-Pearson bound of the worlds' rate.
-};
-
-[[nodiscard]] SoundnessSummary summarise(const std::vector<WorldOutcome>& worlds,
-                                         std::size_t method);
-
-/// T_upper - T_t at the end of the runs that reached G, by how much of the world they explored.
-struct Tightness {
-  WorldFamily family = WorldFamily::gates;
-  unsigned explored = 0;
-  unsigned lanes = 0;
-  std::size_t worlds = 0;
-  double median_m = 0.0;
-  double p90_m = 0.0;
-};
-
-[[nodiscard]] std::vector<Tightness> tightness_of(const std::vector<WorldOutcome>& worlds,
-                                                  std::size_t method);
 
 }  // namespace tcert::study

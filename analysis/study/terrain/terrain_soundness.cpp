@@ -1,10 +1,7 @@
 #include "analysis/study/terrain/terrain_soundness.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <table/random.hpp>
 #include <terrain/explore.hpp>
-#include <vector>
 
 #include "analysis/study/terrain/scenarios.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
@@ -14,13 +11,9 @@ namespace {
 
 constexpr std::uint32_t kSoundnessPurpose = 0x7e44bb;
 
-struct Outcome {
-  ExploreResult result;
-  bool contradicted = false;
-};
+}  // namespace
 
-Outcome run(
-    std::uint64_t number, double factor, bool trust_model, std::uint64_t seed, double beta) {
+TerrainOutcome explore_terrain(const Telling& telling, std::uint64_t seed, std::uint64_t number) {
   constexpr double kLipschitz = 20.0;
   TerrainFieldOptions field;
   field.rows = 48;
@@ -47,41 +40,38 @@ Outcome run(
     setup.goal = safe_cell();
   }
   setup.rules.threshold = field.mean;
-  setup.rules.lipschitz = factor * kLipschitz;
-  setup.rules.trust_model = trust_model;
-  setup.rules.beta = beta;
+  setup.rules.lipschitz = telling.told * kLipschitz;
+  setup.rules.trust_model = telling.trusted;
+  setup.rules.beta = telling.beta;
   setup.rules.look_ahead = number % 2 == 0;
   setup.prior = prior_of(setup.rules.lipschitz, field.length_scale, terrain.at(setup.start));
   setup.max_steps = 150;
   setup.motion = number % 3 == 0 ? Motion::reactive : Motion::route;
-  Outcome outcome;
-  outcome.result = explore(terrain, setup);
-  outcome.contradicted = outcome.result.last().lipschitz > setup.rules.lipschitz;
+  const ExploreResult result = explore(terrain, setup);
+  TerrainOutcome outcome;
+  outcome.unsafe_cells = result.most_unsafe_certified > 0;
+  outcome.unsafe_visits = result.last().unsafe_visits > 0;
+  outcome.contradicted = result.last().lipschitz > setup.rules.lipschitz;
+  outcome.reached = result.end == End::reached;
+  outcome.not_reachable = result.end == End::not_reachable || result.end == End::only_lipschitz ||
+                          result.end == End::explored;
+  outcome.samples = result.steps.size();
   return outcome;
 }
 
-}  // namespace
+void Soundness::add(const TerrainOutcome& one) {
+  ++terrains;
+  with_unsafe_cells += one.unsafe_cells ? 1U : 0U;
+  with_unsafe_visits += one.unsafe_visits ? 1U : 0U;
+  contradicted += one.contradicted ? 1U : 0U;
+  reached += one.reached ? 1U : 0U;
+  not_reachable += one.not_reachable ? 1U : 0U;
+  limit += one.reached || one.not_reachable ? 0U : 1U;
+  samples += one.samples;
+}
 
-Soundness soundness(
-    std::size_t terrains, double factor, bool trust_model, std::uint64_t seed, double beta) {
-  std::vector<Outcome> outcomes(terrains);
-  tbb::parallel_for(std::size_t{0}, terrains, [&](std::size_t i) {
-    outcomes[i] = run(i, factor, trust_model, seed, beta);
-  });
-  Soundness sum;
-  sum.terrains = terrains;
-  for (const Outcome& o : outcomes) {
-    sum.with_unsafe_cells += o.result.most_unsafe_certified > 0 ? 1U : 0U;
-    sum.with_unsafe_visits += o.result.last().unsafe_visits > 0 ? 1U : 0U;
-    sum.contradicted += o.contradicted ? 1U : 0U;
-    sum.reached += o.result.end == End::reached ? 1U : 0U;
-    const End end = o.result.end;
-    sum.not_reachable +=
-        end == End::not_reachable || end == End::only_lipschitz || end == End::explored ? 1U : 0U;
-    sum.mean_samples += static_cast<double>(o.result.steps.size()) / static_cast<double>(terrains);
-  }
-  sum.limit = terrains - sum.reached - sum.not_reachable;
-  return sum;
+double Soundness::mean_samples() const noexcept {
+  return static_cast<double>(samples) / static_cast<double>(terrains);
 }
 
 }  // namespace tcert::terrain::study

@@ -26,7 +26,7 @@ std::vector<study::GridAxis> axes_of(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-std::vector<study::Cell> cells_of_file(const BatchRequest& options, Progress& progress) {
+std::vector<study::Cell> cells_of_file(const CellsRequest& options, Progress& progress) {
   const DataFile file = read_data_file(options.cells, {}, options.logs.decimal_comma, progress);
   std::vector<study::Cell> cells(file.table.rows);
   for (std::size_t row = 0; row < cells.size(); ++row) {

@@ -9,6 +9,7 @@
 #include "cli/runs/errors.hpp"
 #include "cli/runs/experiment/cell_jobs.hpp"
 #include "cli/runs/experiment/chunk_rows.hpp"
+#include "cli/runs/program_digest.hpp"
 #include "cli/runs/progress.hpp"
 #include "reports/features_table.hpp"
 #include "reports/replay_table.hpp"
@@ -195,7 +196,32 @@ class Maker {
   std::size_t done_ = 0;
 };
 
+/// Jobs of both kinds become two lists of their own: where each job is in the list of its kind.
+std::vector<std::size_t> places_of(const Jobs& jobs, CellFiles& files) {
+  std::vector<std::size_t> places;
+  for (const Job& job : jobs.jobs) {
+    auto& list = job.kind == TableKind::features ? files.features : files.replays;
+    places.push_back(list.size());
+    list.emplace_back();
+  }
+  const auto placed = [&](std::vector<std::size_t> of) {
+    for (std::size_t& job : of) {
+      job = job == kNoTable ? job : places[job];
+    }
+    return of;
+  };
+  files.features_of = placed(jobs.features_of);
+  files.replays_of = placed(jobs.replays_of);
+  return places;
+}
+
 }  // namespace
+
+CellFiles unmade_files(std::span<const study::PlannedCell> cells) {
+  CellFiles files;
+  static_cast<void>(places_of(jobs_of(cells), files));
+  return files;
+}
 
 CellFiles files_of_cells(const OpenedBundle& opened,
                          std::int64_t threads,
@@ -204,6 +230,7 @@ CellFiles files_of_cells(const OpenedBundle& opened,
                          Cache* store) {
   const Jobs jobs = jobs_of(cells);
   CellFiles files;
+  const std::vector<std::size_t> places = places_of(jobs, files);
   Maker maker(opened, threads, progress, jobs.jobs, store, files);
   const std::span<const std::size_t> trials(opened.trials);
   for (std::size_t first = 0; first < trials.size(); first += kChunk) {
@@ -214,27 +241,11 @@ CellFiles files_of_cells(const OpenedBundle& opened,
     }
   }
   std::vector<std::string> tables = maker.finish();
-  // Jobs of both kinds become two lists of their own.
-  std::vector<std::size_t> place(tables.size());
   for (std::size_t j = 0; j < tables.size(); ++j) {
     auto& list = jobs.jobs[j].kind == TableKind::features ? files.features : files.replays;
-    place[j] = list.size();
-    list.push_back(std::move(tables[j]));
+    list[places[j]] = std::move(tables[j]);
   }
-  const auto placed = [&](std::vector<std::size_t> of) {
-    for (std::size_t& job : of) {
-      job = job == kNoTable ? job : place[job];
-    }
-    return of;
-  };
-  files.features_of = placed(jobs.features_of);
-  files.replays_of = placed(jobs.replays_of);
   return files;
-}
-
-const std::string& program_digest() {
-  static const std::string digest = digest_file("/proc/self/exe").sha256;
-  return digest;
 }
 
 }  // namespace tcert::cli

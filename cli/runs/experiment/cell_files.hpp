@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The per-trial tables of a batch's cells: from the cache where they are there, else made.
+/// The per-trial tables of cells: from the cache where they are there, else made.
 
 #include <cstddef>
 #include <span>
@@ -30,15 +30,15 @@ struct CellFiles {
   study::CellReuse reuse;  ///< Of the steps within what was made.
 };
 
-/// Trials are taken in chunks, and a chunk's results are stored when it is done, so that a batch
+/// Which tables cells have, none of them made.
+[[nodiscard]] CellFiles unmade_files(std::span<const study::PlannedCell> cells);
+
+/// Trials are taken in chunks, and a chunk's results are stored when it is done, so that a run
 /// that was stopped goes on where it was. `store` may be null. \throws BadData under --strict.
 [[nodiscard]] CellFiles files_of_cells(const OpenedBundle& opened,
                                        std::int64_t threads,
                                        Progress& progress,
                                        std::span<const study::PlannedCell> cells,
                                        Cache* store);
-
-/// Digest of this program: results of another build are not used.
-[[nodiscard]] const std::string& program_digest();
 
 }  // namespace tcert::cli

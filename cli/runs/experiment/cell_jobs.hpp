@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which tables of trials the cells of a batch need, each distinct one once.
+/// Which tables of trials cells need, each distinct one once.
 
 #include <cstddef>
 #include <cstdint>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/study/experiment/cell_scores.hpp"
+#include "cli/runs/program_digest.hpp"
 #include "reports/experiment/cells_table.hpp"
 #include "reports/sha256.hpp"
 

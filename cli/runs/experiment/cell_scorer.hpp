@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// H1 and H3 of a batch's tables, each distinct table scored once and kept in the cache.
+/// H1 and H3 of the tables of cells, each distinct table scored once and kept in the cache.
 
 #include <cstddef>
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace tcert::cli {
 
-/// What a batch needs to know of itself to score its tables.
+/// What an experiment needs to know of itself to score its tables.
 struct Scoring {
   const CellFiles& files;
   study::H1Options h1;

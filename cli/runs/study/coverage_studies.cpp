@@ -1,9 +1,10 @@
+#include <memory>
+
 #include "analysis/study/coverage/coverage_study.hpp"
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
 #include "analysis/study/coverage/ray_study.hpp"
 #include "cli/runs/study/studies.hpp"
-#include "cli/runs/watched_stages.hpp"
 #include "reports/study/coverage_report.hpp"
 
 namespace tcert::cli {
@@ -14,66 +15,138 @@ constexpr std::uint32_t kCoverageStream = 10;
 constexpr std::uint32_t kEquivalenceStream = 200;
 constexpr std::uint32_t kRayStream = 400;
 
+constexpr std::size_t kNewDays = 100;
+
 std::size_t number(const std::optional<std::int64_t>& told, std::size_t usual) {
   return told ? static_cast<std::size_t>(*told) : usual;
 }
 
 }  // namespace
 
-FitReport coverage_study(const StudyRequest& request, Progress& progress) {
+StudyItems coverage_study(const StudyRequest& request, Progress& /*progress*/) {
   study::coverage::Options options;
   options.data_sets = number(request.data_sets, options.data_sets);
   options.replicates = number(request.replicates, options.replicates);
   options.seed = static_cast<std::uint64_t>(request.seed);
   const auto scenarios = study::coverage::coverage_scenarios();
-  std::vector<study::coverage::Coverage> rows;
-  Stage stage(progress, "scenarios", scenarios.size());
+  const auto tallies = std::make_shared<std::vector<study::coverage::CoverageTally>>();
+  StudyItems items;
   std::uint32_t stream = kCoverageStream;
   for (const study::coverage::Scenario& scenario : scenarios) {
-    const auto some = study::coverage::run(scenario, stream++, options);
-    rows.insert(rows.end(), some.begin(), some.end());
-    stage.advance();
+    items.sets.push_back(independent_items(
+        "data sets of " + scenario.name,
+        options.data_sets,
+        [scenario, options, stream](std::uint64_t set) {
+          return table::row_text(study::coverage::intervals_of(scenario, stream, options, set));
+        }));
+    ++stream;
   }
-  return coverage_report(rows, options);
+  items.take = [tallies, scenarios](
+                   std::size_t scenario, std::uint64_t /*set*/, std::string_view line) {
+    while (tallies->size() <= scenario) {  // Their truth costs time, which only who tallies waits for.
+      tallies->emplace_back(scenarios.at(tallies->size()).name);
+    }
+    (*tallies)[scenario].add(table::from_row<study::coverage::Intervals>(line));
+  };
+  items.report = [tallies, options] {
+    std::vector<study::coverage::Coverage> rows;
+    for (const study::coverage::CoverageTally& tally : *tallies) {
+      const auto some = tally.rows();
+      rows.insert(rows.end(), some.begin(), some.end());
+    }
+    return coverage_report(rows, options);
+  };
+  return items;
 }
 
-FitReport equivalence_study(const StudyRequest& request, Progress& progress) {
+StudyItems equivalence_study(const StudyRequest& request, Progress& /*progress*/) {
   const std::size_t data_sets = number(request.data_sets, 2000);
   const auto seed = static_cast<std::uint64_t>(request.seed);
   const auto scenarios = study::coverage::equivalence_scenarios();
-  std::vector<ScenarioRates> rows;
-  Stage stage(progress, "scenarios", scenarios.size());
+  const auto tallies =
+      std::make_shared<std::vector<study::coverage::EquivalenceTally>>(scenarios.size());
+  StudyItems items;
   std::uint32_t stream = kEquivalenceStream;
   for (const study::coverage::LightingScenario& scenario : scenarios) {
-    rows.emplace_back(scenario,
-                      study::coverage::run_equivalence(scenario, stream++, data_sets, seed));
-    stage.advance();
+    const auto sets =
+        std::make_shared<const study::coverage::EquivalenceSets>(scenario, stream++, seed);
+    items.sets.push_back(independent_items("data sets", data_sets, [sets](std::uint64_t set) {
+      return table::row_text((*sets)(set));
+    }));
   }
-  return equivalence_report(rows, data_sets, seed);
+  items.take = [tallies](std::size_t scenario, std::uint64_t /*set*/, std::string_view line) {
+    using Found = std::optional<study::coverage::EquivalenceFound>;
+    tallies->at(scenario).add(table::from_row<Found>(line));
+  };
+  items.report = [tallies, scenarios, data_sets, seed] {
+    std::vector<ScenarioRates> rows;
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+      rows.emplace_back(scenarios[i], (*tallies)[i].rates());
+      rows.back().second.scenario = scenarios[i].name;
+    }
+    return equivalence_report(rows, data_sets, seed);
+  };
+  return items;
 }
 
-FitReport gate_coverage_study(const StudyRequest& request, Progress& progress) {
+StudyItems gate_coverage_study(const StudyRequest& request, Progress& /*progress*/) {
   study::coverage::GateOptions options;
   options.studies = number(request.data_sets, options.studies);
   options.replicates = number(request.replicates, options.replicates);
   options.first_seed = static_cast<std::uint64_t>(request.seed);
-  WatchedStages stages(progress);
-  return gate_coverage_report(study::coverage::run_gates(options, stages.watch()), options);
+  const auto make = std::make_shared<const study::coverage::GateStudies>(options);
+  const auto made = std::make_shared<std::vector<study::coverage::GateStudy>>();
+  StudyItems items;
+  items.sets.push_back(independent_items("micro-studies", options.studies, [make](std::uint64_t i) {
+    return table::row_text((*make)(i));
+  }));
+  items.take = [made](std::size_t /*set*/, std::uint64_t /*item*/, std::string_view line) {
+    made->push_back(table::from_row<study::coverage::GateStudy>(line));
+    if (made->back().margin.size() != made->back().success.size()) {
+      throw table::RowError("found passes without an outcome");
+    }
+  };
+  items.report = [made, options] {
+    return gate_coverage_report(study::coverage::summarise(*made), options);
+  };
+  return items;
 }
 
-FitReport ray_study(const StudyRequest& request, Progress& progress) {
-  constexpr std::size_t kNewDays = 100;
+StudyItems ray_study(const StudyRequest& request, Progress& /*progress*/) {
   const std::size_t calibrations = number(request.data_sets, 10000);
   const auto seed = static_cast<std::uint64_t>(request.seed);
   const auto scenarios = study::coverage::ray_scenarios();
-  std::vector<study::coverage::RayCoverage> rows;
-  Stage stage(progress, "scenarios", scenarios.size());
+  const auto made = std::make_shared<std::vector<std::vector<study::coverage::RayCalibrated>>>(
+      scenarios.size());
+  StudyItems items;
   std::uint32_t stream = kRayStream;
   for (const study::coverage::RayScenario& scenario : scenarios) {
-    rows.push_back(study::coverage::run_rays(scenario, stream++, calibrations, kNewDays, seed));
-    stage.advance();
+    items.sets.push_back(independent_items(
+        "calibrations of " + scenario.name,
+        calibrations,
+        [scenario, stream, seed](std::uint64_t i) {
+          return table::row_text(
+              study::coverage::calibrate_one(scenario, stream, kNewDays, seed, i));
+        }));
+    ++stream;
   }
-  return ray_coverage_report(rows, seed);
+  items.take = [made](std::size_t scenario, std::uint64_t /*item*/, std::string_view line) {
+    const auto one = table::from_row<study::coverage::RayCalibrated>(line);
+    if (one.covered_days > kNewDays) {
+      throw table::RowError("found more days than there are");
+    }
+    made->at(scenario).push_back(one);
+  };
+  items.report = [made, scenarios, seed] {
+    std::vector<study::coverage::RayCoverage> rows;
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+      if (!(*made)[i].empty()) {  // As of a batch that is not whole.
+        rows.push_back(study::coverage::summarise(scenarios[i], kNewDays, (*made)[i]));
+      }
+    }
+    return ray_coverage_report(rows, seed);
+  };
+  return items;
 }
 
 }  // namespace tcert::cli

@@ -1,3 +1,5 @@
+#include <memory>
+
 #include "analysis/study/h1/hypothesis_h1.hpp"
 #include "cli/runs/certify_trials.hpp"
 #include "cli/runs/feature_data.hpp"
@@ -14,10 +16,7 @@ namespace {
 constexpr std::int64_t kCorpora = 40;
 
 /// H1 of the corpus of this seed, in which the outcome has nothing to do with the margin.
-void add_corpus(std::int64_t seed,
-                std::int64_t threads,
-                Progress& progress,
-                std::vector<NullAuc>& rows) {
+std::vector<NullAuc> aucs_of(std::int64_t seed, std::int64_t threads, Progress& progress) {
   const ScratchFolder scratch;
   SimulateRequest corpus;
   corpus.effect = 0.0;
@@ -33,27 +32,37 @@ void add_corpus(std::int64_t seed,
       }));
   const study::H1Table tested =
       study::hypothesis_h1(features.table(), h1_options(HypothesesRequest{}));
+  std::vector<NullAuc> rows;
   for (const study::H1Panel& panel : tested.panels) {
     const study::H1Score& auc = panel.rows.front().auc;
-    rows.push_back({static_cast<std::uint64_t>(seed),
-                    std::string(study::to_string(panel.kind)),
-                    auc.value,
-                    auc.interval});
+    rows.push_back({static_cast<std::uint64_t>(seed), panel.kind, auc.value, auc.interval});
   }
+  return rows;
 }
 
 }  // namespace
 
-FitReport null_study(const StudyRequest& request, Progress& progress) {
-  const std::int64_t corpora = request.data_sets.value_or(kCorpora);
-  std::vector<NullAuc> rows;
-  OnlyWords words(progress);
-  Stage stage(progress, "corpora", static_cast<std::size_t>(corpora));
-  for (std::int64_t i = 0; i < corpora; ++i) {
-    add_corpus(request.seed + i, request.threads, words, rows);
-    stage.advance();
-  }
-  return null_report(rows);
+StudyItems null_study(const StudyRequest& request, Progress& progress) {
+  const auto rows = std::make_shared<std::vector<NullAuc>>();
+  const auto make = [seed = request.seed, threads = request.threads, &progress](
+                        std::uint64_t first, std::uint64_t last) {
+    OnlyWords words(progress);
+    std::vector<std::string> lines;
+    for (std::uint64_t corpus = first; corpus < last; ++corpus) {
+      lines.push_back(
+          table::row_text(aucs_of(seed + static_cast<std::int64_t>(corpus), threads, words)));
+    }
+    return lines;
+  };
+  StudyItems items;
+  items.sets.push_back(
+      {"corpora", static_cast<std::uint64_t>(request.data_sets.value_or(kCorpora)), 1, make});
+  items.take = [rows](std::size_t /*set*/, std::uint64_t /*corpus*/, std::string_view line) {
+    const auto some = table::from_row<std::vector<NullAuc>>(line);
+    rows->insert(rows->end(), some.begin(), some.end());
+  };
+  items.report = [rows] { return null_report(*rows); };
+  return items;
 }
 
 }  // namespace tcert::cli

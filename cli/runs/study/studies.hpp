@@ -1,18 +1,30 @@
 #pragma once
 /// \file
-/// The studies that `study` knows, each from a request to a report.
+/// The studies that `study` knows: which items each consists of, and what they come to.
 
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "cli/runs/batch/items.hpp"
 #include "cli/runs/study/study.hpp"
 #include "reports/fit/fit_report.hpp"
 
 namespace tcert::cli {
 
-[[nodiscard]] FitReport soundness_study(const StudyRequest& request, Progress& progress);
-[[nodiscard]] FitReport coverage_study(const StudyRequest& request, Progress& progress);
-[[nodiscard]] FitReport equivalence_study(const StudyRequest& request, Progress& progress);
-[[nodiscard]] FitReport gate_coverage_study(const StudyRequest& request, Progress& progress);
-[[nodiscard]] FitReport ray_study(const StudyRequest& request, Progress& progress);
-[[nodiscard]] FitReport null_study(const StudyRequest& request, Progress& progress);
-[[nodiscard]] FitReport terrain_study(const StudyRequest& request, Progress& progress);
+/// \pre every item is taken, in order, before the report.
+struct StudyItems {
+  std::vector<ItemSet> sets;
+  TakeItem take;  ///< \throws table::RowError for a line that is not one of its item.
+  std::function<FitReport()> report;
+};
+
+[[nodiscard]] StudyItems soundness_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems coverage_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems equivalence_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems gate_coverage_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems ray_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems null_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems terrain_study(const StudyRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -4,6 +4,8 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/result_folder.hpp"
@@ -18,12 +20,15 @@ struct Study {
   std::string_view name;
   std::string_view tables;   ///< Blank between.
   std::string_view options;  ///< Beside those that all take; blank between.
-  FitReport (*run)(const StudyRequest& request, Progress& progress);
+  StudyItems (*items)(const StudyRequest& request, Progress& progress);
 };
 
 constexpr std::array kStudies{
     Study{
-        "soundness", "soundness tightness", "worlds hard u-turns driven witness", soundness_study},
+        "soundness",
+        "soundness tightness",
+        "worlds hard u-turns driven witness methods readings",
+        soundness_study},
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
@@ -41,19 +46,12 @@ constexpr std::array kOfSome{"worlds",
                              "u-turns",
                              "driven",
                              "witness",
+                             "methods",
+                             "readings",
                              "data-sets",
                              "replicates",
                              "terrains",
                              "seeds"};
-
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  all.reserve(kStudies.size());
-  for (const Study& one : kStudies) {
-    all.emplace_back(one.name);
-  }
-  return all;
-}
 
 /// True if `word` is among words with a blank between.
 bool lists(std::string_view words, const std::string& word) {
@@ -65,7 +63,7 @@ const Study& study_of(const StudyRequest& request) {
   if (found == kStudies.end()) {
     throw UsageError("unknown study '" + request.study +
                      "', expected soundness, coverage, equivalence, gate, rays, null or terrain" +
-                     did_you_mean(request.study, names()));
+                     did_you_mean(request.study, study_names()));
   }
   const Study& one = request.study == "terrain" && !request.terrain.empty() ? kScenarios : *found;
   for (const char* const option : kOfSome) {
@@ -90,9 +88,18 @@ const Study& study_of(const StudyRequest& request) {
 
 }  // namespace
 
+std::vector<std::string> study_names() {
+  std::vector<std::string> all;
+  all.reserve(kStudies.size());
+  for (const Study& one : kStudies) {
+    all.emplace_back(one.name);
+  }
+  return all;
+}
+
 OptionTable options_of(StudyRequest& request) {
   OptionTable table(request.given);
-  table.argument({"STUDY", &request.study, true, OptionRole::shapes, names()});
+  table.argument({"STUDY", &request.study, true, OptionRole::shapes, study_names()});
   table.argument({"TERRAIN", &request.terrain, false, OptionRole::input});
   table.add("worlds", request.worlds, "N", "soundness: random worlds").within(1, 1e8);
   table
@@ -118,6 +125,16 @@ OptionTable options_of(StudyRequest& request) {
   table.add("witness",
             request.witness,
             "soundness: of witnesses in place of the clearance readings; about 0.1 s a world");
+  table.add("methods",
+            request.methods,
+            "LIST",
+            "soundness: only these of radial, width, swept, A2, A3, comma between");
+  table
+      .add("readings",
+           request.readings,
+           "WORD",
+           "soundness: true readings (exact), logged ones (noisy), or both")
+      .one_of({"exact", "noisy", "both"});
   table
       .add("data-sets",
            request.data_sets,
@@ -136,7 +153,15 @@ OptionTable options_of(StudyRequest& request) {
   return table;
 }
 
+std::vector<ItemSet> items_of(const StudyRequest& request, Progress& progress) {
+  return study_of(request).items(request, progress).sets;
+}
+
 ExitCode study(const StudyRequest& request, Progress& progress) {
+  return study(request, progress, made_here(progress));
+}
+
+ExitCode study(const StudyRequest& request, Progress& progress, const ItemSource& source) {
   const Study& one = study_of(request);
   if (!request.terrain.empty() && !std::filesystem::exists(request.terrain)) {
     throw NoInput("cannot read the terrain '" + request.terrain + "': there is no such file");
@@ -153,7 +178,14 @@ ExitCode study(const StudyRequest& request, Progress& progress) {
   if (!request.terrain.empty()) {
     manifest.inputs = {{name_of(request.terrain), digest_file(request.terrain)}};
   }
-  FitReport report = one.run(request, progress);
+  const StudyItems items = one.items(request, progress);
+  source(items.sets, items.take);
+  FitReport report;
+  try {
+    report = items.report();
+  } catch (const std::domain_error& error) {
+    throw UnfitData(error.what());
+  }
   manifest.synthetic = report.synthetic;
   output.deliver(std::move(report), request.table, std::move(manifest), progress);
   say_one_file(request.output, progress);

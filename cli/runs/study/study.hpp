@@ -2,6 +2,7 @@
 /// \file
 /// `study`: how often the tool itself is right, on data whose truth is known.
 
+#include "cli/runs/batch/items.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
@@ -16,6 +17,8 @@ struct StudyRequest {
   std::int64_t u_turns = 10000;
   std::int64_t driven = 0;
   bool witness = false;
+  std::string methods;             ///< Comma between; empty: all.
+  std::string readings = "both";  ///< "exact", "noisy" or "both".
   std::optional<std::int64_t> data_sets;  ///< None: as many as the study usually has.
   std::optional<std::int64_t> replicates;
   std::int64_t terrains = 1000;
@@ -27,9 +30,18 @@ struct StudyRequest {
   std::vector<std::string> given;
 };
 
+[[nodiscard]] std::vector<std::string> study_names();
+
 [[nodiscard]] OptionTable options_of(StudyRequest& request);
 
 /// The same bytes for any number of threads. \throws UsageError, NoInput, BadData, WriteError.
 [[nodiscard]] ExitCode study(const StudyRequest& request, Progress& progress);
+/// The same of items that were made elsewhere.
+[[nodiscard]] ExitCode study(const StudyRequest& request,
+                             Progress& progress,
+                             const ItemSource& source);
+
+/// None of a study that cannot be made in pieces. \throws UsageError.
+[[nodiscard]] std::vector<ItemSet> items_of(const StudyRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <stdexcept>
 
 #include "cli/runs/study/studies.hpp"
@@ -49,30 +50,38 @@ FitReport scenarios_of(const StudyRequest& request, Progress& progress) {
 
 }  // namespace
 
-FitReport terrain_study(const StudyRequest& request, Progress& progress) {
+StudyItems terrain_study(const StudyRequest& request, Progress& progress) {
+  StudyItems items;
   if (!request.terrain.empty()) {
-    return scenarios_of(request, progress);
+    items.report = [request, &progress] { return scenarios_of(request, progress); };
+    return items;
   }
-  const auto terrains = static_cast<std::size_t>(request.terrains);
+  const auto terrains = static_cast<std::uint64_t>(request.terrains);
   const auto seed = static_cast<std::uint64_t>(request.seed);
-  std::vector<TerrainRates> told;
-  std::vector<TerrainRates> trusted;
+  constexpr std::size_t kTold = 6;
+  const auto rates = std::make_shared<std::vector<TerrainRates>>();
   for (const bool trust : {false, true}) {
-    for (const double factor : {1.0, 0.75, 0.5}) {
-      told.push_back({factor, trust, terrain::Rules{}.beta, {}});
+    for (const double told : {1.0, 0.75, 0.5}) {
+      rates->push_back({{told, trust}, {}});
     }
   }
   for (const double beta : {3.0, 9.0, 16.0, 25.0, 36.0}) {
-    trusted.push_back({1.0, true, beta, {}});
+    rates->push_back({{1.0, true, beta}, {}});
   }
-  Stage stage(progress, "sets of terrains", told.size() + trusted.size());
-  for (std::vector<TerrainRates>* const rows : {&told, &trusted}) {
-    for (TerrainRates& row : *rows) {
-      row.found = terrain::study::soundness(terrains, row.told, row.trusted, seed, row.beta);
-      stage.advance();
-    }
+  for (const TerrainRates& row : *rates) {
+    items.sets.push_back(
+        independent_items("terrains", terrains, [telling = row.telling, seed](std::uint64_t i) {
+          return table::row_text(terrain::study::explore_terrain(telling, seed, i));
+        }));
   }
-  return terrain_soundness_report(told, trusted, seed);
+  items.take = [rates](std::size_t set, std::uint64_t /*terrain*/, std::string_view line) {
+    rates->at(set).found.add(table::from_row<terrain::study::TerrainOutcome>(line));
+  };
+  items.report = [rates, seed] {
+    const auto middle = rates->begin() + kTold;
+    return terrain_soundness_report({rates->begin(), middle}, {middle, rates->end()}, seed);
+  };
+  return items;
 }
 
 }  // namespace tcert::cli

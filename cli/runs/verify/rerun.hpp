@@ -4,24 +4,13 @@
 /// stranger.
 
 #include <functional>
-#include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "cli/runs/progress.hpp"
+#include "cli/runs/read_request.hpp"
 #include "reports/manifest_read.hpp"
 
 namespace tcert::cli {
-
-/// The manifest's command line is not one that this tool writes. The message says what is not.
-class NotReproducible : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Where the input of that name lies; empty if it is not found, which the caller notes. The first
-/// input that is no option's is told from others.
-using FindInput = std::function<std::optional<std::string>(const std::string& name, bool first)>;
 
 /// Makes the result again at `output`. \throws what the run does.
 using Rerun = std::function<void(const std::string& output, Progress& progress)>;

@@ -47,7 +47,14 @@ TEST(CoverageStudy, SeesThatTrialsOfADayAreNotIndependent) {
   coverage::Options options;
   options.data_sets = 60;
   options.replicates = 199;
-  const std::vector<coverage::Coverage> rows = coverage::run({"icc", 22, 30, 0.5}, 2, options);
+  coverage::CoverageTally tally("icc");
+  for (std::uint64_t set = 0; set < options.data_sets; ++set) {
+    const auto found = coverage::intervals_of({"icc", 22, 30, 0.5}, 2, options, set);
+    const std::string text = table::row_text(found);
+    ASSERT_EQ(table::row_text(table::from_row<coverage::Intervals>(text)), text);
+    tally.add(found);
+  }
+  const std::vector<coverage::Coverage> rows = tally.rows();
   ASSERT_EQ(rows.size(), 32U);
   for (const coverage::Coverage& row : rows) {
     EXPECT_EQ(row.intervals + row.missing, 60U);

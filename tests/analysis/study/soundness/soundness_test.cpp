@@ -1,4 +1,4 @@
-#include "analysis/study/soundness/soundness.hpp"
+#include "analysis/study/soundness/soundness_tally.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -20,6 +20,18 @@ std::vector<WorldOutcome> study(const std::vector<SoundnessMethod>& methods,
   options.family = family;
   options.seed = 3;
   return study_soundness(methods, options);
+}
+
+SoundnessTally tally_of(const std::vector<WorldOutcome>& worlds) {
+  SoundnessTally tally(worlds.front().outcomes.size(), {});
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    tally.add(worlds[i], i);
+  }
+  return tally;
+}
+
+SoundnessSummary summarise(const std::vector<WorldOutcome>& worlds, std::size_t method) {
+  return tally_of(worlds).of_all(method);
 }
 
 std::size_t number_of(const std::vector<SoundnessMethod>& methods,
@@ -160,11 +172,24 @@ TEST(Soundness, SummaryCountsWorlds) {
   EXPECT_EQ(summary.violations, 2U);
   EXPECT_EQ(summary.violating_ticks, 6U);
   EXPECT_NEAR(summary.largest_excess_m, 0.12, 1e-12);
-  EXPECT_NEAR(summary.violation_bound, 0.9024, 1e-4);  // R: binom.test(2, 4, alternative = "less")
-  const auto tightness = tightness_of(worlds, 0);
+  EXPECT_EQ(summary.worst_world, 2U);
+  EXPECT_NEAR(summary.violation_bound(), 0.9024, 1e-4);  // R: binom.test(2, 4, alternative = "less")
+  const auto tightness = tally_of(worlds).tightness(0);
   ASSERT_EQ(tightness.size(), 1U);
   EXPECT_EQ(tightness[0].worlds, 3U);
   EXPECT_NEAR(tightness[0].median_m, -0.03, 1e-12);
+}
+
+TEST(Soundness, AnOutcomeReadsBackFromItsRow) {
+  const auto methods = mixed_methods();
+  for (const WorldOutcome& world : study(methods, 20)) {
+    const std::string text = table::row_text(world);
+    EXPECT_EQ(table::row_text(table::from_row<WorldOutcome>(text)), text);
+    EXPECT_THROW(static_cast<void>(table::from_row<WorldOutcome>(text + ",1")), table::RowError);
+    EXPECT_THROW(static_cast<void>(
+                     table::from_row<WorldOutcome>(text.substr(0, text.rfind(',')))),
+                 table::RowError);
+  }
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #pragma once
 /// \file
-/// `ablate` and `sweep`: a batch of cells.
+/// `ablate` and `sweep`: cells, one after the other.
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "cli/runs/batch/items.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
@@ -13,7 +14,7 @@
 namespace tcert::cli {
 
 /// What both have in common.
-struct BatchRequest {
+struct CellsRequest {
   std::string bundle;
   std::string cells;  ///< A CSV file of cells.
   std::string cluster = "day";
@@ -29,9 +30,9 @@ struct BatchRequest {
   std::vector<std::string> given;
 };
 
-struct AblateRequest : BatchRequest {};
+struct AblateRequest : CellsRequest {};
 
-struct SweepRequest : BatchRequest {
+struct SweepRequest : CellsRequest {
   std::vector<std::string> grid;  ///< KEY=V1,V2,...
   bool sensitivity = false;
 };
@@ -44,5 +45,16 @@ struct SweepRequest : BatchRequest {
 /// \throws UsageError, NoInput, BadData, WriteError.
 [[nodiscard]] ExitCode ablate(const AblateRequest& request, Progress& progress);
 [[nodiscard]] ExitCode sweep(const SweepRequest& request, Progress& progress);
+/// The same of cells that were run elsewhere.
+[[nodiscard]] ExitCode ablate(const AblateRequest& request,
+                              Progress& progress,
+                              const ItemSource& source);
+[[nodiscard]] ExitCode sweep(const SweepRequest& request,
+                             Progress& progress,
+                             const ItemSource& source);
+
+/// The cells, in pieces; the full method is the first. \throws UsageError, NoInput, BadData.
+[[nodiscard]] std::vector<ItemSet> items_of(const AblateRequest& request, Progress& progress);
+[[nodiscard]] std::vector<ItemSet> items_of(const SweepRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

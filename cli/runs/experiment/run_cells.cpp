@@ -1,18 +1,17 @@
-#include "cli/runs/experiment/run_batch.hpp"
+#include "cli/runs/experiment/run_cells.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <statistics/model/expression.hpp>
 #include <utility>
 
-#include "analysis/study/h3/hypothesis_h3.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/experiment/cache.hpp"
-#include "cli/runs/experiment/cell_files.hpp"
-#include "cli/runs/experiment/cell_scorer.hpp"
+#include "cli/runs/experiment/cell_results.hpp"
 #include "cli/runs/inputs.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/thread_limit.hpp"
@@ -25,31 +24,13 @@ namespace {
 
 constexpr const char* kFull = "full";
 
-/// Where the batch keeps its results, if anywhere.
-std::optional<std::filesystem::path> cache_folder(const BatchRequest& options, Progress& progress) {
+/// Where the results are kept for the next run, if anywhere.
+std::optional<std::filesystem::path> cache_folder(const CellsRequest& options, Progress& progress) {
   if (options.no_cache) {
     return std::nullopt;
   }
   return options.cache.empty() ? Cache::folder_of_user(progress)
                                : std::optional<std::filesystem::path>(options.cache);
-}
-
-study::H3Options h3_of(const BatchRequest& options) {
-  study::H3Options h3;
-  h3.cluster = options.cluster;
-  h3.replicates = static_cast<std::size_t>(options.replicates);
-  h3.seed = static_cast<std::uint64_t>(options.seed);
-  return h3;
-}
-
-study::H1Options h1_of(const BatchRequest& options, const study::ParameterSet& full) {
-  study::H1Options h1;
-  h1.cluster = options.cluster;
-  h1.strata = options.strata;
-  h1.replicates = static_cast<std::size_t>(options.replicates);
-  h1.seed = static_cast<std::uint64_t>(options.seed);
-  h1.landmark_s = full.early_window.time_s;
-  return h1;
 }
 
 std::vector<study::PlannedCell> planned(std::vector<study::Cell> cells,
@@ -80,7 +61,7 @@ void say_refused(const std::vector<study::PlannedCell>& cells, Progress& progres
   }
 }
 
-struct BatchTables {
+struct CellTables {
   Table cells;
   Table issuance;
   Table speed;
@@ -89,15 +70,11 @@ struct BatchTables {
   [[nodiscard]] std::array<Table*, 4> all() { return {&cells, &issuance, &speed, &findings}; }
 };
 
-BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
-                      const Scoring& scoring,
-                      Progress& progress) {
-  const BatchNotes notes{
-      scoring.h1.level, scoring.h1.replicates, scoring.h1.cluster, scoring.h1.interval};
-  BatchTables tables{cells_table(notes), cell_issuance_table(), cell_speed_table(notes), {}};
-  FeatureScorer features(scoring);
-  SpeedScorer speeds(scoring);
-  Stage stage(progress, "cells", cells.size());
+CellTables tables_of(const std::vector<study::PlannedCell>& cells,
+                     const CellResults& results,
+                     const study::H1Options& h1) {
+  const CellNotes notes{h1.level, h1.replicates, h1.cluster, h1.interval};
+  CellTables tables{cells_table(notes), cell_issuance_table(), cell_speed_table(notes), {}};
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const study::PlannedCell& cell = cells[c];
     if (cell.refused()) {
@@ -105,17 +82,18 @@ BatchTables tables_of(const std::vector<study::PlannedCell>& cells,
       for (Table* const table : {&tables.cells, &tables.issuance, &tables.speed}) {
         add_cell(cell.cell, "refused: " + reason, {}, *table);
       }
+    } else if (results.scores[c].empty()) {
+      for (Table* const table : {&tables.cells, &tables.issuance, &tables.speed}) {
+        add_cell(cell.cell, "not run", {}, *table);
+      }
     } else {
-      const CellFiles& files = scoring.files;
-      CellRows rows = features.rows(
-          files.features_of[c], files.features_of.front(), cell.set().early_window.time_s);
+      CellRows rows = results.scores[c];
       const CellRows issuance{rows.back()};
       rows.pop_back();
       add_cell(cell.cell, "done", rows, tables.cells);
       add_cell(cell.cell, "done", issuance, tables.issuance);
-      add_cell(cell.cell, "done", speeds.rows(files.replays_of[c]), tables.speed);
+      add_cell(cell.cell, "done", results.speeds[c], tables.speed);
     }
-    stage.advance();
   }
   tables.findings = cell_findings(tables.cells, tables.issuance);
   return tables;
@@ -165,11 +143,11 @@ Table files_table(const std::vector<study::PlannedCell>& cells,
   return table;
 }
 
-void write_folder(Batch batch,
+void write_folder(CellsRun run,
                   const OpenedBundle& opened,
                   const std::vector<study::PlannedCell>& cells,
                   const CellFiles& files,
-                  const BatchTables& tables,
+                  const CellTables& tables,
                   ResultFolder& folder) {
   for (const Table* const table :
        {&tables.findings, &tables.cells, &tables.issuance, &tables.speed}) {
@@ -184,66 +162,129 @@ void write_folder(Batch batch,
     folder.write(file_name("replays", table), files.replays[table]);
   }
   Manifest manifest;
-  manifest.command = std::move(batch.command);
-  record(std::move(batch.written), manifest);
+  manifest.command = std::move(run.command);
+  record(std::move(run.written), manifest);
   manifest.parameters = as_settings(opened.parameters, opened.bundle.info.robot);
   manifest.synthetic = synthetic_label(opened.bundle.info);
-  manifest.seed = static_cast<std::uint64_t>(batch.options.seed);
+  manifest.seed = static_cast<std::uint64_t>(run.options.seed);
   manifest.inputs = files.inputs;
-  if (const std::string& file = batch.options.cells; !file.empty()) {
+  if (const std::string& file = run.options.cells; !file.empty()) {
     manifest.inputs.push_back({name_of(file), digest_file(file)});
   }
   folder.commit(std::move(manifest));
 }
 
+/// Cells of a bundle, none of them run.
+struct OpenedCells {
+  OpenedBundle opened;
+  std::vector<study::PlannedCell> cells;
+};
+
+OpenedCells open_cells(const CellsRun& run, std::vector<study::Cell> cells, Progress& progress) {
+  OpenedBundle opened = open_for(run.options.bundle, run.options.logs, progress);
+  std::vector<study::PlannedCell> all = planned(std::move(cells), opened);
+  if (const auto value = run.is_grid ? study::impossible_value(all) : std::nullopt) {
+    throw UsageError("--grid: " + *value);
+  }
+  return {std::move(opened), std::move(all)};
+}
+
+/// Runs `work` with the cache, or with none.
+template <class Work>
+auto with_cache(const CellsRequest& options, Progress& progress, const Work& work) {
+  std::optional<Cache> cache;
+  if (const auto folder = cache_folder(options, progress)) {
+    cache.emplace(*folder, progress);
+  }
+  return work(cache ? &*cache : nullptr);
+}
+
+/// The lines of cells as items. \pre `options` and `opened` outlive them.
+ItemSet item_set(const CellsRequest& options, const OpenedCells& opened, Progress& progress) {
+  const auto make = [&options, &opened, &progress](std::uint64_t first, std::uint64_t last) {
+    OnlyWords words(progress);  // How far it is counts the items alone.
+    return with_cache(options, words, [&](Cache* cache) {
+      return cell_lines(options, opened.opened, opened.cells, first, last, cache, words);
+    });
+  };
+  return {"cells", opened.cells.size(), opened.cells.size(), make};
+}
+
+CellResults results_of(const CellsRequest& options,
+                       const OpenedCells& opened,
+                       const ItemSource* source,
+                       Progress& progress) {
+  if (source != nullptr) {
+    GatheredCells gathered(opened.opened, opened.cells);
+    (*source)({item_set(options, opened, progress)},
+              [&](std::size_t /*set*/, std::uint64_t cell, std::string_view line) {
+                gathered.take(cell, line);
+              });
+    return gathered.finish();
+  }
+  CellResults results = with_cache(options, progress, [&](Cache* cache) {
+    return cell_results(options, opened.opened, opened.cells, cache, progress);
+  });
+  say_reuse(results.files, opened.cells, progress);
+  return results;
+}
+
 }  // namespace
 
-ExitCode run_batch(Batch batch, std::vector<study::Cell> cells, Progress& progress) {
-  const BatchRequest& options = batch.options;
+ItemSet items_of_cells(const CellsRun& run, std::vector<study::Cell> cells, Progress& progress) {
+  struct Held {
+    CellsRequest options;
+    OpenedCells opened;
+  };
+  const auto held =
+      std::make_shared<const Held>(run.options, open_cells(run, std::move(cells), progress));
+  ItemSet items = item_set(held->options, held->opened, progress);
+  items.make = [held, make = std::move(items.make)](std::uint64_t first, std::uint64_t last) {
+    return make(first, last);
+  };
+  return items;
+}
+
+ExitCode run_cells(CellsRun run,
+                   std::vector<study::Cell> cells,
+                   Progress& progress,
+                   const ItemSource* source) {
+  const CellsRequest& options = run.options;
   if (!options.table.empty() && options.table != "cells" && options.table != "issuance" &&
       options.table != "speed") {
     throw UsageError("--table: found '" + options.table + "', expected cells, issuance or speed");
   }
-  const OpenedBundle opened = open_for(options.bundle, options.logs, progress);
-  const std::vector<study::PlannedCell> planned_cells = planned(std::move(cells), opened);
-  if (const auto value = batch.is_grid ? study::impossible_value(planned_cells) : std::nullopt) {
-    throw UsageError("--grid: " + *value);
-  }
-  say_refused(planned_cells, progress);
+  const OpenedCells all = open_cells(run, std::move(cells), progress);
+  const OpenedBundle& opened = all.opened;
+  say_refused(all.cells, progress);
   std::optional<ResultFolder> folder;
   if (!options.output.path.empty()) {
     require_apart(options.bundle, options.output.path);
     if (!options.cells.empty()) {
       require_apart(options.cells, options.output.path);
     }
-    folder.emplace(options.output.path, batch.command);
+    folder.emplace(options.output.path, run.command);
   }
   const ThreadLimit limit(options.threads);
-  std::optional<Cache> cache;
-  if (const auto kept = cache_folder(options, progress)) {
-    cache.emplace(*kept, progress);
-  }
-  Cache* const kept = cache ? &*cache : nullptr;
-  const CellFiles files = files_of_cells(opened, options.threads, progress, planned_cells, kept);
-  BatchTables tables;
+  CellResults results;
   try {
-    const Scoring scoring{files, h1_of(options, opened.parameters), h3_of(options), kept};
-    tables = tables_of(planned_cells, scoring, progress);
+    results = results_of(options, all, source, progress);
   } catch (const statistics::FormulaError& error) {
     throw UnfitData(error.what());
   }
+  CellTables tables = tables_of(all.cells, results, h1_of(options, opened.parameters));
+  const CellFiles& files = results.files;
   for (Table* const table : tables.all()) {
     table->synthetic = synthetic_label(opened.bundle.info);
   }
-  say_reuse(files, planned_cells, progress);
   for (const std::string& id : files.rejected) {
     progress.say("trial '" + id + "' is rejected");
   }
-  const bool refused = std::ranges::any_of(planned_cells, &study::PlannedCell::refused);
+  const bool refused = std::ranges::any_of(all.cells, &study::PlannedCell::refused);
   const bool bad_rows = table::has_error(opened.diagnostics);
   const ExitCode code = refused || bad_rows || !files.rejected.empty() ? exit_rejected : exit_done;
   if (folder) {
-    write_folder(std::move(batch), opened, planned_cells, files, tables, *folder);
+    write_folder(std::move(run), opened, all.cells, files, tables, *folder);
     sum_up(tables.findings, progress);
     return code;
   }

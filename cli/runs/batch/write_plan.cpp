@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <filesystem>
+#include <table/atomic_file.hpp>
+#include <utility>
+
+#include "cli/runs/batch/arithmetic.hpp"
+#include "cli/runs/batch/batch.hpp"
+#include "cli/runs/batch/job_scripts.hpp"
+#include "cli/runs/program_digest.hpp"
+#include "reports/version.hpp"
+
+namespace tcert::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_input(const std::string& path, std::vector<PlanInput>& inputs) {
+  if (path.empty()) {
+    return;
+  }
+  const PlanInput input{name_of(path), fs::absolute(path).lexically_normal().string(), {}};
+  const auto same = std::ranges::find(inputs, input.name, &PlanInput::name);
+  if (same != inputs.end() && same->place != input.place) {
+    throw UsageError("two inputs are called '" + input.name + "'; rename one of them");
+  }
+  if (same == inputs.end()) {
+    inputs.push_back(input);
+    inputs.back().digest = digest_path(input.place);
+  }
+}
+
+}  // namespace
+
+std::vector<PlanInput> inputs_of(const OptionTable& table) {
+  std::vector<PlanInput> inputs;
+  for (const Argument& one : table.arguments()) {
+    if (one.role == OptionRole::input) {
+      add_input(*one.value, inputs);
+    }
+  }
+  for (const Option& option : table.options()) {
+    if (option.role != OptionRole::input) {
+      continue;
+    }
+    if (const auto* const several = std::get_if<std::vector<std::string>*>(&option.value)) {
+      for (const std::string& one : **several) {
+        add_input(one, inputs);
+      }
+    } else {
+      add_input(text_of(option.value), inputs);
+    }
+  }
+  return inputs;
+}
+
+ExitCode write_plan(Plan plan,
+                    const std::vector<ItemSet>& sets,
+                    const std::string& folder,
+                    Progress& progress) {
+  if (count_of(sets) == 0) {
+    throw UsageError("it has nothing that can be made in pieces; run it by itself");
+  }
+  for (const ItemSet& set : sets) {
+    plan.items.emplace_back(set.name, set.count);
+  }
+  if (plan.count() > kMostItems) {
+    throw UsageError("more than 10^12 items");
+  }
+  plan.version = tool_version();
+  plan.program = program_digest();
+  plan.arithmetic = arithmetic_digest();
+  static_cast<void>(plan.pieces());  // Throws if the words are not those that it reads.
+  table::AtomicFolder output(folder);
+  const fs::path place = fs::absolute(folder).lexically_normal() / "";
+  table::write_file_atomically(output.staging() / "plan.json", to_json(plan));
+  const std::string program = fs::canonical("/proc/self/exe").string();
+  for (const auto& [name, text] : job_scripts(plan, place.parent_path(), program)) {
+    table::write_file_atomically(output.staging() / name, text);
+  }
+  fs::create_directory(output.staging() / "parts");
+  output.commit();
+  progress.sum_up(std::to_string(plan.count()) + " items in " + std::to_string(plan.shards) +
+                  " shards. With Slurm:\n  sh " + quoted((fs::path(folder) / "submit").string()) +
+                  "\nWith GNU parallel:\n  sh " +
+                  quoted((fs::path(folder) / "run_parallel").string()) +
+                  "\n  tcert batch merge " + quoted(folder));
+  return exit_done;
+}
+
+}  // namespace tcert::cli
