@@ -101,26 +101,25 @@ int plan_kind(const char* command, std::string_view help, Arguments arguments) {
   return plan_batch<Request>(command, request, progress);
 }
 
-constexpr std::array kKinds{
-    Kind{"ablate",
-         [](std::string_view help, Arguments arguments) {
-           return plan_kind<AblateRequest>("ablate", help, arguments);
-         }},
-    Kind{"sweep",
-         [](std::string_view help, Arguments arguments) {
-           return plan_kind<SweepRequest>("sweep", help, arguments);
-         }},
-    Kind{"study",
-         [](std::string_view help, Arguments arguments) {
-           return plan_kind<StudyRequest>("study", help, arguments);
-         }},
-    Kind{"simulate",
-         [](std::string_view help, Arguments arguments) {
-           return plan_kind<SimulateRequest>("simulate", help, arguments);
-         }},
-    Kind{"drive", [](std::string_view help, Arguments arguments) {
-           return plan_kind<DriveRequest>("drive", help, arguments);
-         }}};
+constexpr std::array kKinds{Kind{"ablate",
+                                 [](std::string_view help, Arguments arguments) {
+                                   return plan_kind<AblateRequest>("ablate", help, arguments);
+                                 }},
+                            Kind{"sweep",
+                                 [](std::string_view help, Arguments arguments) {
+                                   return plan_kind<SweepRequest>("sweep", help, arguments);
+                                 }},
+                            Kind{"study",
+                                 [](std::string_view help, Arguments arguments) {
+                                   return plan_kind<StudyRequest>("study", help, arguments);
+                                 }},
+                            Kind{"simulate",
+                                 [](std::string_view help, Arguments arguments) {
+                                   return plan_kind<SimulateRequest>("simulate", help, arguments);
+                                 }},
+                            Kind{"drive", [](std::string_view help, Arguments arguments) {
+                                   return plan_kind<DriveRequest>("drive", help, arguments);
+                                 }}};
 
 /// What `batch plan` and `batch` take by themselves.
 struct PlanForm {
@@ -168,7 +167,8 @@ int run_plan(Arguments arguments) {
   PlanForm request;
   Manner manner;
   if (parse(kPlanText, options_of(request), manner, arguments)) {
-    throw UsageError("'" + request.command + "' cannot be made in pieces, expected study, ablate, "
+    throw UsageError("'" + request.command +
+                     "' cannot be made in pieces, expected study, ablate, "
                      "sweep, simulate or drive" +
                      did_you_mean(request.command, options_of(request).arguments().front().words));
   }

@@ -6,6 +6,7 @@
 
 #include "analysis/study/trials/parameters.hpp"
 #include "cli/commands/field_listing.hpp"
+#include "datasets/driven/driven_trial.hpp"
 #include "reports/columns_of.hpp"
 #include "reports/edges_table.hpp"
 #include "reports/features_table.hpp"
@@ -44,7 +45,8 @@ Table column_listing() {
                            .text("column", "column", &ColumnDoc::name)
                            .text("unit", "unit", &ColumnDoc::unit)
                            .text("doc", "what", &ColumnDoc::doc);
-  Table table = columns.table("columns", "Columns of the files that 'tcert certify' writes");
+  Table table =
+      columns.table("columns", "Columns of the files that 'tcert certify' and 'tcert drive' write");
   const auto append = [&](const char* file, const std::vector<ColumnDoc>& docs) {
     for (const ColumnDoc& doc : docs) {
       table.add_row(columns.row({{doc}, file}));
@@ -54,6 +56,11 @@ Table column_listing() {
   append("edges/<trial_id>.csv", edge_column_docs());
   append("features.csv", feature_column_docs());
   append("certificates.csv", certificate_column_docs());
+  std::vector<ColumnDoc> driven;
+  for (const DrivenColumn& column : driven_columns()) {
+    driven.push_back({column.name, column.unit, column.doc});
+  }
+  append("trials.csv (drive)", driven);
   table.footnotes = {"An empty cell is a value that is not known."};
   return table;
 }

@@ -25,8 +25,8 @@ class NotReproducible : public std::runtime_error {
 using FindInput = std::function<std::optional<std::string>(const std::string& name, bool first)>;
 
 /// Of the options only those that shape what is made are let through (OptionRole): none that says
-/// where something is written or kept, or how. Every word that names a file must be an input, by its
-/// bare name: is_path_step(). An input that is not found is left out. \throws NotReproducible.
+/// where something is written or kept, or how. Every word that names a file must be an input, by
+/// its bare name: is_path_step(). An input that is not found is left out. \throws NotReproducible.
 void read_request(const std::string& command,
                   const OptionTable& table,
                   std::span<const ManifestArgument> words,

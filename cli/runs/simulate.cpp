@@ -88,10 +88,8 @@ OptionTable options_of(SimulateRequest& request) {
            "another number for tests of scaling; blocks of 660 are alike")
       .within(1, 1e8);
   table
-      .add("from",
-           request.from,
-           "K",
-           "begin with trial K of the design, to make the rest elsewhere")
+      .add(
+          "from", request.from, "K", "begin with trial K of the design, to make the rest elsewhere")
       .within(0, 1e9);
   table
       .add("effect",
@@ -128,8 +126,7 @@ ExitCode simulate(const SimulateRequest& request, Progress& progress) {
     if (request.micro_study) {
       simulate_micro_study(result.staging(), seed_of(request), advance, true);
     } else {
-      simulate_corpus(
-          result.staging(), corpus_of(request, {0, trials_of(request)}), advance, true);
+      simulate_corpus(result.staging(), corpus_of(request, {0, trials_of(request)}), advance, true);
     }
   }
   result.commit(manifest_of(request));

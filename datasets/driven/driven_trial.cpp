@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -87,16 +88,27 @@ TrialRow row_of(const DrivenRun& run) {
 
 }  // namespace
 
+std::span<const DrivenColumn> driven_columns() noexcept {
+  static constexpr std::array kColumns{
+      DrivenColumn{"world", "", "file of the world in worlds/, which other trials may share"},
+      DrivenColumn{"true_margin_m", "m", "T(E; A) by clearance of the widest way; NA if unknown"},
+      DrivenColumn{"peak_force_n", "N", "largest contact force on the body"},
+      DrivenColumn{"time_above_force_s", "s", "time in which that was above drive_watched_force_n"},
+      DrivenColumn{"bumps", "", "contacts of the body, 0.25 s or more after the last"},
+      DrivenColumn{
+          "stalls", "", "times that the body got nowhere for drive_stall_s of forward commands"},
+      DrivenColumn{"recoveries", "", "commands to reverse after the body touched, whoever drives"},
+      DrivenColumn{"crash_force_n", "N", "force at which this trial would end as a collision"},
+      DrivenColumn{"redraws", "", "worlds that were drawn before one that can be passed"}};
+  return kColumns;
+}
+
 std::vector<std::string> driven_extra_columns() {
-  return {"world",
-          "true_margin_m",
-          "peak_force_n",
-          "time_above_force_s",
-          "bumps",
-          "stalls",
-          "recoveries",
-          "crash_force_n",
-          "redraws"};
+  std::vector<std::string> names;
+  for (const DrivenColumn& column : driven_columns()) {
+    names.emplace_back(column.name);
+  }
+  return names;
 }
 
 DrivenTrial trial_of(const DrivenRun& run) {

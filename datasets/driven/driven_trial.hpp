@@ -2,6 +2,7 @@
 /// \file
 /// A driven trial from its design to its row and log.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,16 @@ struct DrivenTrial {
   DrivenEvents events;
 };
 
-/// Names of the columns that a driven trial's row has beyond those of every bundle: outcomes of the
-/// drive, none of them a predictor.
+/// A column that a driven trial's row has beyond those of every bundle: an outcome of the drive or
+/// a fact of its world, never a predictor.
+struct DrivenColumn {
+  const char* name;
+  const char* unit;  ///< Empty for a pure number or a word.
+  const char* doc;   ///< One line, no full stop.
+};
+[[nodiscard]] std::span<const DrivenColumn> driven_columns() noexcept;
+
+/// Their names.
 [[nodiscard]] std::vector<std::string> driven_extra_columns();
 
 /// What has happened so far; of a trial that has not ended the row has no outcome. O(log).

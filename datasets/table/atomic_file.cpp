@@ -73,15 +73,15 @@ void AtomicFile::close() {
   }
 }
 
-// A link, unlike a rename, fails where the name is taken, on network file systems too; those without
-// links may know how to rename without replacing.
+// A link, unlike a rename, fails where the name is taken, on network file systems too; those
+// without links may know how to rename without replacing.
 bool AtomicFile::commit_new() {
   sync();
   close();
   bool linked = ::link(temporary_.c_str(), path_.c_str()) == 0;
   if (!linked && errno != EEXIST) {
-    linked = ::renameat2(
-                 AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0;
+    linked =
+        ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0;
   }
   if (!linked && errno != EEXIST) {
     fail_to_write("cannot link to", path_, errno);

@@ -23,13 +23,12 @@ struct RateRow {
 
 Table rate_table(const SoundnessRuns& runs) {
   std::vector<RateRow> rows;
-  const auto add = [&](std::string worlds_of,
-                       const SoundnessMethod& method,
-                       const SoundnessSummary& summary) {
-    if (summary.worlds > 0) {
-      rows.push_back({std::move(worlds_of), &method, summary});
-    }
-  };
+  const auto add =
+      [&](std::string worlds_of, const SoundnessMethod& method, const SoundnessSummary& summary) {
+        if (summary.worlds > 0) {
+          rows.push_back({std::move(worlds_of), &method, summary});
+        }
+      };
   for (const SoundnessWorlds& kind : runs.kinds) {
     for (std::size_t m = 0; m < kind.methods.size(); ++m) {
       add(kind.name, kind.methods[m], kind.tally.of_all(m));
@@ -70,9 +69,8 @@ Table rate_table(const SoundnessRuns& runs) {
       .integer("untraversable", "T <= 0", count(&SoundnessSummary::untraversable))
       .integer("issued_untraversable", "issued, T <= 0", count(&SoundnessSummary::spurious))
       .integer("violating_ticks", "ticks violated", count(&SoundnessSummary::violating_ticks))
-      .integer("worst_world", "worst world", [](const RateRow& row) {
-        return row.summary.worst_world;
-      });
+      .integer(
+          "worst_world", "worst world", [](const RateRow& row) { return row.summary.worst_world; });
   Table table = columns.table("soundness", "Is the certificate at most the truth?", rows);
   table.footnotes = {
       "A violation is T_t > T at any tick, however small. The bound is on the rate of worlds: "

@@ -26,14 +26,10 @@ ColumnsOf<TerrainRates>& add_found(ColumnsOf<TerrainRates>& columns) {
 Table told_table(const std::vector<TerrainRates>& rows) {
   ColumnsOf<TerrainRates> columns;
   columns
-      .fixed("told",
-             "told, of L",
-             "",
-             2,
-             [](const TerrainRates& row) { return row.telling.told; })
-      .yes_or_no("model_trusted",
-                 "model trusted",
-                 [](const TerrainRates& row) { return row.telling.trusted; });
+      .fixed("told", "told, of L", "", 2, [](const TerrainRates& row) { return row.telling.told; })
+      .yes_or_no("model_trusted", "model trusted", [](const TerrainRates& row) {
+        return row.telling.trusted;
+      });
   add_found(columns)
       .integer("contradicted", "L found contradicted", count(&Soundness::contradicted))
       .integer("reached", "reached", count(&Soundness::reached))
@@ -50,8 +46,7 @@ Table told_table(const std::vector<TerrainRates>& rows) {
 
 Table trust_table(const std::vector<TerrainRates>& rows) {
   ColumnsOf<TerrainRates> columns;
-  columns
-      .number("beta", "beta", [](const TerrainRates& row) { return row.telling.beta; })
+  columns.number("beta", "beta", [](const TerrainRates& row) { return row.telling.beta; })
       .fixed("sd", "band", "sd", 2, [](const TerrainRates& row) {
         return std::sqrt(row.telling.beta);
       });

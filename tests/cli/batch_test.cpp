@@ -26,8 +26,8 @@ void expect_done(Shell& shell, const std::string& line) {
 }
 
 std::string plan(const std::string& command, int shards, const std::string& name) {
-  return "$T batch plan " + command + " --quiet --shards " + std::to_string(shards) +
-         " --output " + name + "; ";
+  return "$T batch plan " + command + " --quiet --shards " + std::to_string(shards) + " --output " +
+         name + "; ";
 }
 
 std::string work(const std::string& name, int shards) {
@@ -75,8 +75,8 @@ TEST(BatchCommand, CellsComeToWhatOneProcessComesTo) {
     const std::string of = std::to_string(shards);
     expect_done(shell,
                 "export XDG_CACHE_HOME=$PWD/cache-" + of + "; " + plan(grid, shards, "g" + of) +
-                    work("g" + of, shards) + merge("g" + of) + "diff -r grid g" + of +
-                    "/result; " + plan("ablate corpus --replicates 20", shards, "a" + of) +
+                    work("g" + of, shards) + merge("g" + of) + "diff -r grid g" + of + "/result; " +
+                    plan("ablate corpus --replicates 20", shards, "a" + of) +
                     work("a" + of, shards) + merge("a" + of) + "diff -r ablation a" + of +
                     "/result");
   }
@@ -98,10 +98,11 @@ TEST(BatchCommand, TrialsComeToTheFeaturesOfTheirBundle) {
                     merge(name + "-plan") + "cmp " + name + "-certified/features.csv " + name +
                     "-plan/result/features.csv; $T verify " + name + "-plan/result --quiet");
   }
-  expect_done(shell,
-              "$T simulate --trials 9 --quiet --output all; $T simulate --trials 3 --from 6 --quiet "
-              "--output rest; for i in 6 7 8; do diff -r all/logs/t000000$i rest/logs/t000000$i; "
-              "diff all/worlds/t000000$i.json rest/worlds/t000000$i.json; done");
+  expect_done(
+      shell,
+      "$T simulate --trials 9 --quiet --output all; $T simulate --trials 3 --from 6 --quiet "
+      "--output rest; for i in 6 7 8; do diff -r all/logs/t000000$i rest/logs/t000000$i; "
+      "diff all/worlds/t000000$i.json rest/worlds/t000000$i.json; done");
 }
 
 TEST(BatchCommand, WhatIsMissingIsSaidAndMadeAlone) {
@@ -171,13 +172,15 @@ TEST(BatchCommand, PlansThatAreNoneAreRefused) {
   expect_done(shell, plan(kWorlds, 3, "p") + "cp p/plan.json good");
   expect_refused(shell, plan(kWorlds, 3, "p"), 73, "p");
   expect_refused(shell, "$T batch plan " + std::string(kWorlds) + " --output q", 2, "--shards N");
-  expect_refused(shell, "$T batch plan certify p --shards 2 --output q", 2, "cannot be made in pieces");
+  expect_refused(
+      shell, "$T batch plan certify p --shards 2 --output q", 2, "cannot be made in pieces");
   expect_refused(
       shell, "$T batch plan drive --stdio --shards 2 --output q", 2, "which has no pieces");
   expect_refused(shell, "$T batch plan simulate --micro-study --shards 2 --output q", 2, "at once");
   expect_refused(shell, "$T batch work nothing --shard 0/1", 66, "plan");
   const auto with = [&](const std::string& spoil, const std::string& why) {
-    expect_refused(shell, "cp good p/plan.json; " + spoil + "; $T batch work p --shard 0/3", 65, why);
+    expect_refused(
+        shell, "cp good p/plan.json; " + spoil + "; $T batch work p --shard 0/3", 65, why);
   };
   with("sed -i 's/\"shards\": 3/\"shards\": 0/' p/plan.json", "out of their ranges");
   with("sed -i 's/\"shards\": 3/\"shards\": -3/' p/plan.json", "");

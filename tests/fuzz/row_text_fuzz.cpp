@@ -33,9 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     const std::string written = tcert::table::row_text(tcert::table::from_row<Whole>(text));
-    tcert::fuzz::require(
-        tcert::table::row_text(tcert::table::from_row<Whole>(written)) == written,
-        "what is written of a row reads back the same");
+    tcert::fuzz::require(tcert::table::row_text(tcert::table::from_row<Whole>(written)) == written,
+                         "what is written of a row reads back the same");
   } catch (const tcert::table::RowError&) {
     // Most lines are none.
   }

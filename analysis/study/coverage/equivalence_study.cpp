@@ -126,8 +126,7 @@ EquivalenceRates EquivalenceTally::rates() const {
                              &rates.mean_power_margin}) {
     *rate /= count;
   }
-  rates.true_error =
-      std::sqrt(std::max(0.0, squares_ / count - (sum_ / count) * (sum_ / count)));
+  rates.true_error = std::sqrt(std::max(0.0, squares_ / count - (sum_ / count) * (sum_ / count)));
   return rates;
 }
 

@@ -133,8 +133,8 @@ RayCalibrated calibrate_one(const RayScenario& scenario,
   RayCalibrationOptions options;
   options.alpha = scenario.alpha;
   options.seed = index + 1;
-  const RayCalibrationResult made = calibrate_rays(
-      days_of(index, 0, scenario.days, scenario.glitches, seed, stream), options);
+  const RayCalibrationResult made =
+      calibrate_rays(days_of(index, 0, scenario.days, scenario.glitches, seed, stream), options);
   return {made.calibration->bound->quantile_m,
           covered_days(days_of(index, scenario.days, new_days, scenario.glitches, seed, stream),
                        made.calibration->usable)};

@@ -23,7 +23,7 @@ struct SoundnessSummary {
   std::size_t untraversable = 0;  ///< Worlds with T <= 0.
   std::size_t violations = 0;     ///< Worlds with T_t > T at some tick.
   std::uint64_t violating_ticks = 0;
-  double largest_excess_m = 0.0;  ///< Largest T_t - T where above 0; else 0.
+  double largest_excess_m = 0.0;             ///< Largest T_t - T where above 0; else 0.
   std::optional<std::uint64_t> worst_world;  ///< The first world in which it is so large.
 
   /// \param number of the world among those of its kind.

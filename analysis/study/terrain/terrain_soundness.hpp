@@ -11,8 +11,8 @@ namespace tcert::terrain::study {
 
 /// What the planner is told of every terrain of a set.
 struct Telling {
-  double told = 1.0;     ///< Times the true Lipschitz constant.
-  bool trusted = false;  ///< The model's band is believed too,
+  double told = 1.0;           ///< Times the true Lipschitz constant.
+  bool trusted = false;        ///< The model's band is believed too,
   double beta = Rules{}.beta;  ///< which is sqrt(beta) sd wide.
 };
 

@@ -17,27 +17,26 @@ constexpr std::size_t kPoints = 4000;
 using Function = double (*)(double);
 
 /// Of one positive argument; those of two take it and another one.
-constexpr std::array<Function, 20> kFunctions{
-    [](double x) { return std::exp(x); },
-    [](double x) { return std::exp(-x); },
-    [](double x) { return std::exp2(x); },
-    [](double x) { return std::expm1(-x); },
-    [](double x) { return std::log(x); },
-    [](double x) { return std::log2(x); },
-    [](double x) { return std::log10(x); },
-    [](double x) { return std::log1p(x); },
-    [](double x) { return std::sin(x); },
-    [](double x) { return std::cos(x); },
-    [](double x) { return std::tan(x); },
-    [](double x) { return std::atan(x); },
-    [](double x) { return std::asin(1.0 / (1.0 + x)); },
-    [](double x) { return std::acos(1.0 / (1.0 + x)); },
-    [](double x) { return std::sinh(x); },
-    [](double x) { return std::tanh(x); },
-    [](double x) { return std::cbrt(x); },
-    [](double x) { return std::erf(x); },
-    [](double x) { return std::erfc(x); },
-    [](double x) { return std::lgamma(x); }};
+constexpr std::array<Function, 20> kFunctions{[](double x) { return std::exp(x); },
+                                              [](double x) { return std::exp(-x); },
+                                              [](double x) { return std::exp2(x); },
+                                              [](double x) { return std::expm1(-x); },
+                                              [](double x) { return std::log(x); },
+                                              [](double x) { return std::log2(x); },
+                                              [](double x) { return std::log10(x); },
+                                              [](double x) { return std::log1p(x); },
+                                              [](double x) { return std::sin(x); },
+                                              [](double x) { return std::cos(x); },
+                                              [](double x) { return std::tan(x); },
+                                              [](double x) { return std::atan(x); },
+                                              [](double x) { return std::asin(1.0 / (1.0 + x)); },
+                                              [](double x) { return std::acos(1.0 / (1.0 + x)); },
+                                              [](double x) { return std::sinh(x); },
+                                              [](double x) { return std::tanh(x); },
+                                              [](double x) { return std::cbrt(x); },
+                                              [](double x) { return std::erf(x); },
+                                              [](double x) { return std::erfc(x); },
+                                              [](double x) { return std::lgamma(x); }};
 
 using FunctionOfTwo = double (*)(double, double);
 
@@ -50,13 +49,12 @@ constexpr std::array<FunctionOfTwo, 4> kFunctionsOfTwo{
 using LongFunction = long double (*)(long double);
 
 /// Boost.Math computes in them, and processors of different makers need not agree.
-constexpr std::array<LongFunction, 5> kLongFunctions{[](long double x) { return std::exp(-x); },
-                                                     [](long double x) { return std::log(x); },
-                                                     [](long double x) { return std::log1p(x); },
-                                                     [](long double x) { return std::expm1(-x); },
-                                                     [](long double x) {
-                                                       return std::pow(x, 0.5L * x);
-                                                     }};
+constexpr std::array<LongFunction, 5> kLongFunctions{
+    [](long double x) { return std::exp(-x); },
+    [](long double x) { return std::log(x); },
+    [](long double x) { return std::log1p(x); },
+    [](long double x) { return std::expm1(-x); },
+    [](long double x) { return std::pow(x, 0.5L * x); }};
 
 std::string digest() {
   Sha256 sum;

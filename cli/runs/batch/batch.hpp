@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// `batch`: a command in pieces. Plan them, make them in any order, on any machines of one kind, and
-/// merge them: the result is that of the command alone, byte for byte.
+/// `batch`: a command in pieces. Plan them, make them in any order, on any machines of one kind,
+/// and merge them: the result is that of the command alone, byte for byte.
 
 #include <optional>
 #include <string>
@@ -80,8 +80,8 @@ struct MergeRequest {
 /// Makes one shard, unless it is there. \throws UsageError, NoInput, BadData, WriteError.
 [[nodiscard]] ExitCode work(const WorkRequest& request, Progress& progress);
 
-/// Makes of the parts what the command makes. exit_rejected, with nothing made, if a part is missing.
-/// \throws UsageError, NoInput, BadData, WriteError.
+/// Makes of the parts what the command makes. exit_rejected, with nothing made, if a part is
+/// missing. \throws UsageError, NoInput, BadData, WriteError.
 [[nodiscard]] ExitCode merge(const MergeRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

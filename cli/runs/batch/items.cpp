@@ -70,13 +70,10 @@ void make_items(const std::vector<ItemSet>& sets,
 
 ItemSource made_here(Progress& progress) {
   return [&progress](const std::vector<ItemSet>& sets, const TakeItem& take) {
-    make_items(sets,
-               {0, count_of(sets)},
-               progress,
-               [&](std::uint64_t item, std::string_view line) {
-                 const ItemPlace place = place_of(sets, item);
-                 take(place.set, place.item, line);
-               });
+    make_items(sets, {0, count_of(sets)}, progress, [&](std::uint64_t item, std::string_view line) {
+      const ItemPlace place = place_of(sets, item);
+      take(place.set, place.item, line);
+    });
   };
 }
 

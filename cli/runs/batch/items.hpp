@@ -17,9 +17,9 @@ namespace tcert::cli {
 /// Items of one sort. What item k gives is a line of text without line feed that depends on the
 /// request and on k alone: neither on what else is made nor on the machine.
 struct ItemSet {
-  std::string name;             ///< "mixed worlds": what the items are.
+  std::string name;  ///< "mixed worlds": what the items are.
   std::uint64_t count = 0;
-  std::uint64_t together = 0;   ///< How many are best made in one call, at least 1.
+  std::uint64_t together = 0;  ///< How many are best made in one call, at least 1.
   /// The lines of items first ... last - 1. In parallel, if there is something to be won.
   std::function<std::vector<std::string>(std::uint64_t first, std::uint64_t last)> make;
 };
@@ -30,12 +30,10 @@ struct ItemSet {
                                         std::function<std::string(std::uint64_t item)> make);
 
 /// Hears of every item of every set, in order.
-using TakeItem =
-    std::function<void(std::size_t set, std::uint64_t item, std::string_view line)>;
+using TakeItem = std::function<void(std::size_t set, std::uint64_t item, std::string_view line)>;
 
 /// Gives every item to `take`: makes it, or has it from where it was made before.
-using ItemSource =
-    std::function<void(const std::vector<ItemSet>& sets, const TakeItem& take)>;
+using ItemSource = std::function<void(const std::vector<ItemSet>& sets, const TakeItem& take)>;
 
 /// Makes all items here and now.
 [[nodiscard]] ItemSource made_here(Progress& progress);

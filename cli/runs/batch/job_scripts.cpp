@@ -62,7 +62,8 @@ exec parallel --joblog {folder}/parallel.log --resume-failed "$@" \
   {program} batch work {folder} --shard {{}}/{shards} --threads 1 --quiet ::: $(seq 0 {last})
 )";
 
-constexpr std::string_view kReadme = R"({command}, {count} items in {shards} shards. Made by tcert {version}.
+constexpr std::string_view kReadme =
+    R"({command}, {count} items in {shards} shards. Made by tcert {version}.
 
 With Slurm:          sh {folder}/submit
 With GNU parallel:   sh {folder}/run_parallel && {program} batch merge {folder}

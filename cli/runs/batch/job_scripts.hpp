@@ -14,9 +14,9 @@ namespace tcert::cli {
 /// Shards of one Slurm array: its MaxArraySize is 1001 unless somebody raised it.
 inline constexpr std::uint64_t kMostTasks = 1000;
 
-/// File names with their texts: submit (a shell script: every array, then the merge), shards.sbatch,
-/// merge.sbatch, run_parallel, README.txt.
-/// \param folder absolute. \param program absolute path of the tool.
+/// File names with their texts: submit (a shell script: every array, then the merge),
+/// shards.sbatch, merge.sbatch, run_parallel, README.txt. \param folder absolute. \param program
+/// absolute path of the tool.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> job_scripts(
     const Plan& plan, const std::filesystem::path& folder, const std::string& program);
 

@@ -21,8 +21,10 @@ namespace tcert::cli {
 struct Pieces {
   std::function<std::vector<ItemSet>(std::int64_t threads, Progress& progress)> items;
   /// What the command makes of items from there: into the folder `output`, or shown without it.
-  std::function<ExitCode(
-      const std::string& output, std::int64_t threads, Progress& progress, const ItemSource& source)>
+  std::function<ExitCode(const std::string& output,
+                         std::int64_t threads,
+                         Progress& progress,
+                         const ItemSource& source)>
       finish;
 };
 

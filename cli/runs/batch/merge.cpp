@@ -49,9 +49,10 @@ ItemSource items_of_parts(const ReadPlan& plan, const std::vector<std::uint64_t>
 OptionTable options_of(MergeRequest& request) {
   OptionTable table(request.given);
   table.argument({"PLAN", &request.plan, true, OptionRole::input});
-  table.add("partial",
-            request.partial,
-            "show what the parts that are there come to, though some are missing; nothing is written");
+  table.add(
+      "partial",
+      request.partial,
+      "show what the parts that are there come to, though some are missing; nothing is written");
   add_common(table, request);
   return table;
 }
@@ -72,11 +73,12 @@ ExitCode merge(const MergeRequest& request, Progress& progress) {
     }
     progress.say("PARTIAL: " + count + "; what follows is without them.");
   }
-  const std::string output = request.partial                 ? ""
-                             : !request.output.path.empty()  ? request.output.path
-                                                             : (plan.folder / "result" / "").string();
-  const ExitCode code = plan.plan.pieces().finish(
-      output, request.threads, progress, items_of_parts(plan, missing));
+  const std::string output = request.partial ? ""
+                             : !request.output.path.empty()
+                                 ? request.output.path
+                                 : (plan.folder / "result" / "").string();
+  const ExitCode code =
+      plan.plan.pieces().finish(output, request.threads, progress, items_of_parts(plan, missing));
   if (!missing.empty()) {
     return exit_rejected;
   }

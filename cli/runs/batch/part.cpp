@@ -41,7 +41,10 @@ std::string_view key_of(std::string_view line) {
   return line.substr(0, line.find(' '));
 }
 
-void require_head(const fs::path& path, std::string_view expected, std::ifstream& file, Sha256& sum) {
+void require_head(const fs::path& path,
+                  std::string_view expected,
+                  std::ifstream& file,
+                  Sha256& sum) {
   while (!expected.empty()) {
     const std::string_view line = expected.substr(0, expected.find('\n'));
     std::string found;

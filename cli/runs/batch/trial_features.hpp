@@ -7,8 +7,9 @@
 
 namespace tcert::cli {
 
-/// features.csv of the trials that the request asks for, as `simulate` or `drive` and then `certify`
-/// would write it, with a manifest. Without an output it is shown. \throws UsageError, WriteError.
+/// features.csv of the trials that the request asks for, as `simulate` or `drive` and then
+/// `certify` would write it, with a manifest. Without an output it is shown. \throws UsageError,
+/// WriteError.
 [[nodiscard]] ExitCode simulated_features(const SimulateRequest& request,
                                           Progress& progress,
                                           const ItemSource& source);

@@ -39,8 +39,9 @@ std::uint64_t shard_of(const WorkRequest& request, std::uint64_t shards) {
   if (request.shard.empty()) {
     shard = task();
     if (!shard) {
-      throw UsageError("needs --shard I/N, or the number of a task of an array of Slurm "
-                       "(SLURM_ARRAY_TASK_ID) or Grid Engine (SGE_TASK_ID)");
+      throw UsageError(
+          "needs --shard I/N, or the number of a task of an array of Slurm "
+          "(SLURM_ARRAY_TASK_ID) or Grid Engine (SGE_TASK_ID)");
     }
     *shard += static_cast<std::uint64_t>(request.offset);
   } else {
@@ -49,20 +50,19 @@ std::uint64_t shard_of(const WorkRequest& request, std::uint64_t shards) {
     }
     const auto slash = request.shard.find('/');
     shard = whole(request.shard.substr(0, slash));
-    const auto count = slash == std::string::npos ? std::nullopt
-                                                  : whole(request.shard.substr(slash + 1));
+    const auto count =
+        slash == std::string::npos ? std::nullopt : whole(request.shard.substr(slash + 1));
     if (!shard || !count) {
-      throw UsageError(fmt::format(
-          "--shard: found '{}', expected I/N, such as 0/{}", request.shard, shards));
+      throw UsageError(
+          fmt::format("--shard: found '{}', expected I/N, such as 0/{}", request.shard, shards));
     }
     if (*count != shards) {
-      throw UsageError(
-          fmt::format("--shard: found {} shards, the plan has {}", *count, shards));
+      throw UsageError(fmt::format("--shard: found {} shards, the plan has {}", *count, shards));
     }
   }
   if (*shard >= shards) {
-    throw UsageError(fmt::format(
-        "shard {} is none of the plan, which has 0 to {}", *shard, shards - 1));
+    throw UsageError(
+        fmt::format("shard {} is none of the plan, which has 0 to {}", *shard, shards - 1));
   }
   return *shard;
 }

@@ -82,8 +82,8 @@ ExitCode write_plan(Plan plan,
   progress.sum_up(std::to_string(plan.count()) + " items in " + std::to_string(plan.shards) +
                   " shards. With Slurm:\n  sh " + quoted((fs::path(folder) / "submit").string()) +
                   "\nWith GNU parallel:\n  sh " +
-                  quoted((fs::path(folder) / "run_parallel").string()) +
-                  "\n  tcert batch merge " + quoted(folder));
+                  quoted((fs::path(folder) / "run_parallel").string()) + "\n  tcert batch merge " +
+                  quoted(folder));
   return exit_done;
 }
 

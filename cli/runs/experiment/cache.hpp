@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// what an experiment keeps for the next one: a convenience, without which the results are the same.
+/// what an experiment keeps for the next one: a convenience, without which the results are the
+/// same.
 
 #include <filesystem>
 #include <mutex>

@@ -56,9 +56,8 @@ CellResults cell_results(const CellsRequest& request,
   Stage stage(progress, "cells", cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (!cells[c].refused()) {
-      results.scores[c] = features.rows(files.features_of[c],
-                                        files.features_of.front(),
-                                        cells[c].set().early_window.time_s);
+      results.scores[c] = features.rows(
+          files.features_of[c], files.features_of.front(), cells[c].set().early_window.time_s);
       results.speeds[c] = speeds.rows(files.replays_of[c]);
     }
     stage.advance();

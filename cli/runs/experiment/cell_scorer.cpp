@@ -1,9 +1,9 @@
 #include "cli/runs/experiment/cell_scorer.hpp"
 
-#include <table/read_data_table.hpp>
 #include <stdexcept>
 #include <table/bytes.hpp>
 #include <table/csv_write.hpp>
+#include <table/read_data_table.hpp>
 #include <utility>
 
 #include "analysis/study/experiment/cell_scores.hpp"

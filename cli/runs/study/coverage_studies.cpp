@@ -33,17 +33,18 @@ StudyItems coverage_study(const StudyRequest& request, Progress& /*progress*/) {
   StudyItems items;
   std::uint32_t stream = kCoverageStream;
   for (const study::coverage::Scenario& scenario : scenarios) {
-    items.sets.push_back(independent_items(
-        "data sets of " + scenario.name,
-        options.data_sets,
-        [scenario, options, stream](std::uint64_t set) {
-          return table::row_text(study::coverage::intervals_of(scenario, stream, options, set));
-        }));
+    items.sets.push_back(independent_items("data sets of " + scenario.name,
+                                           options.data_sets,
+                                           [scenario, options, stream](std::uint64_t set) {
+                                             return table::row_text(study::coverage::intervals_of(
+                                                 scenario, stream, options, set));
+                                           }));
     ++stream;
   }
   items.take = [tallies, scenarios](
                    std::size_t scenario, std::uint64_t /*set*/, std::string_view line) {
-    while (tallies->size() <= scenario) {  // Their truth costs time, which only who tallies waits for.
+    while (tallies->size() <=
+           scenario) {  // Their truth costs time, which only who tallies waits for.
       tallies->emplace_back(scenarios.at(tallies->size()).name);
     }
     (*tallies)[scenario].add(table::from_row<study::coverage::Intervals>(line));
@@ -116,18 +117,17 @@ StudyItems ray_study(const StudyRequest& request, Progress& /*progress*/) {
   const std::size_t calibrations = number(request.data_sets, 10000);
   const auto seed = static_cast<std::uint64_t>(request.seed);
   const auto scenarios = study::coverage::ray_scenarios();
-  const auto made = std::make_shared<std::vector<std::vector<study::coverage::RayCalibrated>>>(
-      scenarios.size());
+  const auto made =
+      std::make_shared<std::vector<std::vector<study::coverage::RayCalibrated>>>(scenarios.size());
   StudyItems items;
   std::uint32_t stream = kRayStream;
   for (const study::coverage::RayScenario& scenario : scenarios) {
-    items.sets.push_back(independent_items(
-        "calibrations of " + scenario.name,
-        calibrations,
-        [scenario, stream, seed](std::uint64_t i) {
-          return table::row_text(
-              study::coverage::calibrate_one(scenario, stream, kNewDays, seed, i));
-        }));
+    items.sets.push_back(independent_items("calibrations of " + scenario.name,
+                                           calibrations,
+                                           [scenario, stream, seed](std::uint64_t i) {
+                                             return table::row_text(study::coverage::calibrate_one(
+                                                 scenario, stream, kNewDays, seed, i));
+                                           }));
     ++stream;
   }
   items.take = [made](std::size_t scenario, std::uint64_t /*item*/, std::string_view line) {

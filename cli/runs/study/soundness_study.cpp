@@ -74,12 +74,12 @@ StudyItems soundness_study(const StudyRequest& request, Progress& /*progress*/) 
     }
     options.family = family;
     runs->kinds.push_back({name, {families.begin(), families.end()}, methods});
-    items.sets.push_back(independent_items(
-        std::string(name) + " worlds",
-        static_cast<std::uint64_t>(worlds),
-        [methods = std::move(methods), options](std::uint64_t world) {
-          return table::row_text(study::study_world(methods, options, world));
-        }));
+    items.sets.push_back(
+        independent_items(std::string(name) + " worlds",
+                          static_cast<std::uint64_t>(worlds),
+                          [methods = std::move(methods), options](std::uint64_t world) {
+                            return table::row_text(study::study_world(methods, options, world));
+                          }));
   };
   add("mixed", request.worlds, mixed_family, kMixedFamilies, study::mixed_methods());
   add("hard", request.hard, hard_family, kHardFamilies, study::mixed_methods());

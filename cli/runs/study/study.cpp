@@ -24,11 +24,10 @@ struct Study {
 };
 
 constexpr std::array kStudies{
-    Study{
-        "soundness",
-        "soundness tightness",
-        "worlds hard u-turns driven witness methods readings",
-        soundness_study},
+    Study{"soundness",
+          "soundness tightness",
+          "worlds hard u-turns driven witness methods readings",
+          soundness_study},
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},

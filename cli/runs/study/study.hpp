@@ -17,8 +17,8 @@ struct StudyRequest {
   std::int64_t u_turns = 10000;
   std::int64_t driven = 0;
   bool witness = false;
-  std::string methods;             ///< Comma between; empty: all.
-  std::string readings = "both";  ///< "exact", "noisy" or "both".
+  std::string methods;                    ///< Comma between; empty: all.
+  std::string readings = "both";          ///< "exact", "noisy" or "both".
   std::optional<std::int64_t> data_sets;  ///< None: as many as the study usually has.
   std::optional<std::int64_t> replicates;
   std::int64_t terrains = 1000;

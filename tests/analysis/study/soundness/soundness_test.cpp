@@ -173,7 +173,8 @@ TEST(Soundness, SummaryCountsWorlds) {
   EXPECT_EQ(summary.violating_ticks, 6U);
   EXPECT_NEAR(summary.largest_excess_m, 0.12, 1e-12);
   EXPECT_EQ(summary.worst_world, 2U);
-  EXPECT_NEAR(summary.violation_bound(), 0.9024, 1e-4);  // R: binom.test(2, 4, alternative = "less")
+  EXPECT_NEAR(
+      summary.violation_bound(), 0.9024, 1e-4);  // R: binom.test(2, 4, alternative = "less")
   const auto tightness = tally_of(worlds).tightness(0);
   ASSERT_EQ(tightness.size(), 1U);
   EXPECT_EQ(tightness[0].worlds, 3U);
@@ -186,8 +187,7 @@ TEST(Soundness, AnOutcomeReadsBackFromItsRow) {
     const std::string text = table::row_text(world);
     EXPECT_EQ(table::row_text(table::from_row<WorldOutcome>(text)), text);
     EXPECT_THROW(static_cast<void>(table::from_row<WorldOutcome>(text + ",1")), table::RowError);
-    EXPECT_THROW(static_cast<void>(
-                     table::from_row<WorldOutcome>(text.substr(0, text.rfind(',')))),
+    EXPECT_THROW(static_cast<void>(table::from_row<WorldOutcome>(text.substr(0, text.rfind(',')))),
                  table::RowError);
   }
 }
