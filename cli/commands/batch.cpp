@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "cli/commands/run_command.hpp"
 
@@ -124,7 +125,7 @@ constexpr std::array kKinds{Kind{"ablate",
 /// What `batch plan` and `batch` take by themselves.
 struct PlanForm {
   std::string command;
-  std::int64_t shards = 0;
+  std::optional<std::int64_t> shards;
   OutputPath output;
   std::vector<std::string> given;
 };

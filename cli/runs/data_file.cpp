@@ -1,10 +1,10 @@
 #include "cli/runs/data_file.hpp"
 
-#include <table/read_data_table.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <table/read_data_table.hpp>
 
 #include "cli/runs/errors.hpp"
 #include "cli/runs/result_folder.hpp"

@@ -51,7 +51,16 @@ struct Driving {
   std::uint64_t first = 0;
 };
 
-Driving driving_of(const DriveRequest& request) {
+/// Trials of a world that is driven by every arm under every lighting; 1 in the paper's design.
+std::uint64_t trials_of_world(const DriveRequest& request, const study::DrivenExperiment& all) {
+  return request.worlds ? all.arms.size() * lightings_of(request.lightings).size() : 1;
+}
+
+/// The experiment, without its cases. \throws UsageError.
+Driving experiment_of(const DriveRequest& request) {
+  if (is_given(request.given, "name")) {
+    throw UsageError("--name is that of a policy of your own: it needs --stdio or --listen");
+  }
   Driving driving;
   study::DrivenExperiment& experiment = driving.experiment;
   experiment.parameters = effective_parameters({}, request.parameters);
@@ -73,16 +82,27 @@ Driving driving_of(const DriveRequest& request) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string("--policies: ") + error.what());
   }
+  return driving;
+}
+
+/// With the cases of some trials, counted from the first that the request asks for.
+Driving driving_of(const DriveRequest& request, ItemRange trials) {
+  Driving driving = experiment_of(request);
+  const std::uint64_t each = trials_of_world(request, driving.experiment);
   const auto from = static_cast<std::uint64_t>(request.from);
-  if (is_crossed) {
-    const std::vector<Lighting> lightings = lightings_of(request.lightings);
-    driving.cases = study::crossed_cases(
-        experiment.arms.size(), lightings, from, static_cast<std::uint64_t>(*request.worlds));
-    driving.first = from * lightings.size() * experiment.arms.size();
-  } else {
-    driving.cases = study::paper_cases(from, static_cast<std::uint64_t>(request.trials));
-    driving.first = from;
+  driving.first = from * each + trials.first;
+  if (!request.worlds) {
+    driving.cases = study::paper_cases(driving.first, trials.last - trials.first);
+    return driving;
   }
+  const std::uint64_t first_world = trials.first / each;
+  const std::uint64_t last_world = (trials.last + each - 1) / each;
+  std::vector<study::DrivenCase> cases = study::crossed_cases(driving.experiment.arms.size(),
+                                                              lightings_of(request.lightings),
+                                                              from + first_world,
+                                                              last_world - first_world);
+  const auto begin = cases.begin() + static_cast<std::ptrdiff_t>(trials.first - first_world * each);
+  driving.cases = {begin, begin + static_cast<std::ptrdiff_t>(trials.last - trials.first)};
   return driving;
 }
 
@@ -202,17 +222,14 @@ std::uint64_t trials_of(const DriveRequest& request) {
   if (request.stdio || !request.listen.empty()) {
     throw UsageError("--stdio and --listen drive one trial, which has no pieces");
   }
-  return driving_of(request).cases.size();
+  const std::uint64_t worlds = static_cast<std::uint64_t>(request.worlds.value_or(request.trials));
+  return worlds * trials_of_world(request, experiment_of(request).experiment);
 }
 
 void make_trials(const DriveRequest& request,
                  ItemRange trials,
                  const std::filesystem::path& folder) try {
-  Driving driving = driving_of(request);
-  const auto begin = driving.cases.begin();
-  driving.cases = {begin + static_cast<std::ptrdiff_t>(trials.first),
-                   begin + static_cast<std::ptrdiff_t>(trials.last)};
-  driving.first += trials.first;
+  const Driving driving = driving_of(request, trials);
   write_simulated_bundle(folder, bundle_of(driving), {}, false);
 } catch (const std::invalid_argument& error) {
   throw UsageError(error.what());
@@ -231,10 +248,7 @@ ExitCode drive(const DriveRequest& request, Progress& progress) try {
     return drive_by_lines(
         design_by_lines(request), request.listen, output, manifest_of(request), progress);
   }
-  if (is_given(request.given, "name")) {
-    throw UsageError("--name is that of a policy of your own: it needs --stdio or --listen");
-  }
-  const Driving driving = driving_of(request);
+  const Driving driving = driving_of(request, {0, trials_of(request)});
   const ThreadLimit limit(request.threads);
   ResultFolder result(output, "drive");
   SimulatedBundle bundle = bundle_of(driving);

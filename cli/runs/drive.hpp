@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "analysis/study/driven/drive_case.hpp"
-#include "cli/runs/batch/items.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/items.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
 

@@ -1,8 +1,8 @@
 #include "cli/runs/feature_data.hpp"
 
-#include <table/read_data_table.hpp>
 #include <stdexcept>
 #include <table/bytes.hpp>
+#include <table/read_data_table.hpp>
 
 #include "reports/features_table.hpp"
 

@@ -43,8 +43,8 @@ class Reader {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const {
-    throw NotReproducible("its manifest has " + what + ", which '" + command_ +
-                          "' does not write into a manifest: nothing is run");
+    throw NotReproducible("found " + what + ", which '" + command_ +
+                          "' does not write down of itself: nothing is run");
   }
 
   /// The next argument of that role; null if there is none.

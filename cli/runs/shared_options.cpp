@@ -67,11 +67,11 @@ void add_logs(OptionTable& table, LogOptions& logs) {
             "IDS",
             "only these: trial ids or patterns with * and ?, comma between");
   table.add("strict", logs.strict, "stop at the first rejected trial");
-  table.add(
-      "repair",
-      logs.repair,
-      "drop, merge or sort bad rows, counted, and go on behind a clock that was set back, instead of "
-      "rejecting their trial");
+  table.add("repair",
+            logs.repair,
+            "drop, merge or sort bad rows, counted, and go on behind a clock that was set back, "
+            "instead of "
+            "rejecting their trial");
   add_decimal_comma(table, logs.decimal_comma);
   table.parameters(logs.parameters);
 }

@@ -67,15 +67,15 @@ Manifest manifest_of(const SimulateRequest& request) {
 }  // namespace
 
 std::uint64_t trials_of(const SimulateRequest& request) {
+  if (request.micro_study && is_given(request.given, "from")) {
+    throw UsageError("--from does nothing to --micro-study");
+  }
   return request.micro_study ? kGatePasses : static_cast<std::uint64_t>(request.trials);
 }
 
 void make_trials(const SimulateRequest& request,
                  ItemRange trials,
                  const std::filesystem::path& folder) {
-  if (request.micro_study) {
-    throw UsageError("--micro-study: its 60 passes are made at once");
-  }
   simulate_corpus(folder, corpus_of(request, trials));
 }
 
@@ -113,25 +113,23 @@ ExitCode simulate(const SimulateRequest& request, Progress& progress) {
   if (output.empty()) {
     throw UsageError("needs --output DIR");
   }
-  if (request.micro_study && is_given(request.given, "from")) {
-    throw UsageError("--from does nothing to --micro-study");
-  }
+  const std::uint64_t trials = trials_of(request);
   const ThreadLimit limit(request.threads);
   ResultFolder result(output, "simulate");
   {
-    Stage stage(progress, "simulating", trials_of(request));
+    Stage stage(progress, "simulating", trials);
     const TrialProgress advance = [&](std::uint64_t done, std::uint64_t /*total*/) {
       stage.reach(done);
     };
     if (request.micro_study) {
       simulate_micro_study(result.staging(), seed_of(request), advance, true);
     } else {
-      simulate_corpus(result.staging(), corpus_of(request, {0, trials_of(request)}), advance, true);
+      simulate_corpus(result.staging(), corpus_of(request, {0, trials}), advance, true);
     }
   }
   result.commit(manifest_of(request));
-  progress.sum_up(to_string(SyntheticLabel{seed_of(request)}) + " " +
-                  std::to_string(trials_of(request)) + " trials in " + output + ".");
+  progress.sum_up(to_string(SyntheticLabel{seed_of(request)}) + " " + std::to_string(trials) +
+                  " trials in " + output + ".");
   return exit_done;
 }
 

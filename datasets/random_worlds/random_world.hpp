@@ -32,6 +32,7 @@ enum class WorldFamily : std::uint8_t {
 };
 
 inline constexpr std::size_t kWorldFamilies = 13;
+constexpr WorldFamily row_last(WorldFamily /*any*/) noexcept { return WorldFamily::s_bends; }
 
 inline constexpr std::array kMixedFamilies{WorldFamily::gates,
                                            WorldFamily::bends,

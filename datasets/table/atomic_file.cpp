@@ -83,7 +83,9 @@ bool AtomicFile::commit_new() {
     linked =
         ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0;
   }
-  if (!linked && errno != EEXIST) {
+  // Who took the name may have removed what we wrote.
+  std::error_code ignored;
+  if (!linked && errno != EEXIST && !(errno == ENOENT && fs::exists(path_, ignored))) {
     fail_to_write("cannot link to", path_, errno);
   }
   if (linked) {

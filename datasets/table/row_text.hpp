@@ -4,6 +4,8 @@
 ///
 /// A struct takes part by one function that names its members, for both ways:
 ///     void row_cells(auto& row, table::Is<Point> auto& point) { row(point.x_m, point.y_m); }
+/// and an enumeration by one that names its last value:
+///     constexpr Colour row_last(Colour) { return Colour::blue; }
 
 #include <concepts>
 #include <cstddef>
@@ -96,7 +98,7 @@ class RowReader {
     if constexpr (std::floating_point<Value>) {
       value = static_cast<Value>(number());
     } else if constexpr (std::is_enum_v<Value>) {
-      value = static_cast<Value>(integer(static_cast<std::underlying_type_t<Value>>(-1)));
+      value = static_cast<Value>(integer(static_cast<std::uint64_t>(row_last(value))));
     } else if constexpr (std::unsigned_integral<Value>) {
       value = static_cast<Value>(integer(std::is_same_v<Value, bool> ? 1 : static_cast<Value>(-1)));
     } else {

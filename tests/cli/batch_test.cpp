@@ -110,9 +110,9 @@ TEST(BatchCommand, WhatIsMissingIsSaidAndMadeAlone) {
   expect_done(shell, plan(kWorlds, 4, "p") + "rm -f p/parts/*; " + "$T batch work p --shard 1/4");
   const ProcessResult run = shell.run("$T batch merge p");
   EXPECT_EQ(run.exit_code, 3) << to_string(run);
-  EXPECT_NE(run.err.find("3 of 4 shards are missing"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("sbatch --array=0,2-3 "), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("for i in 0 2 3; do tcert batch work"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("3 of 4 shards are missing: 0, 2 to 3"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("sh p/submit"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("sh p/run_parallel"), std::string::npos) << run.err;
   EXPECT_FALSE(std::filesystem::exists(shell.work() / "p/result"));
 
   const ProcessResult part = shell.run("$T batch merge p --partial");
@@ -163,8 +163,10 @@ TEST(BatchCommand, PartsThatAreDamagedOrForeignAreRefused) {
   with("sed -i '9s/0/1/' " + part, "damaged");
   with("echo >> " + part, "does not fit");
   with(": > " + part, "is none of this tool");
-  with("rm " + part + "; mkdir " + part, "is none of this tool");
-  expect_done(shell, "rm -r " + part + "; cp good " + part + "; " + merge("p"));
+  expect_refused(shell, "rm " + part + "; mkdir " + part + "; " + merge("p"), 66, "cannot read");
+  expect_refused(
+      shell, "rmdir " + part + "; mkfifo " + part + "; " + merge("p"), 66, "cannot read");
+  expect_done(shell, "rm " + part + "; cp good " + part + "; " + merge("p"));
 }
 
 TEST(BatchCommand, PlansThatAreNoneAreRefused) {
@@ -176,6 +178,10 @@ TEST(BatchCommand, PlansThatAreNoneAreRefused) {
       shell, "$T batch plan certify p --shards 2 --output q", 2, "cannot be made in pieces");
   expect_refused(
       shell, "$T batch plan drive --stdio --shards 2 --output q", 2, "which has no pieces");
+  expect_refused(shell, "$T batch plan drive --name x --shards 2 --output q", 2, "--name");
+  expect_refused(
+      shell, "$T batch plan sounness --shards 2 --output q", 2, "did you mean 'soundness'");
+  expect_refused(shell, "$T batch plan --shards 2 soundness --output q", 2, "comes first");
   expect_refused(shell, "$T batch plan simulate --micro-study --shards 2 --output q", 2, "at once");
   expect_refused(shell, "$T batch work nothing --shard 0/1", 66, "plan");
   const auto with = [&](const std::string& spoil, const std::string& why) {
@@ -183,7 +189,10 @@ TEST(BatchCommand, PlansThatAreNoneAreRefused) {
         shell, "cp good p/plan.json; " + spoil + "; $T batch work p --shard 0/3", 65, why);
   };
   with("sed -i 's/\"shards\": 3/\"shards\": 0/' p/plan.json", "out of their ranges");
-  with("sed -i 's/\"shards\": 3/\"shards\": -3/' p/plan.json", "");
+  with("sed -i 's/\"shards\": 3/\"shards\": -3/' p/plan.json", "no plan");
+  with("sed -i 's/\"shards\": 3/\"shards\": 3.7/' p/plan.json", "no plan");
+  with("sed -i 's/\"plan\": 1/\"plan\": 2/' p/plan.json", "another version");
+  with("sed -i 's/\"count\": 9/\"count\": 18446744073709551615/' p/plan.json", "out of their");
   with("sed -i 's/\"count\": 9/\"count\": 90/' p/plan.json", "other items");
   with("sed -i 's/--worlds/--output/' p/plan.json", "nothing is run");
   with("sed -i 's/\"study\"/\"certify\"/' p/plan.json", "no command that works in pieces");
@@ -191,6 +200,48 @@ TEST(BatchCommand, PlansThatAreNoneAreRefused) {
   with("sed -i 's/\"arithmetic\": \"./&x/' p/plan.json", "computes exp");
   with("echo '{' > p/plan.json", "no plan");
   EXPECT_TRUE(std::filesystem::is_empty(shell.work() / "p/parts"));
+}
+
+TEST(BatchCommand, ScriptsFindTheirFolderWhateverItIsCalled) {
+  Shell shell;
+  const std::string name = "it's 100% d$HOME {} \\\"q\\\" a";
+  expect_done(
+      shell,
+      "mkdir bin; for c in parallel sbatch; do printf '%s\\n' '#!/bin/sh' "
+      "'printf \"%s|\" \"$@\" >> ../called; cat >> ../called' > bin/$c; chmod +x bin/$c; done; "
+      "export PATH=$PWD/bin:$PATH; " +
+          plan(kWorlds, 3, "p") + "mv p \"" + name + "\"; cd \"" + name +
+          "\"; sh one 1; test -f parts/000001.csv; sh run_parallel --jobs 2 < /dev/null; "
+          "sh ./submit --time=1 < /dev/null; grep -q '^--jobs|2|sh|./one|0$' ../called; "
+          "grep -q -- '--array=0,2|' ../called; grep -q '100%% d' ../called");
+}
+
+TEST(BatchCommand, InputsAreThoseThatTheCommandReads) {
+  Shell shell;
+  expect_done(shell,
+              "mkdir -p real/sub; ln -s real/sub link; $T simulate --trials 4 --quiet --output "
+              "real/named; $T simulate --trials 6 --quiet --output named; $T ablate link/../named "
+              "--replicates 9 --no-cache --quiet --output one; " +
+                  plan("ablate link/../named --replicates 9", 2, "p") + work("p", 2) + merge("p") +
+                  "diff -r one p/result");
+  expect_refused(shell, plan("ablate named", 2, "named/plan"), 2, "named");
+  expect_refused(shell,
+                 "$T batch plan ablate named --no-cache --shards 2 --output q",
+                 2,
+                 "does not shape a result");
+  expect_refused(
+      shell, "$T batch plan ablate named --table nope --shards 2 --output q", 2, "--table");
+  expect_refused(shell,
+                 plan("ablate named --cluster nosuch", 1, "q") + "$T batch work q --shard 0/1",
+                 2,
+                 "nosuch");
+  // A byte that is no UTF-8 comes through.
+  expect_done(
+      shell,
+      "sed -i 's/,M1,/,M\\xe9,/' named/trials.csv; $T ablate named --replicates 9 --no-cache "
+      "--quiet --output latin; " +
+          plan("ablate named --replicates 9", 3, "r") + work("r", 3) + merge("r") +
+          "diff -r latin r/result");
 }
 
 TEST(BatchCommand, ItemsAreDealtToShardsInOrderAndEvenly) {

@@ -126,7 +126,8 @@ EquivalenceRates EquivalenceTally::rates() const {
                              &rates.mean_power_margin}) {
     *rate /= count;
   }
-  rates.true_error = std::sqrt(std::max(0.0, squares_ / count - (sum_ / count) * (sum_ / count)));
+  const double variance = squares_ / count - (sum_ / count) * (sum_ / count);
+  rates.true_error = rates.tested == 0 ? std::nan("") : std::sqrt(std::max(0.0, variance));
   return rates;
 }
 

@@ -23,6 +23,9 @@ enum class ConfidenceSetKind : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view to_string(ConfidenceSetKind kind) noexcept;
+constexpr ConfidenceSetKind row_last(ConfidenceSetKind /*any*/) noexcept {
+  return ConfidenceSetKind::whole_line;
+}
 
 struct ConfidenceSet {
   ConfidenceSetKind kind = ConfidenceSetKind::unknown;

@@ -67,6 +67,7 @@ enum class H1PanelKind : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view to_string(H1PanelKind kind) noexcept;
+constexpr H1PanelKind row_last(H1PanelKind /*any*/) noexcept { return H1PanelKind::landmark; }
 
 /// What a watch is told of the resampling of a panel.
 [[nodiscard]] std::string resamples_of(H1PanelKind kind);

@@ -15,11 +15,14 @@ namespace tcert::cli {
 /// What is planned: the request of a command, with its output as the folder of the plan.
 template <class Request>
 struct PlanRequest : Request {
-  std::int64_t shards = 0;
+  std::optional<std::int64_t> shards;
 };
 
 /// The inputs of a request: the names that words of a plan have for them, and their absolute paths.
 [[nodiscard]] std::vector<PlanInput> inputs_of(const OptionTable& table);
+
+/// \throws UsageError for an option that says how, not what: it is told to the work.
+void require_no_process_options(const OptionTable& table);
 
 /// Writes a plan into a new folder. \throws UsageError if the command has no items; WriteError.
 [[nodiscard]] ExitCode write_plan(Plan plan,
@@ -46,15 +49,16 @@ template <class Request>
                                   Progress& progress) {
   Request alone = request;
   const std::string folder = alone.output.path;
-  if (folder.empty() || request.shards == 0) {
+  if (folder.empty() || !request.shards) {
     throw UsageError("needs --shards N and --output PLAN");
   }
   alone.output.path.clear();
+  require_no_process_options(options_of(alone));
   Plan plan;
   plan.command = command;
   plan.arguments = written(alone).arguments;
   plan.inputs = inputs_of(options_of(alone));
-  plan.shards = static_cast<std::uint64_t>(request.shards);
+  plan.shards = static_cast<std::uint64_t>(*request.shards);
   return write_plan(std::move(plan), items_of(alone, progress), folder, progress);
 }
 

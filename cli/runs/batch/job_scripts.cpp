@@ -7,71 +7,73 @@
 namespace tcert::cli {
 namespace {
 
-/// "3,17-19": shards less `offset`.
-std::string ranges(const std::vector<std::uint64_t>& shards, std::uint64_t offset) {
-  std::string text;
-  for (std::size_t i = 0; i < shards.size();) {
-    std::size_t end = i + 1;
-    while (end < shards.size() && shards[end] == shards[end - 1] + 1) {
-      ++end;
-    }
-    text += fmt::format("{}{}", text.empty() ? "" : ",", shards[i] - offset);
-    text += end - i > 1 ? fmt::format("-{}", shards[end - 1] - offset) : "";
-    i = end;
-  }
-  return text;
-}
+constexpr std::string_view kOne = R"sh(#!/bin/sh
+# Makes one shard: sh one 3. Written by 'tcert batch plan', as all scripts here.
+exec {program} batch work "$(dirname "$0")" --shard "$1/{shards}" --threads "${{TCERT_THREADS:-1}}"
+)sh";
 
-constexpr std::string_view kShards = R"(#!/bin/sh
-# One shard a task; TCERT_OFFSET is added to the number of the task. Written by 'tcert batch plan'.
+constexpr std::string_view kShards = R"sh(#!/bin/sh
+# One shard a task, for submit, which says where the plan is and what is added to the task's number.
 #SBATCH --job-name=tcert-{command}
-#SBATCH --array=0-{last}
 #SBATCH --requeue
 #SBATCH --open-mode=append
 #SBATCH --cpus-per-task=1
-exec {program} batch work {folder} --offset "${{TCERT_OFFSET:-0}}" --threads "${{SLURM_CPUS_PER_TASK:-1}}"
-)";
+exec {program} batch work "${{TCERT_PLAN:?}}" --offset "${{TCERT_OFFSET:-0}}" --threads "${{SLURM_CPUS_PER_TASK:-1}}"
+)sh";
 
-constexpr std::string_view kMerge = R"(#!/bin/sh
-# Written by 'tcert batch plan'.
+constexpr std::string_view kMerge = R"sh(#!/bin/sh
 #SBATCH --job-name=tcert-merge
 #SBATCH --requeue
 #SBATCH --open-mode=append
-exec {program} batch merge {folder}
-)";
+exec {program} batch merge "${{TCERT_PLAN:?}}"
+)sh";
 
-constexpr std::string_view kSubmit = R"(#!/bin/sh
-# Submits every shard, and the merge for when they have ended, well or not: it says what is missing.
-# Arguments go to sbatch: --partition=..., --account=..., --time=...
+constexpr std::string_view kSubmit = R"sh(#!/bin/sh
+# Submits every shard that is not there, as arrays of at most {most} tasks, and the merge for when they
+# have ended, well or not: it says what is missing. Arguments go to sbatch: --partition=..., --time=...
 set -eu
-mkdir -p {folder}/logs
+TCERT_PLAN=$(cd "$(dirname "$0")" && pwd)
+export TCERT_PLAN
+mkdir -p "$TCERT_PLAN/logs"
+logs=$(printf '%s/logs' "$TCERT_PLAN" | sed 's/%/%%/g')
 after=
-for offset in $(seq 0 {most} {last}); do
-  end=$(({shards} - offset < {most} ? {shards} - offset : {most}))
-  job=$(sbatch --parsable --array=0-$((end - 1)) --export="ALL,TCERT_OFFSET=$offset" \
-    --output={folder}/logs/%A_%a.txt "$@" {folder}/shards.sbatch)
-  after=$after:${{job%%;*}}
+TCERT_OFFSET=0
+while [ "$TCERT_OFFSET" -lt {shards} ]; do
+  export TCERT_OFFSET
+  tasks=
+  task=0
+  while [ "$task" -lt {most} ] && [ $((TCERT_OFFSET + task)) -lt {shards} ]; do
+    part=$(printf '%s/parts/%06d.csv' "$TCERT_PLAN" $((TCERT_OFFSET + task)))
+    [ -e "$part" ] || tasks=$tasks,$task
+    task=$((task + 1))
+  done
+  if [ -n "$tasks" ]; then
+    job=$(sbatch --parsable --array="${{tasks#,}}" --output="$logs/%A_%a.txt" "$@" "$TCERT_PLAN/shards.sbatch")
+    after=$after:${{job%%;*}}
+  fi
+  TCERT_OFFSET=$((TCERT_OFFSET + {most}))
 done
-sbatch --parsable --dependency="afterany$after" --output={folder}/logs/merge_%j.txt "$@" {folder}/merge.sbatch
-)";
+sbatch --parsable ${{after:+--dependency="afterany$after"}} --output="$logs/merge_%j.txt" "$@" "$TCERT_PLAN/merge.sbatch"
+)sh";
 
-constexpr std::string_view kParallel = R"(#!/bin/sh
-# Every shard by GNU parallel, one a core; once more: those that failed, and those that never ran.
-# Arguments go to parallel: --jobs 8, --sshlogin ...
-exec parallel --joblog {folder}/parallel.log --resume-failed "$@" \
-  {program} batch work {folder} --shard {{}}/{shards} --threads 1 --quiet ::: $(seq 0 {last})
-)";
+constexpr std::string_view kParallel = R"sh(#!/bin/sh
+# Every shard by GNU parallel, one a core; those that are there are not made again.
+# Arguments go to parallel: --jobs 8, --sshlogin ... --workdir .
+cd "$(dirname "$0")" || exit
+seq 0 {last} | parallel "$@" sh ./one
+)sh";
 
 constexpr std::string_view kReadme =
-    R"({command}, {count} items in {shards} shards. Made by tcert {version}.
+    R"sh({command}, {count} items in {shards} shards. Made by tcert {version}.
 
-With Slurm:          sh {folder}/submit
-With GNU parallel:   sh {folder}/run_parallel && {program} batch merge {folder}
-One shard by itself: {program} batch work {folder} --shard 0/{shards}
+With Slurm:          sh submit
+With GNU parallel:   sh run_parallel && {program} batch merge .
+One shard by itself: sh one 0
 
-The merge writes result/ and says what is missing, if anything, and the command that makes it. Parts of
-shards that are done stay; whatever is run again makes only what is not there.
-)";
+The merge writes result/ and says what is missing, if anything. Parts of shards that are done stay: submit
+and run_parallel, run again, make what is not there. A task that was killed may leave a hidden file in
+parts/, which nobody reads and the merge removes.
+)sh";
 
 }  // namespace
 
@@ -91,53 +93,23 @@ std::string quoted(const std::string& word) {
 }
 
 std::vector<std::pair<std::string, std::string>> job_scripts(const Plan& plan,
-                                                             const std::filesystem::path& folder,
                                                              const std::string& program) {
-  const auto filled = [&](std::string_view text, std::uint64_t last) {
+  const auto filled = [&](std::string_view text) {
     return fmt::format(fmt::runtime(text),
                        fmt::arg("command", plan.command),
                        fmt::arg("program", quoted(program)),
-                       fmt::arg("folder", quoted(folder.string())),
                        fmt::arg("shards", plan.shards),
-                       fmt::arg("last", last),
+                       fmt::arg("last", plan.shards - 1),
                        fmt::arg("most", kMostTasks),
                        fmt::arg("count", plan.count()),
                        fmt::arg("version", plan.version));
   };
-  const std::uint64_t last = plan.shards - 1;
-  return {{"shards.sbatch", filled(kShards, std::min(last, kMostTasks - 1))},
-          {"merge.sbatch", filled(kMerge, last)},
-          {"submit", filled(kSubmit, last)},
-          {"run_parallel", filled(kParallel, last)},
-          {"README.txt", filled(kReadme, last)}};
-}
-
-std::string commands_for(const std::vector<std::uint64_t>& shards,
-                         const Plan& plan,
-                         const std::filesystem::path& folder) {
-  const std::string place = quoted(folder.string());
-  std::string text = "with Slurm:";
-  for (std::size_t i = 0; i < shards.size();) {
-    const std::uint64_t offset = shards[i] / kMostTasks * kMostTasks;
-    std::vector<std::uint64_t> tasks;
-    for (; i < shards.size() && shards[i] < offset + kMostTasks; ++i) {
-      tasks.push_back(shards[i]);
-    }
-    text += fmt::format("\n  sbatch --array={}{} {}/shards.sbatch",
-                        ranges(tasks, offset),
-                        offset > 0 ? fmt::format(" --export=ALL,TCERT_OFFSET={}", offset) : "",
-                        place);
-  }
-  text += fmt::format("\nwithout:\n  for i in");
-  constexpr std::size_t kMostNamed = 20;
-  if (shards.size() <= kMostNamed) {
-    for (const std::uint64_t shard : shards) {
-      text += fmt::format(" {}", shard);
-    }
-  } else {
-    text += fmt::format(" $(seq 0 {})", plan.shards - 1);  // What is there is not made again.
-  }
-  return text + fmt::format("; do tcert batch work {} --shard $i/{}; done", place, plan.shards);
+  return {{"one", filled(kOne)},
+          {"shards.sbatch", filled(kShards)},
+          {"merge.sbatch", filled(kMerge)},
+          {"submit", filled(kSubmit)},
+          {"run_parallel", filled(kParallel)},
+          {"README.txt", filled(kReadme)}};
 }
 
 }  // namespace tcert::cli

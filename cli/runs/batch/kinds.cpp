@@ -3,11 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 namespace tcert::cli {
 namespace {
 
 using Words = std::span<const ManifestArgument>;
+
+/// Parts are what is kept of a batch; tasks do not fill anybody's cache.
+template <class Request>
+Request by_itself(Request request, std::int64_t threads) {
+  request.threads = threads;
+  if constexpr (std::is_base_of_v<CellsRequest, Request>) {
+    request.no_cache = true;
+  }
+  return request;
+}
 
 template <class Request, ExitCode (*run)(const Request&, Progress&, const ItemSource&)>
 Pieces read(const std::string& command, Words words, const FindInput& find) {
@@ -15,16 +26,13 @@ Pieces read(const std::string& command, Words words, const FindInput& find) {
   read_request(command, options_of(request), words, find);
   require_values(options_of(request));
   return {[request](std::int64_t threads, Progress& progress) {
-            Request now = request;
-            now.threads = threads;
-            return items_of(now, progress);
+            return items_of(by_itself(request, threads), progress);
           },
           [request](const std::string& output,
                     std::int64_t threads,
                     Progress& progress,
                     const ItemSource& source) {
-            Request now = request;
-            now.threads = threads;
+            Request now = by_itself(request, threads);
             now.output.path = output;
             return run(now, progress, source);
           }};

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/runs/batch/items.hpp"
 #include "cli/runs/batch/trial_features.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/experiment/cells.hpp"
+#include "cli/runs/items.hpp"
 #include "cli/runs/read_request.hpp"
 #include "cli/runs/study/study.hpp"
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
 #include <table/row_text.hpp>
 
 #include "cli/runs/batch/batch.hpp"
@@ -9,16 +11,57 @@
 namespace tcert::cli {
 namespace {
 
-std::vector<std::uint64_t> missing_shards(const ReadPlan& plan, Progress& progress) {
-  std::vector<std::uint64_t> missing;
+struct Gaps {
+  std::vector<std::uint64_t> shards;  ///< Missing, or of no use; ascending.
+  std::string words;                  ///< Why some are of no use, a line each.
+};
+
+Gaps gaps_of(const ReadPlan& plan, Progress& progress) {
+  Gaps gaps;
   Stage stage(progress, "parts", plan.plan.shards);
   for (std::uint64_t shard = 0; shard < plan.plan.shards; ++shard) {
-    if (!has_part(plan, shard)) {
-      missing.push_back(shard);
+    try {
+      if (!has_part(plan, shard)) {
+        gaps.shards.push_back(shard);
+      }
+    } catch (const BadData& error) {
+      gaps.shards.push_back(shard);
+      gaps.words += std::string(error.what()) + '\n';
     }
     stage.advance();
   }
-  return missing;
+  return gaps;
+}
+
+/// "3, 17 to 19": some of them, if they are many.
+std::string in_words(const std::vector<std::uint64_t>& shards) {
+  constexpr std::size_t kMostRuns = 12;
+  std::string text;
+  std::size_t runs = 0;
+  for (std::size_t i = 0; i < shards.size();) {
+    if (runs++ == kMostRuns) {
+      return text + " and more";
+    }
+    std::size_t end = i + 1;
+    while (end < shards.size() && shards[end] == shards[end - 1] + 1) {
+      ++end;
+    }
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", shards[i]);
+    text += end - i > 1 ? fmt::format(" to {}", shards[end - 1]) : "";
+    i = end;
+  }
+  return text;
+}
+
+/// What tasks have left that were killed, or that made a shard which another one had made.
+void remove_leftovers(const ReadPlan& plan) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(plan.folder / "parts", error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') && name.ends_with(".tmp")) {
+      std::filesystem::remove(entry.path(), error);
+    }
+  }
 }
 
 /// The items of the parts that are there.
@@ -62,31 +105,38 @@ ExitCode merge(const MergeRequest& request, Progress& progress) {
     throw UsageError("--partial shows and writes nothing: it does not go with --output");
   }
   const ReadPlan plan = read_plan(request.plan);
-  const std::vector<std::uint64_t> missing = missing_shards(plan, progress);
-  if (!missing.empty()) {
-    const std::string count =
-        fmt::format("{} of {} shards are missing", missing.size(), plan.plan.shards);
+  const Gaps gaps = gaps_of(plan, progress);
+  if (!gaps.words.empty()) {
+    progress.say(gaps.words.substr(0, gaps.words.size() - 1));
     if (!request.partial) {
-      progress.say(count + ". To make them,\n" +
-                   commands_for(missing, plan.plan, std::filesystem::absolute(request.plan)));
+      throw BadData("nothing is merged: parts of the plan are damaged or foreign, see above");
+    }
+  }
+  if (!gaps.shards.empty()) {
+    const std::string count = fmt::format("{} of {} shards are missing: {}",
+                                          gaps.shards.size(),
+                                          plan.plan.shards,
+                                          in_words(gaps.shards));
+    if (!request.partial) {
+      const auto script = [&](const char* name) { return quoted((plan.folder / name).string()); };
+      progress.say(count + ".\nThis makes them, and the merge again:\n  sh " + script("submit") +
+                   "\nor, without Slurm:\n  sh " + script("run_parallel") +
+                   " && tcert batch merge " + quoted(plan.folder.string()));
       return exit_rejected;
     }
     progress.say("PARTIAL: " + count + "; what follows is without them.");
   }
-  const std::string output = request.partial ? ""
-                             : !request.output.path.empty()
-                                 ? request.output.path
-                                 : (plan.folder / "result" / "").string();
-  const ExitCode code =
-      plan.plan.pieces().finish(output, request.threads, progress, items_of_parts(plan, missing));
-  if (!missing.empty()) {
-    return exit_rejected;
+  const std::filesystem::path place = request.output.path.empty()
+                                          ? plan.folder / "result"
+                                          : std::filesystem::path(request.output.path);
+  const std::string output = request.partial ? "" : (place / "").string();
+  const ExitCode code = plan.plan.pieces().finish(
+      output, request.threads, progress, items_of_parts(plan, gaps.shards));
+  if (request.partial) {
+    return gaps.shards.empty() ? code : exit_rejected;
   }
-  if (!output.empty()) {
-    table::sweep_leftovers_in(plan.folder / "parts");
-    progress.sum_up("The result of " + std::to_string(plan.plan.count()) + " items is in '" +
-                    output + "'.");
-  }
+  remove_leftovers(plan);
+  progress.sum_up(fmt::format("The result of {} items is in '{}'.", plan.plan.count(), output));
   return code;
 }
 

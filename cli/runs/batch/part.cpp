@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <fstream>
+#include <memory>
+#include <optional>
 #include <system_error>
+#include <table/regular_file.hpp>
 #include <utility>
 
 namespace tcert::cli {
@@ -14,6 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnd = "# end ";
 constexpr std::size_t kBlock = std::size_t{1} << 20U;
+constexpr std::size_t kLongestLine = std::size_t{1} << 30U;
 
 std::string head_of(const ReadPlan& plan, std::uint64_t shard) {
   const ItemRange range = plan.plan.range_of(shard);
@@ -41,14 +47,53 @@ std::string_view key_of(std::string_view line) {
   return line.substr(0, line.find(' '));
 }
 
-void require_head(const fs::path& path,
-                  std::string_view expected,
-                  std::ifstream& file,
-                  Sha256& sum) {
+/// A regular file, line by line.
+class Lines {
+ public:
+  /// \throws NoInput if it cannot be read.
+  explicit Lines(const fs::path& path) : path_(path) {
+    std::string problem;
+    const int descriptor = table::open_regular_file(path, problem);
+    if (descriptor < 0) {
+      throw NoInput("cannot read the part '" + path.string() + "': " + problem);
+    }
+    file_.reset(::fdopen(descriptor, "rb"));
+  }
+
+  /// The next line without its line feed; empty at the end. \throws NoInput; BadData for a line
+  /// that no item has.
+  std::optional<std::string_view> next() {
+    line_.clear();
+    for (int c = std::getc(file_.get()); c != EOF; c = std::getc(file_.get())) {
+      if (c == '\n') {
+        return line_;
+      }
+      if (line_.size() == kLongestLine) {
+        refuse(path_, "has a line that is too long");
+      }
+      line_ += static_cast<char>(c);
+    }
+    if (std::ferror(file_.get()) != 0) {
+      throw NoInput("cannot read the part '" + path_.string() +
+                    "': " + std::generic_category().message(errno));
+    }
+    return std::nullopt;  // What has no line feed is no whole line.
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+  };
+
+  fs::path path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::string line_;
+};
+
+void require_head(const fs::path& path, std::string_view expected, Lines& lines, Sha256& sum) {
   while (!expected.empty()) {
     const std::string_view line = expected.substr(0, expected.find('\n'));
-    std::string found;
-    std::getline(file, found);
+    const std::string_view found = lines.next().value_or("");
     if (found != line) {
       const std::string_view key = key_of(line);
       refuse(path,
@@ -56,7 +101,8 @@ void require_head(const fs::path& path,
                  ? "is none of this tool"
                  : fmt::format("is of another {}: found '{}', expected '{}'", key, found, line));
     }
-    sum.update(found + '\n');
+    sum.update(line);
+    sum.update("\n");
     expected.remove_prefix(line.size() + 1);
   }
 }
@@ -66,26 +112,27 @@ void scan(const ReadPlan& plan,
           std::uint64_t shard,
           const std::function<void(std::uint64_t item, std::string_view line)>& take) {
   const fs::path path = part_path(plan, shard);
-  std::ifstream file(path, std::ios::binary);
+  Lines lines(path);
   Sha256 sum;
-  require_head(path, head_of(plan, shard), file, sum);
+  require_head(path, head_of(plan, shard), lines, sum);
   const ItemRange range = plan.plan.range_of(shard);
-  std::string line;
   for (std::uint64_t item = range.first; item < range.last; ++item) {
-    std::uint64_t number = 0;
-    if (!std::getline(file, line)) {
+    const auto line = lines.next();
+    if (!line) {
       refuse(path, "ends too early: it is not whole");
     }
-    const char* const end = line.data() + line.size();
-    const auto [stop, error] = std::from_chars(line.data(), end, number);
+    std::uint64_t number = 0;
+    const char* const end = line->data() + line->size();
+    const auto [stop, error] = std::from_chars(line->data(), end, number);
     if (error != std::errc{} || number != item || stop == end || *stop != ',') {
       refuse(path, fmt::format("is damaged: expected item {}", item));
     }
-    sum.update(line + '\n');
+    sum.update(*line);
+    sum.update("\n");
     take(item, {stop + 1, end});
   }
-  std::getline(file, line);
-  if (line != std::string(kEnd) + sum.finish() || file.get() != std::ifstream::traits_type::eof()) {
+  const bool has_end = lines.next() == std::string(kEnd) + sum.finish();
+  if (!has_end || lines.next()) {
     refuse(path, "is damaged: its end does not fit what is before");
   }
 }
@@ -139,8 +186,13 @@ bool PartWriter::commit() {
 
 bool has_part(const ReadPlan& plan, std::uint64_t shard) {
   std::error_code error;
-  if (!fs::exists(fs::symlink_status(part_path(plan, shard), error))) {
+  const fs::path path = part_path(plan, shard);
+  const fs::file_status status = fs::symlink_status(path, error);
+  if (status.type() == fs::file_type::not_found) {
     return false;
+  }
+  if (error) {
+    throw NoInput("cannot look at the part '" + path.string() + "': " + error.message());
   }
   scan(plan, shard, [](std::uint64_t /*item*/, std::string_view /*line*/) {});
   return true;

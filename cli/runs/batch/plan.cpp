@@ -15,24 +15,30 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-Plan plan_from(const Json& json) {
+/// \throws Json::exception for anything but a count.
+std::uint64_t count_at(const Json& json, const char* key) {
+  return json.at(key).get_ref<const Json::number_unsigned_t&>();
+}
+
+Plan plan_from(const Json& json, const std::string& file) {
+  if (count_at(json, "plan") != 1) {
+    throw BadData(file + ": it is of another version of plans; plan anew");
+  }
   Plan plan;
   json.at("command").get_to(plan.command);
   for (const Json& one : json.at("arguments")) {
     plan.arguments.push_back({one.at("text").get<std::string>(), one.at("input").get<bool>()});
   }
   for (const Json& one : json.at("inputs")) {
-    plan.inputs.push_back({one.at("name").get<std::string>(),
-                           one.at("place").get<std::string>(),
-                           {one.at("files").get<std::uint64_t>(),
-                            one.at("bytes").get<std::uint64_t>(),
-                            one.at("sha256").get<std::string>()}});
+    plan.inputs.push_back(
+        {one.at("name").get<std::string>(),
+         one.at("place").get<std::string>(),
+         {count_at(one, "files"), count_at(one, "bytes"), one.at("sha256").get<std::string>()}});
   }
   for (const Json& one : json.at("items")) {
-    plan.items.emplace_back(one.at("name").get<std::string>(),
-                            one.at("count").get<std::uint64_t>());
+    plan.items.emplace_back(one.at("name").get<std::string>(), count_at(one, "count"));
   }
-  json.at("shards").get_to(plan.shards);
+  plan.shards = count_at(json, "shards");
   json.at("version").get_to(plan.version);
   json.at("program").get_to(plan.program);
   json.at("arithmetic").get_to(plan.arithmetic);
@@ -51,7 +57,17 @@ void require_same_machine(const Plan& plan, const std::string& file) {
                   "was planned, in the last bit; run it on nodes of one kind (sbatch "
                   "--constraint), and plan it on one of them");
   }
+}
+
+/// \throws NoInput, BadData.
+void require_same_inputs(const Plan& plan) {
   for (const PlanInput& input : plan.inputs) {
+    const bool is_named = std::ranges::any_of(plan.arguments, [&](const ManifestArgument& one) {
+      return one.is_input && one.text == input.name;
+    });
+    if (!is_named) {
+      throw BadData("the plan has an input '" + input.place + "' that its command does not name");
+    }
     std::string found;
     try {
       found = digest_path(input.place).sha256;
@@ -151,15 +167,20 @@ ReadPlan read_plan(const fs::path& folder) {
     throw BadData(file + ": " + std::string(problem));
   }
   try {
-    found.plan = plan_from(Json::parse(text));
-    const Plan& plan = found.plan;
-    if (plan.shards < 1 || plan.shards > kMostShards || plan.count() > kMostItems) {
-      throw BadData(file + ": found shards or items out of their ranges");
-    }
+    found.plan = plan_from(Json::parse(text), file);
   } catch (const Json::exception& error) {
     throw BadData(file + " is no plan of this tool: " + error.what());
   }
-  require_same_machine(found.plan, file);
+  const Plan& plan = found.plan;
+  const bool is_counted =
+      std::ranges::all_of(plan.items, [](const auto& set) { return set.second <= kMostItems; });
+  if (plan.shards < 1 || plan.shards > kMostShards || plan.items.size() > kMostShards ||
+      !is_counted || plan.count() > kMostItems) {
+    throw BadData(file + ": found shards or items out of their ranges");
+  }
+  require_same_machine(plan, file);
+  static_cast<void>(plan.pieces());
+  require_same_inputs(plan);
   return found;
 }
 

@@ -109,6 +109,9 @@ ExitCode features(const char* command,
 }  // namespace
 
 std::vector<ItemSet> items_of(const SimulateRequest& request, Progress& progress) {
+  if (request.micro_study) {
+    throw UsageError("--micro-study: its 60 passes are made at once, not in pieces");
+  }
   return items(request, progress);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <optional>
@@ -43,7 +44,7 @@ std::uint64_t shard_of(const WorkRequest& request, std::uint64_t shards) {
           "needs --shard I/N, or the number of a task of an array of Slurm "
           "(SLURM_ARRAY_TASK_ID) or Grid Engine (SGE_TASK_ID)");
     }
-    *shard += static_cast<std::uint64_t>(request.offset);
+    *shard = std::min(*shard, kMostShards) + static_cast<std::uint64_t>(request.offset);
   } else {
     if (is_given(request.given, "offset")) {
       throw UsageError("--offset is added to the number of a task; it does nothing to --shard");

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 #include <table/atomic_file.hpp>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "cli/runs/batch/batch.hpp"
 #include "cli/runs/batch/job_scripts.hpp"
 #include "cli/runs/program_digest.hpp"
+#include "cli/runs/result_folder.hpp"
 #include "reports/version.hpp"
 
 namespace tcert::cli {
@@ -18,7 +20,12 @@ void add_input(const std::string& path, std::vector<PlanInput>& inputs) {
   if (path.empty()) {
     return;
   }
-  const PlanInput input{name_of(path), fs::absolute(path).lexically_normal().string(), {}};
+  std::error_code error;
+  const fs::path place = fs::canonical(path, error);
+  if (error || (!fs::is_regular_file(place) && !fs::is_directory(place))) {
+    throw NoInput("cannot read '" + path + "': " + (error ? error.message() : "it is no file"));
+  }
+  const PlanInput input{name_of(path), place.string(), {}};
   const auto same = std::ranges::find(inputs, input.name, &PlanInput::name);
   if (same != inputs.end() && same->place != input.place) {
     throw UsageError("two inputs are called '" + input.name + "'; rename one of them");
@@ -53,6 +60,16 @@ std::vector<PlanInput> inputs_of(const OptionTable& table) {
   return inputs;
 }
 
+void require_no_process_options(const OptionTable& table) {
+  for (const Option& option : table.options()) {
+    if (option.role == OptionRole::process && is_given(table.given(), option.name)) {
+      throw UsageError("--" + option.name +
+                       " does not shape a result: it is none of a plan; threads are told to "
+                       "'batch work', and parts are what is kept");
+    }
+  }
+}
+
 ExitCode write_plan(Plan plan,
                     const std::vector<ItemSet>& sets,
                     const std::string& folder,
@@ -70,11 +87,13 @@ ExitCode write_plan(Plan plan,
   plan.program = program_digest();
   plan.arithmetic = arithmetic_digest();
   static_cast<void>(plan.pieces());  // Throws if the words are not those that it reads.
+  for (const PlanInput& input : plan.inputs) {
+    require_apart(input.place, folder);
+  }
   table::AtomicFolder output(folder);
-  const fs::path place = fs::absolute(folder).lexically_normal() / "";
   table::write_file_atomically(output.staging() / "plan.json", to_json(plan));
   const std::string program = fs::canonical("/proc/self/exe").string();
-  for (const auto& [name, text] : job_scripts(plan, place.parent_path(), program)) {
+  for (const auto& [name, text] : job_scripts(plan, program)) {
     table::write_file_atomically(output.staging() / name, text);
   }
   fs::create_directory(output.staging() / "parts");

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// what an experiment keeps for the next one: a convenience, without which the results are the
+/// What a run of cells keeps for the next one: a convenience, without which the results are the
 /// same.
 
 #include <filesystem>

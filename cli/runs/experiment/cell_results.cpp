@@ -1,7 +1,8 @@
 #include "cli/runs/experiment/cell_results.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <statistics/model/expression.hpp>
+#include <stdexcept>
 #include <table/row_text.hpp>
 #include <utility>
 
@@ -12,8 +13,6 @@
 namespace tcert::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 study::H3Options h3_of(const CellsRequest& request) {
   study::H3Options h3;
   h3.cluster = request.cluster;
@@ -22,10 +21,48 @@ study::H3Options h3_of(const CellsRequest& request) {
   return h3;
 }
 
-/// True if no cell before has the same table.
-bool is_first(const std::vector<std::size_t>& table_of, std::size_t cell) {
-  const auto end = table_of.begin() + static_cast<std::ptrdiff_t>(cell);
-  return table_of[cell] != kNoTable && std::find(table_of.begin(), end, table_of[cell]) == end;
+/// Which cells are the first to have their table.
+std::vector<bool> first_owners(const std::vector<std::size_t>& table_of, std::size_t tables) {
+  std::vector<bool> has_owner(tables, false);
+  std::vector<bool> is_first(table_of.size(), false);
+  for (std::size_t cell = 0; cell < table_of.size(); ++cell) {
+    if (table_of[cell] != kNoTable && !has_owner[table_of[cell]]) {
+      has_owner[table_of[cell]] = is_first[cell] = true;
+    }
+  }
+  return is_first;
+}
+
+/// Texts as fields of one line, whatever bytes they hold: tabs between them, and a backslash before
+/// what stands for a tab, a line feed and a backslash.
+std::string line_of(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) {
+    line += &field == fields.data() ? "" : "\t";
+    for (const char c : field) {
+      line += c == '\\' ? "\\\\" : c == '\t' ? "\\t" : c == '\n' ? "\\n" : std::string(1, c);
+    }
+  }
+  return line;
+}
+
+/// \throws table::RowError.
+std::vector<std::string> fields_of(std::string_view line) {
+  std::vector<std::string> fields(1);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\t') {
+      fields.emplace_back();
+    } else if (line[i] != '\\') {
+      fields.back() += line[i];
+    } else {
+      const char next = ++i < line.size() ? line[i] : ' ';
+      if (next != '\\' && next != 't' && next != 'n') {
+        throw table::RowError("found a backslash before something else");
+      }
+      fields.back() += next == 't' ? '\t' : next == 'n' ? '\n' : next;
+    }
+  }
+  return fields;
 }
 
 }  // namespace
@@ -44,7 +81,7 @@ CellResults cell_results(const CellsRequest& request,
                          const OpenedBundle& opened,
                          std::span<const study::PlannedCell> cells,
                          Cache* cache,
-                         Progress& progress) {
+                         Progress& progress) try {
   CellResults results;
   results.files = files_of_cells(opened, request.threads, progress, cells, cache);
   const CellFiles& files = results.files;
@@ -63,6 +100,8 @@ CellResults cell_results(const CellsRequest& request,
     stage.advance();
   }
   return results;
+} catch (const statistics::FormulaError& error) {
+  throw UnfitData(error.what());
 }
 
 std::vector<std::string> cell_lines(const CellsRequest& request,
@@ -80,47 +119,52 @@ std::vector<std::string> cell_lines(const CellsRequest& request,
                all.begin() + static_cast<std::ptrdiff_t>(std::max(last, begin)));
   const CellResults results = cell_results(request, opened, cells, cache, progress);
   const CellFiles whole = unmade_files(all);
+  const std::vector<bool> owns_features = first_owners(whole.features_of, whole.features.size());
+  const std::vector<bool> owns_replays = first_owners(whole.replays_of, whole.replays.size());
   std::vector<std::string> lines;
   for (std::size_t cell = first; cell < last; ++cell) {
     const std::size_t here = cell == 0 ? 0 : cell - begin + 1;
-    Json line{{"scores", to_text(results.scores[here])}, {"speed", to_text(results.speeds[here])}};
-    if (is_first(whole.features_of, cell)) {
-      line["features"] = results.files.features[results.files.features_of[here]];
-    }
-    if (is_first(whole.replays_of, cell)) {
-      line["replays"] = results.files.replays[results.files.replays_of[here]];
-    }
+    const CellFiles& files = results.files;
+    std::vector<std::string> fields{to_text(results.scores[here]), to_text(results.speeds[here])};
+    fields.push_back(owns_features[cell] ? files.features[files.features_of[here]] : "");
+    fields.push_back(owns_replays[cell] ? files.replays[files.replays_of[here]] : "");
     if (cell == 0) {
-      line["rejected"] = results.files.rejected;
+      fields.insert(fields.end(), files.rejected.begin(), files.rejected.end());
     }
-    lines.push_back(line.dump());
+    lines.push_back(line_of(fields));
   }
   return lines;
 }
 
 GatheredCells::GatheredCells(const OpenedBundle& opened, std::span<const study::PlannedCell> all)
-    : opened_(opened) {
+    : opened_(opened), all_(all) {
   results_.files = unmade_files(all);
   results_.scores.resize(all.size());
   results_.speeds.resize(all.size());
+  owns_features_ = first_owners(results_.files.features_of, results_.files.features.size());
+  owns_replays_ = first_owners(results_.files.replays_of, results_.files.replays.size());
 }
 
 void GatheredCells::take(std::size_t cell, std::string_view line) try {
-  const Json json = Json::parse(line);
-  CellFiles& files = results_.files;
-  results_.scores.at(cell) = cell_rows_from(json.at("scores").get<std::string>());
-  results_.speeds.at(cell) = cell_rows_from(json.at("speed").get<std::string>());
-  if (is_first(files.features_of, cell)) {
-    files.features[files.features_of[cell]] = json.at("features").get<std::string>();
+  std::vector<std::string> fields = fields_of(line);
+  if (fields.size() < 4 || (cell > 0 && fields.size() > 4)) {
+    throw table::RowError("found another number of fields");
   }
-  if (is_first(files.replays_of, cell)) {
-    files.replays[files.replays_of[cell]] = json.at("replays").get<std::string>();
+  CellFiles& files = results_.files;
+  results_.scores.at(cell) = cell_rows_from(fields[0]);
+  results_.speeds.at(cell) = cell_rows_from(fields[1]);
+  if (results_.scores[cell].empty() != all_[cell].refused()) {
+    throw table::RowError("found scores of a cell that is refused, or none of one that is not");
+  }
+  if (owns_features_[cell]) {
+    files.features[files.features_of[cell]] = std::move(fields[2]);
+  }
+  if (owns_replays_[cell]) {
+    files.replays[files.replays_of[cell]] = std::move(fields[3]);
   }
   if (cell == 0) {
-    files.rejected = json.at("rejected").get<std::vector<std::string>>();
+    files.rejected.assign(fields.begin() + 4, fields.end());
   }
-} catch (const Json::exception&) {
-  throw table::RowError("found no results of a cell");
 } catch (const std::invalid_argument&) {
   throw table::RowError("found no rows of a cell");
 }

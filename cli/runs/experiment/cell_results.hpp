@@ -24,15 +24,15 @@ struct CellResults {
 [[nodiscard]] study::H1Options h1_of(const CellsRequest& request, const study::ParameterSet& full);
 
 /// Runs and scores cells. \pre the first one is the full method. `cache` may be null.
-/// \throws statistics::FormulaError; BadData under --strict.
+/// \throws UnfitData for a column that is not there; BadData under --strict.
 [[nodiscard]] CellResults cell_results(const CellsRequest& request,
                                        const OpenedBundle& opened,
                                        std::span<const study::PlannedCell> cells,
                                        Cache* cache,
                                        Progress& progress);
 
-/// The lines of cells [first, last) of `all`: what is known of each, with the tables of trials of
-/// which it is the first owner.
+/// The lines of cells [first, last) of `all`: scores, speeds, and the tables of trials of which the
+/// cell is the first owner, tabs between; the first one ends with the trials that are rejected.
 [[nodiscard]] std::vector<std::string> cell_lines(const CellsRequest& request,
                                                   const OpenedBundle& opened,
                                                   std::span<const study::PlannedCell> all,
@@ -54,7 +54,10 @@ class GatheredCells {
 
  private:
   const OpenedBundle& opened_;
+  std::span<const study::PlannedCell> all_;
   CellResults results_;
+  std::vector<bool> owns_features_;
+  std::vector<bool> owns_replays_;
 };
 
 }  // namespace tcert::cli

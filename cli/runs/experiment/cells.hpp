@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/runs/batch/items.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/items.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
 

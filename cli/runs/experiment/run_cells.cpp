@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <statistics/model/expression.hpp>
 #include <utility>
 
 #include "cli/runs/errors.hpp"
@@ -181,11 +180,16 @@ struct OpenedCells {
 };
 
 OpenedCells open_cells(const CellsRun& run, std::vector<study::Cell> cells, Progress& progress) {
+  if (const std::string& table = run.options.table;
+      !table.empty() && table != "cells" && table != "issuance" && table != "speed") {
+    throw UsageError("--table: found '" + table + "', expected cells, issuance or speed");
+  }
   OpenedBundle opened = open_for(run.options.bundle, run.options.logs, progress);
   std::vector<study::PlannedCell> all = planned(std::move(cells), opened);
   if (const auto value = run.is_grid ? study::impossible_value(all) : std::nullopt) {
     throw UsageError("--grid: " + *value);
   }
+  say_refused(all, progress);
   return {std::move(opened), std::move(all)};
 }
 
@@ -250,13 +254,8 @@ ExitCode run_cells(CellsRun run,
                    Progress& progress,
                    const ItemSource* source) {
   const CellsRequest& options = run.options;
-  if (!options.table.empty() && options.table != "cells" && options.table != "issuance" &&
-      options.table != "speed") {
-    throw UsageError("--table: found '" + options.table + "', expected cells, issuance or speed");
-  }
   const OpenedCells all = open_cells(run, std::move(cells), progress);
   const OpenedBundle& opened = all.opened;
-  say_refused(all.cells, progress);
   std::optional<ResultFolder> folder;
   if (!options.output.path.empty()) {
     require_apart(options.bundle, options.output.path);
@@ -266,12 +265,7 @@ ExitCode run_cells(CellsRun run,
     folder.emplace(options.output.path, run.command);
   }
   const ThreadLimit limit(options.threads);
-  CellResults results;
-  try {
-    results = results_of(options, all, source, progress);
-  } catch (const statistics::FormulaError& error) {
-    throw UnfitData(error.what());
-  }
+  const CellResults results = results_of(options, all, source, progress);
   CellTables tables = tables_of(all.cells, results, h1_of(options, opened.parameters));
   const CellFiles& files = results.files;
   for (Table* const table : tables.all()) {

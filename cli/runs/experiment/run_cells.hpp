@@ -3,8 +3,8 @@
 /// Running cells, one after the other, whichever they are.
 
 #include "analysis/study/experiment/cell.hpp"
-#include "cli/runs/batch/items.hpp"
 #include "cli/runs/experiment/cells.hpp"
+#include "cli/runs/items.hpp"
 #include "cli/runs/written_options.hpp"
 
 namespace tcert::cli {

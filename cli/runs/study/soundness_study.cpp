@@ -35,7 +35,8 @@ class Wanted {
     for (const std::string& word : words_) {
       if (std::ranges::find(known, word) == known.end()) {
         throw UsageError("--methods: found '" + word +
-                         "', expected radial, width, swept, A2 or A3" + did_you_mean(word, known));
+                         "', expected radial, width, swept, A2, A3 or witness" +
+                         did_you_mean(word, known));
       }
     }
   }

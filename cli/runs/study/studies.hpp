@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/runs/batch/items.hpp"
+#include "cli/runs/items.hpp"
 #include "cli/runs/study/study.hpp"
 #include "reports/fit/fit_report.hpp"
 

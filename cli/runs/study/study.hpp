@@ -2,8 +2,8 @@
 /// \file
 /// `study`: how often the tool itself is right, on data whose truth is known.
 
-#include "cli/runs/batch/items.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/items.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
 

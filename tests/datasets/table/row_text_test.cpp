@@ -11,6 +11,8 @@ namespace {
 
 enum class Colour : std::uint8_t { red, green };
 
+constexpr Colour row_last(Colour /*any*/) { return Colour::green; }
+
 struct Point {
   double x = 0.0;
   std::optional<double> y;
@@ -66,6 +68,7 @@ TEST(RowText, RefusesEverythingElse) {
                                  "0.5,1,0.25,7,1,1,2,1,256",
                                  "0.5,1,0.25,5000000000,1,1,2,1,2",
                                  "0.5,1,0.25,7,1,1,99999999999,1,2",
+                                 "0.5,1,0.25,7,1,2,2,1,2",
                                  "0.5,1,0.25,7,1,1,2,1, 2",
                                  "half,1,0.25,7,1,1,2,1,2"}) {
     EXPECT_THROW(static_cast<void>(from_row<Point>(text)), RowError) << text;

@@ -1,4 +1,4 @@
-#include "cli/runs/batch/items.hpp"
+#include "cli/runs/items.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
