@@ -166,12 +166,15 @@ int run_plan(Arguments arguments) {
     }
   }
   PlanForm request;
+  if (!arguments.empty() && !arguments.front().starts_with("-")) {
+    throw UsageError(
+        "'" + arguments.front() +
+        "' cannot be made in pieces, expected study, ablate, sweep, simulate or drive" +
+        did_you_mean(arguments.front(), options_of(request).arguments().front().words));
+  }
   Manner manner;
   if (parse(kPlanText, options_of(request), manner, arguments)) {
-    throw UsageError("'" + request.command +
-                     "' cannot be made in pieces, expected study, ablate, "
-                     "sweep, simulate or drive" +
-                     did_you_mean(request.command, options_of(request).arguments().front().words));
+    throw UsageError("the command comes first: 'tcert batch plan COMMAND ...'");
   }
   return exit_done;
 }

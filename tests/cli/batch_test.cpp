@@ -80,7 +80,7 @@ TEST(BatchCommand, CellsComeToWhatOneProcessComesTo) {
                     work("a" + of, shards) + merge("a" + of) + "diff -r ablation a" + of +
                     "/result");
   }
-  expect_done(shell, "$T verify grid corpus --quiet; $T verify g3/result corpus --quiet");
+  expect_done(shell, "$T verify grid --inputs . --quiet; $T verify g3/result --inputs . --quiet");
   expect_done(shell, "echo >> corpus/trials.csv");
   expect_refused(shell, merge("g3"), 65, "is not what it was when the plan was made");
 }
@@ -204,7 +204,7 @@ TEST(BatchCommand, PlansThatAreNoneAreRefused) {
 
 TEST(BatchCommand, ScriptsFindTheirFolderWhateverItIsCalled) {
   Shell shell;
-  const std::string name = "it's 100% d$HOME {} \\\"q\\\" a";
+  const std::string name = R"(it's 100% d\$HOME {} \"q\" a)";
   expect_done(
       shell,
       "mkdir bin; for c in parallel sbatch; do printf '%s\\n' '#!/bin/sh' "
@@ -224,7 +224,7 @@ TEST(BatchCommand, InputsAreThoseThatTheCommandReads) {
               "--replicates 9 --no-cache --quiet --output one; " +
                   plan("ablate link/../named --replicates 9", 2, "p") + work("p", 2) + merge("p") +
                   "diff -r one p/result");
-  expect_refused(shell, plan("ablate named", 2, "named/plan"), 2, "named");
+  expect_refused(shell, plan("ablate named", 2, "named/plan"), 2, "lies in its input");
   expect_refused(shell,
                  "$T batch plan ablate named --no-cache --shards 2 --output q",
                  2,

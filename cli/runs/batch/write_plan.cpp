@@ -36,6 +36,16 @@ void add_input(const std::string& path, std::vector<PlanInput>& inputs) {
   }
 }
 
+/// A plan within its input would change it. \throws UsageError.
+void require_outside(const fs::path& input, const fs::path& folder) {
+  require_apart(input, folder);
+  const fs::path place = fs::weakly_canonical(folder);
+  if (std::ranges::mismatch(input, place).in1 == input.end()) {
+    throw UsageError("the plan '" + folder.string() + "' lies in its input '" + input.string() +
+                     "', which it would change; name a folder outside of it");
+  }
+}
+
 }  // namespace
 
 std::vector<PlanInput> inputs_of(const OptionTable& table) {
@@ -88,7 +98,7 @@ ExitCode write_plan(Plan plan,
   plan.arithmetic = arithmetic_digest();
   static_cast<void>(plan.pieces());  // Throws if the words are not those that it reads.
   for (const PlanInput& input : plan.inputs) {
-    require_apart(input.place, folder);
+    require_outside(input.place, folder);
   }
   table::AtomicFolder output(folder);
   table::write_file_atomically(output.staging() / "plan.json", to_json(plan));
