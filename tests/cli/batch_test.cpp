@@ -110,14 +110,14 @@ TEST(BatchCommand, WhatIsMissingIsSaidAndMadeAlone) {
   expect_done(shell, plan(kWorlds, 4, "p") + "rm -f p/parts/*; " + "$T batch work p --shard 1/4");
   const ProcessResult run = shell.run("$T batch merge p");
   EXPECT_EQ(run.exit_code, 3) << to_string(run);
-  EXPECT_NE(run.err.find("3 of 4 shards are missing: 0, 2 to 3"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("3 of 4 shards missing: 0, 2 to 3"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("sh p/submit"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("sh p/run_parallel"), std::string::npos) << run.err;
   EXPECT_FALSE(std::filesystem::exists(shell.work() / "p/result"));
 
   const ProcessResult part = shell.run("$T batch merge p --partial");
   EXPECT_EQ(part.exit_code, 3) << to_string(part);
-  EXPECT_NE(part.err.find("PARTIAL: 3 of 4 shards are missing"), std::string::npos) << part.err;
+  EXPECT_NE(part.out.find("# PARTIAL: 3 of 4 shards missing"), std::string::npos) << part.out;
   EXPECT_NE(part.out.find("hard"), std::string::npos) << part.out;
   EXPECT_FALSE(std::filesystem::exists(shell.work() / "p/result"));
   expect_refused(shell, "$T batch merge p --partial --output o/", 2, "--partial");
@@ -162,6 +162,7 @@ TEST(BatchCommand, PartsThatAreDamagedOrForeignAreRefused) {
   with("sed -i '$d' " + part, "does not fit");
   with("sed -i '9s/0/1/' " + part, "damaged");
   with("echo >> " + part, "does not fit");
+  with("printf x >> " + part, "ends within a line");
   with(": > " + part, "is none of this tool");
   expect_refused(shell, "rm " + part + "; mkdir " + part + "; " + merge("p"), 66, "cannot read");
   expect_refused(

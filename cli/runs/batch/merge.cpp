@@ -13,7 +13,8 @@ namespace {
 
 struct Gaps {
   std::vector<std::uint64_t> shards;  ///< Missing, or of no use; ascending.
-  std::string words;                  ///< Why some are of no use, a line each.
+  std::string words;                  ///< Why some are of no use, a line each;
+  std::string paths;                  ///< and where these lie, for a shell.
 };
 
 Gaps gaps_of(const ReadPlan& plan, Progress& progress) {
@@ -27,6 +28,7 @@ Gaps gaps_of(const ReadPlan& plan, Progress& progress) {
     } catch (const BadData& error) {
       gaps.shards.push_back(shard);
       gaps.words += std::string(error.what()) + '\n';
+      gaps.paths += ' ' + quoted(part_path(plan, shard).string());
     }
     stage.advance();
   }
@@ -108,23 +110,28 @@ ExitCode merge(const MergeRequest& request, Progress& progress) {
   const Gaps gaps = gaps_of(plan, progress);
   if (!gaps.words.empty()) {
     progress.say(gaps.words.substr(0, gaps.words.size() - 1));
-    if (!request.partial) {
-      throw BadData("nothing is merged: parts of the plan are damaged or foreign, see above");
-    }
   }
   if (!gaps.shards.empty()) {
-    const std::string count = fmt::format("{} of {} shards are missing: {}",
+    const std::string count = fmt::format("{} of {} shards missing{}: {}",
                                           gaps.shards.size(),
                                           plan.plan.shards,
+                                          gaps.words.empty() ? "" : " or of no use",
                                           in_words(gaps.shards));
     if (!request.partial) {
-      const auto script = [&](const char* name) { return quoted((plan.folder / name).string()); };
-      progress.say(count + ".\nThis makes them, and the merge again:\n  sh " + script("submit") +
-                   "\nor, without Slurm:\n  sh " + script("run_parallel") +
-                   " && tcert batch merge " + quoted(plan.folder.string()));
+      const auto place = [&](const char* name) { return quoted((plan.folder / name).string()); };
+      const std::string remove = gaps.paths.empty() ? "" : "rm -r" + gaps.paths + " && ";
+      progress.say(count + ". This makes them, and the merge again:\n  " + remove + "sh " +
+                   place("submit") + "\nor, without Slurm:\n  " + remove + "sh " +
+                   place("run_parallel") + " && tcert batch merge " + quoted(plan.folder.string()) +
+                   (std::filesystem::exists(plan.folder / "logs")
+                        ? "\nWhy a task failed is in " + place("logs") + "."
+                        : ""));
+      if (!gaps.words.empty()) {
+        throw BadData("nothing is merged: parts are damaged or foreign, see above");
+      }
       return exit_rejected;
     }
-    progress.say("PARTIAL: " + count + "; what follows is without them.");
+    progress.show("# PARTIAL: " + count + "; what follows is without them.\n");
   }
   const std::filesystem::path place = request.output.path.empty()
                                           ? plan.folder / "result"

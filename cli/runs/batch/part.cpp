@@ -38,7 +38,7 @@ std::string head_of(const ReadPlan& plan, std::uint64_t shard) {
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& what) {
   throw BadData("the part '" + path.string() + "' " + what +
-                "; if it is nobody's, remove it and make its shard again");
+                "; remove it, and its shard can be made again");
 }
 
 /// What a line of the head is about: "plan" of "# plan 1a2b...".
@@ -77,7 +77,10 @@ class Lines {
       throw NoInput("cannot read the part '" + path_.string() +
                     "': " + std::generic_category().message(errno));
     }
-    return std::nullopt;  // What has no line feed is no whole line.
+    if (!line_.empty()) {
+      refuse(path_, "is not whole: it ends within a line");
+    }
+    return std::nullopt;
   }
 
  private:

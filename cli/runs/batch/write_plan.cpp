@@ -36,6 +36,26 @@ void add_input(const std::string& path, std::vector<PlanInput>& inputs) {
   }
 }
 
+/// "60 mixed worlds, 20 hard worlds": sets of one name together.
+std::string in_words(const Plan& plan) {
+  std::vector<std::pair<std::string, std::uint64_t>> sums;
+  for (const auto& [name, count] : plan.items) {
+    const auto same = std::ranges::find(sums, name, &std::pair<std::string, std::uint64_t>::first);
+    if (same == sums.end()) {
+      sums.emplace_back(name, count);
+    } else {
+      same->second += count;
+    }
+  }
+  std::string text;
+  for (const auto& [name, count] : sums) {
+    if (count > 0) {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + name;
+    }
+  }
+  return text;
+}
+
 /// A plan within its input would change it. \throws UsageError.
 void require_outside(const fs::path& input, const fs::path& folder) {
   require_apart(input, folder);
@@ -105,10 +125,19 @@ ExitCode write_plan(Plan plan,
   const std::string program = fs::canonical("/proc/self/exe").string();
   for (const auto& [name, text] : job_scripts(plan, program)) {
     table::write_file_atomically(output.staging() / name, text);
+    if (text.starts_with("#!")) {
+      using fs::perms;
+      fs::permissions(output.staging() / name,
+                      perms::owner_exec | perms::group_exec | perms::others_exec,
+                      fs::perm_options::add);
+    }
   }
   fs::create_directory(output.staging() / "parts");
   output.commit();
-  progress.sum_up(std::to_string(plan.count()) + " items in " + std::to_string(plan.shards) +
+  if (plan.shards > plan.count()) {
+    progress.say("More shards than items: some have nothing to do.");
+  }
+  progress.sum_up(in_words(plan) + " in " + std::to_string(plan.shards) +
                   " shards. With Slurm:\n  sh " + quoted((fs::path(folder) / "submit").string()) +
                   "\nWith GNU parallel:\n  sh " +
                   quoted((fs::path(folder) / "run_parallel").string()) + "\n  tcert batch merge " +
