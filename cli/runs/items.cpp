@@ -4,12 +4,13 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 namespace tcert::cli {
 namespace {
 
-/// Items between two looks at how far it is.
+/// Items whose lines are held at a time.
 constexpr std::uint64_t kTogether = 1000;
 
 }  // namespace
@@ -17,12 +18,14 @@ constexpr std::uint64_t kTogether = 1000;
 ItemSet independent_items(std::string name,
                           std::uint64_t count,
                           std::function<std::string(std::uint64_t item)> make) {
-  const auto all = [make = std::move(make)](std::uint64_t first, std::uint64_t last) {
+  const auto all = [make = std::move(make)](
+                       std::uint64_t first, std::uint64_t last, const std::function<void()>& done) {
     std::vector<std::string> lines(last - first);
     using Range = tbb::blocked_range<std::uint64_t>;
     tbb::parallel_for(Range(first, last, 1), [&](const Range& range) {
       for (std::uint64_t item = range.begin(); item < range.end(); ++item) {
         lines[item - first] = make(item);
+        done();
       }
     });
     return lines;
@@ -56,12 +59,19 @@ void make_items(const std::vector<ItemSet>& sets,
     const std::uint64_t last = std::min(std::max(range.last, before) - before, set.count);
     if (first < last) {
       Stage stage(progress, set.name, last - first);
+      std::mutex counting;
+      std::uint64_t count = 0;
+      const auto done = [&] {
+        const std::lock_guard lock(counting);
+        stage.reach(++count);
+      };
       for (std::uint64_t from = first; from < last;) {
         const std::uint64_t to = std::min(last, from + set.together);
-        for (const std::string& line : set.make(from, to)) {
+        for (const std::string& line : set.make(from, to, done)) {
           take(before + from++, line);
         }
-        stage.reach(from - first);
+        count = from - first;
+        stage.reach(count);
       }
     }
     before += set.count;

@@ -20,8 +20,11 @@ struct ItemSet {
   std::string name;  ///< "mixed worlds": what the items are.
   std::uint64_t count = 0;
   std::uint64_t together = 0;  ///< How many are best made in one call, at least 1.
-  /// The lines of items first ... last - 1. In parallel, if there is something to be won.
-  std::function<std::vector<std::string>(std::uint64_t first, std::uint64_t last)> make;
+  /// The lines of items first ... last - 1, in parallel if there is something to be won by it.
+  /// `done` may be called after each item, by any thread, of those that take long.
+  std::function<std::vector<std::string>(
+      std::uint64_t first, std::uint64_t last, const std::function<void()>& done)>
+      make;
 };
 
 /// A set whose items are made one by one, in parallel. `make` is called by several threads.

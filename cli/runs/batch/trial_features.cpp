@@ -50,7 +50,9 @@ std::vector<std::string> rows_of(const MadeBundle& made, std::int64_t threads, P
 
 template <class Request>
 std::vector<ItemSet> items(const Request& request, Progress& progress) {
-  const auto make = [request, &progress](std::uint64_t first, std::uint64_t last) {
+  const auto make = [request, &progress](std::uint64_t first,
+                                         std::uint64_t last,
+                                         const std::function<void()>& /*done*/) {
     OnlyWords words(progress);
     return rows_of(MadeBundle(request, {first, last}, words), request.threads, words);
   };

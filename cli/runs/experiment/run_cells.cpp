@@ -205,7 +205,9 @@ auto with_cache(const CellsRequest& options, Progress& progress, const Work& wor
 
 /// The lines of cells as items. \pre `options` and `opened` outlive them.
 ItemSet item_set(const CellsRequest& options, const OpenedCells& opened, Progress& progress) {
-  const auto make = [&options, &opened, &progress](std::uint64_t first, std::uint64_t last) {
+  const auto make = [&options, &opened, &progress](std::uint64_t first,
+                                                   std::uint64_t last,
+                                                   const std::function<void()>& /*done*/) {
     OnlyWords words(progress);  // How far it is counts the items alone.
     return with_cache(options, words, [&](Cache* cache) {
       return cell_lines(options, opened.opened, opened.cells, first, last, cache, words);
@@ -243,8 +245,9 @@ ItemSet items_of_cells(const CellsRun& run, std::vector<study::Cell> cells, Prog
   const auto held =
       std::make_shared<const Held>(run.options, open_cells(run, std::move(cells), progress));
   ItemSet items = item_set(held->options, held->opened, progress);
-  items.make = [held, make = std::move(items.make)](std::uint64_t first, std::uint64_t last) {
-    return make(first, last);
+  items.make = [held, make = std::move(items.make)](
+                   std::uint64_t first, std::uint64_t last, const std::function<void()>& done) {
+    return make(first, last, done);
   };
   return items;
 }

@@ -44,16 +44,17 @@ std::vector<NullAuc> aucs_of(std::int64_t seed, std::int64_t threads, Progress& 
 
 StudyItems null_study(const StudyRequest& request, Progress& progress) {
   const auto rows = std::make_shared<std::vector<NullAuc>>();
-  const auto make = [seed = request.seed, threads = request.threads, &progress](
-                        std::uint64_t first, std::uint64_t last) {
-    OnlyWords words(progress);
-    std::vector<std::string> lines;
-    for (std::uint64_t corpus = first; corpus < last; ++corpus) {
-      lines.push_back(
-          table::row_text(aucs_of(seed + static_cast<std::int64_t>(corpus), threads, words)));
-    }
-    return lines;
-  };
+  const auto make =
+      [seed = request.seed, threads = request.threads, &progress](
+          std::uint64_t first, std::uint64_t last, const std::function<void()>& /*done*/) {
+        OnlyWords words(progress);
+        std::vector<std::string> lines;
+        for (std::uint64_t corpus = first; corpus < last; ++corpus) {
+          lines.push_back(
+              table::row_text(aucs_of(seed + static_cast<std::int64_t>(corpus), threads, words)));
+        }
+        return lines;
+      };
   StudyItems items;
   items.sets.push_back(
       {"corpora", static_cast<std::uint64_t>(request.data_sets.value_or(kCorpora)), 1, make});

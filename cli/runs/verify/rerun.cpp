@@ -100,7 +100,11 @@ Rerun rerun_of(const WrittenResult& manifest, const FindInput& find) {
       !words.front().is_input && words.front().text == entry->first_word) {
     words = words.subspan(1);
   }
-  return entry->again(name, words, find);
+  try {
+    return entry->again(name, words, find);
+  } catch (const NotReproducible& error) {
+    throw NotReproducible(std::string("its manifest: ") + error.what());
+  }
 }
 
 }  // namespace tcert::cli
