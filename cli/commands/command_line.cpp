@@ -111,12 +111,6 @@ void take_parameters(const po::parsed_options& parsed,
   }
 }
 
-[[noreturn]] void refuse_key(const std::string& key,
-                             const std::string& path,
-                             const po::options_description& all) {
-  throw UsageError(path + ": unknown key '" + key + "'" + did_you_mean(key, names_of(all)));
-}
-
 void read_config(const std::string& path,
                  const po::options_description& all,
                  const OptionTable& table,
@@ -131,7 +125,9 @@ void read_config(const std::string& path,
     const std::string& key = option.string_key;
     if (option.unregistered || key == kSet || key == kConfig || key == kPositional ||
         key == "help") {
-      refuse_key(key, path, all);
+      std::string words = path;
+      words.append(": unknown key '").append(key).append("'");
+      throw UsageError(words + did_you_mean(key, names_of(all)));
     }
   }
   take_parameters(parsed, table, &ParameterChanges::of_file);
