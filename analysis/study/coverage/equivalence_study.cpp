@@ -75,10 +75,10 @@ LightingStudy simulate(const LightingScenario& scenario,
   return study;
 }
 
-EquivalenceSets::EquivalenceSets(const LightingScenario& scenario,
+EquivalenceSets::EquivalenceSets(LightingScenario scenario,
                                  std::uint32_t stream,
                                  std::uint64_t seed)
-    : scenario_(scenario), stream_(stream), seed_(seed) {}
+    : scenario_(std::move(scenario)), stream_(stream), seed_(seed) {}
 
 std::optional<EquivalenceFound> EquivalenceSets::operator()(std::uint64_t index) const {
   static const double better = correlation_of(kBetterAuc);

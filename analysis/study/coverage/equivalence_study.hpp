@@ -82,7 +82,7 @@ struct EquivalenceRates {
 /// scenarios.
 class EquivalenceSets {
  public:
-  EquivalenceSets(const LightingScenario& scenario, std::uint32_t stream, std::uint64_t seed);
+  EquivalenceSets(LightingScenario scenario, std::uint32_t stream, std::uint64_t seed);
 
   /// Data set number `index`. Thread-safe.
   [[nodiscard]] std::optional<EquivalenceFound> operator()(std::uint64_t index) const;

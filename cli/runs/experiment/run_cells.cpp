@@ -243,7 +243,7 @@ ItemSet items_of_cells(const CellsRun& run, std::vector<study::Cell> cells, Prog
     OpenedCells opened;
   };
   const auto held =
-      std::make_shared<const Held>(run.options, open_cells(run, std::move(cells), progress));
+      std::make_shared<const Held>(Held{run.options, open_cells(run, std::move(cells), progress)});
   ItemSet items = item_set(held->options, held->opened, progress);
   items.make = [held, make = std::move(items.make)](
                    std::uint64_t first, std::uint64_t last, const std::function<void()>& done) {
