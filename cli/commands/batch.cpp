@@ -37,8 +37,8 @@ constexpr std::string_view kPlanText =
   simulate  trials that are made, certified and forgotten: the result is their features.csv, and no
             logs are kept
   drive     the same of driven trials
-with all of its arguments and options but --output, which is the folder of the plan. The result of the
-merge is what the command would write to a folder; of 'simulate' and 'drive' what 'certify' would write
+with its arguments and options. --output is the folder of the plan; --threads is told to the work, and
+--cache to nobody. The result of the merge is what the command would write to a folder; of 'simulate' and 'drive' what 'certify' would write
 of their bundle.
 
 An item (a world, a data set, a corpus, a cell, a trial) depends on the seed and on its number alone.

@@ -35,6 +35,7 @@ TEST(StudyCommand, TheSweptReadingIsSoundAndFreeSpaceForUnknownIsNot) {
     EXPECT_LE(row["issued_untraversable"], row["untraversable"]) << row;
     EXPECT_GE(row["upper_95"], row["rate"]) << row;
     EXPECT_EQ(row["violating_worlds"] == 0, row["largest_excess_m"] == 0.0) << row;
+    EXPECT_EQ(row["violating_worlds"] == 0, row["worst_world"].is_null()) << row;
     if (method == "swept") {
       ++swept;
       EXPECT_EQ(row["violating_worlds"], 0) << row;

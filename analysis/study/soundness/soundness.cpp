@@ -1,8 +1,5 @@
 #include "analysis/study/soundness/soundness.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tcert/certifier.hpp>
@@ -161,17 +158,6 @@ WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
     }
   }
   return world;
-}
-
-std::vector<WorldOutcome> study_soundness(const std::vector<SoundnessMethod>& methods,
-                                          const SoundnessOptions& options) {
-  std::vector<WorldOutcome> worlds(options.worlds);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options.worlds, 16), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      worlds[i] = study_world(methods, options, i);
-    }
-  });
-  return worlds;
 }
 
 }  // namespace tcert::study

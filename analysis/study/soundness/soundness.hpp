@@ -35,7 +35,6 @@ struct SoundnessMethod {
 [[nodiscard]] std::vector<SoundnessMethod> witness_methods();
 
 struct SoundnessOptions {
-  std::size_t worlds = 1000;
   std::uint64_t seed = 1;
   WorldFamily (*family)(std::uint64_t index) = mixed_family;  ///< Of the world of a number.
   bool driven = false;  ///< By policies through gated worlds in place of those.
@@ -81,9 +80,5 @@ void row_cells(auto& row, table::Is<WorldOutcome> auto& world) {
 [[nodiscard]] WorldOutcome study_world(const std::vector<SoundnessMethod>& methods,
                                        const SoundnessOptions& options,
                                        std::uint64_t index);
-
-/// The worlds of `options` in parallel, each in its own slot: the same for any number of threads.
-[[nodiscard]] std::vector<WorldOutcome> study_soundness(const std::vector<SoundnessMethod>& methods,
-                                                        const SoundnessOptions& options);
 
 }  // namespace tcert::study

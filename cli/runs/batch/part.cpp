@@ -1,6 +1,7 @@
 #include "cli/runs/batch/part.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
@@ -58,13 +59,19 @@ class Lines {
       throw NoInput("cannot read the part '" + path.string() + "': " + problem);
     }
     file_.reset(::fdopen(descriptor, "rb"));
+    if (!file_) {
+      ::close(descriptor);
+      throw NoInput("cannot read the part '" + path.string() +
+                    "': " + std::generic_category().message(errno));
+    }
   }
 
-  /// The next line without its line feed; empty at the end. \throws NoInput; BadData for a line
-  /// that no item has.
+  /// The next line without its line feed; none at the end. \throws NoInput; BadData for a line that
+  /// is too long, or that has no line feed.
   std::optional<std::string_view> next() {
     line_.clear();
-    for (int c = std::getc(file_.get()); c != EOF; c = std::getc(file_.get())) {
+    // Nobody else reads this file, so that no lock is needed for each character.
+    for (int c = ::getc_unlocked(file_.get()); c != EOF; c = ::getc_unlocked(file_.get())) {
       if (c == '\n') {
         return line_;
       }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +17,13 @@ std::vector<WorldOutcome> study(const std::vector<SoundnessMethod>& methods,
                                 std::size_t worlds,
                                 WorldFamily (*family)(std::uint64_t) = mixed_family) {
   SoundnessOptions options;
-  options.worlds = worlds;
   options.family = family;
   options.seed = 3;
-  return study_soundness(methods, options);
+  std::vector<WorldOutcome> outcomes(worlds);
+  tbb::parallel_for(std::size_t{0}, worlds, [&](std::size_t i) {
+    outcomes[i] = study_world(methods, options, i);
+  });
+  return outcomes;
 }
 
 SoundnessTally tally_of(const std::vector<WorldOutcome>& worlds) {
@@ -179,6 +183,21 @@ TEST(Soundness, SummaryCountsWorlds) {
   ASSERT_EQ(tightness.size(), 1U);
   EXPECT_EQ(tightness[0].worlds, 3U);
   EXPECT_NEAR(tightness[0].median_m, -0.03, 1e-12);
+}
+
+TEST(Soundness, TheWorstWorldIsTheOneOfTheLargestExcess) {
+  const auto methods = mixed_methods();
+  const SoundnessTally tally = tally_of(study(methods, 40));
+  SoundnessOptions options;
+  options.seed = 3;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const SoundnessSummary& all = tally.of_all(m);
+    ASSERT_EQ(all.worst_world.has_value(), all.violations > 0) << methods[m].name;
+    if (all.worst_world) {
+      const WorldOutcome again = study_world({methods[m]}, options, *all.worst_world);
+      EXPECT_EQ(again.outcomes.front().excess_m, all.largest_excess_m) << methods[m].name;
+    }
+  }
 }
 
 TEST(Soundness, AnOutcomeReadsBackFromItsRow) {
