@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tcert/cells_along.hpp>
 #include <tcert/contact_memory.hpp>
 #include <tcert/elementary.hpp>
 
@@ -9,38 +10,6 @@ namespace {
 
 constexpr std::int32_t kSideBits = 2;  // a cell's block is its index without them
 static_assert(1 << kSideBits == ContactMemory::kSide);
-
-// The cells that a straight line crosses along one axis. A border is computed from its index and
-// not from the one before, so that nothing adds up.
-class CellAxis {
- public:
-  CellAxis(double from_m, double slope, double cell_m) noexcept
-      : from_m_(from_m), slope_(slope), cell_m_(cell_m) {
-    cell_ = static_cast<std::int32_t>(std::floor(from_m / cell_m));
-  }
-
-  [[nodiscard]] std::int32_t cell() const noexcept { return cell_; }
-  // How far along the line it leaves the cell.
-  [[nodiscard]] double leaves_m() const noexcept {
-    if (slope_ == 0.0) {
-      return std::numeric_limits<double>::infinity();
-    }
-    const std::int32_t border = slope_ > 0.0 ? cell_ + 1 : cell_;
-    return (border * cell_m_ - from_m_) / slope_;
-  }
-  void advance() noexcept { cell_ += slope_ > 0.0 ? 1 : -1; }
-
-  // The line runs along the border between a cell and the one below.
-  [[nodiscard]] bool on_border() const noexcept {
-    return slope_ == 0.0 && from_m_ / cell_m_ == std::floor(from_m_ / cell_m_);
-  }
-
- private:
-  double from_m_;
-  double slope_;
-  double cell_m_;
-  std::int32_t cell_;
-};
 
 }  // namespace
 
@@ -73,32 +42,28 @@ double ContactMemory::integral_along(Point from,
                                      double halvings,
                                      std::int32_t shift_x,
                                      std::int32_t shift_y) const noexcept {
-  CellAxis x(from.x_m, unit_direction.x_m, parameters_.memory_cell_m);
-  CellAxis y(from.y_m, unit_direction.y_m, parameters_.memory_cell_m);
   double integral = 0.0;
   const Block* block = nullptr;
   std::int32_t block_x = std::numeric_limits<std::int32_t>::max();
   std::int32_t block_y = block_x;
   double fading = 0.0;
-  for (double at_m = 0.0; at_m < length_m;) {
-    const std::int32_t column = x.cell() + shift_x;
-    const std::int32_t row = y.cell() + shift_y;
+  const auto add = [&](std::int32_t x, std::int32_t y, double part_m) noexcept {
+    const std::int32_t column = x + shift_x;
+    const std::int32_t row = y + shift_y;
     if (column >> kSideBits != block_x || row >> kSideBits != block_y) {
       block_x = column >> kSideBits;
       block_y = row >> kSideBits;
       block = find(block_x, block_y);
       fading = block == nullptr ? 0.0 : elementary::exp2(block->halvings - halvings);
     }
-    const double leaves_m = std::min({x.leaves_m(), y.leaves_m(), length_m});
-    if (block != nullptr && leaves_m > at_m) {
+    if (block != nullptr && part_m > 0.0) {
       const auto within_row = static_cast<std::size_t>(row & (kSide - 1));
       const auto within_column = static_cast<std::size_t>(column & (kSide - 1));
       const std::size_t within = within_row * kSide + within_column;
-      integral += (leaves_m - at_m) * (block->values[within] * fading);
+      integral += part_m * (block->values[within] * fading);
     }
-    at_m = std::max(at_m, leaves_m);
-    (x.leaves_m() <= y.leaves_m() ? x : y).advance();
-  }
+  };
+  visit_cells_along(from, unit_direction, length_m, parameters_.memory_cell_m, add);
   return integral;
 }
 

@@ -8,9 +8,16 @@
 namespace tcert::policies {
 namespace {
 
-/// A phase of motion ends after this many times what it should take, and a second: behind there may
-/// be something too.
-constexpr double kPatience = 2.0;
+BackOutLimits limits_of(const PolicyParameters& p, double min_turn_radius_m) noexcept {
+  const double reverse_mps = std::min(p.reverse_mps, p.cruise_mps);
+  return {p.stop_s,
+          p.reverse_m,
+          reverse_mps,
+          p.reorient_rad,
+          min_turn_radius_m > 0.0 ? std::min(p.max_yaw_rate_rps, reverse_mps / min_turn_radius_m)
+                                  : p.max_yaw_rate_rps,
+          min_turn_radius_m};
+}
 
 }  // namespace
 
@@ -18,16 +25,12 @@ Recovery::Recovery(const PolicyParameters& parameters,
                    double min_turn_radius_m,
                    double control_period_s) noexcept
     : parameters_(parameters),
-      min_turn_radius_m_(min_turn_radius_m),
       period_s_(control_period_s),
       front_cosine_(elementary::cos(parameters.front_rad)),
-      reverse_mps_(std::min(parameters.reverse_mps, parameters.cruise_mps)),
-      turn_rate_rps_(min_turn_radius_m > 0.0
-                         ? std::min(parameters.max_yaw_rate_rps, reverse_mps_ / min_turn_radius_m)
-                         : parameters.max_yaw_rate_rps) {}
+      back_out_(limits_of(parameters, min_turn_radius_m)) {}
 
 void Recovery::reset() noexcept {
-  phase_ = Phase::driving;
+  back_out_.reset();
   hold_s_ = 0.0;
   place_.reset();
   failed_ = 0;
@@ -56,9 +59,9 @@ bool Recovery::stalls(Point position, double forward_mps) noexcept {
 }
 
 void Recovery::begin(const Pose& pose, const Pressure& pressure, int freer_side) noexcept {
-  turn_side_ = freer_side;
+  int turn_side = freer_side;
   if (presses(pressure) && pressure.bump && sign_of(unit(pressure.bump->bearing_rad).y_m) != 0) {
-    turn_side_ = -sign_of(unit(pressure.bump->bearing_rad).y_m);
+    turn_side = -sign_of(unit(pressure.bump->bearing_rad).y_m);
   }
   if (place_) {
     ++failed_;
@@ -66,48 +69,7 @@ void Recovery::begin(const Pose& pose, const Pressure& pressure, int freer_side)
   } else {
     place_ = pose.position;
   }
-  enter(Phase::stopping, pose);
-}
-
-void Recovery::enter(Phase phase, const Pose& pose) noexcept {
-  phase_ = phase;
-  entered_ = pose;
-  phase_s_ = 0.0;
-}
-
-void Recovery::leave_phase(const Pose& pose, const Pressure& pressure) noexcept {
-  const bool bumps_behind = pressure.bump && pressure.bump->force_n > parameters_.stop_force_n &&
-                            unit(pressure.bump->bearing_rad).x_m < 0.0;
-  const auto lasts = [&](double expected_s) { return phase_s_ >= kPatience * expected_s + 1.0; };
-  if (phase_ == Phase::stopping && reaches(phase_s_, parameters_.stop_s)) {
-    enter(Phase::reversing, pose);
-  }
-  if (phase_ == Phase::reversing &&
-      (distance(pose.position, entered_.position) >= parameters_.reverse_m || bumps_behind ||
-       lasts(parameters_.reverse_m / reverse_mps_))) {
-    enter(Phase::turning, pose);
-    held_rad_ = pose.yaw_rad + turn_side_ * parameters_.reorient_rad;
-  } else if (phase_ == Phase::turning &&
-             (std::abs(angle_between(entered_.yaw_rad, pose.yaw_rad)) >= parameters_.reorient_rad ||
-              (bumps_behind && min_turn_radius_m_ > 0.0) ||
-              lasts(parameters_.reorient_rad / turn_rate_rps_))) {
-    phase_ = Phase::driving;
-    hold_s_ = parameters_.hold_s;
-    has_moved_from_ = false;
-  }
-}
-
-Command Recovery::command() const noexcept {
-  switch (phase_) {
-    case Phase::reversing:
-      return {-reverse_mps_, 0.0};
-    case Phase::turning:
-      return {min_turn_radius_m_ > 0.0 ? -reverse_mps_ : 0.0, turn_side_ * turn_rate_rps_};
-    case Phase::driving:
-    case Phase::stopping:
-      break;
-  }
-  return {};
+  back_out_.begin(pose, turn_side);
 }
 
 std::optional<Command> Recovery::step(const Pose& pose,
@@ -119,20 +81,25 @@ std::optional<Command> Recovery::step(const Pose& pose,
     place_.reset();
     failed_ = 0;
   }
-  if (phase_ == Phase::driving) {
+  if (back_out_.is_over()) {
     hold_s_ = std::max(hold_s_ - period_s_, 0.0);
     if (stalls(pose.position, forward_mps) || presses(pressure)) {
       begin(pose, pressure, freer_side);
     }
   } else {
-    phase_s_ += period_s_;
-    leave_phase(pose, pressure);
+    const bool bumps_behind = pressure.bump && pressure.bump->force_n > parameters_.stop_force_n &&
+                              unit(pressure.bump->bearing_rad).x_m < 0.0;
+    back_out_.advance(pose, bumps_behind, period_s_);
+    if (back_out_.is_over()) {
+      hold_s_ = parameters_.hold_s;
+      has_moved_from_ = false;
+    }
   }
-  return phase_ == Phase::driving ? std::nullopt : std::optional(command());
+  return back_out_.is_over() ? std::nullopt : std::optional(back_out_.command());
 }
 
 std::optional<double> Recovery::held_turn(const Pose& pose) const noexcept {
-  return hold_s_ > 0.0 ? std::optional(angle_between(pose.yaw_rad, held_rad_)) : std::nullopt;
+  return hold_s_ > 0.0 ? std::optional(angle_between(pose.yaw_rad, back_out_.turned_to_rad())) : std::nullopt;
 }
 
 }  // namespace tcert::policies

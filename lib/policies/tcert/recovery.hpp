@@ -1,10 +1,10 @@
 #pragma once
 /// \file
-/// Stop, reverse, re-orient (section 8 of the paper): what every policy does where it presses or
-/// gets nowhere.
+/// What every policy does where it presses or gets nowhere: it backs out (section 8 of the paper).
 
 #include <cstdint>
 #include <optional>
+#include <tcert/back_out.hpp>
 #include <tcert/policy_parameters.hpp>
 #include <tcert/senses.hpp>
 
@@ -48,27 +48,15 @@ class Recovery {
   [[nodiscard]] bool gives_up() const noexcept { return gives_up_; }
 
  private:
-  enum class Phase : std::uint8_t { driving, stopping, reversing, turning };
-
   [[nodiscard]] bool presses(const Pressure& pressure) const noexcept;
   [[nodiscard]] bool stalls(Point position, double forward_mps) noexcept;
   void begin(const Pose& pose, const Pressure& pressure, int freer_side) noexcept;
-  void enter(Phase phase, const Pose& pose) noexcept;
-  void leave_phase(const Pose& pose, const Pressure& pressure) noexcept;
-  [[nodiscard]] Command command() const noexcept;
 
   PolicyParameters parameters_;
-  double min_turn_radius_m_;
   double period_s_;
   double front_cosine_;
-  double reverse_mps_;
-  double turn_rate_rps_;
 
-  Phase phase_ = Phase::driving;
-  Pose entered_;                // where the phase began
-  double phase_s_ = 0.0;        // since then
-  int turn_side_ = 0;           // of the recovery
-  double held_rad_ = 0.0;       // yaw
+  BackOut back_out_;
   double hold_s_ = 0.0;         // how long it is still held
   std::optional<Point> place_;  // where the first of a row of recoveries began
   std::uint32_t failed_ = 0;

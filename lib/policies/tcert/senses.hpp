@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tcert/command.hpp>
 #include <tcert/geometry.hpp>
 #include <tcert/tick.hpp>
 
@@ -36,10 +37,6 @@ struct Senses {
   double commanded_mps = kMissing;
 };
 
-/// Of the body, as a differential drive takes it.
-struct Command {
-  double speed_mps = 0.0;     ///< Along the heading; negative in reverse.
-  double yaw_rate_rps = 0.0;  ///< Counter-clockwise.
-};
+using tcert::Command;
 
 }  // namespace tcert::policies
