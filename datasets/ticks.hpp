@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tcert/command.hpp>
 #include <tcert/tick.hpp>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct TickTable {
             std::span<const RayReading>(readings).subspan(i * rays, rays),
             stale[i] != 0,
             segment_start[i] != 0};
+  }
+  /// What the robot was told to drive at tick `i`; NaN where it is not known.
+  [[nodiscard]] Command commanded(std::size_t i) const noexcept {
+    return {speed_cmd_mps.empty() ? kMissing : speed_cmd_mps[i],
+            yaw_rate_cmd_rps.empty() ? kMissing : yaw_rate_cmd_rps[i]};
   }
 };
 

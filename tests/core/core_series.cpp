@@ -73,7 +73,7 @@ bool print_by_c(const TickFile& file, const SeriesFormat& format) {
 bool run_steadily(const TickFile& file) {
   Certifier certifier(file.robot, file.course, {});
   Certifier swept(file.robot, file.course, reading(ClearanceReading::swept));
-  Guards guards(SpeedLaw{}, GuardParameters{}, TrackingErrorTable());
+  Guards guards({file.robot, {}, {}, {}, TrackingErrorTable()});
   test_support::CSetup setup(file.robot, file.course);
   tcert_certifier* by_c = nullptr;
   if (setup.create(by_c) != TCERT_OK) {

@@ -117,7 +117,7 @@ void time_trials(const TickFile& file, std::uint64_t wanted) {
   }
   std::printf("%zu trials, %zu ticks\n", file.trials.size(), ticks_of_file);
   Certifier certifier(file.robot, file.course, {});
-  Guards guards(SpeedLaw{}, GuardParameters{}, TrackingErrorTable());
+  Guards guards({file.robot, {}, {}, {}, TrackingErrorTable()});
   std::vector<std::uint64_t> fastest(ticks_of_file, std::numeric_limits<std::uint64_t>::max());
   Histogram clock_alone;
   for (int k = 0; k < 1'000'000; ++k) {

@@ -219,7 +219,7 @@ void drive(Draws& draws) {
   const auto law = drawn<SpeedLaw>(draws);
   const auto guard_parameters = drawn<GuardParameters>(draws);
   Certifier certifier(robot, course, parameters);
-  Guards guards(law, guard_parameters, TrackingErrorTable());
+  Guards guards({robot, parameters, law, guard_parameters, TrackingErrorTable()});
   require(within_bounds(robot) && within_bounds(parameters) && within_bounds(law) &&
               within_bounds(guard_parameters),
           "what is out of bounds is refused");

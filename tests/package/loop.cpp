@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <tcert/certifier.hpp>
 #include <tcert/flag_word.hpp>
-#include <tcert/guards.hpp>
+#include <tcert/runtime.hpp>
 
 namespace {
 
@@ -28,8 +27,9 @@ int main() {
   tcert::SpeedLaw law;
   law.kind = tcert::SpeedLawKind::clip;
 
-  tcert::Certifier certifier(robot, course, parameters);  // takes all memory
-  tcert::Guards guards(law, tcert::GuardParameters{}, tcert::TrackingErrorTable());
+  tcert::ActionSetup actions;
+  actions.guards = {robot, parameters, law, {}, tcert::TrackingErrorTable()};
+  tcert::Runtime runtime(course, actions);  // takes all memory
 
   double x_m = 0.0;
   tcert::CertifiedTick now;
@@ -43,8 +43,9 @@ int main() {
     tick.pose = {{x_m, 0.0}, 0.0};
     tick.rays = readings;
 
-    now = certifier.update(tick);
-    const tcert::GuardedTick guarded = guards.update(tick, now);
+    const tcert::RuntimeTick all = runtime.update(tick);
+    now = all.certified;
+    const tcert::GuardedTick& guarded = all.acted.guarded;
     if (k % 20 == 0) {
       std::printf("%5.1f s  x %.9f  m %.9f  V %.9f  v %.9f  %s\n",
                   1e-9 * static_cast<double>(now.time_ns),

@@ -7,14 +7,12 @@
 #include <span>
 #include <stdexcept>
 #include <tcert/c_conversions.hpp>
-#include <tcert/certifier.hpp>
 #include <tcert/flag_word.hpp>
-#include <tcert/guards.hpp>
+#include <tcert/runtime.hpp>
 #include <vector>
 
 struct tcert_certifier {
-  tcert::Certifier certifier;
-  tcert::Guards guards;
+  tcert::Runtime runtime;
   std::vector<tcert::RayReading> readings;  // one more than rays, so that a wrong number shows
 };
 
@@ -88,10 +86,8 @@ tcert_status tcert_create(const tcert_robot* robot,
   try {
     const tcert_parameters whole = whole_parameters(*parameters);
     const Robot known = to_robot(*robot);
-    *certifier =
-        new tcert_certifier{Certifier(known, to_course(*course), to_certificate_parameters(whole)),
-                            to_guards(whole),
-                            std::vector<RayReading>(known.rays.size() + 1)};
+    *certifier = new tcert_certifier{Runtime(to_course(*course), to_actions(whole, known)),
+                                     std::vector<RayReading>(known.rays.size() + 1)};
     say(message, message_size, "");
     return TCERT_OK;
   } catch (const WrongSize& error) {
@@ -135,9 +131,36 @@ tcert_status tcert_update(tcert_certifier* certifier,
                   std::span(readings).first(count),
                   whole.stale != 0,
                   whole.segment_start != 0};
-  const CertifiedTick certified = certifier->certifier.update(felt);
-  give(to_output(certified, certifier->guards.update(felt, certified)), *output);
+  give(to_output(certifier->runtime.update(felt)), *output);
   return TCERT_OK;
+}
+
+tcert_status tcert_step(tcert_certifier* certifier,
+                        const tcert_command* wanted,
+                        double x_m,
+                        double y_m,
+                        double yaw_rad,
+                        double seconds,
+                        tcert_command* command,
+                        std::int32_t* state) noexcept {
+  if (certifier == nullptr || wanted == nullptr || command == nullptr || !(seconds >= 0.0)) {
+    return TCERT_ERROR_ARGUMENT;
+  }
+  const Command taken = certifier->runtime.step(
+      {wanted->speed_mps, wanted->yaw_rate_rps}, {{x_m, y_m}, yaw_rad}, seconds);
+  *command = {taken.speed_mps, taken.yaw_rate_rps};
+  if (state != nullptr) {
+    *state = static_cast<std::int32_t>(certifier->runtime.actions().fallback().state());
+  }
+  return TCERT_OK;
+}
+
+const char* tcert_rule_name(const tcert_certifier* certifier, std::uint32_t rule) noexcept {
+  if (certifier == nullptr) {
+    return "";
+  }
+  const auto& rules = certifier->runtime.actions().monitor().rules();
+  return rule < rules.size() ? rules[rule].name.c_str() : "";
 }
 
 tcert_status tcert_ray_margins(const tcert_certifier* certifier,
@@ -146,7 +169,7 @@ tcert_status tcert_ray_margins(const tcert_certifier* certifier,
   if (certifier == nullptr || (margins_m == nullptr && count > 0)) {
     return TCERT_ERROR_ARGUMENT;
   }
-  const auto known = certifier->certifier.ray_margins();
+  const auto known = certifier->runtime.certifier().ray_margins();
   for (std::size_t k = 0; k < count; ++k) {
     margins_m[k] = k < known.size() ? known[k] : kMissing;
   }
@@ -162,7 +185,7 @@ tcert_status tcert_find_bottleneck(const tcert_certifier* certifier,
   if (!is_known_size<tcert_bottleneck>(bottleneck->struct_size)) {
     return TCERT_ERROR_VERSION;
   }
-  const auto narrowest = certifier->certifier.bottleneck();
+  const auto narrowest = certifier->runtime.certifier().bottleneck();
   *found = narrowest ? 1 : 0;
   if (narrowest) {
     const tcert_bottleneck whole{sizeof whole,
@@ -182,8 +205,7 @@ tcert_status tcert_reset(tcert_certifier* certifier) noexcept {
   if (certifier == nullptr) {
     return TCERT_ERROR_ARGUMENT;
   }
-  certifier->certifier.reset();
-  certifier->guards.reset();
+  certifier->runtime.reset();
   return TCERT_OK;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tcert::c_interface {
@@ -67,6 +68,24 @@ void copy_out(const GuardParameters& known, tcert_parameters& c) noexcept {
 #define TCERT_NUMBER TCERT_OUT
 #include <tcert/parameters/guards.def>
 }
+void copy_in(const tcert_parameters& c, RiskParameters& known) {
+#define TCERT_WORD TCERT_IN_WORD
+#define TCERT_NUMBER TCERT_IN_NUMBER
+#include <tcert/parameters/risk.def>
+}
+void copy_in(const tcert_parameters& c, FallbackParameters& known) {
+#define TCERT_NUMBER TCERT_IN_NUMBER
+#include <tcert/parameters/fallback.def>
+}
+void copy_out(const RiskParameters& known, tcert_parameters& c) noexcept {
+#define TCERT_WORD TCERT_OUT
+#define TCERT_NUMBER TCERT_OUT
+#include <tcert/parameters/risk.def>
+}
+void copy_out(const FallbackParameters& known, tcert_parameters& c) noexcept {
+#define TCERT_NUMBER TCERT_OUT
+#include <tcert/parameters/fallback.def>
+}
 
 template <typename Group>
 Group known_from(const tcert_parameters& c) {
@@ -123,11 +142,20 @@ TrackingErrorTable to_table(const tcert_parameters& c) {
   }
   const std::size_t cells = std::size_t{c.tracking_speeds} * c.tracking_accelerations *
                             std::size_t{c.tracking_disturbances};
-  return TrackingErrorTable(
-      {list(c.tracking_speed_mps, c.tracking_speeds, "tracking_speed_mps"),
-       list(c.tracking_acceleration_mps2, c.tracking_accelerations, "tracking_acceleration_mps2"),
-       list(c.tracking_disturbance, c.tracking_disturbances, "tracking_disturbance"),
-       list(c.tracking_radius_m, cells, "tracking_radius_m")});
+  TrackingErrorGrid grid{
+      list(c.tracking_speed_mps, c.tracking_speeds, "tracking_speed_mps"),
+      {},
+      list(c.tracking_disturbance, c.tracking_disturbances, "tracking_disturbance"),
+      list(c.tracking_radius_m, cells, "tracking_radius_m")};
+  if (c.tracking_speed_left_mps != nullptr) {
+    grid.speed_left_mps =
+        list(c.tracking_speed_left_mps, c.tracking_accelerations, "tracking_speed_left_mps");
+    grid.hold_s = list(c.tracking_hold_s, c.tracking_accelerations, "tracking_hold_s");
+  } else {
+    grid.acceleration_mps2 =
+        list(c.tracking_acceleration_mps2, c.tracking_accelerations, "tracking_acceleration_mps2");
+  }
+  return TrackingErrorTable(std::move(grid));
 }
 
 }  // namespace
@@ -138,6 +166,8 @@ tcert_parameters default_parameters() noexcept {
   copy_out(CertificateParameters{}, c);
   copy_out(SpeedLaw{}, c);
   copy_out(GuardParameters{}, c);
+  copy_out(RiskParameters{}, c);
+  copy_out(FallbackParameters{}, c);
   return c;
 }
 
@@ -175,11 +205,25 @@ CertificateParameters to_certificate_parameters(const tcert_parameters& whole) {
   return known_from<CertificateParameters>(whole);
 }
 
-Guards to_guards(const tcert_parameters& whole) {
-  return {known_from<SpeedLaw>(whole), known_from<GuardParameters>(whole), to_table(whole)};
+ActionSetup to_actions(const tcert_parameters& whole, const Robot& robot) {
+  require_word("keep_risk", whole.keep_risk, 1);
+  ActionSetup setup{{robot,
+                     to_certificate_parameters(whole),
+                     known_from<SpeedLaw>(whole),
+                     known_from<GuardParameters>(whole),
+                     to_table(whole)},
+                    std::nullopt,
+                    whole.rules != nullptr ? parse_rules(whole.rules) : std::vector<Rule>{},
+                    known_from<FallbackParameters>(whole)};
+  if (whole.keep_risk != 0) {
+    setup.risk = known_from<RiskParameters>(whole);
+  }
+  return setup;
 }
 
-tcert_output to_output(const CertifiedTick& certified, const GuardedTick& guarded) noexcept {
+tcert_output to_output(const RuntimeTick& tick) noexcept {
+  const CertifiedTick& certified = tick.certified;
+  const GuardedTick& guarded = tick.acted.guarded;
   tcert_output out{};
   out.struct_size = sizeof out;
   out.flags = certified.flags;
@@ -209,6 +253,10 @@ tcert_output to_output(const CertifiedTick& certified, const GuardedTick& guarde
   out.retreat_speed_mps = guarded.retreat_speed_mps;
   out.triggers = guarded.triggers;
   out.triggers_began = guarded.began;
+  out.yaw_rate_rps = guarded.yaw_rate_rps;
+  out.risk_ahead = tick.acted.risk_ahead;
+  out.alarms = tick.acted.alarms;
+  out.alarms_began = tick.acted.alarms_began;
   return out;
 }
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <tcert/certifier.hpp>
-#include <tcert/guards.hpp>
+#include <tcert/runtime.hpp>
 #include <tcert/struct_size.hpp>
 
 namespace tcert {
@@ -39,10 +39,9 @@ class WrongSize : public std::invalid_argument {
 
 /// From whole parameters. \throws std::invalid_argument for a word that is not known.
 [[nodiscard]] CertificateParameters to_certificate_parameters(const tcert_parameters& whole);
-[[nodiscard]] Guards to_guards(const tcert_parameters& whole);
+[[nodiscard]] ActionSetup to_actions(const tcert_parameters& whole, const Robot& robot);
 
-[[nodiscard]] tcert_output to_output(const CertifiedTick& certified,
-                                     const GuardedTick& guarded) noexcept;
+[[nodiscard]] tcert_output to_output(const RuntimeTick& tick) noexcept;
 
 }  // namespace c_interface
 }  // namespace tcert

@@ -10,7 +10,10 @@ double gated_speed(const SpeedLaw& law, double margin_m) noexcept {
   if (std::isnan(z)) {
     return 0.0;
   }
-  if (law.kind == SpeedLawKind::clip) {
+  if (law.kind == SpeedLawKind::barrier) {
+    return law.max_speed_mps;
+  }
+  if (law.kind == SpeedLawKind::clip || law.kind == SpeedLawKind::profile) {
     return std::lerp(law.min_speed_mps, law.max_speed_mps, std::clamp(z, 0.0, 1.0));
   }
   if (!(z > 0.0)) {

@@ -29,9 +29,10 @@
  * - Units. Metres, radians (counter-clockwise), newtons, seconds; times in ns on one monotonic
  *   clock. NaN means not known; -infinity in a value means that there is no path yet.
  * - Refused input is flagged in the output, never credited. A pose that is not finite or holds a
- *   number beyond 1e9 (m, rad), a time that does not increase, a wrong number of readings: TCERT_BAD_INPUT, the tick is skipped and the
- *   speed is 0. A stale tick: TCERT_STALE, likewise. A reading that is NaN or infinite:
- *   TCERT_MISSING_RAY, and its side counts as no wider than the body.
+ *   number beyond 1e9 (m, rad), a time that does not increase, a wrong number of readings:
+ * TCERT_BAD_INPUT, the tick is skipped and the speed is 0. A stale tick: TCERT_STALE, likewise. A
+ * reading that is NaN or infinite: TCERT_MISSING_RAY, and its side counts as no wider than the
+ * body.
  * - Versions. A struct that may grow begins with struct_size, its size where the caller was
  *   compiled. Members are only appended: the smaller struct of an older caller is accepted, and
  *   what it does not have takes its default, or is not written. A larger one, of a caller newer
@@ -85,7 +86,21 @@ enum tcert_curvature {
   TCERT_CURVATURE_NONE = 3
 };
 enum tcert_unknown { TCERT_UNKNOWN_OCCUPIED = 0, TCERT_UNKNOWN_FREE = 1 };
-enum tcert_speed_law { TCERT_SQUASH = 0, TCERT_CLIP = 1 };
+enum tcert_speed_law {
+  TCERT_SQUASH = 0,
+  TCERT_CLIP = 1,
+  TCERT_BARRIER =
+      2, /**< Filtered by what was felt; tcert_step filters a command with its yaw rate. */
+  TCERT_PROFILE = 3 /**< Within what the body can brake before what is not explored. */
+};
+enum tcert_risk_intensity { TCERT_RISK_GAMMA = 0, TCERT_RISK_LAMBDA = 1 };
+enum tcert_fallback_state {
+  TCERT_FALLBACK_NORMAL = 0,
+  TCERT_FALLBACK_STOP = 1,
+  TCERT_FALLBACK_REVERSE = 2,
+  TCERT_FALLBACK_REORIENT = 3,
+  TCERT_FALLBACK_HALT = 4 /**< For good, until tcert_reset. */
+};
 enum tcert_guard_mode { TCERT_GUARDS_BY_LAW = 0, TCERT_GUARDS_ACT = 1, TCERT_GUARDS_WATCH = 2 };
 
 /** Of tcert_output::flags. From TCERT_CAPACITY_EXCEEDED to TCERT_MEMORY_EVICTED they stay set until
@@ -105,11 +120,12 @@ enum tcert_flag {
 
 /** Of tcert_output::triggers: why forward motion is refused, or would be. */
 enum tcert_trigger {
-  TCERT_TRIGGER_MARGIN = 1 << 0,     /**< The speed law gives 0. */
-  TCERT_TRIGGER_FORCE = 1 << 1,      /**< G2: a tip force above force_limit_n. */
-  TCERT_TRIGGER_REPLAN = 1 << 2,     /**< G3: robust_margin_m <= replan_margin_m. */
-  TCERT_TRIGGER_NO_BOUND = 1 << 3,   /**< The tracking-error table ends below this speed. */
-  TCERT_TRIGGER_NO_EVIDENCE = 1 << 4 /**< The tick is stale or bad. */
+  TCERT_TRIGGER_MARGIN = 1 << 0,      /**< The speed law gives 0. */
+  TCERT_TRIGGER_FORCE = 1 << 1,       /**< G2: a tip force above force_limit_n. */
+  TCERT_TRIGGER_REPLAN = 1 << 2,      /**< G3: robust_margin_m <= replan_margin_m. */
+  TCERT_TRIGGER_NO_BOUND = 1 << 3,    /**< The tracking-error table ends below this speed. */
+  TCERT_TRIGGER_NO_EVIDENCE = 1 << 4, /**< The tick is stale or bad. */
+  TCERT_TRIGGER_BARRIER = 1 << 5      /**< No command keeps the barrier of what was felt. */
 };
 
 typedef struct tcert_point {
@@ -155,9 +171,9 @@ typedef struct tcert_course {
   tcert_region goal;
 } tcert_course;
 
-/** Every parameter of certificate, speed law and guards; tcert_parameters_init sets the defaults.
- * What each means and when to change it: `tcert help parameters`, which has the same names, and
- * tcert/parameters.hpp, speed_law.hpp, guards.hpp. */
+/** Every parameter of certificate, speed law, guards, risk field and fallback;
+ * tcert_parameters_init sets the defaults. What each means and when to change it: `tcert help
+ * parameters`, which has the same names, and tcert/parameters.hpp, speed_law.hpp, guards.hpp. */
 typedef struct tcert_parameters {
   uint32_t struct_size;
 
@@ -221,6 +237,40 @@ typedef struct tcert_parameters {
   const double* tracking_acceleration_mps2;
   const double* tracking_disturbance;
   const double* tracking_radius_m;
+
+  double accel_mps2;
+  double brake_mps2;
+  double law_yaw_rate_rps;
+  double barrier_gain_per_s;
+  double barrier_point_m;
+
+  /** The second axis of the table in the place of the acceleration, then tracking_accelerations of
+   * them: the speed just left, and for how long it counts. Null: it is the acceleration. */
+  const double* tracking_speed_left_mps;
+  const double* tracking_hold_s;
+
+  /** 1: keep a risk field, and state risk_ahead. */
+  int32_t keep_risk;
+  int32_t risk_intensity; /**< tcert_risk_intensity. */
+  double risk_cell_m;
+  double risk_error_m2;
+  double risk_prior_per_m2;
+  double risk_prior_weight;
+  double risk_hit_rate;
+  double risk_miss_rate;
+  double risk_half_life_s;
+  double risk_ahead_m;
+  uint32_t max_risk_cells;
+
+  uint32_t fallback_halt_after;
+  double fallback_stop_s;
+  double fallback_reverse_m;
+  double fallback_reverse_mps;
+  double fallback_reorient_rad;
+  double fallback_turn_rate_rps;
+  double fallback_within_s;
+  /** Rules that are monitored, one a line, `name: formula`: see `tcert help rules`. Null: none. */
+  const char* rules;
 } tcert_parameters;
 
 /** Reading of one ray. */
@@ -236,8 +286,8 @@ typedef struct tcert_tick {
   const tcert_reading* readings;
   int64_t time_ns; /**< Strictly increasing. */
   double x_m, y_m, yaw_rad;
-  int32_t stale;         /**< 1: a required stream is silent, no evidence. */
-  int32_t segment_start; /**< 1: there is a gap before this tick. */
+  int32_t stale;              /**< 1: a required stream is silent, no evidence. */
+  int32_t segment_start;      /**< 1: there is a gap before this tick. */
   const double* bearings_rad; /**< Of rays that a joint moves: where each reading was felt, from the
                                    heading, NaN along the ray's own; null if there is no joint. */
 } tcert_tick;
@@ -263,15 +313,26 @@ typedef struct tcert_output {
   uint32_t edges;
   uint32_t labels_raised;  /**< Work done in the graph at this tick. */
   uint32_t issued;         /**< 1: T_t > 0 now or earlier. */
-  double tracking_error_m; /**< r_TE at the speed commanded before. */
-  double robust_margin_m;  /**< V_t - r_TE. */
+  double tracking_error_m; /**< r_TE at the speed granted. */
+  double robust_margin_m;  /**< V_t less r_TE, twice r_TE where clearance is a width. */
   double force_n;          /**< Largest tip force; NaN if no ray states one. */
   double force_limit_n;
   double speed_mps; /**< Gated and guarded, forward; 0 is halt. */
   double retreat_speed_mps;
   uint32_t triggers;       /**< tcert_trigger, or'ed. */
   uint32_t triggers_began; /**< Those that the tick before did not have. */
+  double yaw_rate_rps;     /**< As commanded, but for what the barrier law changes. */
+  double risk_ahead; /**< Chance of a collision over risk_ahead_m straight ahead; NaN without a
+                          risk field. */
+  uint32_t alarms;   /**< 1 << rule, or'ed. */
+  uint32_t alarms_began;
 } tcert_output;
+
+/** What a differential drive takes. */
+typedef struct tcert_command {
+  double speed_mps;    /**< Along the heading; negative in reverse. */
+  double yaw_rate_rps; /**< Counter-clockwise. */
+} tcert_command;
 
 /** The edge that decides the certificate. */
 typedef struct tcert_bottleneck {
@@ -311,6 +372,24 @@ TCERT_API tcert_status tcert_create(const tcert_robot* robot,
 TCERT_API tcert_status tcert_update(tcert_certifier* certifier,
                                     const tcert_tick* tick,
                                     tcert_output* output) TCERT_NOEXCEPT;
+
+/** What to command in the place of `wanted` for the next `seconds`, at a tick or between two, with
+ * the body at the pose: the barrier law's filter, and the fallback (stop, reverse, re-orient, halt)
+ * of an alarm of the last tick. `state`, unless null, is a tcert_fallback_state. What it returns is
+ * taken for what the robot is told to drive until the next call: rules and the barrier law go by it
+ * at the next tick. Without it they know of no command. */
+TCERT_API tcert_status tcert_step(tcert_certifier* certifier,
+                                  const tcert_command* wanted,
+                                  double x_m,
+                                  double y_m,
+                                  double yaw_rad,
+                                  double seconds,
+                                  tcert_command* command,
+                                  int32_t* state) TCERT_NOEXCEPT;
+
+/** The name of a rule, by its bit's place; "" beyond the last. Lives as long as the certifier. */
+TCERT_API const char* tcert_rule_name(const tcert_certifier* certifier,
+                                      uint32_t rule) TCERT_NOEXCEPT;
 
 /** m_t of heading along each ray at the last fresh tick; writes `count` values, NaN beyond the
  * robot's rays. */

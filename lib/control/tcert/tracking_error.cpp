@@ -62,16 +62,28 @@ TrackingErrorGrid declared_tracking_error() {
 
 TrackingErrorTable::TrackingErrorTable(TrackingErrorGrid grid) : grid_(std::move(grid)) {
   require_axis("speed_mps", grid_.speed_mps);
-  require_axis("acceleration_mps2", grid_.acceleration_mps2);
+  if (has_speed_left() && !grid_.acceleration_mps2.empty()) {
+    throw std::invalid_argument(
+        "tracking error: one of acceleration_mps2 and speed_left_mps, not both");
+  }
+  require_axis(has_speed_left() ? "speed_left_mps" : "acceleration_mps2", second_axis());
+  if (grid_.hold_s.size() != grid_.speed_left_mps.size() ||
+      !std::is_sorted(grid_.hold_s.begin(), grid_.hold_s.end()) ||
+      !std::all_of(grid_.hold_s.begin(), grid_.hold_s.end(), [](double s) {
+        return std::isfinite(s) && s >= 0.0;
+      })) {
+    throw std::invalid_argument(
+        "tracking error: one hold_s for every speed_left_mps, which must not fall");
+  }
   require_axis("disturbance", grid_.disturbance);
   const std::size_t speeds = grid_.speed_mps.size();
-  const std::size_t accelerations = grid_.acceleration_mps2.size();
+  const std::size_t second_knots = second_axis().size();
   const std::size_t disturbances = grid_.disturbance.size();
-  if (grid_.radius_m.size() != speeds * accelerations * disturbances) {
+  if (grid_.radius_m.size() != speeds * second_knots * disturbances) {
     throw std::invalid_argument("tracking error: one radius_m for every knot of the grid");
   }
   for (std::size_t i = 0; i < speeds; ++i) {
-    for (std::size_t j = 0; j < accelerations; ++j) {
+    for (std::size_t j = 0; j < second_knots; ++j) {
       for (std::size_t k = 0; k < disturbances; ++k) {
         const double here = at(i, j, k);
         const bool good =
@@ -87,17 +99,23 @@ TrackingErrorTable::TrackingErrorTable(TrackingErrorGrid grid) : grid_(std::move
 }
 
 double TrackingErrorTable::at(std::size_t speed,
-                              std::size_t acceleration,
+                              std::size_t second,
                               std::size_t disturbance) const noexcept {
-  const std::size_t row = speed * grid_.acceleration_mps2.size() + acceleration;
+  const std::size_t row = speed * second_axis().size() + second;
   return grid_.radius_m[row * grid_.disturbance.size() + disturbance];
 }
 
+double TrackingErrorTable::hold_s(double speed_mps) const noexcept {
+  const Place place = place_of(grid_.speed_left_mps, speed_mps);
+  return place.inside ? std::lerp(grid_.hold_s[place.low], grid_.hold_s[place.high], place.share)
+                      : std::numeric_limits<double>::infinity();
+}
+
 double TrackingErrorTable::radius_m(double speed_mps,
-                                    double acceleration_mps2,
+                                    double second,
                                     double disturbance) const noexcept {
   const Place v = place_of(grid_.speed_mps, speed_mps);
-  const Place a = place_of(grid_.acceleration_mps2, acceleration_mps2);
+  const Place a = place_of(second_axis(), second);
   const Place d = place_of(grid_.disturbance, disturbance);
   if (!v.inside || !a.inside || !d.inside) {
     return std::numeric_limits<double>::infinity();

@@ -39,6 +39,7 @@ Command CameraPolicy::step(const Senses& senses) noexcept {
   HeadingCosts costs;
   add_goal_cost(costs, now.bearing_rad, p.goal_weight);
   add_clearance_cost(costs, seen, p.clearance_weight);
+  pilot_.add_risk_cost(costs, now);
   return pilot_.steer(now, turn_into(costs.cheapest(now.side), now.bearing_rad), speed_mps);
 }
 

@@ -25,6 +25,7 @@ Command MemoryPolicy::step(const Senses& senses) noexcept {
   HeadingCosts costs;
   add_goal_cost(costs, now.bearing_rad, p.goal_weight);
   add_clearance_cost(costs, now.rays, p.clearance_weight);
+  pilot_.add_risk_cost(costs, now);
   for (int k = HeadingCosts::kLowest; k <= HeadingCosts::kHighest; ++k) {
     const Point ahead = now.body.turned(HeadingCosts::heading(k));
     costs.add(k, p.risk_weight * memory_.mean_along(now.body.origin, ahead, p.memory_ahead_m));

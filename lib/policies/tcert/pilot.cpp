@@ -25,12 +25,19 @@ Pilot::Pilot(const PolicySetup& setup)
       front_cosine_(elementary::cos(parameters_.front_rad)),
       reader_(setup.robot, setup.certificate),
       line_(setup.line, parameters_.lookahead_m),
-      recovery_(parameters_, min_turn_radius_m_, setup.control_period_s) {}
+      recovery_(parameters_, min_turn_radius_m_, setup.control_period_s) {
+  if (parameters_.lambda_weight > 0.0) {
+    risk_.emplace(setup);
+  }
+}
 
 void Pilot::reset() noexcept {
   reader_.reset();
   line_.reset();
   recovery_.reset();
+  if (risk_) {
+    risk_->reset();
+  }
   side_ = 1;
   give_up_ = false;
   last_speed_mps_ = 0.0;
@@ -45,6 +52,9 @@ std::optional<Command> Pilot::begin(const Senses& senses, Outlook& now) noexcept
   now.yaw_rad = pose.yaw_rad;
   now.rays = reader_.read(senses.tick.rays);
   now.depth = deepest(now.rays);
+  if (risk_) {
+    risk_->take(now.body, now.rays, senses.tick.time_ns);
+  }
   if (senses.bump && std::isfinite(senses.bump->bearing_rad)) {
     now.bump = now.body.to_odometry(half_width_m_ * unit(senses.bump->bearing_rad));
   }

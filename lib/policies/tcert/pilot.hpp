@@ -7,6 +7,8 @@
 #include <optional>
 #include <span>
 #include <tcert/felt_rays.hpp>
+#include <tcert/felt_risk.hpp>
+#include <tcert/headings.hpp>
 #include <tcert/line_follower.hpp>
 #include <tcert/policy_setup.hpp>
 #include <tcert/recovery.hpp>
@@ -59,6 +61,13 @@ class Pilot {
   /// Commands a yaw rate at a speed, both brought within their limits.
   Command drive(double speed_mps, double yaw_rate_rps) noexcept;
 
+  /// Adds what the risk field says of each heading, if one is kept.
+  void add_risk_cost(HeadingCosts& costs, const Outlook& now) const noexcept {
+    if (risk_) {
+      risk_->add_cost(costs, now.body);
+    }
+  }
+
   /// The next step gives the lane up.
   void give_up_lane() noexcept { give_up_ = true; }
 
@@ -76,6 +85,7 @@ class Pilot {
   RayReader reader_;
   LineFollower line_;
   Recovery recovery_;
+  std::optional<FeltRisk> risk_;
   int side_ = 1;
   bool give_up_ = false;
   double last_speed_mps_ = 0.0;

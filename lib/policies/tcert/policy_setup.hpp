@@ -5,6 +5,7 @@
 #include <tcert/course_line.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/policy_parameters.hpp>
+#include <tcert/risk_field.hpp>
 #include <tcert/robot.hpp>
 
 namespace tcert::policies {
@@ -15,6 +16,7 @@ struct PolicySetup {
   CertificateParameters certificate;  ///< Of contacts and of the contact memory.
   PolicyParameters parameters;
   double control_period_s = 0.02;  ///< Time between two steps.
+  RiskParameters risk{};           ///< Used where lambda_weight is above 0.
 };
 
 /// Rays of a robot that a policy can use: sums over them are exact.

@@ -15,6 +15,7 @@ Command ReactivePolicy::step(const Senses& senses) noexcept {
   HeadingCosts costs;
   add_goal_cost(costs, now.bearing_rad, pilot_.parameters().goal_weight);
   add_clearance_cost(costs, now.rays, pilot_.parameters().clearance_weight);
+  pilot_.add_risk_cost(costs, now);
   const int k = costs.cheapest(now.side);
   return pilot_.steer(now, turn_into(k, now.bearing_rad), speed_mps);
 }

@@ -43,6 +43,7 @@ Command TerrainWeightedPolicy::step(const Senses& senses) noexcept {
   HeadingCosts costs;
   add_goal_cost(costs, now.bearing_rad, p.goal_weight);
   add_clearance_cost(costs, now.rays, p.clearance_weight);
+  pilot_.add_risk_cost(costs, now);
   for (int k = HeadingCosts::kLowest; k <= HeadingCosts::kHighest; ++k) {
     costs.add(k, p.terrain_weight_per_rad2 * roughness(now, HeadingCosts::heading(k)));
   }
