@@ -19,7 +19,8 @@ constexpr std::array kWords = {Words{guard_margin, "margin"},
                                Words{guard_force, "G2_force"},
                                Words{guard_replan, "G3_replan"},
                                Words{guard_no_bound, "no_bound"},
-                               Words{guard_no_evidence, "no_evidence"}};
+                               Words{guard_no_evidence, "no_evidence"},
+                               Words{guard_barrier, "barrier"}};
 
 constexpr int kShownDecimals = 4;
 
@@ -56,6 +57,8 @@ Cause cause_of(GuardTrigger trigger,
       return {kMissing, kMissing, "the tracking-error table ends below the speed or its change"};
     case guard_no_evidence:
       return {kMissing, kMissing, "the tick is stale or bad: no margin"};
+    case guard_barrier:
+      return {kMissing, kMissing, "no command keeps away from what was felt"};
   }
   return {};
 }
@@ -73,35 +76,75 @@ std::string audit_header() {
   return "time_s,guard,event,value,limit,cause,x_m,y_m,yaw_rad,speed_mps\n";
 }
 
+namespace {
+
+/// One row: what began or ended, and where the robot was.
+void append_row(std::string& out,
+                const std::string& prefix,
+                const Tick& tick,
+                std::string_view name,
+                bool began,
+                const Cause& cause,
+                double speed_mps) {
+  out += prefix;
+  table::append_seconds(out, tick.time_ns);
+  out += ',';
+  out += name;
+  out += began ? ",begin" : ",end";
+  append_cell(out, cause.value);
+  append_cell(out, cause.limit);
+  out += ',';
+  table::append_text(out, cause.text);
+  append_cell(out, tick.pose.position.x_m);
+  append_cell(out, tick.pose.position.y_m);
+  append_cell(out, tick.pose.yaw_rad);
+  append_cell(out, speed_mps);
+  out += '\n';
+}
+
+}  // namespace
+
 void append_audit_rows(std::string& out,
                        const Tick& tick,
                        const CertifiedTick& certified,
-                       const GuardedTick& guarded,
+                       const ActedTick& acted,
                        const GuardParameters& parameters,
+                       const std::vector<std::string>& rules,
                        const std::string& prefix) {
-  if ((guarded.began | guarded.ended) == 0) {
-    return;
-  }
+  const GuardedTick& guarded = acted.guarded;
   for (const auto& [trigger, name] : kWords) {
-    if (((guarded.began | guarded.ended) & trigger) == 0) {
-      continue;
+    if (((guarded.began | guarded.ended) & trigger) != 0) {
+      append_row(out,
+                 prefix,
+                 tick,
+                 name,
+                 (guarded.began & trigger) != 0,
+                 cause_of(trigger, certified, guarded, parameters),
+                 guarded.speed_mps);
     }
-    const Cause cause = cause_of(trigger, certified, guarded, parameters);
-    out += prefix;
-    table::append_seconds(out, tick.time_ns);
-    out += ',';
-    out += name;
-    out += (guarded.began & trigger) != 0 ? ",begin" : ",end";
-    append_cell(out, cause.value);
-    append_cell(out, cause.limit);
-    out += ',';
-    table::append_text(out, cause.text);
-    append_cell(out, tick.pose.position.x_m);
-    append_cell(out, tick.pose.position.y_m);
-    append_cell(out, tick.pose.yaw_rad);
-    append_cell(out, guarded.speed_mps);
-    out += '\n';
   }
+  for (std::size_t r = 0; r < rules.size(); ++r) {
+    const std::uint32_t rule = 1U << r;
+    if (((acted.alarms_began | acted.alarms_ended) & rule) != 0) {
+      append_row(out,
+                 prefix,
+                 tick,
+                 "rule_" + rules[r],
+                 (acted.alarms_began & rule) != 0,
+                 {kMissing, kMissing, "the rule holds"},
+                 guarded.speed_mps);
+    }
+  }
+}
+
+std::string alarm_words(std::uint32_t alarms, const std::vector<std::string>& rules) {
+  std::string words;
+  for (std::size_t r = 0; r < rules.size(); ++r) {
+    if ((alarms & (1U << r)) != 0) {
+      words += (words.empty() ? "" : "+") + rules[r];
+    }
+  }
+  return words;
 }
 
 std::string trigger_words(std::uint32_t triggers) {

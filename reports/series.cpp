@@ -18,7 +18,7 @@ struct SeriesRow {
   const Tick& tick;
   const CertifiedTick& certified;
   const SpeedLaw& speed_law;
-  const GuardedTick& guarded;
+  const ActedTick& acted;
   double yaw_rate_cmd_rps;
 };
 
@@ -74,7 +74,7 @@ struct CellWriter {
 
   void operator()(double C::*value) const { append_number(out, row.certified.*value); }
   void operator()(std::uint32_t C::*value) const { append_count(out, row.certified.*value); }
-  void operator()(double G::*value) const { append_number(out, row.guarded.*value); }
+  void operator()(double G::*value) const { append_number(out, row.acted.guarded.*value); }
   void operator()(Number value) const { append_number(out, value(row)); }
   void operator()(Words value) const {
     value(out, row);
@@ -146,9 +146,12 @@ constexpr auto kGuardColumns = std::to_array<SeriesColumn>({
      [](R r) { return r.yaw_rate_cmd_rps; }},
     {"tracking_error_m",
      "m",
-     "r_TE: bound on the error at the speed commanded before",
+     "r_TE: bound on the error at the speed granted, or refused",
      &G::tracking_error_m},
-    {"robust_margin_m", "m", "V_t less r_TE; empty without a corridor", &G::robust_margin_m},
+    {"robust_margin_m",
+     "m",
+     "V_rob: V_t less r_TE, twice of it off a width; empty without a corridor",
+     &G::robust_margin_m},
     {"force_n", "N", "largest force of any ray; empty if none states one", &G::force_n},
     {"force_limit_n",
      "N",
@@ -157,7 +160,7 @@ constexpr auto kGuardColumns = std::to_array<SeriesColumn>({
     {"triggers",
      "",
      "guards that trip, words with + between",
-     [](std::string& out, R r) { out += trigger_words(r.guarded.triggers); }},
+     [](std::string& out, R r) { out += trigger_words(r.acted.guarded.triggers); }},
 });
 
 /// What a column holds is known when this is compiled.
@@ -185,6 +188,9 @@ std::vector<ColumnDoc> series_columns() {
                        std::string(one.unit),
                        std::string(one.doc) + " (live --guards, replay --series)"});
   }
+  columns.push_back(
+      {"risk_ahead", "", "chance of a collision over risk_ahead_m straight ahead (--risk)"});
+  columns.push_back({"alarms", "", "rules that alarm, words with + between (--monitor)"});
   columns.push_back(synthetic_seed_doc());
   return columns;
 }
@@ -205,6 +211,8 @@ std::string series_header(const SeriesFormat& format, const Robot& robot) {
       (header += column.name) += ',';
     }
   }
+  header += format.risk ? "risk_ahead," : "";
+  header += format.rules.empty() ? "" : "alarms,";
   header += format.synthetic ? "synthetic_seed," : "";
   header.back() = '\n';
   return header;
@@ -215,9 +223,9 @@ void append_series_row(std::string& out,
                        const CertifiedTick& certified,
                        std::span<const double> ray_margins,
                        const SeriesFormat& format,
-                       const GuardedTick& guarded,
+                       const ActedTick& acted,
                        double yaw_rate_cmd_rps) {
-  const SeriesRow row{tick, certified, format.speed_law, guarded, yaw_rate_cmd_rps};
+  const SeriesRow row{tick, certified, format.speed_law, acted, yaw_rate_cmd_rps};
   append_cells<kColumns>(out, row);
   if (format.ray_margins) {
     for (const double margin : ray_margins) {
@@ -227,11 +235,26 @@ void append_series_row(std::string& out,
   if (format.guards) {
     append_cells<kGuardColumns>(out, row);
   }
+  if (format.risk) {
+    append_number(out, acted.risk_ahead);
+  }
+  if (!format.rules.empty()) {
+    out += alarm_words(acted.alarms, format.rules);
+    out += ',';
+  }
   if (format.synthetic) {
     out += format.synthetic->seed ? std::to_string(*format.synthetic->seed) : "";
     out += ',';
   }
   out.back() = '\n';
+}
+
+std::vector<std::string> names_of(const std::vector<Rule>& rules) {
+  std::vector<std::string> names;
+  for (const Rule& rule : rules) {
+    names.push_back(rule.name);
+  }
+  return names;
 }
 
 std::string flag_words(std::uint32_t flags) {

@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 #include <tcert/certifier.hpp>
-#include <tcert/guards.hpp>
 #include <tcert/robot.hpp>
+#include <tcert/runtime.hpp>
 #include <tcert/speed_law.hpp>
 #include <tcert/tick.hpp>
 #include <vector>
@@ -22,7 +22,12 @@ struct SeriesFormat {
   bool ray_margins = false;                 ///< One more column a ray: m_t(theta_k).
   std::optional<SyntheticLabel> synthetic;  ///< A last column `synthetic_seed`.
   bool guards = false;                      ///< Seven more columns: the command and the guards.
+  bool risk = false;                        ///< One more: the chance of a collision ahead.
+  std::vector<std::string> rules{};         ///< One more if there are any: those that alarm.
 };
+
+/// Their names, in their order.
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<Rule>& rules);
 
 /// The columns of every series, in order, and those of `ray_margins` and `synthetic` after them.
 [[nodiscard]] std::vector<ColumnDoc> series_columns();
@@ -32,14 +37,14 @@ struct SeriesFormat {
 
 /// Appends one row, ended by a newline. What is not known at the tick, and a value that is minus
 /// infinity because there is no path yet, is an empty cell. Numbers read back to the same bits.
-/// `ray_margins` are those of the certifier after the tick, `guarded` what the guards say of it and
+/// `ray_margins` are those of the certifier after the tick, `acted` what follows from it and
 /// `yaw_rate_cmd_rps` the command beside v_t; looked at only if the format has them.
 void append_series_row(std::string& out,
                        const Tick& tick,
                        const CertifiedTick& certified,
                        std::span<const double> ray_margins,
                        const SeriesFormat& format,
-                       const GuardedTick& guarded = {},
+                       const ActedTick& acted = {},
                        double yaw_rate_cmd_rps = kMissing);
 
 /// Words of CertifiedTick::flags, joined by '+': "stale+break"; empty if there are none.

@@ -11,6 +11,7 @@
 
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/drive_by_lines.hpp"
+#include "cli/runs/guard_options.hpp"
 #include "cli/runs/inputs.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/thread_limit.hpp"
@@ -66,6 +67,7 @@ Driving experiment_of(const DriveRequest& request) {
   experiment.parameters = effective_parameters({}, request.parameters);
   experiment.seed = static_cast<std::uint64_t>(request.seed);
   experiment.native_rates = request.native_rates;
+  experiment.truth = request.truth;
   const bool is_crossed = request.worlds.has_value();
   if (!is_crossed && (!request.policies.empty() || !request.lightings.empty())) {
     throw UsageError(
@@ -75,6 +77,7 @@ Driving experiment_of(const DriveRequest& request) {
   if (is_crossed && is_given(request.given, "trials")) {
     throw UsageError("--trials and --worlds: expected one of them");
   }
+  experiment.rules = rules_of({request.rules, false});
   try {
     experiment.arms = request.policies.empty()
                           ? study::paper_arms()
@@ -121,6 +124,7 @@ DrivenDesign design_by_lines(const DriveRequest& request) {
   experiment.parameters = effective_parameters({}, request.parameters);
   experiment.seed = static_cast<std::uint64_t>(request.seed);
   experiment.native_rates = request.native_rates;
+  experiment.truth = request.truth;
   const std::vector<Lighting> lightings = lightings_of(request.lightings);
   if (!request.lightings.empty() && lightings.size() > 1) {
     throw UsageError("--lightings: expected one for --stdio and --listen, which drive one trial");
@@ -159,6 +163,9 @@ Manifest manifest_of(const DriveRequest& request) {
   manifest.seed = static_cast<std::uint64_t>(request.seed);
   manifest.synthetic = SyntheticLabel{static_cast<std::uint64_t>(request.seed)};
   record(written(request), manifest);
+  if (const auto input = rules_input({request.rules, false})) {
+    manifest.inputs.push_back(*input);
+  }
   return manifest;
 }
 
@@ -184,8 +191,13 @@ OptionTable options_of(DriveRequest& request) {
       "policies",
       request.policies,
       "LIST",
-      "with --worlds: M1, M2, M3, TVFH, TD*Lite, CB-V, each as it is or with +squash[BETA] or "
-      "+clip[BETA] (gated in the loop), +guards, +A1 (no memory): M3,M3+squash20,CB-V");
+      "with --worlds: M1, M2, M3, TVFH, TD*Lite, CB-V, each as it is or with a law in the loop "
+      "(+squash[BETA], +clip[BETA], +barrier[GAIN], +profile[BETA]), +guards, +monitor (rules back "
+      "it out), +risk[WEIGHT] (a risk field), +A1 (no memory): M3,M3+squash20+monitor,CB-V");
+  table.add_input("rules",
+                  request.rules,
+                  "FILE",
+                  "that policies with +monitor watch ('tcert help rules'), or default");
   table.add("lightings",
             request.lightings,
             "LIST",
@@ -200,6 +212,10 @@ OptionTable options_of(DriveRequest& request) {
   table.add("native-rates",
             request.native_rates,
             "streams at 83, 50 and 20 Hz, as the robot logs them, instead of 20 Hz");
+  table.add("truth",
+            request.truth,
+            "also write logs/<trial_id>/truth.csv: true pose, speed, force and free way ahead, for "
+            "'assure monitor' and 'calibrate guards'");
   table.add("stdio",
             request.stdio,
             "one trial that another process drives: a line of what is sensed on stdout, a line "

@@ -1,6 +1,8 @@
 #include "cli/runs/guard_options.hpp"
 
 #include <stdexcept>
+#include <string_view>
+#include <table/text_file.hpp>
 
 #include "analysis/study/replay/tracking_error_grid.hpp"
 #include "cli/runs/data_file.hpp"
@@ -10,13 +12,58 @@
 
 namespace tcert::cli {
 
+namespace {
+
+constexpr std::string_view kDefaultRules = "default";
+
+bool is_file(const std::string& rules) { return !rules.empty() && rules != kDefaultRules; }
+
+std::optional<ManifestFile> input_of_file(const std::string& path) {
+  if (path.empty()) {
+    return std::nullopt;
+  }
+  return ManifestFile{std::filesystem::path(path).filename().string(), digest_file(path)};
+}
+
+}  // namespace
+
 void add_tracking_error_option(OptionTable& table, std::string& path) {
   table.add_input(
       "tracking-error",
       path,
       "FILE",
-      "a table speed_mps, acceleration_mps2, disturbance, radius_m: a full grid that never falls; "
-      "unless given a declared one, for a control loop of 20 ms");
+      "a table speed_mps, acceleration_mps2 (or speed_left_mps and hold_s), disturbance, radius_m: "
+      "a full grid that never falls, as 'calibrate tracking' writes it; unless given a declared "
+      "one, for a control loop of 20 ms");
+}
+
+void add_monitor_options(OptionTable& table, MonitorOptions& options) {
+  table.add_input("monitor",
+                  options.rules,
+                  "FILE",
+                  "rules that are watched at every tick ('tcert help rules'), or default");
+  table.add("risk",
+            options.risk,
+            "keep the risk field of what was touched; states the chance of a collision ahead");
+}
+
+std::vector<Rule> rules_of(const MonitorOptions& options) {
+  if (!is_file(options.rules)) {
+    return options.rules.empty() ? std::vector<Rule>{} : parse_rules(default_rules());
+  }
+  const table::BytesResult file = table::read_text_file(options.rules);
+  if (!file.bytes) {
+    throw NoInput("'" + options.rules + "': expected a readable file: " + file.problem);
+  }
+  try {
+    std::vector<Rule> rules = parse_rules(file.bytes->view());
+    if (rules.empty()) {
+      throw std::invalid_argument("found no rule, expected lines 'name: formula'");
+    }
+    return rules;
+  } catch (const std::invalid_argument& error) {
+    throw BadData("'" + options.rules + "': " + error.what());
+  }
 }
 
 TrackingErrorTable tracking_error_table(const std::string& path,
@@ -34,10 +81,17 @@ TrackingErrorTable tracking_error_table(const std::string& path,
 }
 
 std::optional<ManifestFile> tracking_error_input(const std::string& path) {
-  if (path.empty()) {
-    return std::nullopt;
+  return input_of_file(path);
+}
+
+std::optional<ManifestFile> rules_input(const MonitorOptions& options) {
+  return input_of_file(is_file(options.rules) ? options.rules : std::string());
+}
+
+void require_apart(const MonitorOptions& options, const std::string& output) {
+  if (is_file(options.rules)) {
+    require_apart(options.rules, output);
   }
-  return ManifestFile{std::filesystem::path(path).filename().string(), digest_file(path)};
 }
 
 }  // namespace tcert::cli

@@ -41,12 +41,17 @@ std::string audit_prefix(const study::ReplayRecord& record,
 /// The files of a replay, written as trials come in.
 class ReplayFiles {
  public:
-  ReplayFiles(const ResultFolder& folder, const OpenedBundle& opened, bool series)
+  ReplayFiles(const ResultFolder& folder,
+              const OpenedBundle& opened,
+              const study::ReplaySetup& setup,
+              bool series)
       : folder_(folder),
         parameters_(opened.parameters),
         robot_(study::with_overrides(opened.bundle.info.robot, opened.parameters.robot)),
         label_(synthetic_label(opened.bundle.info)),
         series_(series),
+        risk_(setup.risk),
+        rules_(names_of(setup.rules)),
         table_(replay_table()),
         replays_(folder.staging() / "replay.csv"),
         audit_(folder.staging() / "audit.csv") {
@@ -68,8 +73,9 @@ class ReplayFiles {
         append_audit_rows(audit,
                           trial.ticks[i],
                           trial.series.ticks[i],
-                          one.guarded[i],
+                          one.acted[i],
                           parameters_.guards,
+                          rules_,
                           prefix);
       }
       if (series_) {
@@ -95,7 +101,9 @@ class ReplayFiles {
 
  private:
   void write_series(const study::StudiedTrial& trial, const study::ReplayedTrial& one) const {
-    const SeriesFormat format{one.record.law, false, label_, true};
+    SeriesFormat format{one.record.law, false, label_, true};
+    format.risk = risk_;
+    format.rules = rules_;
     std::string text = series_header(format, robot_);
     for (std::size_t i = 0; i < trial.ticks.size(); ++i) {
       const auto& yaw_rates = trial.ticks.yaw_rate_cmd_rps;
@@ -104,7 +112,7 @@ class ReplayFiles {
                         trial.series.ticks[i],
                         {},
                         format,
-                        one.guarded[i],
+                        one.acted[i],
                         yaw_rates.empty() ? kMissing : yaw_rates[i]);
     }
     folder_.write(
@@ -117,6 +125,8 @@ class ReplayFiles {
   Robot robot_;
   std::optional<SyntheticLabel> label_;
   bool series_;
+  bool risk_;
+  std::vector<std::string> rules_;
   Table table_;
   ResultFile replays_;
   ResultFile audit_;
@@ -128,6 +138,7 @@ OptionTable options_of(ReplayRequest& request) {
   OptionTable table(request.given);
   table.argument({"BUNDLE", &request.bundle, true, OptionRole::input});
   add_replay_law_options(table, request.laws);
+  add_monitor_options(table, request.monitor);
   table.add("replan",
             request.replan,
             "ask for a new route by D* Lite whenever a guard begins to trip; counts replans, route "
@@ -146,6 +157,8 @@ ExitCode replay(const ReplayRequest& request, Progress& progress) {
   study::ReplaySetup setup =
       replay_setup(request.laws, opened.parameters, request.logs.decimal_comma, progress);
   setup.replan = request.replan;
+  setup.rules = rules_of(request.monitor);
+  setup.risk = request.monitor.risk;
   if (setup.replan && !opened.bundle.info.course.goal) {
     throw UsageError("--replan needs a bundle with a goal");
   }
@@ -156,8 +169,9 @@ ExitCode replay(const ReplayRequest& request, Progress& progress) {
     if (!request.laws.tracking_error.empty()) {
       require_apart(request.laws.tracking_error, output);
     }
+    require_apart(request.monitor, output);
     folder.emplace(output, "replay");
-    files.emplace(*folder, opened, request.series);
+    files.emplace(*folder, opened, setup, request.series);
   }
   ReplayTotals totals;
   const auto extra = [&](const study::StudiedTrial& trial) -> std::function<void()> {
@@ -188,8 +202,11 @@ ExitCode replay(const ReplayRequest& request, Progress& progress) {
   files->close();
   folder->write("replay_totals.csv", render(table, TableFormat::csv));
   Manifest manifest = manifest_of("replay", opened, written(request), summary);
-  if (const auto input = tracking_error_input(request.laws.tracking_error)) {
-    manifest.inputs.push_back(*input);
+  for (const auto& input :
+       {tracking_error_input(request.laws.tracking_error), rules_input(request.monitor)}) {
+    if (input) {
+      manifest.inputs.push_back(*input);
+    }
   }
   folder->commit(std::move(manifest));
   sum_up(totals.findings(), progress);

@@ -3,6 +3,7 @@
 /// `replay`: logged trials driven again at gated speed.
 
 #include "cli/runs/errors.hpp"
+#include "cli/runs/guard_options.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/replay_options.hpp"
 #include "cli/runs/shared_options.hpp"
@@ -12,6 +13,7 @@ namespace tcert::cli {
 struct ReplayRequest {
   std::string bundle;
   ReplayLawOptions laws;
+  MonitorOptions monitor;
   bool replan = false;
   bool series = false;
   OutputOptions output;

@@ -1,5 +1,8 @@
 #include "cli/runs/replay_options.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/guard_options.hpp"
@@ -7,21 +10,29 @@
 namespace tcert::cli {
 namespace {
 
-std::vector<SpeedLawKind> kinds_of(const std::string& list) {
+constexpr std::array kSpeedLaws{
+    SpeedLawKind::squash, SpeedLawKind::clip, SpeedLawKind::barrier, SpeedLawKind::profile};
+
+}  // namespace
+
+std::vector<SpeedLawKind> speed_laws_of(const std::string& list) {
   std::vector<SpeedLawKind> kinds;
   for (const std::string& word : words_of(list)) {
-    if (word != "squash" && word != "clip") {
-      throw UsageError("--laws: found '" + word + "', expected squash or clip");
+    const auto* const kind =
+        std::ranges::find(kSpeedLaws, word, [](SpeedLawKind one) { return study::to_string(one); });
+    if (kind == kSpeedLaws.end()) {
+      throw UsageError("--laws: found '" + word + "', expected squash, clip, barrier or profile");
     }
-    kinds.push_back(word == "squash" ? SpeedLawKind::squash : SpeedLawKind::clip);
+    kinds.push_back(*kind);
   }
   return kinds;
 }
 
-}  // namespace
-
 void add_replay_law_options(OptionTable& table, ReplayLawOptions& options) {
-  table.add("laws", options.laws, "LIST", "speed laws to replay at: squash (3.5), clip (4.4, G1)");
+  table.add("laws",
+            options.laws,
+            "LIST",
+            "speed laws to replay at: squash (3.5), clip (4.4, G1), barrier, profile");
   table.add("betas", options.betas, "LIST", "their sensitivities in 1/m");
   add_tracking_error_option(table, options.tracking_error);
 }
@@ -35,7 +46,7 @@ study::ReplaySetup replay_setup(const ReplayLawOptions& options,
     require_range("betas", beta, 1e-6, 1e6);
   }
   study::ReplaySetup setup;
-  setup.laws = study::law_grid(parameters.speed_law, kinds_of(options.laws), betas);
+  setup.laws = study::law_grid(parameters.speed_law, speed_laws_of(options.laws), betas);
   if (setup.laws.empty()) {
     throw UsageError("--laws and --betas: nothing to replay at");
   }

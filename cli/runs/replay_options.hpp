@@ -18,6 +18,9 @@ struct ReplayLawOptions {
 
 void add_replay_law_options(OptionTable& table, ReplayLawOptions& options);
 
+/// The laws of a list. \throws UsageError for an unknown one.
+[[nodiscard]] std::vector<SpeedLawKind> speed_laws_of(const std::string& list);
+
 /// \throws UsageError for an unknown law or a beta that is not above 0; NoInput, BadData of the
 /// tracking-error table.
 [[nodiscard]] study::ReplaySetup replay_setup(const ReplayLawOptions& options,

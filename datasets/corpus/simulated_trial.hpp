@@ -2,6 +2,10 @@
 /// \file
 /// One trial of the synthetic corpus, as a pure function of its design.
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "datasets/bundle.hpp"
 #include "datasets/corpus/design.hpp"
 #include "datasets/trial_reader.hpp"
@@ -13,6 +17,8 @@ struct SimulatedTrial {
   TrialRow row;  ///< One extra cell: true_margin_m.
   TrialLog log;
   World world;
+  /// Files beside the streams in the trial's folder, by name.
+  std::vector<std::pair<std::string, std::string>> more_logs{};
   bool owns_world = true;  ///< False if another trial of the bundle writes the same world's file.
   double true_margin_m = 0.0;  ///< Least gate width on the route driven, less the body width.
 };

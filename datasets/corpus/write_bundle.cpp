@@ -115,6 +115,9 @@ void write_trial(const fs::path& folder,
   write_file(logs / "control.csv", control_csv(trial.log.control, first_line));
   write_file(logs / "pose.csv", pose_csv(trial.log.pose, first_line));
   write_file(logs / "tactile.csv", tactile_csv(trial.log.tactile, rays, first_line));
+  for (const auto& [name, text] : trial.more_logs) {
+    write_file(logs / name, std::string(first_line) + text);
+  }
   if (trial.owns_world) {
     write_file(folder / "worlds" / (trial.world.name + ".json"), to_json(trial.world));
   }

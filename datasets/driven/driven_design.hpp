@@ -21,6 +21,7 @@ struct DrivenDesign {
   std::string algorithm;  ///< Name of the policy.
   Lighting lighting = Lighting::indoor;
   bool camera = false;        ///< The policy is given sightings.
+  bool truth = false;         ///< Also keep what really happened: truth.csv.
   bool native_rates = false;  ///< Log every sample; else a logger keeps 20 a second of each stream.
   /// Every draw that has a side is drawn for the other side.
   bool mirrored = false;

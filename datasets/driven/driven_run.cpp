@@ -52,6 +52,9 @@ DrivenRun::DrivenRun(DrivenDesign design)
     throw std::invalid_argument("world '" + design_.world.world.name +
                                 "': the body does not fit at its start");
   }
+  if (design_.truth) {
+    truth_.emplace(walls_, 0.5 * corpus_robot().body_width_m);
+  }
   senses_.goal = middle_of(*design_.world.world.goal);
   if (design_.camera) {
     camera_.emplace(design_.parameters,
@@ -112,6 +115,9 @@ void DrivenRun::step_to(std::int64_t to_ns) {
   sensors_.feel(body_.hold(), body_.pose());
   sensors_.sample({now_ns_, to_ns, from, body_.pose(), body_.speed_mps()}, log_);
   now_ns_ = to_ns;
+  if (truth_) {
+    truth_->take(now_ns_, body_);
+  }
   referee_.watch(now_s(), seconds, acting_, body_);
 }
 

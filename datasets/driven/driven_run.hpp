@@ -13,6 +13,7 @@
 #include "datasets/driven/driven_design.hpp"
 #include "datasets/driven/driven_sensors.hpp"
 #include "datasets/driven/referee.hpp"
+#include "datasets/driven/truth_stream.hpp"
 #include "datasets/resampler.hpp"
 #include "datasets/trial_reader.hpp"
 
@@ -51,6 +52,8 @@ class DrivenRun {
   [[nodiscard]] const Referee& referee() const noexcept { return referee_; }
   /// Every sample so far, at native rates.
   [[nodiscard]] const TrialLog& log() const noexcept { return log_; }
+  /// Null unless the design asks for it.
+  [[nodiscard]] const TruthRecorder* truth() const noexcept { return truth_ ? &*truth_ : nullptr; }
 
  private:
   struct Pending {
@@ -70,6 +73,7 @@ class DrivenRun {
   Referee referee_;
   DrivenSensors sensors_;
   std::optional<Camera> camera_;
+  std::optional<TruthRecorder> truth_;
   table::RandomStream latency_random_;
   TrialLog log_;
   Resampler resampler_;

@@ -116,6 +116,9 @@ DrivenTrial trial_of(const DrivenRun& run) {
   driven.events = run.referee().events();
   driven.trial.row = row_of(run);
   driven.trial.log = run.design().native_rates ? run.log() : thinned(run.log());
+  if (run.truth() != nullptr) {
+    driven.trial.more_logs.emplace_back("truth.csv", truth_csv(run.truth()->samples()));
+  }
   driven.trial.world = run.design().world.world;
   driven.trial.true_margin_m =
       run.design().world.margin_m.value_or(std::numeric_limits<double>::quiet_NaN());

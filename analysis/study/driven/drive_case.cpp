@@ -13,6 +13,7 @@ DrivenDesign design_of(const DrivenExperiment& experiment,
   design.algorithm = arm.name;
   design.lighting = one.lighting;
   design.camera = arm.policy == policies::PolicyKind::cb_v;
+  design.truth = experiment.truth;
   design.native_rates = experiment.native_rates;
   return design;
 }
@@ -21,7 +22,9 @@ DrivenTrial drive_case(const DrivenExperiment& experiment,
                        const DrivenCase& one,
                        std::uint64_t index) {
   const DrivenDesign design = design_of(experiment, one, index);
-  return drive_trial(design, Driver(experiment.arms[one.arm], experiment.parameters, design.world));
+  return drive_trial(
+      design,
+      Driver(experiment.arms[one.arm], experiment.parameters, design.world, experiment.rules));
 }
 
 }  // namespace tcert::study

@@ -3,6 +3,7 @@
 /// One trial of an experiment, driven.
 
 #include <cstdint>
+#include <tcert/rule_formula.hpp>
 #include <vector>
 
 #include "analysis/study/driven/driven_cases.hpp"
@@ -16,6 +17,8 @@ struct DrivenExperiment {
   ParameterSet parameters;
   std::uint64_t seed = 1;
   bool native_rates = false;
+  bool truth = false;         ///< Also keep truth.csv.
+  std::vector<Rule> rules{};  ///< That arms with a monitor watch.
 };
 
 /// Its design: the world, the noise and the crash force belong to (seed, world), so that two arms

@@ -4,6 +4,7 @@
 #include <tcert/speed_gate.hpp>
 
 #include "analysis/study/driven/fitted_policies.hpp"
+#include "analysis/study/replay/replay_trial.hpp"
 #include "datasets/corpus/tentacles.hpp"
 
 namespace tcert::study {
@@ -26,13 +27,22 @@ policies::PolicySetup setup_of(const Arm& arm,
           line_of(world),
           parameters.certificate,
           parameters_of(arm, parameters),
-          parameters.drive.control_s};
+          parameters.drive.control_s,
+          parameters.risk};
 }
 
-Guards guards_of(const Arm& arm, const ParameterSet& parameters) {
-  GuardParameters of_guards = parameters.guards;
-  of_guards.mode = arm.guards ? GuardMode::act : GuardMode::watch;
-  return {arm.law.value_or(parameters.speed_law), of_guards, TrackingErrorTable()};
+ActionSetup actions_of(const Arm& arm,
+                       const ParameterSet& parameters,
+                       const std::vector<Rule>& rules) {
+  ActionSetup setup = actions_of(with_overrides(corpus_robot(), parameters.robot),
+                                 parameters,
+                                 arm.law.value_or(parameters.speed_law),
+                                 TrackingErrorTable());
+  setup.guards.parameters.mode = arm.guards ? GuardMode::act : GuardMode::watch;
+  if (arm.monitor) {
+    setup.rules = rules;
+  }
+  return setup;
 }
 
 }  // namespace
@@ -43,21 +53,25 @@ policies::PolicyParameters parameters_of(const Arm& arm, const ParameterSet& par
   own.cruise_mps = parameters.policy_overrides.cruise_mps.value_or(fitted.cruise_mps);
   own.caution = parameters.policy_overrides.caution.value_or(fitted.caution);
   own.lookahead_m = parameters.policy_overrides.lookahead_m.value_or(fitted.lookahead_m);
+  own.lambda_weight = arm.lambda_weight.value_or(own.lambda_weight);
   own.risk_weight = arm.without_memory ? 0.0 : own.risk_weight;
   return own;
 }
 
-Driver::Driver(const Arm& arm, const ParameterSet& parameters, const DrivenWorld& world)
+Driver::Driver(const Arm& arm,
+               const ParameterSet& parameters,
+               const DrivenWorld& world,
+               const std::vector<Rule>& rules)
     : parameters_(parameters_of(arm, parameters)),
       policy_(arm.policy, setup_of(arm, parameters, world)),
       guards_act_(arm.guards),
+      law_(arm.law),
+      control_s_(parameters.drive.control_s),
       tick_ns_(std::llround(parameters.resample.tick_s * 1e9)) {
-  if (arm.law) {
-    gate_.emplace(Gate{Certifier(with_overrides(corpus_robot(), parameters.robot),
-                                 {world.world.start, world.world.goal},
-                                 parameters.certificate),
-                       guards_of(arm, parameters),
-                       policies::GuardedDrive(parameters_, parameters.drive.control_s)});
+  if (arm.law || arm.monitor) {
+    gate_.emplace(
+        Gate{Runtime({world.world.start, world.world.goal}, actions_of(arm, parameters, rules)),
+             policies::GuardedDrive(parameters_, control_s_)});
   }
 }
 
@@ -70,8 +84,23 @@ void Driver::certify(const Tick& tick) noexcept {
   Tick taken = tick;
   taken.segment_start = broke_;
   broke_ = false;
-  certified_ = gate_->certifier.update(taken);
-  guarded_ = gate_->guards.update(taken, certified_);
+  now_ = gate_->runtime.update(taken);
+}
+
+policies::Command Driver::acted_on(const policies::Command& wanted, const Pose& pose) noexcept {
+  policies::Command command = wanted;
+  const GuardedTick& guarded = now_.acted.guarded;
+  if (guards_act_) {
+    command = gate_->drive.step(command, guarded, pose);
+    if (gate_->drive.replans()) {
+      policy_.give_up_lane();
+    }
+  } else if (law_) {
+    const bool is_filtered = law_->kind == SpeedLawKind::barrier;
+    command = policies::at_granted_speed(
+        command, is_filtered ? law_->max_speed_mps : guarded.speed_mps, parameters_);
+  }
+  return gate_->runtime.step(command, pose, control_s_, parameters_.creep_mps);
 }
 
 policies::Command Driver::operator()(const policies::Senses& senses) noexcept {
@@ -80,14 +109,7 @@ policies::Command Driver::operator()(const policies::Senses& senses) noexcept {
   policies::Command command = policy_.step(told);
   if (gate_) {
     certify(senses.tick);
-    if (guards_act_) {
-      command = gate_->drive.step(command, guarded_, senses.tick.pose);
-      if (gate_->drive.replans()) {
-        policy_.give_up_lane();
-      }
-    } else {
-      command = policies::at_granted_speed(command, guarded_.speed_mps, parameters_);
-    }
+    command = acted_on(command, senses.tick.pose);
   }
   commanded_mps_ = command.speed_mps;
   return command;

@@ -6,7 +6,8 @@
 namespace tcert::study {
 namespace {
 
-constexpr std::uint32_t kAsksForRoute = guard_margin | guard_force | guard_replan | guard_no_bound;
+constexpr std::uint32_t kAsksForRoute =
+    guard_margin | guard_force | guard_replan | guard_no_bound | guard_barrier;
 
 std::uint64_t expansions_from_scratch(const DStarLite& search, std::optional<DStarLite>& fresh) {
   fresh = search;
@@ -23,8 +24,7 @@ RoutePlanner route_planner(const Course& course,
                            const Guards& guards,
                            const GuardParameters& guard_parameters,
                            const RouteParameters& parameters) {
-  const double tracking_error_m =
-      guards.table().radius_m(guards.law().min_speed_mps, 0.0, guard_parameters.disturbance);
+  const double tracking_error_m = guards.shares_of_error_m(guards.law().min_speed_mps);
   return RoutePlanner(certificate.max_nodes,
                       certificate.max_edges,
                       course.goal.value(),
@@ -35,9 +35,9 @@ RoutePlanner route_planner(const Course& course,
 ReplanSummary replan_trial(Certifier& certifier,
                            RoutePlanner& planner,
                            const TickTable& ticks,
-                           std::span<const GuardedTick> guarded) {
-  if (guarded.size() != ticks.size()) {
-    throw std::invalid_argument("replan: guards and ticks differ in length");
+                           std::span<const ActedTick> acted) {
+  if (acted.size() != ticks.size()) {
+    throw std::invalid_argument("replan: actions and ticks differ in length");
   }
   certifier.reset();
   planner.clear();
@@ -50,10 +50,10 @@ ReplanSummary replan_trial(Certifier& certifier,
       continue;
     }
     planner.follow(certifier.graph(), certifier.last_node(), ticks.time_ns[i]);
-    if ((guarded[i].began & kAsksForRoute) == 0 || certifier.last_node() == kNone) {
+    if ((acted[i].guarded.began & kAsksForRoute) == 0 || certifier.last_node() == kNone) {
       continue;
     }
-    planner.block_ahead((guarded[i].began & guard_force) != 0);
+    planner.block_ahead((acted[i].guarded.began & guard_force) != 0);
     const std::uint64_t before = planner.search().expansions();
     const Route route = planner.replan();
     ++summary.replans;

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 #include <tcert/certifier.hpp>
-#include <tcert/guards.hpp>
 #include <tcert/route_planner.hpp>
+#include <tcert/runtime.hpp>
 
 #include "datasets/ticks.hpp"
 
@@ -26,7 +26,7 @@ struct ReplanSummary {
 [[nodiscard]] ReplanSummary replan_trial(Certifier& certifier,
                                          RoutePlanner& planner,
                                          const TickTable& ticks,
-                                         std::span<const GuardedTick> guarded);
+                                         std::span<const ActedTick> acted);
 
 /// The planner of a course, for a robot that drives routes at the law's least speed.
 /// \pre the course has a goal.

@@ -1,6 +1,7 @@
 #include "analysis/study/replay/replay.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -94,12 +95,13 @@ class Stretch {
   double length_m_ = 0.0;
 };
 
-void count_trips(std::span<const GuardedTick> guarded, std::size_t last, Replay& replay) {
+void count_trips(std::span<const ActedTick> acted, std::size_t last, Replay& replay) {
   for (std::size_t i = 0; i <= last; ++i) {
-    const std::uint32_t began = guarded[i].began;
+    const std::uint32_t began = acted[i].guarded.began;
     replay.margin_trips += (began & guard_margin) != 0 ? 1 : 0;
     replay.force_trips += (began & guard_force) != 0 ? 1 : 0;
     replay.replan_trips += (began & guard_replan) != 0 ? 1 : 0;
+    replay.alarms += static_cast<std::size_t>(std::popcount(acted[i].alarms_began));
   }
 }
 
@@ -111,26 +113,26 @@ std::optional<double> rate_of_advance(double length_m, double time_s) {
   return time_s > 0.0 ? std::optional(60.0 * length_m / time_s) : std::nullopt;
 }
 
-std::vector<GuardedTick> guard_trial(Guards& guards,
-                                     const TickTable& ticks,
-                                     std::span<const CertifiedTick> series) {
+std::vector<ActedTick> act_trial(TickActions& actions,
+                                 const TickTable& ticks,
+                                 std::span<const CertifiedTick> series) {
   if (series.size() != ticks.size()) {
     throw std::invalid_argument("replay: series and ticks differ in length");
   }
-  guards.reset();
-  std::vector<GuardedTick> guarded;
-  guarded.reserve(ticks.size());
+  actions.reset();
+  std::vector<ActedTick> acted;
+  acted.reserve(ticks.size());
   for (std::size_t i = 0; i < ticks.size(); ++i) {
-    guarded.push_back(guards.update(ticks[i], series[i]));
+    acted.push_back(actions.update(ticks[i], series[i], ticks.commanded(i)));
   }
-  return guarded;
+  return acted;
 }
 
 Replay replay(const TickTable& ticks,
               std::span<const CertifiedTick> series,
-              std::span<const GuardedTick> guarded,
+              std::span<const ActedTick> acted,
               const ReplayOptions& options) {
-  if (series.size() != ticks.size() || guarded.size() != ticks.size()) {
+  if (series.size() != ticks.size() || acted.size() != ticks.size()) {
     throw std::invalid_argument("replay: series and ticks differ in length");
   }
   validate(options);
@@ -142,7 +144,7 @@ Replay replay(const TickTable& ticks,
   for (std::size_t k = 1; k < path.index.size(); ++k) {
     const std::size_t from = path.index[k - 1];
     const std::size_t to = path.index[k];
-    const GuardedTick& guard = guarded[from];
+    const GuardedTick& guard = acted[from].guarded;
     const double command_mps = ticks.speed_cmd_mps.empty() ? kMissing : ticks.speed_cmd_mps[from];
     const double elapsed_s =
         kNanosecond * static_cast<double>(ticks.time_ns[to] - ticks.time_ns[from]);
@@ -172,7 +174,7 @@ Replay replay(const TickTable& ticks,
   result.speed_cmd_mps = commanded.median();
   result.gated_speed_cmd_mps = gated.median();
   if (!path.index.empty()) {
-    count_trips(guarded, path.index.back(), result);
+    count_trips(acted, path.index.back(), result);
   }
   return result;
 }

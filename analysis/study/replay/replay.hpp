@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 #include <tcert/certifier.hpp>
-#include <tcert/guards.hpp>
+#include <tcert/runtime.hpp>
 #include <vector>
 
 #include "analysis/study/replay/replay_options.hpp"
@@ -29,16 +29,17 @@ struct Replay {
   std::size_t margin_trips = 0;  ///< Times the speed law began to halt.
   std::size_t force_trips = 0;   ///< Times G2 began to trip.
   std::size_t replan_trips = 0;  ///< Times G3 began to trip.
+  std::size_t alarms = 0;        ///< Times a rule began to alarm.
 };
 
 /// Metres per minute; empty if no time passed.
 [[nodiscard]] std::optional<double> rate_of_advance(double length_m, double time_s);
 
-/// The guards' word on every tick of a trial: the series {m_t, v_t} of the replay, and what the
-/// live loop says of the same ticks. `guards` is reset first.
-[[nodiscard]] std::vector<GuardedTick> guard_trial(Guards& guards,
-                                                   const TickTable& ticks,
-                                                   std::span<const CertifiedTick> series);
+/// What follows from every tick of a trial: guards, risk and rules, as the live loop says of the
+/// same ticks, which were told to drive as logged. `actions` is reset first.
+[[nodiscard]] std::vector<ActedTick> act_trial(TickActions& actions,
+                                               const TickTable& ticks,
+                                               std::span<const CertifiedTick> series);
 
 /// Path geometry unchanged, the interval between two fresh ticks takes ds / v_t, v_t that of its
 /// first tick. An interval in which the log stands still keeps its time and counts no length, as
@@ -48,7 +49,7 @@ struct Replay {
 /// stall. O(ticks log ticks). \throws std::invalid_argument if the lengths differ.
 [[nodiscard]] Replay replay(const TickTable& ticks,
                             std::span<const CertifiedTick> series,
-                            std::span<const GuardedTick> guarded,
+                            std::span<const ActedTick> acted,
                             const ReplayOptions& options = {});
 
 /// A success is kept unless it stalls or takes longer than the trial limit.

@@ -1,9 +1,13 @@
 #include "analysis/study/replay/replay_record.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace tcert::study {
 
 std::string_view to_string(SpeedLawKind kind) noexcept {
-  return kind == SpeedLawKind::squash ? "squash" : "clip";
+  constexpr std::array<std::string_view, 4> kWords{"squash", "clip", "barrier", "profile"};
+  return kWords[static_cast<std::size_t>(kind)];
 }
 
 std::vector<SpeedLaw> law_grid(const SpeedLaw& law,

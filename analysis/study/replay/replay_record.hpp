@@ -13,7 +13,7 @@
 
 namespace tcert::study {
 
-/// "squash", "clip".
+/// "squash", "clip", "barrier", "profile".
 [[nodiscard]] std::string_view to_string(SpeedLawKind kind) noexcept;
 
 struct ReplayRecord {

@@ -3,7 +3,7 @@
 /// A studied trial at every speed law of a grid: what `replay` and H3 do with each trial.
 
 #include <optional>
-#include <tcert/guards.hpp>
+#include <tcert/runtime.hpp>
 #include <vector>
 
 #include "analysis/study/replay/replay_record.hpp"
@@ -16,13 +16,21 @@ namespace tcert::study {
 struct ReplaySetup {
   std::vector<SpeedLaw> laws;
   TrackingErrorTable tracking_error;
-  bool replan = false;  ///< Also ask for routes; needs a course with a goal.
+  std::vector<Rule> rules;  ///< That are monitored.
+  bool risk = false;        ///< Keep a risk field.
+  bool replan = false;      ///< Also ask for routes; needs a course with a goal.
 };
 
 struct ReplayedTrial {
   ReplayRecord record;
-  std::vector<GuardedTick> guarded;  ///< One per tick.
+  std::vector<ActedTick> acted;  ///< One per tick.
 };
+
+/// What acts on the certificate of a robot, as live, replay and drive have it.
+[[nodiscard]] ActionSetup actions_of(const Robot& robot,
+                                     const ParameterSet& parameters,
+                                     const SpeedLaw& law,
+                                     const TrackingErrorTable& tracking_error);
 
 /// One entry a law, in their order. Thread-safe. \throws std::invalid_argument if a law or a
 /// parameter is out of range. \pre the trial is not rejected.

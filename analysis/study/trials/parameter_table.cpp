@@ -45,8 +45,11 @@ ParameterEntries make_table() {
   add_fields(table, Stage::features, &ParameterSet::early_window);
   add_fields(table, Stage::control, &ParameterSet::speed_law);
   add_fields(table, Stage::control, &ParameterSet::guards);
+  add_fields(table, Stage::control, &ParameterSet::risk);
+  add_fields(table, Stage::control, &ParameterSet::fallback);
   add_fields(table, Stage::control, &ParameterSet::route);
   add_fields(table, Stage::control, &ParameterSet::replay);
+  add_fields(table, Stage::control, &ParameterSet::unsafe);
   add_fields(table, Stage::drive, &ParameterSet::drive);
   add_policy(table);
   return table;

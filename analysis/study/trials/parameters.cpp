@@ -40,8 +40,11 @@ void validate(const ParameterSet& parameters) {
   validate(parameters.speed_law);
   validate(parameters.early_window);
   validate(parameters.guards);
+  validate(parameters.risk);
+  validate(parameters.fallback);
   validate(parameters.route);
   validate(parameters.replay);
+  require_fields(parameters.unsafe);
   validate(parameters.resample);
   validate(parameters.drive);
   policies::validate(parameters.policy);

@@ -8,14 +8,17 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tcert/fallback.hpp>
 #include <tcert/guards.hpp>
 #include <tcert/parameters.hpp>
 #include <tcert/policy_parameters.hpp>
+#include <tcert/risk_field.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/route_planner.hpp>
 #include <tcert/speed_law.hpp>
 #include <witness/parameters.hpp>
 
+#include "analysis/study/assurance/unsafe_rule.hpp"
 #include "analysis/study/replay/replay_options.hpp"
 #include "analysis/study/trials/features.hpp"
 #include "datasets/driven/drive_parameters.hpp"
@@ -44,8 +47,11 @@ struct ParameterSet {
   SpeedLaw speed_law;
   EarlyWindowOptions early_window;
   GuardParameters guards;
+  RiskParameters risk;
+  FallbackParameters fallback;
   RouteParameters route;
   ReplayOptions replay;
+  UnsafeRule unsafe;
   DriveParameters drive;
   policies::PolicyParameters policy;  ///< But for what is in policy_overrides.
   PolicyOverrides policy_overrides;

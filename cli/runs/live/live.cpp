@@ -194,6 +194,7 @@ OptionTable options_of(LiveRequest& request) {
             "when rows are not read: wait, so that the writer of the ticks waits too; drop rows, "
             "never ticks; or auto: wait for stdin, drop with --listen");
   add_tracking_error_option(table, request.tracking_error);
+  add_monitor_options(table, request.monitor);
   table.common();
   add_decimal_comma(table, request.logs.decimal_comma);
   table.parameters(request.logs.parameters);

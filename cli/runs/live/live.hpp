@@ -3,6 +3,7 @@
 /// `live`: ticks certified as they arrive.
 
 #include "cli/runs/errors.hpp"
+#include "cli/runs/guard_options.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
 
@@ -19,6 +20,7 @@ struct LiveRequest {
   double stale_after_s = 1.0;
   std::string slow_consumer = "auto";
   std::string tracking_error;
+  MonitorOptions monitor;
   LogOptions logs;  ///< Of which only parameters and the decimal comma count.
   std::vector<std::string> given;
 };

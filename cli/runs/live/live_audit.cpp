@@ -32,8 +32,10 @@ bool may_be_written_over(int descriptor) {
 
 }  // namespace
 
-LiveAudit::LiveAudit(std::string path, const GuardParameters& parameters)
-    : path_(std::move(path)), parameters_(parameters) {
+LiveAudit::LiveAudit(std::string path,
+                     const GuardParameters& parameters,
+                     std::vector<std::string> rules)
+    : path_(std::move(path)), parameters_(parameters), rules_(std::move(rules)) {
   table::require_output_place(path_);
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
@@ -81,21 +83,21 @@ int LiveAudit::append(std::string_view rows) noexcept {
 
 void LiveAudit::add(const Tick& tick,
                     const CertifiedTick& certified,
-                    const GuardedTick& guarded,
+                    const ActedTick& acted,
                     StatusLines& status) {
-  rows_ = size_ == 0 ? audit_header() : "";
-  const std::size_t before = rows_.size();
-  append_audit_rows(rows_, tick, certified, guarded, parameters_);
-  if (rows_.empty()) {
+  text_ = size_ == 0 ? audit_header() : "";
+  const std::size_t before = text_.size();
+  append_audit_rows(text_, tick, certified, acted, parameters_, rules_);
+  if (text_.empty()) {
     return;
   }
-  if (const int error = append(rows_); error != 0) {
+  if (const int error = append(text_); error != 0) {
     if (!std::exchange(failed_, true)) {
       status.say("tcert live: cannot write the audit log '" + path_ + "': " + reason_of(error) +
                  "; the run goes on, rows that find no room are counted");
     }
-    const auto rows = rows_.begin() + static_cast<std::ptrdiff_t>(before);
-    lost_ += static_cast<std::size_t>(std::count(rows, rows_.end(), '\n'));
+    const auto rows = text_.begin() + static_cast<std::ptrdiff_t>(before);
+    lost_ += static_cast<std::size_t>(std::count(rows, text_.end(), '\n'));
   }
 }
 

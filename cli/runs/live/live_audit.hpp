@@ -5,8 +5,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <tcert/guards.hpp>
+#include <tcert/runtime.hpp>
 #include <tcert/tick.hpp>
+#include <vector>
 
 #include "cli/runs/live/patient_output.hpp"
 
@@ -19,14 +20,14 @@ class LiveAudit {
  public:
   /// What an earlier run left goes at the first tick. \throws WriteError if the file cannot be
   /// written, is a link or no file, holds anything but an audit log, or another run writes it.
-  LiveAudit(std::string path, const GuardParameters& parameters);
+  LiveAudit(std::string path, const GuardParameters& parameters, std::vector<std::string> rules);
   ~LiveAudit();
   LiveAudit(const LiveAudit&) = delete;
   LiveAudit& operator=(const LiveAudit&) = delete;
 
   void add(const Tick& tick,
            const CertifiedTick& certified,
-           const GuardedTick& guarded,
+           const ActedTick& acted,
            StatusLines& status);
 
   /// False if rows were lost, which is said.
@@ -38,12 +39,13 @@ class LiveAudit {
 
   std::string path_;
   const GuardParameters& parameters_;
+  std::vector<std::string> rules_;
   int descriptor_ = -1;
   long long size_ = 0;  ///< Bytes of whole rows.
   bool was_empty_ = false;
   bool failed_ = false;  ///< At some tick, which was said.
   std::size_t lost_ = 0;
-  std::string rows_;
+  std::string text_;
 };
 
 }  // namespace tcert::cli

@@ -38,11 +38,9 @@ BundleInfo describe(const std::string& path, Progress& progress) {
   return std::move(*info);
 }
 
-Certifier certifier_of(const Robot& robot,
-                       const Course& course,
-                       const CertificateParameters& parameters) {
+Runtime runtime_of(const Course& course, const ActionSetup& actions) {
   try {
-    return {robot, course, parameters};
+    return {course, actions};
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

@@ -1,9 +1,9 @@
 #pragma once
 /// \file
-/// What a live run is of: the bundle that describes it, and its certifier.
+/// What a live run is of: the bundle that describes it, and what runs at its ticks.
 
 #include <string>
-#include <tcert/certifier.hpp>
+#include <tcert/runtime.hpp>
 
 #include "cli/runs/progress.hpp"
 #include "datasets/bundle.hpp"
@@ -14,8 +14,6 @@ namespace tcert::cli {
 [[nodiscard]] BundleInfo describe(const std::string& path, Progress& progress);
 
 /// \throws UsageError if the parameters are none of a live run.
-[[nodiscard]] Certifier certifier_of(const Robot& robot,
-                                     const Course& course,
-                                     const CertificateParameters& parameters);
+[[nodiscard]] Runtime runtime_of(const Course& course, const ActionSetup& actions);
 
 }  // namespace tcert::cli

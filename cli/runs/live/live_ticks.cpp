@@ -1,5 +1,6 @@
 #include "cli/runs/live/live_ticks.hpp"
 
+#include "analysis/study/replay/replay_trial.hpp"
 #include "cli/runs/guard_options.hpp"
 #include "cli/runs/inputs.hpp"
 #include "cli/runs/live/live_bundle.hpp"
@@ -8,6 +9,26 @@
 
 namespace tcert::cli {
 
+namespace {
+
+ActionSetup actions_of(const LiveRequest& request,
+                       const Robot& robot,
+                       const study::ParameterSet& parameters,
+                       Progress& progress) {
+  ActionSetup setup = study::actions_of(
+      robot,
+      parameters,
+      parameters.speed_law,
+      tracking_error_table(request.tracking_error, request.logs.decimal_comma, progress));
+  setup.rules = rules_of(request.monitor);
+  if (request.monitor.risk) {
+    setup.risk = parameters.risk;
+  }
+  return setup;
+}
+
+}  // namespace
+
 LiveTicks::LiveTicks(const LiveRequest& request,
                      const BundleInfo& info,
                      LiveWitness::WhenLate when_late,
@@ -15,17 +36,15 @@ LiveTicks::LiveTicks(const LiveRequest& request,
     : parameters_(effective_parameters(info.parameters, request.logs.parameters)),
       robot_(effective_robot(info, parameters_)),
       format_{parameters_.speed_law, request.ray_margins, synthetic_label(info), request.guards},
-      certifier_(
-          certifier_of(robot_, info.course, study::parameters_of_ticks(parameters_.certificate))),
-      guards_(parameters_.speed_law,
-              parameters_.guards,
-              tracking_error_table(request.tracking_error, request.logs.decimal_comma, progress)) {
+      runtime_(runtime_of(info.course, actions_of(request, robot_, parameters_, progress))) {
+  format_.risk = request.monitor.risk;
+  format_.rules = names_of(runtime_.actions().monitor().rules());
   if (parameters_.certificate.clearance == ClearanceReading::witness) {
     witness_.emplace(robot_, info.course, parameters_, when_late);
   }
   if (!request.audit.empty()) {
     require_apart(request.bundle, request.audit);
-    audit_.emplace(request.audit, parameters_.guards);
+    audit_.emplace(request.audit, parameters_.guards, format_.rules);
   }
   if (!request.record.empty()) {
     record_.emplace(request.record, info_of_record(info, robot_, parameters_));
@@ -33,8 +52,8 @@ LiveTicks::LiveTicks(const LiveRequest& request,
 }
 
 const std::string& LiveTicks::row_of(const TickLine& line, StatusLines& status) {
-  CertifiedTick certified = certifier_.update(line.tick);
-  const GuardedTick guarded = guards_.update(line.tick, certified);
+  const RuntimeTick now = runtime_.update(line.tick, {line.speed_cmd_mps, line.yaw_rate_cmd_rps});
+  CertifiedTick certified = now.certified;
   if (witness_) {
     witness_->take(line.tick, certified);
   }
@@ -42,15 +61,15 @@ const std::string& LiveTicks::row_of(const TickLine& line, StatusLines& status) 
     record_->add(line, certified, status);
   }
   if (audit_) {
-    audit_->add(line.tick, certified, guarded, status);
+    audit_->add(line.tick, certified, now.acted, status);
   }
   row_.clear();
   append_series_row(row_,
                     line.tick,
                     certified,
-                    certifier_.ray_margins(),
+                    runtime_.certifier().ray_margins(),
                     format_,
-                    guarded,
+                    now.acted,
                     line.yaw_rate_cmd_rps);
   return row_;
 }

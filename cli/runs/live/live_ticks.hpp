@@ -4,8 +4,7 @@
 
 #include <optional>
 #include <string>
-#include <tcert/certifier.hpp>
-#include <tcert/guards.hpp>
+#include <tcert/runtime.hpp>
 
 #include "analysis/study/trials/parameters.hpp"
 #include "cli/runs/live/live.hpp"
@@ -47,8 +46,7 @@ class LiveTicks {
   study::ParameterSet parameters_;
   Robot robot_;
   SeriesFormat format_;
-  Certifier certifier_;
-  Guards guards_;
+  Runtime runtime_;
   std::optional<LiveAudit> audit_;
   std::optional<LiveRecord> record_;
   std::optional<LiveWitness> witness_;

@@ -37,8 +37,12 @@ struct LoggedRun {
   void end() { add(0.1, 0.5); }
 
   [[nodiscard]] Replay replayed(const SpeedLaw& law, const ReplayOptions& options = {}) const {
-    Guards guards(law, {}, TrackingErrorTable({{0.0, 10.0}, {0.0, 100.0}, {0.0}, {0, 0, 0, 0}}));
-    return replay(ticks, series, guard_trial(guards, ticks, series), options);
+    TickActions actions(
+        {{{}, {}, law, {}, TrackingErrorTable({{0.0, 10.0}, {0.0, 100.0}, {0.0}, {0, 0, 0, 0}})},
+         {},
+         {},
+         {}});
+    return replay(ticks, series, act_trial(actions, ticks, series), options);
   }
 
   TickTable ticks;

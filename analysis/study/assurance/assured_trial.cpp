@@ -1,0 +1,103 @@
+#include "analysis/study/assurance/assured_trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tcert::study {
+namespace {
+
+constexpr double kBefore = 2.0;  // s
+constexpr double kAfter = 0.5;
+constexpr double kJoinAlarms = 0.5;
+
+bool meets(const TimeSpan& a, const TimeSpan& b) {
+  return a.begin_s <= b.end_s && a.end_s >= b.begin_s;
+}
+
+/// The first alarm within `window`, its delay counted from `begin_s`.
+Detection detected_in(const std::vector<TimeSpan>& alarms, const TimeSpan& window, double begin_s) {
+  for (const TimeSpan& alarm : alarms) {
+    if (meets(alarm, window)) {
+      return {true, std::max(alarm.begin_s, window.begin_s) - begin_s};
+    }
+  }
+  return {};
+}
+
+std::vector<TimeSpan> alarms_of(const TickTable& ticks,
+                                std::span<const ActedTick> acted,
+                                std::uint32_t rules) {
+  std::vector<TimeSpan> spans;
+  for (std::size_t i = 0; i < acted.size(); ++i) {
+    if ((acted[i].alarms & rules) != 0) {
+      const std::size_t next = std::min(i + 1, acted.size() - 1);
+      spans.push_back({1e-9 * static_cast<double>(ticks.time_ns[i]),
+                       1e-9 * static_cast<double>(ticks.time_ns[next])});
+    }
+  }
+  return joined_spans(std::move(spans), kJoinAlarms, 0.0);
+}
+
+/// Way along the heading from each tick to the next; backwards counts as none.
+std::vector<double> forward_ways(const TickTable& ticks) {
+  std::vector<double> ways(ticks.size(), 0.0);
+  for (std::size_t i = 0; i + 1 < ticks.size(); ++i) {
+    const Point step = ticks.poses[i + 1].position - ticks.poses[i].position;
+    ways[i] = std::max(dot(step, direction(ticks.poses[i].yaw_rad)), 0.0);
+  }
+  return ways;
+}
+
+}  // namespace
+
+AssuredTrial assure_trial(const TickTable& ticks,
+                          std::span<const ActedTick> acted,
+                          std::size_t rules,
+                          const std::optional<std::vector<TruthSample>>& truth,
+                          const UnsafeRule& unsafe,
+                          std::vector<InjectedFault> faults) {
+  if (acted.size() != ticks.size()) {
+    throw std::invalid_argument("assurance: actions and ticks differ in length");
+  }
+  AssuredTrial trial;
+  trial.faults = std::move(faults);
+  trial.has_truth = truth.has_value();
+  if (truth) {
+    trial.episodes = unsafe_episodes(*truth, unsafe);
+  }
+  if (ticks.size() > 1) {
+    trial.hours = elapsed_s(ticks.time_ns.front(), ticks.time_ns.back()) / 3600.0;
+  }
+  const std::vector<double> ways = forward_ways(ticks);
+  for (const double way_m : ways) {
+    trial.forward_m += way_m;
+  }
+  for (std::size_t r = 0; r <= rules; ++r) {
+    const std::uint32_t of = r == rules ? ~0U : 1U << r;
+    MonitorRecord record;
+    record.alarms = alarms_of(ticks, acted, of);
+    for (const UnsafeEpisode& episode : trial.episodes) {
+      const double begin_s = episode.time.begin_s;
+      record.episodes.push_back(
+          detected_in(record.alarms, {begin_s - kBefore, begin_s + kAfter}, begin_s));
+    }
+    for (const InjectedFault& fault : trial.faults) {
+      const TimeSpan window{fault.time.begin_s, fault.time.end_s + kAfter};
+      record.faults.push_back(detected_in(record.alarms, window, fault.time.begin_s));
+    }
+    for (const TimeSpan& alarm : record.alarms) {
+      const bool is_true = std::ranges::any_of(trial.episodes, [&](const UnsafeEpisode& episode) {
+        return meets(alarm, {episode.time.begin_s - kBefore, episode.time.end_s + kAfter});
+      });
+      record.false_alarms += trial.has_truth && !is_true ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < acted.size(); ++i) {
+      record.alarmed_m += (acted[i].alarms & of) != 0 ? ways[i] : 0.0;
+    }
+    trial.monitors.push_back(std::move(record));
+  }
+  return trial;
+}
+
+}  // namespace tcert::study
