@@ -1,7 +1,11 @@
 #include "cli/commands/help_topics.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
+#include <tcert/rule_formula.hpp>
+#include <tcert/tick_signals.hpp>
 #include <vector>
 
 #include "analysis/study/trials/parameters.hpp"
@@ -65,11 +69,46 @@ Table column_listing() {
   return table;
 }
 
+Table rule_listing() {
+  using Signal = SignalDoc;
+  Table table =
+      ColumnsOf<Signal>()
+          .text("signal", "signal", [](auto& one) { return std::string(one.name); })
+          .text("unit", "unit", [](auto& one) { return std::string(one.unit); })
+          .text("doc", "what it is at a tick", [](auto& one) { return std::string(one.doc); })
+          .table("rules", "Rules: what they may speak of", tick_signals());
+  table.footnotes = {
+      "A file of rules has one a line, 'name: formula'; what follows # is left out. A formula is a "
+      "comparison of sums (force_n > force_limit_n; 2*width_m - 0.1 < margin_m), missing(SIGNAL), "
+      "not "
+      "F, F and G, F or G, F since G (F has held ever since G did), once[a,b] F (at some time from "
+      "b "
+      "to a seconds ago), historically[a,b] F (at all of them; b may be inf, and without [a,b] it "
+      "is "
+      "always), in parentheses where need be. 'not' and the two windows bind more strongly than "
+      "'and', "
+      "that more than 'or', that more than 'since'.",
+      "A rule alarms at the ticks at which it surely holds: a missing signal may be anything. A "
+      "window that reaches back beyond the first tick looks at what there is: 'time_s >= 2 and "
+      "historically[0,2] F' waits for two seconds.",
+      "The default rules are:"};
+  std::string_view rules = default_rules();
+  while (!rules.empty()) {
+    const std::size_t end = std::min(rules.find('\n'), rules.size());
+    if (rules.front() != '#') {
+      table.footnotes.emplace_back(rules.substr(0, end));
+    }
+    rules.remove_prefix(std::min(end + 1, rules.size()));
+  }
+  return table;
+}
+
 constexpr std::array kTopics{
     HelpTopic{"parameters", "every parameter of certificate, study and control", parameter_listing},
     HelpTopic{"columns", "every column of the results of each tick and trial", column_listing},
     HelpTopic{"bundle", "the files of a log bundle and their columns", bundle_listing},
-    HelpTopic{"map", "the keys of the map by which foreign logs are imported", map_listing}};
+    HelpTopic{"map", "the keys of the map by which foreign logs are imported", map_listing},
+    HelpTopic{"rules", "what rules of a monitor may say, and the default ones", rule_listing}};
 
 }  // namespace
 

@@ -15,7 +15,7 @@ struct HelpTopic {
   Table (*table)();
 };
 
-/// parameters, columns, bundle.
+/// parameters, columns, bundle, map, rules.
 [[nodiscard]] std::span<const HelpTopic> help_topics();
 
 }  // namespace tcert::cli
