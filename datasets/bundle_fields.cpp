@@ -7,6 +7,18 @@ namespace {
 
 constexpr std::string_view kClock = "clock of the log, the same for all streams of a trial; rising";
 
+/// Of each stream.
+constexpr FileField arrival_of(std::string_view file) {
+  return {file,
+          kArrivalColumn,
+          "s",
+          FieldNeed::optional,
+          "when the sample was there to be seen, on the clock of time_s; empty: at once",
+          false,
+          false,
+          true};
+}
+
 constexpr auto declared_fields() {
   using enum FieldNeed;
   return std::to_array<FileField>({
@@ -28,6 +40,7 @@ constexpr auto declared_fields() {
        "of the body's centre, in a frame that stays for the trial"},
       {"pose.csv", "y_m", "m", required, "the same"},
       {"pose.csv", "yaw_rad", "rad", required, "heading, anticlockwise from the x axis"},
+      arrival_of("pose.csv"),
 
       {"tactile.csv", "time_s", "s", required, kClock},
       {"tactile.csv", kBendColumn, "rad", may_be_empty, "of each ray of kind bend: its bend"},
@@ -44,11 +57,13 @@ constexpr auto declared_fields() {
        "rad",
        optional,
        "of a ray that a joint moves: where it pointed, anticlockwise from ahead"},
+      arrival_of("tactile.csv"),
 
       {"control.csv", "time_s", "s", required, kClock},
       {"control.csv", "speed_cmd_mps", "m/s", may_be_empty, "commanded"},
       {"control.csv", "yaw_rate_cmd_rps", "rad/s", optional, "commanded, anticlockwise"},
       {"control.csv", "loop_latency_ms", "ms", optional, "of the control loop"},
+      arrival_of("control.csv"),
 
       {"ticks.csv", "speed_cmd_mps", "m/s", optional, "commanded"},
       {"ticks.csv", "yaw_rate_cmd_rps", "rad/s", optional, "commanded, anticlockwise"},

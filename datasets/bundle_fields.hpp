@@ -16,9 +16,12 @@ inline constexpr std::string_view kRangeColumn = "<ray>_range_m";
 inline constexpr std::string_view kForceColumn = "<ray>_fsr_n";
 inline constexpr std::string_view kBearingColumn = "<ray>_bearing_rad";
 
+/// Of the streams, never of ticks.csv: ticks are what was there already.
+inline constexpr std::string_view kArrivalColumn = "arrival_s";
+
 /// The places are the files "trials.csv", "pose.csv", "tactile.csv", "control.csv" and "ticks.csv",
-/// which has the columns of pose.csv and tactile.csv before its own, and "bundle.json" with its
-/// objects "robot", "ray", "calibration", "course", "region" and "disc".
+/// which has the columns of pose.csv and tactile.csv, arrival_s left out, before its own, and
+/// "bundle.json" with its objects "robot", "ray", "calibration", "course", "region" and "disc".
 [[nodiscard]] std::span<const FileField> bundle_fields() noexcept;
 
 }  // namespace tcert

@@ -17,11 +17,12 @@ bool says_something(const TactileStream& stream, std::size_t sample) noexcept {
 
 }  // namespace
 
-void drop_empty_rows(table::NumberTable& table) {
+void drop_empty_rows(table::NumberTable& table, std::size_t columns) {
   std::size_t kept = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto values = std::span(table.values).subspan(row * table.columns, table.columns);
-    if (std::ranges::all_of(values, [](double value) { return std::isnan(value); })) {
+    if (std::ranges::all_of(values.first(columns),
+                            [](double value) { return std::isnan(value); })) {
       ++table.empty_rows;
       continue;
     }
@@ -46,10 +47,14 @@ std::optional<TactileStream> without_empty_samples(const TactileStream& stream) 
   }
   TactileStream kept;
   kept.rays = stream.rays;
+  const bool arrives = !stream.arrival_ns.empty();
   for (sample = 0; sample < stream.time_ns.size(); ++sample) {
     if (says_something(stream, sample)) {
       const auto first = stream.readings.begin() + static_cast<std::ptrdiff_t>(sample * kept.rays);
       kept.time_ns.push_back(stream.time_ns[sample]);
+      if (arrives) {
+        kept.arrival_ns.push_back(stream.arrival_ns[sample]);
+      }
       kept.readings.insert(
           kept.readings.end(), first, first + static_cast<std::ptrdiff_t>(kept.rays));
     }

@@ -9,8 +9,8 @@
 
 namespace tcert {
 
-/// Leaves out the rows in which nothing is known, and counts them. O(values).
-void drop_empty_rows(table::NumberTable& table);
+/// Leaves out the rows in whose first `columns` nothing is known, and counts them. O(values).
+void drop_empty_rows(table::NumberTable& table, std::size_t columns);
 
 /// The samples that say something, if any says nothing; of a robot without rays all are kept.
 /// O(readings) at most, O(samples) where all say something.

@@ -27,7 +27,8 @@ table::NumberColumn number_column(const FileField& field, std::string name) {
           field.need != FieldNeed::optional,
           field.need != FieldNeed::required,
           field.is_flag,
-          field.may_be_infinite};
+          field.may_be_infinite,
+          field.is_time};
 }
 
 }  // namespace tcert

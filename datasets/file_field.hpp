@@ -23,9 +23,10 @@ struct FileField {
   std::string_view name;
   std::string_view unit;  ///< Empty of a word or a pure number.
   FieldNeed need = FieldNeed::required;
-  std::string_view doc;  ///< One line, no full stop.
+  std::string_view doc;          ///< One line, no full stop.
   bool is_flag = false;          ///< 0 or 1, or a truth value.
   bool may_be_infinite = false;  ///< inf and -inf are values too.
+  bool is_time = false;          ///< An instant of the clock of time_s.
 };
 
 /// Those of `place`, in the order in which they are declared.

@@ -40,7 +40,9 @@ TickTable resample(const TrialLog& log, const ResampleOptions& options) {
     tick_ns = std::max(tick_ns, log.tactile.time_ns.front());
   }
   while (tick_ns <= last_ns) {
-    resampler.add_tick(tick_ns);
+    if (resampler.has_begun(tick_ns)) {
+      resampler.add_tick(tick_ns);
+    }
     tick_ns = resampler.skip_silence(tick_ns + period_ns, period_ns);
   }
   return resampler.take();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "datasets/stream_clock.hpp"
 
@@ -53,14 +54,41 @@ class MedianWindow {
 
 }  // namespace
 
+StreamPosition::StreamPosition(const std::vector<std::int64_t>& time_ns,
+                               const std::vector<std::int64_t>& arrival_ns)
+    : time_ns_(time_ns), arrival_ns_(arrival_ns), by_arrival_(arrival_ns.size()) {
+  std::iota(by_arrival_.begin(), by_arrival_.end(), std::size_t{0});
+  std::ranges::stable_sort(by_arrival_, {}, [&](std::size_t i) { return arrival_ns_[i]; });
+}
+
+void StreamPosition::advance_to(std::int64_t now_ns) {
+  while (passed_ < time_ns_.size() && next_ns() <= now_ns) {
+    if (!by_arrival_.empty()) {
+      there_.insert(there_.end(), by_arrival_[passed_]);
+    }
+    ++passed_;
+  }
+}
+
+std::size_t StreamPosition::made_before(std::int64_t time_ns) const noexcept {
+  const auto at = std::ranges::lower_bound(time_ns_, time_ns);
+  return static_cast<std::size_t>(at - time_ns_.begin());
+}
+
 Resampler::Resampler(const TrialLog& log, const ResampleOptions& options)
     : log_(log),
       hold_ns_(to_nanoseconds(options.max_hold_s)),
       median_samples_(static_cast<std::size_t>(options.median_samples)),
-      pose_(log.pose.time_ns),
-      tactile_(log.tactile.time_ns),
-      control_(log.control.time_ns) {
+      pose_(log.pose.time_ns, log.pose.arrival_ns),
+      tactile_(log.tactile.time_ns, log.tactile.arrival_ns),
+      control_(log.control.time_ns, log.control.arrival_ns) {
   ticks_.rays = log.tactile.rays;
+}
+
+bool Resampler::has_begun(std::int64_t now_ns) {
+  pose_.advance_to(now_ns);
+  tactile_.advance_to(now_ns);
+  return pose_.passed() > 0 && (log_.starts_with_pose || tactile_.passed() > 0);
 }
 
 Tick Resampler::add_tick(std::int64_t now_ns) {
@@ -95,12 +123,9 @@ std::int64_t Resampler::skip_silence(std::int64_t tick_ns, std::int64_t period_n
 bool Resampler::pass_breaks(std::int64_t now_ns) noexcept {
   bool any = false;
   while (next_break_ < log_.breaks_ns.size() && log_.breaks_ns[next_break_] <= now_ns) {
-    tactile_.advance_to(log_.breaks_ns[next_break_] - 1);
+    segment_begin_ = tactile_.made_before(log_.breaks_ns[next_break_]);
     ++next_break_;
     any = true;
-  }
-  if (any) {
-    segment_begin_ = tactile_.passed();
   }
   return any;
 }
@@ -109,24 +134,26 @@ bool Resampler::pass_breaks(std::int64_t now_ns) noexcept {
 // own, with empty cells between. The last rows count whatever their age, older ones only while
 // they would not make a tick stale.
 void Resampler::add_readings(std::int64_t now_ns) {
-  const std::size_t end = tactile_.passed();
-  if (end == 0) {
+  if (tactile_.passed() == 0) {
     ticks_.readings.resize(ticks_.readings.size() + log_.tactile.rays);
     return;
   }
   // The newest sample counts even if it is older than the break: its tick is then stale.
-  const std::size_t segment = std::min(segment_begin_, end - 1);
-  const std::size_t recent = end - std::min(end, median_samples_);
+  const std::size_t segment = std::min(segment_begin_, tactile_.newest());
   const std::size_t rays = log_.tactile.rays;
   for (std::size_t k = 0; k < rays; ++k) {
     MedianWindow value;
     MedianWindow force;
-    for (std::size_t i = end; i-- > segment;) {
-      const bool counts = i >= recent || now_ns - log_.tactile.time_ns[i] <= hold_ns_;
-      if (!counts || (value.size() == median_samples_ && force.size() == median_samples_)) {
+    std::size_t seen = 0;
+    for (std::size_t sample = tactile_.newest(); sample != StreamPosition::kNone;
+         sample = tactile_.before(sample)) {
+      const bool counts =
+          seen++ < median_samples_ || now_ns - log_.tactile.time_ns[sample] <= hold_ns_;
+      if (sample < segment || !counts ||
+          (value.size() == median_samples_ && force.size() == median_samples_)) {
         break;
       }
-      const RayReading& reading = log_.tactile.readings[i * rays + k];
+      const RayReading& reading = log_.tactile.readings[sample * rays + k];
       if (value.size() < median_samples_) {
         value.add(reading.value, reading.bearing_rad);
       }

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <set>
 #include <tcert/tick.hpp>
 #include <utility>
 #include <vector>
@@ -13,39 +15,60 @@
 
 namespace tcert {
 
-/// Walks a stream forward: how many of its samples are at or before an instant.
+/// Walks a stream forward: which of its samples are there at an instant. A stream may grow at its
+/// end only if it has no arrivals.
 class StreamPosition {
  public:
-  explicit StreamPosition(const std::vector<std::int64_t>& time_ns) noexcept : time_ns_(time_ns) {}
+  StreamPosition(const std::vector<std::int64_t>& time_ns,
+                 const std::vector<std::int64_t>& arrival_ns);
 
-  void advance_to(std::int64_t time_ns) noexcept {
-    while (passed_ < time_ns_.size() && time_ns_[passed_] <= time_ns) {
-      ++passed_;
-    }
-  }
+  void advance_to(std::int64_t now_ns);
 
+  /// How many are there.
   [[nodiscard]] std::size_t passed() const noexcept { return passed_; }
 
-  /// \pre passed() > 0.
-  [[nodiscard]] std::size_t newest() const noexcept { return passed_ - 1; }
+  /// The newest, by its own time, of those that are there. \pre passed() > 0.
+  [[nodiscard]] std::size_t newest() const noexcept {
+    return by_arrival_.empty() ? passed_ - 1 : *there_.rbegin();
+  }
+
+  /// The next older one, or kNone. O(log samples), O(1) of a stream without arrivals.
+  [[nodiscard]] std::size_t before(std::size_t sample) const noexcept {
+    if (by_arrival_.empty()) {
+      return sample - 1;
+    }
+    const auto at = there_.lower_bound(sample);
+    return at == there_.begin() ? kNone : *std::prev(at);
+  }
+
+  static constexpr std::size_t kNone = SIZE_MAX;
+
+  /// How many samples of the stream are made before an instant, there or not. O(log samples).
+  [[nodiscard]] std::size_t made_before(std::int64_t time_ns) const noexcept;
 
   /// Of the newest sample; of a stream that has not begun, older than anything.
   [[nodiscard]] std::int64_t age_ns(std::int64_t now_ns) const noexcept {
     return passed_ > 0 ? now_ns - time_ns_[newest()] : INT64_MAX;
   }
 
-  /// Time of the next sample, or of the last one if all are passed.
+  /// When the next sample is there, or the time of the last one if all are.
   [[nodiscard]] std::int64_t next_ns() const noexcept {
-    return passed_ < time_ns_.size() ? time_ns_[passed_] : time_ns_.back();
+    return passed_ == time_ns_.size() ? time_ns_.back()
+           : by_arrival_.empty()      ? time_ns_[passed_]
+                                      : arrival_ns_[by_arrival_[passed_]];
   }
 
  private:
   const std::vector<std::int64_t>& time_ns_;
+  const std::vector<std::int64_t>& arrival_ns_;
+  std::vector<std::size_t> by_arrival_;  // samples in the order in which they arrive
+  std::set<std::size_t> there_;          // of those the passed ones, in the order of the stream
   std::size_t passed_ = 0;
 };
 
 /// One forward pass over the streams of a trial, which may be longer at each tick than at the last,
-/// as while they are being logged: a tick depends on the samples up to its instant alone.
+/// as while they are being logged: a tick depends on the samples that are there at its instant
+/// alone.
 class Resampler {
  public:
   /// `log` outlives it and changes only by samples at the ends of its streams. \pre `options` are
@@ -53,8 +76,11 @@ class Resampler {
   Resampler(const TrialLog& log, const ResampleOptions& options);
 
   /// Appends the tick at an instant and hands it back; its readings are valid until the next.
-  /// \pre `now_ns` rises, and the pose has a sample by then.
+  /// \pre `now_ns` rises, and has_begun(now_ns).
   Tick add_tick(std::int64_t now_ns);
+
+  /// True if a pose is there by then, and a touch too unless ticks begin with the pose.
+  [[nodiscard]] bool has_begun(std::int64_t now_ns);
 
   /// Where the next tick may be: after a silence of both streams longer than a minute the grid is
   /// taken up again at the next sample, so that a wrong clock cannot ask for any number of ticks.

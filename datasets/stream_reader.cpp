@@ -93,7 +93,9 @@ std::optional<Stream> StreamReader::read(const std::string& name, table::NumberO
   }
   Stream stream{std::move(*table), *found};
   stream.rises = increases(stream.table.time_ns);
-  if (!stream.rises) {
+  // What was joined in two columns at once is not told apart.
+  const bool arrives = columns.columns.back().is_time && stream.table.present.back() != 0;
+  if (!stream.rises && !arrives) {
     settle_stamps(*file.bytes, csv, stream, problems);
   }
   const bool good = !problems.has_error();

@@ -16,9 +16,10 @@ std::string_view value_name(const Ray& ray) {
   return ray.kind == RayKind::bend ? kBendColumn : kRangeColumn;
 }
 
+/// Without its time, and without when it arrived.
 void append_fields(const std::string& file, table::NumberOptions& options) {
   for (const FileField& field : fields_at(file, bundle_fields())) {
-    if (field.name != options.time_column) {
+    if (field.name != options.time_column && !field.is_time) {
       options.columns.push_back(number_column(field, std::string(field.name)));
     }
   }
@@ -39,6 +40,13 @@ void add_ray_columns(const Robot& robot, table::NumberOptions& options) {
   }
 }
 
+/// Always the last column of a stream.
+void add_arrival(const std::string& file, table::NumberOptions& options) {
+  const std::vector<FileField> fields = fields_at(file, bundle_fields());
+  const auto field = std::ranges::find(fields, true, &FileField::is_time);
+  options.columns.push_back(number_column(*field, std::string(field->name)));
+}
+
 /// False if the value is neither 0 nor 1; a missing one stands for 0.
 bool interpret_flag(double value, bool& flag) noexcept {
   flag = value == 1.0;
@@ -56,17 +64,20 @@ std::string bearing_column(const Ray& ray) { return ray_column(ray, kBearingColu
 table::NumberOptions stream_columns(const std::string& file) {
   table::NumberOptions options;
   append_fields(file, options);
+  add_arrival(file, options);
   return options;
 }
 
 table::NumberOptions tactile_columns(const Robot& robot) {
   table::NumberOptions options;
   add_ray_columns(robot, options);
+  add_arrival("tactile.csv", options);
   return options;
 }
 
 table::NumberOptions tick_columns(const Robot& robot) {
-  table::NumberOptions options = stream_columns("pose.csv");
+  table::NumberOptions options;
+  append_fields("pose.csv", options);
   add_ray_columns(robot, options);
   append_fields("ticks.csv", options);
   return options;

@@ -27,10 +27,11 @@ namespace tcert {
 /// Of a ray: its value, its force and its bearing.
 inline constexpr std::size_t kColumnsPerRay = 3;
 
-/// pose.csv or control.csv.
+/// pose.csv or control.csv: its columns but the time, arrival_s the last.
 [[nodiscard]] table::NumberOptions stream_columns(const std::string& file);
 
-/// tactile.csv: per ray its value, required, its force and its bearing, optional; each may be empty.
+/// tactile.csv: per ray its value, required, its force and its bearing, optional; each may be
+/// empty. Then arrival_s.
 [[nodiscard]] table::NumberOptions tactile_columns(const Robot& robot);
 
 /// ticks.csv: pose, then as tactile.csv, then the optional speed_cmd_mps, yaw_rate_cmd_rps, stale
@@ -47,8 +48,8 @@ struct TickRow {
 };
 
 /// Interprets a row that was read with tick_columns(): its readings go to `readings`, one per ray,
-/// as `rules` understand them, and are counted in `counts`. A tick at which no ray reads anything is
-/// stale: the touch was silent. Returns the name of a column whose value is neither 0 nor 1 nor
+/// as `rules` understand them, and are counted in `counts`. A tick at which no ray reads anything
+/// is stale: the touch was silent. Returns the name of a column whose value is neither 0 nor 1 nor
 /// missing, or null. \pre as many readings and counts as `rules` has rays.
 [[nodiscard]] const char* interpret_tick(std::span<const double> row,
                                          const RangeRules& rules,

@@ -88,7 +88,7 @@ bool TickLineParser::parse_csv(std::string_view text) {
   row_problems_.cells.clear();
   row_problems_.fields = 0;
   row_problems_.open_quote = false;
-  if (table::scan_row(plan_, cursor, time_ns_, row_.data(), row_problems_)) {
+  if (table::scan_row(plan_, cursor, &time_ns_, row_.data(), row_problems_)) {
     return true;
   }
   if (row_problems_.open_quote) {

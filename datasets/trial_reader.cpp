@@ -1,9 +1,12 @@
 #include "datasets/trial_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
+#include "datasets/bundle_fields.hpp"
+#include "datasets/clock_reporter.hpp"
 #include "datasets/empty_samples.hpp"
 #include "datasets/range_report.hpp"
 #include "datasets/range_rule.hpp"
@@ -18,8 +21,20 @@ namespace {
 
 constexpr const char* kControlFile = "control.csv";
 
+/// When the samples of a stream arrived, empty if its file does not say; arrival_s is the last
+/// column.
+std::vector<std::int64_t> arrivals_of(const table::NumberTable& table) {
+  std::vector<std::int64_t> arrivals;
+  for (std::size_t i = 0; table.present.back() != 0 && i < table.rows(); ++i) {
+    const double delay_ns = table.at(i, table.columns - 1);
+    arrivals.push_back(table.time_ns[i] + (std::isnan(delay_ns) ? 0 : std::llround(delay_ns)));
+  }
+  return arrivals;
+}
+
 PoseStream to_pose_stream(table::NumberTable table) {
   PoseStream pose;
+  pose.arrival_ns = arrivals_of(table);
   pose.poses.reserve(table.rows());
   for (std::size_t i = 0; i < table.rows(); ++i) {
     pose.poses.push_back({{table.at(i, 0), table.at(i, 1)}, table.at(i, 2)});
@@ -30,10 +45,13 @@ PoseStream to_pose_stream(table::NumberTable table) {
 
 TactileStream to_tactile_stream(table::NumberTable table) {
   TactileStream tactile;
+  tactile.arrival_ns = arrivals_of(table);
   tactile.rays = table.columns / kColumnsPerRay;
   tactile.readings.reserve(table.rows() * tactile.rays);
-  for (std::size_t i = 0; i < table.values.size(); i += kColumnsPerRay) {
-    tactile.readings.push_back({table.values[i], table.values[i + 1], table.values[i + 2]});
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t c = 0; c < kColumnsPerRay * tactile.rays; c += kColumnsPerRay) {
+      tactile.readings.push_back({table.at(row, c), table.at(row, c + 1), table.at(row, c + 2)});
+    }
   }
   tactile.time_ns = std::move(table.time_ns);
   return tactile;
@@ -41,6 +59,7 @@ TactileStream to_tactile_stream(table::NumberTable table) {
 
 ControlStream to_control_stream(table::NumberTable table) {
   ControlStream control;
+  control.arrival_ns = arrivals_of(table);
   for (std::size_t i = 0; i < table.rows(); ++i) {
     control.speed_cmd_mps.push_back(table.at(i, 0));
     control.yaw_rate_cmd_rps.push_back(table.at(i, 1));
@@ -63,7 +82,7 @@ void resolve_readings(const Bundle& bundle, Stream& tactile, StreamReader& reade
     }
   }
   if (std::ranges::any_of(counts, &RangeCount::has_missing)) {
-    drop_empty_rows(table);
+    drop_empty_rows(table, kColumnsPerRay * rules.rays());
   }
   for (table::Diagnostic& one : range_report(bundle.info.robot, counts, tactile.file)) {
     reader.report(std::move(one));
@@ -77,6 +96,53 @@ void resolve_readings(const Bundle& bundle, Stream& tactile, StreamReader& reade
                    "at least one reading of a ray",
                    1});
   }
+}
+
+/// A sample is not there before it is made; without a word when it came, it came at once.
+void check_arrivals(const Stream& stream, StreamReader& reader) {
+  const table::NumberTable& table = stream.table;
+  if (table.present.back() == 0) {
+    return;
+  }
+  const std::string column(kArrivalColumn);
+  table::DiagnosticGroups problems;
+  std::size_t missing = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double delay_ns = table.at(row, table.columns - 1);
+    missing += std::isnan(delay_ns) ? 1 : 0;
+    if (delay_ns < 0.0) {
+      const std::int64_t time = table.time_ns[row];
+      problems.add({table::Severity::error,
+                    stream.file,
+                    table.lines[row],
+                    column,
+                    seconds_text(time + std::llround(delay_ns)) + " before " + seconds_text(time),
+                    "a time at or after time_s, on the same clock",
+                    1});
+    }
+  }
+  if (missing > 0) {
+    problems.add(
+        {table::Severity::note,
+         stream.file,
+         0,
+         column,
+         std::to_string(missing) + " of " + std::to_string(table.rows()) + " cells missing",
+         "a time; these samples count as there at once",
+         1});
+  }
+  reader.report(problems);
+}
+
+/// A stream with its arrivals looked at; empty if it is rejected.
+std::optional<Stream> read_stream(StreamReader& reader,
+                                  const std::string& name,
+                                  table::NumberOptions columns) {
+  std::optional<Stream> stream = reader.read(name, std::move(columns));
+  if (stream) {
+    check_arrivals(*stream, reader);
+  }
+  return stream;
 }
 
 /// Says how many rows were no samples of their stream.
@@ -140,14 +206,14 @@ void settle(StreamReader& reader,
 }
 
 void read_streams(StreamReader& reader, const Bundle& bundle, TrialLog& log) {
-  auto pose = reader.read("pose.csv", stream_columns("pose.csv"));
-  auto tactile = reader.read("tactile.csv", tactile_columns(bundle.info.robot));
+  auto pose = read_stream(reader, "pose.csv", stream_columns("pose.csv"));
+  auto tactile = read_stream(reader, "tactile.csv", tactile_columns(bundle.info.robot));
   if (tactile) {
     resolve_readings(bundle, *tactile, reader);
   }
   std::optional<Stream> control;
   if (reader.has(kControlFile)) {
-    control = reader.read(kControlFile, stream_columns(kControlFile));
+    control = read_stream(reader, kControlFile, stream_columns(kControlFile));
     drop_bad_control(reader, control);
   }
   settle(reader, pose, tactile, control);

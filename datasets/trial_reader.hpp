@@ -13,9 +13,13 @@
 
 namespace tcert {
 
+// `arrival_ns` of a stream is when each sample was there to be seen, not before its time; empty:
+// each at its time.
+
 struct PoseStream {
   std::vector<std::int64_t> time_ns;
   std::vector<Pose> poses;
+  std::vector<std::int64_t> arrival_ns{};
 };
 
 struct ControlStream {
@@ -23,6 +27,7 @@ struct ControlStream {
   std::vector<double> speed_cmd_mps;  ///< NaN where missing, as in the other two.
   std::vector<double> yaw_rate_cmd_rps;
   std::vector<double> loop_latency_ms;
+  std::vector<std::int64_t> arrival_ns{};
 };
 
 /// `readings` is row-major, samples x rays of the robot.
@@ -30,6 +35,7 @@ struct TactileStream {
   std::size_t rays = 0;
   std::vector<std::int64_t> time_ns;
   std::vector<RayReading> readings;
+  std::vector<std::int64_t> arrival_ns{};
 };
 
 /// The log of one trial: three streams, or ticks that were merged by whoever logged them.
@@ -78,7 +84,9 @@ void validate(const ResampleOptions& options);
 
 /// Ticks t_k = t_0 + k tick_s, t_0 = the first instant at which pose and tactile have a sample,
 /// until the first of them ends. Pose and command by zero-order hold; bend, range and force by the
-/// median of the newest samples at or before t_k. A merged log is handed back as it is.
+/// median of the newest samples at or before t_k. Of each stream a tick sees only samples that have
+/// arrived by then; how old they are is told by their times, and ticks before the first of them are
+/// left out. A merged log is handed back as it is.
 [[nodiscard]] TickTable resample(const TrialLog& log, const ResampleOptions& options = {});
 
 }  // namespace tcert

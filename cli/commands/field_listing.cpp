@@ -67,6 +67,18 @@ void add_fields(const std::string& file, std::string_view place, Table& table) {
   add_fields(file, fields_at(place, bundle_fields()), table);
 }
 
+/// What ticks.csv has of the streams: the time once, and no arrival.
+std::vector<FileField> fields_of_ticks() {
+  std::vector<FileField> fields = fields_at("pose.csv", bundle_fields());
+  for (const FileField& field : fields_at("tactile.csv", bundle_fields())) {
+    if (field.name != fields.front().name) {
+      fields.push_back(field);
+    }
+  }
+  std::erase_if(fields, [](const FileField& field) { return field.is_time; });
+  return fields;
+}
+
 /// In the order in which they are declared.
 std::vector<std::string_view> places_of(std::span<const FileField> fields) {
   std::vector<std::string_view> places;
@@ -101,11 +113,7 @@ Table bundle_listing() {
       field_columns().table("bundle", "The log bundle, version 1: a folder, or a .zip of it");
   for (const std::string_view place : places_of(bundle_fields())) {
     if (place == "ticks.csv") {
-      add_fields(file_of(place), "pose.csv", table);
-      // The time is there already.
-      const std::size_t before = table.rows.size();
-      add_fields(file_of(place), "tactile.csv", table);
-      table.rows.erase(table.rows.begin() + static_cast<std::ptrdiff_t>(before));
+      add_fields(file_of(place), fields_of_ticks(), table);
     }
     add_fields(file_of(place), place, table);
   }

@@ -21,7 +21,7 @@ bool is_empty_row(const RowPlan& plan, const RowProblems& wrong, const std::vect
   }
   const auto states_a_value = [&row](const CellPlan& cell) {
     return cell.kind != CellKind::ignored && cell.kind != CellKind::seconds &&
-           !holds_nothing(row[cell.slot]);
+           cell.kind != CellKind::optional_seconds && !holds_nothing(row[cell.slot]);
   };
   return std::ranges::none_of(plan.cells, states_a_value) &&
          std::ranges::all_of(wrong.cells,
@@ -63,6 +63,22 @@ NumberTable table_for(const CsvHeader& header, const NumberOptions& options) {
   return table;
 }
 
+/// The columns of times in the row that was added last.
+void fill_times(const NumberOptions& options,
+                const std::vector<std::int64_t>& times_ns,
+                NumberTable& table) {
+  std::size_t slot = 0;
+  for (std::size_t i = 0; i < table.columns; ++i) {
+    if (!options.columns[i].is_time || table.present[i] == 0) {
+      continue;
+    }
+    if (const std::int64_t time = times_ns[++slot]; time != kNoTime) {
+      double& value = table.values[table.values.size() - table.columns + i];
+      value = static_cast<double>(time - times_ns.front());
+    }
+  }
+}
+
 }  // namespace
 
 RowPlan plan_row(const CsvHeader& header, const NumberOptions& options) {
@@ -70,9 +86,14 @@ RowPlan plan_row(const CsvHeader& header, const NumberOptions& options) {
   if (const auto time = header.find(options.time_column); time && !options.time_column.empty()) {
     plan.cells[*time].kind = CellKind::seconds;
   }
+  std::size_t times = 0;  // after that of the row
   for (std::size_t i = 0; i < options.columns.size(); ++i) {
     const NumberColumn& column = options.columns[i];
     if (const auto position = header.find(column.name)) {
+      if (column.is_time) {
+        plan.cells[*position] = {CellKind::optional_seconds, ++times};
+        continue;
+      }
       plan.cells[*position] = {column.is_flag           ? CellKind::optional_flag
                                : column.may_be_infinite ? CellKind::optional_range
                                : column.may_be_empty    ? CellKind::optional_number
@@ -98,12 +119,12 @@ std::optional<NumberTable> read_numbers(const Bytes& bytes,
       csv, *header, options.repair ? BadRow::is_dropped : BadRow::rejects, text, problems);
   const bool has_time = !options.time_column.empty();
   std::vector<double> row(table.columns, std::numeric_limits<double>::quiet_NaN());
-  std::int64_t time_ns = 0;
+  std::vector<std::int64_t> times_ns(1 + table.columns, kNoTime);
   CsvCursor cursor = header->data;
   while (skip_to_record(cursor)) {
     const std::size_t line = cursor.line;
     RowProblems wrong;
-    const bool good = scan_row(plan, cursor, time_ns, row.data(), wrong);
+    const bool good = scan_row(plan, cursor, times_ns.data(), row.data(), wrong);
     if (options.skip_empty_rows &&
         (good ? std::ranges::all_of(row, holds_nothing) : is_empty_row(plan, wrong, row))) {
       ++table.empty_rows;
@@ -114,9 +135,10 @@ std::optional<NumberTable> read_numbers(const Bytes& bytes,
       continue;
     }
     table.values.insert(table.values.end(), row.begin(), row.end());
+    fill_times(options, times_ns, table);
     table.lines.push_back(static_cast<std::uint32_t>(line));
     if (has_time) {
-      table.time_ns.push_back(time_ns);
+      table.time_ns.push_back(times_ns.front());
     }
   }
   reporter.finish(table.rows() > 0);

@@ -17,16 +17,19 @@ namespace tcert::table {
 
 struct NumberColumn {
   std::string name;
-  bool required = true;       ///< The file must have the column.
-  bool may_be_empty = false;  ///< A missing cell (empty, NA, nan) is NaN, not an error.
-  bool is_flag = false;       ///< A truth value (True, F, ...) is 1 or 0, not an error.
+  bool required = true;          ///< The file must have the column.
+  bool may_be_empty = false;     ///< A missing cell (empty, NA, nan) is NaN, not an error.
+  bool is_flag = false;          ///< A truth value (True, F, ...) is 1 or 0, not an error.
   bool may_be_infinite = false;  ///< And missing.
+  /// An instant of the clock of the time column, or missing: its value is by how many nanoseconds
+  /// it is after the row's time, exact up to 2^53 of them. A row that states nothing else is empty.
+  bool is_time = false;
 };
 
 struct NumberOptions {
   std::string time_column = "time_s";  ///< Required; read as exact nanoseconds. Empty: none.
   std::vector<NumberColumn> columns;
-  bool repair = false;  ///< Drop a bad row, counted, instead of reporting an error.
+  bool repair = false;           ///< Drop a bad row, counted, instead of reporting an error.
   bool skip_empty_rows = false;  ///< A row in which every wanted cell is missing is none.
 };
 

@@ -15,18 +15,23 @@ namespace {
 /// Takes a cell that the fast path could not: spaces, quotes, a missing value, or an error.
 class CellReader {
  public:
-  CellReader(const RowPlan& plan, std::int64_t& time_ns, double* values) noexcept
-      : plan_(plan), time_ns_(time_ns), values_(values) {}
+  CellReader(const RowPlan& plan, std::int64_t* times_ns, double* values) noexcept
+      : plan_(plan), times_ns_(times_ns), values_(values) {}
 
   [[nodiscard]] bool read(const CellPlan& cell, std::string_view text) {
     if (cell.kind == CellKind::ignored) {
       return true;
     }
     const char point = plan_.dialect.decimal_point;
-    if (cell.kind == CellKind::seconds) {
+    if (cell.kind == CellKind::optional_seconds && is_missing_cell(text)) {
+      times_ns_[cell.slot] = kNoTime;
+      return true;
+    }
+    if (cell.kind == CellKind::seconds || cell.kind == CellKind::optional_seconds) {
       padded_.assign(text);
       const char* const begin = padded_.view().data();
-      return !text.empty() && scan_seconds(begin, point, time_ns_) == begin + text.size();
+      return !text.empty() &&
+             scan_seconds(begin, point, times_ns_[cell.slot]) == begin + text.size();
     }
     const CellReading reading = read_cell(text, point);
     values_[cell.slot] = reading.value;
@@ -46,7 +51,7 @@ class CellReader {
 
  private:
   const RowPlan& plan_;
-  std::int64_t& time_ns_;
+  std::int64_t* times_ns_;
   double* values_;
   Bytes padded_;
 };
@@ -55,10 +60,10 @@ class CellReader {
 bool scan_carefully(const RowPlan& plan,
                     CsvCursor& cursor,
                     std::size_t position,
-                    std::int64_t& time_ns,
+                    std::int64_t* times_ns,
                     double* values,
                     RowProblems& problems) {
-  CellReader reader(plan, time_ns, values);
+  CellReader reader(plan, times_ns, values);
   std::string unquoted;
   CsvField field;
   bool surplus = false;
@@ -97,7 +102,7 @@ const char* skip_run_of_spaces(const char* p) noexcept {
 inline const char* scan_plain(const CellPlan& cell,
                               const CsvDialect& dialect,
                               const char* p,
-                              std::int64_t& time_ns,
+                              std::int64_t* times_ns,
                               double* values) noexcept {
   switch (cell.kind) {
     case CellKind::optional_number:
@@ -110,8 +115,14 @@ inline const char* scan_plain(const CellPlan& cell,
       [[fallthrough]];
     case CellKind::number:
       return scan_number(p, dialect.decimal_point, values[cell.slot]);
+    case CellKind::optional_seconds:
+      if (*p == dialect.separator || *p == '\n' || *p == '\r') {
+        times_ns[cell.slot] = kNoTime;
+        return p;
+      }
+      [[fallthrough]];
     case CellKind::seconds:
-      return scan_seconds(p, dialect.decimal_point, time_ns);
+      return scan_seconds(p, dialect.decimal_point, times_ns[cell.slot]);
     case CellKind::ignored:
       break;
   }
@@ -124,7 +135,7 @@ inline const char* scan_plain(const CellPlan& cell,
 // The first cell that is not hands the rest of the row to the careful reader.
 bool scan_row(const RowPlan& plan,
               CsvCursor& cursor,
-              std::int64_t& time_ns,
+              std::int64_t* times_ns,
               double* values,
               RowProblems& problems) {
   const char separator = plan.dialect.separator;
@@ -135,7 +146,7 @@ bool scan_row(const RowPlan& plan,
     if (separator == ' ') {
       p = skip_run_of_spaces(p);
     }
-    const char* next = scan_plain(plan.cells[position], plan.dialect, p, time_ns, values);
+    const char* next = scan_plain(plan.cells[position], plan.dialect, p, times_ns, values);
     if (next == nullptr) {
       break;
     }
@@ -157,7 +168,7 @@ bool scan_row(const RowPlan& plan,
     return true;
   }
   cursor.at = p;
-  return scan_carefully(plan, cursor, position, time_ns, values, problems);
+  return scan_carefully(plan, cursor, position, times_ns, values, problems);
 }
 
 }  // namespace tcert::table

@@ -101,6 +101,8 @@ class RowReporter {
     switch (kind) {
       case CellKind::seconds:
         return "a time in seconds";
+      case CellKind::optional_seconds:
+        return "a time in seconds (" + std::string(kHowMissingIsWritten) + ")";
       case CellKind::optional_flag:
         return "0 or 1, true or false";
       case CellKind::optional_number:

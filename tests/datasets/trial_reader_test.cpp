@@ -37,6 +37,50 @@ TEST_F(ReadTrial, ReadsTheStreamsOfAGoodLog) {
   EXPECT_GT(log_->bytes, 100U);
 }
 
+TEST_F(ReadTrial, ReadsWhenSamplesArriveToTheNanosecond) {
+  write("pose.csv",
+        "x_m,arrival_s,y_m,yaw_rad,time_s\n0,1700000000.123456789,0,0,1700000000.123456789\n"
+        "1,1700000000.623456792,0,0,1700000000.623456790\n");
+  write("tactile.csv",
+        "time_s,left_bend_rad,arrival_s\n1700000000.2,0.1,NA\n1700000000.3,,1700000000.3\n"
+        "1700000000.4,0.2,1700000000.9\n");
+  write("control.csv", "time_s,speed_cmd_mps,arrival_s\n1700000000.1,0.2,1700000000.1\n");
+  EXPECT_EQ(read(),
+            (Messages{"logs/t/tactile.csv: note: column 'arrival_s': found '1 of 2 cells missing', "
+                      "expected a time; these samples count as there at once",
+                      "logs/t/tactile.csv: note: found '1 of 3 rows without a value', expected "
+                      "rows with one; the others are no samples of this stream"}));
+  EXPECT_EQ(log_->pose.time_ns,
+            (std::vector<std::int64_t>{1'700'000'000'123'456'789, 1'700'000'000'623'456'790}));
+  EXPECT_EQ(log_->pose.arrival_ns,
+            (std::vector<std::int64_t>{1'700'000'000'123'456'789, 1'700'000'000'623'456'792}));
+  EXPECT_EQ(log_->tactile.arrival_ns,
+            (std::vector<std::int64_t>{1'700'000'000'200'000'000, 1'700'000'000'900'000'000}));
+  EXPECT_EQ(log_->tactile.readings.size(), 2U);
+  EXPECT_EQ(log_->control.arrival_ns, (std::vector<std::int64_t>{1'700'000'000'100'000'000}));
+}
+
+TEST_F(ReadTrial, ArrivalBeforeItsTimeRejectsRepairedOrNot) {
+  write("pose.csv", "time_s,x_m,y_m,yaw_rad,arrival_s\n0,0,0,0,0\n0.5,1,0,0,0.4\n1,2,0,0,1\n");
+  const Messages expected{
+      "logs/t/pose.csv:3: error: column 'arrival_s': found '0.4 before 0.5', expected a time at or "
+      "after time_s, on the same clock"};
+  EXPECT_EQ(read(false), expected);
+  EXPECT_EQ(read(true), expected);
+  write("pose.csv", "time_s,x_m,y_m,yaw_rad,arrival_s\n0,0,0,0,soon\n0.5,1,0,0,0.5\n1,2,0,0,1\n");
+  EXPECT_EQ(
+      read(),
+      Messages{"logs/t/pose.csv:2: error: column 'arrival_s': found 'soon', expected a time in "
+               "seconds (a missing cell is empty, NA or nan)"});
+}
+
+TEST_F(ReadTrial, CommandsThatArriveBeforeTheirTimeAreLeftOut) {
+  write("control.csv", "time_s,speed_cmd_mps,arrival_s\n0.5,0.2,0.2\n");
+  ASSERT_EQ(read().size(), 2U);
+  ASSERT_TRUE(log_.has_value());
+  EXPECT_TRUE(log_->control.time_ns.empty());
+}
+
 TEST_F(ReadTrial, MissingFileRejectsRepairedOrNot) {
   remove("pose.csv");
   remove("tactile.csv");
