@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <zip.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string_view>
 #include <system_error>
@@ -153,6 +154,43 @@ table::BytesResult BundleFiles::read_from_archive(const std::string& name) const
     return {std::nullopt, "the zip data are damaged"};
   }
   return {std::move(bytes), {}};
+}
+
+std::vector<std::string> BundleFiles::names() {
+  namespace fs = std::filesystem;
+  constexpr int kDeepest = 32;
+  std::vector<std::string> names;
+  if (archive_) {
+    const zip_int64_t entries = zip_get_num_entries(archive_.get(), 0);
+    for (zip_int64_t i = 0; i < entries; ++i) {
+      const char* raw = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), 0);
+      const std::string_view name = raw == nullptr ? std::string_view{} : raw;
+      if (name.starts_with(prefix_) && name.size() > prefix_.size() && name.back() != '/') {
+        names.emplace_back(name.substr(prefix_.size()));
+      }
+    }
+  } else {
+    std::error_code error;
+    const auto follow = fs::directory_options::follow_directory_symlink;
+    fs::recursive_directory_iterator at(path_, follow, error);
+    for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+      if (at.depth() > kDeepest) {
+        problem_ = "its folders are nested more than 32 levels deep";
+        return {};
+      }
+      std::error_code ignored;
+      if (fs::is_regular_file(at->path(), ignored)) {
+        names.push_back(at->path().lexically_relative(path_).generic_string());
+      }
+    }
+    problem_ = error ? error.message() : "";
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+table::BytesResult BundleFiles::read_raw(const std::string& name) const {
+  return archive_ ? read_from_archive(name) : table::read_raw_file(path_ / name);
 }
 
 table::BytesResult BundleFiles::read(const std::string& name) const {

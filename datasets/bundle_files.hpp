@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <table/bytes.hpp>
+#include <vector>
 
 struct zip;
 
@@ -29,6 +30,14 @@ class BundleFiles {
 
   /// `name`, `name`.gz or `name`.zst, whichever is there first.
   [[nodiscard]] std::optional<std::string> find(const std::string& name) const;
+
+  /// Of every file, sorted; links to files and folders are followed. A folder that is nested more
+  /// than 32 levels deep is a problem(), as one that links to itself would be. \pre problem() is
+  /// empty.
+  [[nodiscard]] std::vector<std::string> names();
+
+  /// The bytes of a file as they are. \pre problem() is empty.
+  [[nodiscard]] table::BytesResult read_raw(const std::string& name) const;
 
   /// The text of a file, expanded if it is compressed. \pre problem() is empty.
   [[nodiscard]] table::BytesResult read(const std::string& name) const;

@@ -48,6 +48,19 @@ struct SharedClock {
 
 }  // namespace
 
+table::CsvOptions csv_of_stream(const Bundle& bundle,
+                                const std::string& name,
+                                const std::string& file) {
+  table::CsvOptions csv;
+  csv.file = file;
+  csv.decimal_comma = bundle.decimal_comma;
+  csv.fold_names = true;
+  if (const auto renames = bundle.info.columns.find(name); renames != bundle.info.columns.end()) {
+    csv.rename = renames->second;
+  }
+  return csv;
+}
+
 StreamReader::StreamReader(const Bundle& bundle, const TrialRow& trial, const ReadOptions& options)
     : bundle_(bundle),
       files_(bundle.path),
@@ -83,7 +96,7 @@ std::optional<Stream> StreamReader::read(const std::string& name, table::NumberO
   table::DiagnosticGroups problems;
   columns.repair = options_.repair;
   columns.skip_empty_rows = true;
-  const table::CsvOptions csv = csv_options(name, *found);
+  const table::CsvOptions csv = csv_of_stream(bundle_, name, *found);
   std::optional<table::NumberTable> table =
       table::read_numbers(*file.bytes, csv, columns, problems);
   if (!table) {
@@ -157,18 +170,6 @@ std::vector<std::int64_t> StreamReader::breaks_of(const Stream& stream, PathBrea
   breaks.insert(breaks.end(), stream.set_back_ns.begin(), stream.set_back_ns.end());
   std::ranges::sort(breaks);
   return breaks;
-}
-
-table::CsvOptions StreamReader::csv_options(const std::string& name,
-                                            const std::string& file) const {
-  table::CsvOptions csv;
-  csv.file = file;
-  csv.decimal_comma = bundle_.decimal_comma;
-  csv.fold_names = true;
-  if (const auto renames = bundle_.info.columns.find(name); renames != bundle_.info.columns.end()) {
-    csv.rename = renames->second;
-  }
-  return csv;
 }
 
 void StreamReader::report(table::Diagnostic diagnostic) {

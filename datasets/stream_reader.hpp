@@ -25,6 +25,11 @@ struct Stream {
   std::vector<std::int64_t> set_back_ns{};  ///< Where its path breaks since its clock was set back.
 };
 
+/// How the file `name` ("pose.csv"), found as `file`, is read.
+[[nodiscard]] table::CsvOptions csv_of_stream(const Bundle& bundle,
+                                              const std::string& name,
+                                              const std::string& file);
+
 /// Collects the problems of all files.
 class StreamReader {
  public:
@@ -62,8 +67,6 @@ class StreamReader {
   [[nodiscard]] std::vector<table::Diagnostic> take_diagnostics();
 
  private:
-  [[nodiscard]] table::CsvOptions csv_options(const std::string& name,
-                                              const std::string& file) const;
   void settle_stamps(const table::Bytes& bytes,
                      const table::CsvOptions& csv,
                      Stream& stream,

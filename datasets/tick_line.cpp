@@ -13,16 +13,6 @@ namespace tcert {
 
 namespace {
 
-std::vector<std::string> required_names(const table::NumberOptions& options) {
-  std::vector<std::string> names{options.time_column};
-  for (const table::NumberColumn& column : options.columns) {
-    if (column.required) {
-      names.push_back(column.name);
-    }
-  }
-  return names;
-}
-
 std::string_view without_spaces_before(std::string_view text) noexcept {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view{} : text.substr(first);
@@ -64,7 +54,7 @@ void TickLineParser::restart(std::string_view first_line, table::DiagnosticGroup
   csv.decimal_comma = options_.decimal_comma;
   const table::Bytes header_bytes = table::Bytes::copy_of(first_line);
   const auto header =
-      table::find_header(header_bytes.view(), csv, required_names(columns_), problems);
+      table::find_header(header_bytes.view(), csv, table::required_names(columns_), problems);
   ready_ = header.has_value();
   if (header) {
     names_ = header->names;

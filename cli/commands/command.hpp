@@ -36,6 +36,7 @@ extern const Command kSweep;
 extern const Command kReplay;
 extern const Command kExplore;
 extern const Command kGate;
+extern const Command kAssure;
 extern const Command kStudy;
 extern const Command kBatch;
 extern const Command kReport;

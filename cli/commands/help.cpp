@@ -57,9 +57,9 @@ Cost: none.
 )";
 
 constexpr std::array kCommands = {
-    &kSimulate,   &kDrive,     &kImport,  &kCalibrate, &kCheck,   &kCertify, &kWorld,  &kFit,
-    &kHypotheses, &kAblate,    &kSweep,   &kReplay,    &kExplore, &kGate,    &kStudy,  &kBatch,
-    &kReport,     &kReproduce, &kFigures, &kVerify,    &kLive,    &kHelp,    &kVersion};
+    &kSimulate,   &kDrive,  &kImport,    &kCalibrate, &kCheck,   &kCertify, &kWorld,  &kFit,
+    &kHypotheses, &kAblate, &kSweep,     &kReplay,    &kExplore, &kGate,    &kAssure, &kStudy,
+    &kBatch,      &kReport, &kReproduce, &kFigures,   &kVerify,  &kLive,    &kHelp,   &kVersion};
 
 struct HelpRequest {
   std::string topic;

@@ -28,19 +28,6 @@ bool is_empty_row(const RowPlan& plan, const RowProblems& wrong, const std::vect
                              [](const CellProblem& cell) { return is_missing_cell(cell.value); });
 }
 
-std::vector<std::string> required_names(const NumberOptions& options) {
-  std::vector<std::string> names;
-  if (!options.time_column.empty()) {
-    names.push_back(options.time_column);
-  }
-  for (const NumberColumn& column : options.columns) {
-    if (column.required) {
-      names.push_back(column.name);
-    }
-  }
-  return names;
-}
-
 /// Rows to make room for, judged by the first of them.
 std::size_t estimated_rows(const CsvCursor& data) {
   const std::string_view text(data.at, static_cast<std::size_t>(data.end - data.at));
@@ -80,6 +67,19 @@ void fill_times(const NumberOptions& options,
 }
 
 }  // namespace
+
+std::vector<std::string> required_names(const NumberOptions& options) {
+  std::vector<std::string> names;
+  if (!options.time_column.empty()) {
+    names.push_back(options.time_column);
+  }
+  for (const NumberColumn& column : options.columns) {
+    if (column.required) {
+      names.push_back(column.name);
+    }
+  }
+  return names;
+}
 
 RowPlan plan_row(const CsvHeader& header, const NumberOptions& options) {
   RowPlan plan{header.dialect, std::vector<CellPlan>(header.names.size())};

@@ -48,6 +48,9 @@ struct NumberTable {
   }
 };
 
+/// The columns that a file must have.
+[[nodiscard]] std::vector<std::string> required_names(const NumberOptions& options);
+
 /// The plan of a row of `header` that fills the wanted columns in their order.
 [[nodiscard]] RowPlan plan_row(const CsvHeader& header, const NumberOptions& options);
 

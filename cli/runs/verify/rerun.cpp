@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "cli/runs/assure_perturb.hpp"
 #include "cli/runs/batch/trial_features.hpp"
 #include "cli/runs/calibrate_rays.hpp"
 #include "cli/runs/certify.hpp"
@@ -64,6 +65,7 @@ constexpr std::array kEntries{
     Entry{"batch", "drive", false, again<DriveRequest, driven_features>},
     Entry{"import", "barn", true, again<ImportBarnRequest, import_barn>},
     Entry{"calibrate", "rays", true, again<CalibrateRaysRequest, calibrate_rays>},
+    Entry{"assure", "perturb", true, again<AssurePerturbRequest, assure_perturb>},
     Entry{"certify", "", false, again<CertifyRequest, certify>},
     Entry{"replay", "", false, again<ReplayRequest, replay>},
     Entry{"ablate", "", false, again<AblateRequest, ablate>},
