@@ -1,13 +1,13 @@
 #include "datasets/ray_pairs.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
 #include <table/cell_reading.hpp>
 #include <utility>
 
+#include "datasets/measured_cells.hpp"
 #include "datasets/ray_pair_units.hpp"
 
 namespace tcert {
@@ -24,7 +24,7 @@ class PairReader {
   PairReader(const table::TextTable& rows,
              const std::string& file,
              table::DiagnosticGroups& problems)
-      : rows_(rows), file_(file), problems_(problems) {}
+      : rows_(rows), file_(file), problems_(problems), cells_(rows, file, problems) {}
 
   RayPairs read() {
     RayPairs result;
@@ -32,8 +32,8 @@ class PairReader {
     const std::size_t clearance_column = rows_.find("clearance_m").value();
     std::vector<std::size_t> used;
     for (std::size_t row = 0; row < rows_.rows(); ++row) {
-      const std::optional<double> bend = number(row, bend_column);
-      const std::optional<double> clearance = number(row, clearance_column);
+      const std::optional<double> bend = cells_.number(row, bend_column);
+      const std::optional<double> clearance = cells_.number(row, clearance_column);
       if (!bend || !clearance) {
         continue;
       }
@@ -58,7 +58,9 @@ class PairReader {
     result.rays = ray.names;
     result.days = day.names;
     result.runs = runs.size();
-    label(result);
+    const SyntheticTable made = synthetic_table(rows_);
+    result.synthetic = made.synthetic;
+    result.seed = made.seed;
     say(result);
     return result;
   }
@@ -70,7 +72,7 @@ class PairReader {
     for (const std::size_t row : used) {
       const std::string& cell = rows_.at(row, column);
       if (table::is_missing_cell(cell)) {
-        add(table::Severity::error, rows_.lines[row], name, cell, "a name");
+        cells_.report(table::Severity::error, rows_.lines[row], name, cell, "a name");
       }
       codes.emplace(cell, 0U);
     }
@@ -85,61 +87,24 @@ class PairReader {
     return result;
   }
 
-  void label(RayPairs& result) const {
-    const auto column = rows_.find("synthetic_seed");
-    result.synthetic = column.has_value() && rows_.rows() > 0;
-    if (result.synthetic) {
-      const std::string& cell = rows_.at(0, *column);
-      std::uint64_t seed = 0;
-      const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), seed);
-      if (error == std::errc{} && stop == cell.data() + cell.size()) {
-        result.seed = seed;
-      }
-    }
-  }
-
-  std::optional<double> number(std::size_t row, std::size_t column) {
-    const std::string& cell = rows_.at(row, column);
-    const table::CellReading reading = table::read_cell(cell, rows_.dialect.decimal_point);
-    if (reading.meaning == table::CellMeaning::number && std::isfinite(reading.value)) {
-      return reading.value;
-    }
-    if (reading.meaning != table::CellMeaning::missing) {
-      add(table::Severity::error,
-          rows_.lines[row],
-          rows_.columns[column],
-          table::shortened(cell),
-          "a finite number (" + std::string(table::kHowMissingIsWritten) + ")");
-    }
-    return std::nullopt;
-  }
-
   void say(const RayPairs& result) {
     units_.say(file_, problems_);
     if (result.missing > 0) {
-      add(table::Severity::note,
-          0,
-          "",
-          std::to_string(result.missing) + " rows without a bend or a clearance",
-          "both in each; they are left out");
+      cells_.report(table::Severity::note,
+                    0,
+                    "",
+                    std::to_string(result.missing) + " rows without a bend or a clearance",
+                    "both in each; they are left out");
     }
     if (result.pairs.empty()) {
-      add(table::Severity::error, 0, "", "no pair", "rows with a bend and a clearance");
+      cells_.report(table::Severity::error, 0, "", "no pair", "rows with a bend and a clearance");
     }
-  }
-
-  void add(table::Severity severity,
-           std::size_t line,
-           std::string column,
-           std::string value,
-           std::string expectation) {
-    problems_.add(
-        {severity, file_, line, std::move(column), std::move(value), std::move(expectation), 1});
   }
 
   const table::TextTable& rows_;
   const std::string& file_;
   table::DiagnosticGroups& problems_;
+  MeasuredCells cells_;
   RayPairUnits units_;
 };
 

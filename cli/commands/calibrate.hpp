@@ -6,10 +6,12 @@
 
 namespace tcert::cli {
 
-/// Arguments with the kind among them. Returns the exit code; throws the errors of errors.hpp.
+/// Arguments with the kind among them. Return the exit code; throw the errors of errors.hpp.
 int calibrate_rays_command(Arguments arguments);
+int calibrate_tracking_command(Arguments arguments);
 
-/// What it takes.
+/// What they take.
 [[nodiscard]] CommandForm calibrate_rays_form();
+[[nodiscard]] CommandForm calibrate_tracking_form();
 
 }  // namespace tcert::cli

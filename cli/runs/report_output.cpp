@@ -115,7 +115,7 @@ void ReportOutput::write_folder(FitReport report, Manifest manifest) {
     folder_->write(one.name + ".json", render(one, TableFormat::json));
   }
   for (const Attachment& one : report.attachments) {
-    folder_->write(one.name + ".json", one.json);
+    folder_->write(one.name + "." + one.ending, one.text);
   }
   folder_->commit(std::move(manifest));
 }

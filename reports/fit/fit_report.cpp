@@ -80,7 +80,7 @@ std::string json_document(const FitReport& report) {
     }
   }
   for (const Attachment& one : report.attachments) {
-    json[one.name] = Json::parse(one.json);
+    json[one.name] = one.ending == "json" ? Json::parse(one.text) : Json(one.text);
   }
   json["conditions"] = json_of(report.conditions);
   return dumped(json, 1);
@@ -102,7 +102,7 @@ std::string attachments_text(const FitReport& report, std::string_view fence) {
   for (const Attachment& one : report.attachments) {
     out += '\n' + one.title + "\n\n";
     out +=
-        fence.empty() ? one.json : std::string(fence) + '\n' + one.json + std::string(fence) + '\n';
+        fence.empty() ? one.text : std::string(fence) + '\n' + one.text + std::string(fence) + '\n';
   }
   return out;
 }

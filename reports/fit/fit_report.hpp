@@ -14,11 +14,12 @@
 
 namespace tcert {
 
-/// A JSON document that goes with a report, for another program to take as it is.
+/// A document that goes with a report, for another program to take as it is.
 struct Attachment {
   std::string name;  ///< snake_case: the file name without its ending.
   std::string title;
-  std::string json;  ///< Ends with a line end.
+  std::string text;             ///< Ends with a line end.
+  std::string ending = "json";  ///< What it is: "json", or "ini" of a config file.
 };
 
 struct FitReport {
@@ -57,9 +58,9 @@ struct FitReport {
 /// likewise, the findings as a table. LaTeX: `tables` and the summary, for a text has words of its
 /// own. JSON: one document with everything; the summary is an object, every table a list of
 /// objects, each condition an object with name, severity, column, detail, each attachment what it
-/// is. CSV and JSON Lines: the main table. With `table` only the table of that name, in any format;
-/// it is to be there. After an error without a single number in the main table, text, Markdown and
-/// LaTeX have the conditions alone.
+/// is, a text unless it is JSON. CSV and JSON Lines: the main table. With `table` only the table of
+/// that name, in any format; it is to be there. After an error without a single number in the main
+/// table, text, Markdown and LaTeX have the conditions alone.
 [[nodiscard]] std::string render(const FitReport& report,
                                  TableFormat format,
                                  std::string_view table = {},

@@ -126,5 +126,109 @@ TEST(Calibrate, RaysOfTooFewDaysAreRefusedWithWhatIsPossible) {
   EXPECT_NE(range.err.find("has no ray 'sonar' of kind bend"), std::string::npos);
 }
 
+/// Straight runs at 0.2 m/s of which run k is k mm beside its path.
+std::string tracked(int runs, const std::string& more = "") {
+  std::string text = "run,day,time_s,x_m,y_m,yaw_rad,nominal_x_m,nominal_y_m\n";
+  for (int run = 1; run <= runs; ++run) {
+    for (int i = 0; i <= 50; ++i) {
+      text += "r" + std::to_string(run) + ",d" + std::to_string(run % 3) + "," +
+              std::to_string(0.1 * i) + "," + std::to_string(0.02 * i) + "," +
+              std::to_string(0.001 * run) + ",0," + std::to_string(0.02 * i) + ",0\n";
+    }
+  }
+  return text + more;
+}
+
+TEST(Calibrate, TrackingGivesBuffersThatConfigTakesAndWhatSoManyRunsBound) {
+  Workdir work(TCERT_BINARY);
+  work.write("runs.csv", tracked(59));
+  const ProcessResult run = work.run({"calibrate", "tracking", "runs.csv", "--output", "buffers/"});
+  ASSERT_EQ(run.exit_code, 0) << to_string(run);
+  EXPECT_NE(run.err.find("0.0590 m from the nominal path"), std::string::npos) << run.err;
+  EXPECT_EQ(work.read("buffers/buffers.ini"),
+            "tracking_buffer_m=0.059\ncurvature_buffer_per_m=0\n");
+  EXPECT_EQ(json::parse(work.read("buffers/robot.json")),
+            json::parse(R"({"tracking_buffer_m": 0.059, "curvature_buffer_per_m": 0})"));
+  const json report = json::parse(work.read("buffers/report.json"));
+  EXPECT_EQ(report["tracking_runs"].size(), 59U);
+  EXPECT_NEAR(report["summary"]["confidence"].get<double>(), 0.9515, 1e-4);
+  EXPECT_NEAR(report["summary"]["share_of_days"].get<double>(), std::pow(0.05, 1.0 / 3.0), 1e-9);
+  EXPECT_EQ(report["buffers"], work.read("buffers/buffers.ini"));
+  EXPECT_EQ(work.run({"verify", "buffers", "--inputs", "."}).exit_code, 0);
+  // As --config and as the 'robot' of a bundle, the same.
+  EXPECT_EQ(work.run({"simulate", "--trials", "2", "--output", "corpus"}).exit_code, 0);
+  const ProcessResult certified =
+      work.run({"certify", "corpus", "--config", "buffers/buffers.ini", "--output", "results"});
+  ASSERT_EQ(certified.exit_code, 0) << to_string(certified);
+  const json manifest = json::parse(work.read("results/manifest.json"));
+  EXPECT_EQ(manifest["parameters"]["tracking_buffer_m"], 0.059);
+  // Fewer runs say what they do bound.
+  work.write("few.csv", tracked(7));
+  const ProcessResult few = work.run({"calibrate", "tracking", "few.csv"});
+  EXPECT_NE(few.out.find("bounds 65.2 % of all runs with 95 % confidence"), std::string::npos)
+      << few.out;
+  EXPECT_NE(few.out.find("takes 59"), std::string::npos) << few.out;
+}
+
+TEST(Calibrate, TrackingNamesWhatIsWrongWithRuns) {
+  Workdir work(TCERT_BINARY);
+  work.write("back.csv", tracked(1, "r1,d1,2.5,0,0,0,0,0\n"));
+  const ProcessResult back = work.run({"calibrate", "tracking", "back.csv"});
+  EXPECT_EQ(back.exit_code, 65);
+  EXPECT_NE(back.err.find("back.csv:53: error: column 'time_s': found '2.5 after 5'"),
+            std::string::npos)
+      << back.err;
+  work.write("text.csv", tracked(1, "r1,d1,6,0,left,0,0,0\n"));
+  EXPECT_NE(work.run({"calibrate", "tracking", "text.csv"}).err.find("column 'y_m': found 'left'"),
+            std::string::npos);
+  work.write("runs.csv", tracked(1));
+  EXPECT_EQ(work.run({"calibrate", "tracking", "none.csv"}).exit_code, 66);
+  EXPECT_EQ(work.run({"calibrate", "tracking"}).exit_code, 2);
+  EXPECT_EQ(
+      work.run({"calibrate", "tracking", "runs.csv", "--model", "double-integrator"}).exit_code, 2);
+  EXPECT_EQ(work.run({"calibrate", "tracking", "runs.csv", "--braking-mps2", "1"}).exit_code, 2);
+  EXPECT_EQ(work.run({"calibrate", "tracking", "--model", "unicycle"}).exit_code, 2);
+  EXPECT_EQ(work.run({"calibrate", "trackign"}).exit_code, 2);
+}
+
+TEST(Calibrate, TrackingOfAModelIsATableOfTheSpeedJustLeft) {
+  Workdir work(TCERT_BINARY);
+  const ProcessResult run = work.run({"calibrate",
+                                      "tracking",
+                                      "--model",
+                                      "double-integrator",
+                                      "--disturbance-mps2",
+                                      "0.1",
+                                      "--disturbance-mps",
+                                      "0.05",
+                                      "--speeds",
+                                      "0,0.08,0.22",
+                                      "--format",
+                                      "json"});
+  ASSERT_EQ(run.exit_code, 0) << to_string(run);
+  const json table = json::parse(run.out)["tracking_error"];
+  ASSERT_EQ(table.size(), 18U);
+  for (const json& row : table) {
+    const double v = std::max(row["speed_mps"].get<double>(), row["speed_left_mps"].get<double>());
+    const double dv = row["disturbance"] == 1 ? 0.05 : 0.0;
+    const double braking = row["disturbance"] == 1 ? 0.9 : 1.0;
+    EXPECT_NEAR(row["radius_m"].get<double>(), (v + dv) * (v + dv) / braking, 1e-12);
+    EXPECT_NEAR(
+        row["hold_s"].get<double>(), (row["speed_left_mps"].get<double>() + dv) / braking, 1e-12);
+  }
+  EXPECT_EQ(table.back()["radius_m"], 0.081);
+  for (const char* const speeds : {"0", "0.1,0.2", "0,0.2,0.1", "0,x", "0,inf", "0,2000"}) {
+    EXPECT_EQ(
+        work.run({"calibrate", "tracking", "--model", "double-integrator", "--speeds", speeds})
+            .exit_code,
+        2)
+        << speeds;
+  }
+  EXPECT_EQ(
+      work.run({"calibrate", "tracking", "--model", "double-integrator", "--disturbance-mps2", "1"})
+          .exit_code,
+      2);
+}
+
 }  // namespace
 }  // namespace tcert

@@ -8,6 +8,7 @@
 #include "cli/runs/assure_perturb.hpp"
 #include "cli/runs/batch/trial_features.hpp"
 #include "cli/runs/calibrate_rays.hpp"
+#include "cli/runs/calibrate_tracking.hpp"
 #include "cli/runs/certify.hpp"
 #include "cli/runs/drive.hpp"
 #include "cli/runs/experiment/cells.hpp"
@@ -65,6 +66,7 @@ constexpr std::array kEntries{
     Entry{"batch", "drive", false, again<DriveRequest, driven_features>},
     Entry{"import", "barn", true, again<ImportBarnRequest, import_barn>},
     Entry{"calibrate", "rays", true, again<CalibrateRaysRequest, calibrate_rays>},
+    Entry{"calibrate", "tracking", true, again<CalibrateTrackingRequest, calibrate_tracking>},
     Entry{"assure", "perturb", true, again<AssurePerturbRequest, assure_perturb>},
     Entry{"certify", "", false, again<CertifyRequest, certify>},
     Entry{"replay", "", false, again<ReplayRequest, replay>},
