@@ -136,7 +136,7 @@ void delay(TrialLog& log, std::uint64_t index) {
     std::vector<std::int64_t> arrival_ns;
     std::int64_t held_until = INT64_MIN;
     for (const std::int64_t time : time_ns) {
-      if (time > held_until && random.below(60) == 0) {
+      if (time > held_until && random.below(300) == 0) {
         held_until = time + std::llround(1e9 * random.uniform(0.1, 2.0));
       }
       arrival_ns.push_back(std::max(held_until, time) + random.below(50'000'000));

@@ -71,7 +71,7 @@ TEST_F(ReadTrial, ArrivalBeforeItsTimeRejectsRepairedOrNot) {
   EXPECT_EQ(
       read(),
       Messages{"logs/t/pose.csv:2: error: column 'arrival_s': found 'soon', expected a time in "
-               "seconds (a missing cell is empty, NA or nan)"});
+               "seconds (a missing cell is empty, NA or nan); --repair drops such rows"});
 }
 
 TEST_F(ReadTrial, CommandsThatArriveBeforeTheirTimeAreLeftOut) {
