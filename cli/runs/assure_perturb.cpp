@@ -122,29 +122,52 @@ std::string injections_text(const Bundle& bundle, const std::vector<PerturbedRec
   return text;
 }
 
-/// "12 dropouts (1.9 % of the samples)", "3 spikes", ...
-std::string kinds_in_words(const std::vector<PerturbedRecord>& records) {
+/// How much of the samples that it could meet a kind of faults met: of the streams that lose
+/// samples and are late, or of those of rays.
+struct KindCount {
+  std::size_t faults = 0;
+  std::size_t met = 0;
   std::size_t samples = 0;
-  std::array<std::pair<std::size_t, std::size_t>, perturb::kFaultKinds.size()> met{};
+};
+
+bool can_meet(perturb::FaultKind kind,
+              perturb::StreamKind stream,
+              const std::vector<perturb::StreamKind>& links) {
+  const bool is_of_link =
+      kind == perturb::FaultKind::dropout || kind == perturb::FaultKind::latency;
+  return is_of_link ? std::ranges::find(links, stream) != links.end()
+                    : stream == perturb::StreamKind::tactile;
+}
+
+KindCount count_of(perturb::FaultKind kind,
+                   const std::vector<PerturbedRecord>& records,
+                   const std::vector<perturb::StreamKind>& links) {
+  KindCount count;
   for (const PerturbedRecord& record : records) {
     for (const perturb::PerturbedStream& stream : record.streams) {
-      samples += stream.samples;
+      count.samples += can_meet(kind, stream.kind, links) ? stream.samples : 0;
       for (const perturb::Injection& one : stream.injections) {
-        auto& [faults, touched] = met[static_cast<std::size_t>(one.kind)];
-        ++faults;
-        touched += one.samples;
+        count.faults += one.kind == kind ? 1 : 0;
+        count.met += one.kind == kind ? one.samples : 0;
       }
     }
   }
+  return count;
+}
+
+/// "dropout: 12 (1.9 % of the samples); spike: 3 (...)".
+std::string kinds_in_words(const std::vector<PerturbedRecord>& records,
+                           const std::vector<perturb::StreamKind>& links) {
   std::string words;
   for (const perturb::FaultKind kind : perturb::kFaultKinds) {
-    const auto& [faults, touched] = met[static_cast<std::size_t>(kind)];
-    if (faults > 0) {
-      words += fmt::format("{}{} {} ({:.3g} % of the samples)",
-                           words.empty() ? "" : ", ",
-                           faults,
-                           perturb::to_string(kind),
-                           100.0 * static_cast<double>(touched) / static_cast<double>(samples));
+    const KindCount count = count_of(kind, records, links);
+    if (count.faults > 0) {
+      words +=
+          fmt::format("{}{}: {} ({:.3g} % of the samples)",
+                      words.empty() ? "" : "; ",
+                      perturb::to_string(kind),
+                      count.faults,
+                      100.0 * static_cast<double>(count.met) / static_cast<double>(count.samples));
     }
   }
   return words.empty() ? "none" : words;

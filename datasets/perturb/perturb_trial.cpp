@@ -126,7 +126,7 @@ class TrialPerturbation {
     if (!file.bytes) {
       return;  // it was there when it was read
     }
-    PerturbedStream done{stream.name, draw_faults(plan_.faults, draw_), 0};
+    PerturbedStream done{stream.name, stream.kind, draw_faults(plan_.faults, draw_), 0};
     const table::CsvOptions csv = csv_of_stream(bundle_, stream.name, *found);
     const StreamText text{
         *file.bytes, csv, stream.columns, stream.first_ns, stream.last_ns, stream.is_merged};

@@ -29,7 +29,8 @@ struct PerturbedFile {
 
 /// What happened to a stream.
 struct PerturbedStream {
-  std::string name;  ///< "pose.csv".
+  std::string name;                    ///< "pose.csv".
+  StreamKind kind = StreamKind::pose;  ///< Of ticks.csv tactile.
   std::vector<Injection> injections;
   std::size_t samples = 0;  ///< Rows that it had, met or not.
 };

@@ -69,7 +69,7 @@ TEST_F(Perturb, GivesTheSameBytesForAnyThreadsAndWhateverElseIsInTheBundle) {
 TEST_F(Perturb, ListsWhatItDidAndLeavesWhatNoFaultMet) {
   const ProcessResult run = expect(
       0, "$T assure perturb corpus --wide-per-hour 200 --spikes-per-hour 200 --output stuck");
-  EXPECT_NE(run.err.find("wide ("), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("wide: "), std::string::npos) << run.err;
   expect(0,
          "head -1 stuck/injections.csv | grep -q SYNTHETIC || head -1 stuck/injections.csv | grep "
          "-q synthetic");
