@@ -195,7 +195,7 @@ ExitCode conclude_perturbing(const AssurePerturbRequest& request,
   progress.sum_up(
       fmt::format("Faults in {} trials: {}. They are listed in {}.",
                   records.size(),
-                  kinds_in_words(records),
+                  kinds_in_words(records, links_of(request.streams)),
                   (std::filesystem::path(request.output.path) / kInjectionsFile).string()));
   if (rejected.empty()) {
     return exit_done;
