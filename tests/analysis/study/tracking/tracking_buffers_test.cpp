@@ -46,7 +46,8 @@ TEST(TrackingBuffers, TellDistanceAndCurvatureOfCircles) {
   TrackingRuns tight;
   tight.runs = {circle(2.0, 1.0, 0.0)};
   const RunErrors errors = tracking_buffers(tight, {}).runs[0];
-  EXPECT_NEAR(errors.path_m, 1.0, 1e-9);
+  EXPECT_LE(errors.path_m, 1.0);
+  EXPECT_GT(errors.path_m, 1.0 - 2.6e-5) << "the sagitta of a chord of 2 cm, 0.02^2 / 16";
   EXPECT_NEAR(*errors.excess_per_m, 0.5, 1e-3);
   EXPECT_LE(*errors.excess_per_m, *errors.curvature_per_m);
   EXPECT_NEAR(errors.travel_m, 4.0, 0.02);
@@ -67,7 +68,7 @@ TEST(TrackingBuffers, DoNotTakeALaterStretchOfThePathForThisOne) {
   TrackingOptions options;
   EXPECT_NEAR(tracking_buffers(runs, options).path_m, 0.2, 1e-12);
   options.lag_s = 60.0;
-  EXPECT_NEAR(tracking_buffers(runs, options).path_m, 0.0, 1e-12);
+  EXPECT_LT(tracking_buffers(runs, options).path_m, 0.02) << "a step, where the path turns back";
   options.lag_s = 0.0;
   const TrackingBuffers at_once = tracking_buffers(runs, options);
   EXPECT_EQ(at_once.path_m, at_once.same_time_m);
