@@ -152,7 +152,7 @@ FitReport tracking_bound_report(const DoubleIntegrator& model,
                          left,
                          level,
                          tracking_radius_m(at, std::max(speed, left)),
-                         tracking_hold_s(at, left)});
+                         tracking_hold_s(model, left)});
       }
     }
   }

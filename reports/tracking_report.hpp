@@ -18,7 +18,8 @@ namespace tcert {
                                                 bool same_time);
 
 /// Table tracking_error, a row a knot: speeds times speeds just left times no disturbance and the
-/// model's whole one. radius_m is r(max(v, v_left)), hold_s how long r(v_left) holds. \pre a bound
+/// model's whole one. radius_m is r(max(v, v_left)), hold_s how long r(v_left) holds under
+/// the whole disturbance, whichever the row's. \pre a bound
 /// at all speeds, which rise from 0.
 [[nodiscard]] FitReport tracking_bound_report(const DoubleIntegrator& model,
                                               const std::vector<double>& speeds_mps);
