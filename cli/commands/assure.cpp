@@ -15,13 +15,16 @@ constexpr std::string_view kAssureText =
     R"(Assure that what guards a robot sees the faults that it is to see.
 
 perturb: a bundle once more, with faults of sensors and links in its logs, and a list of them.
+monitor: what rules detect of them and of truly unsafe times, how often they cry wolf, what it costs.
 
 Usage: tcert assure perturb BUNDLE --output DIR [options]
+       tcert assure monitor BUNDLE [options]
 
-'tcert assure perturb --help' lists the options.
+'tcert assure perturb --help' and so on list the options.
 
 Example:
-  tcert assure perturb logs --wide-per-hour 20 --output faulty
+  tcert assure perturb driven --wide-per-hour 20 --output faulty
+  tcert assure monitor faulty --output assurance/
 
 Cost: one pass over the logs.
 )";
@@ -39,7 +42,8 @@ struct AssureKind {
 };
 
 constexpr std::array kAssureKinds{
-    AssureKind{"perturb", assure_perturb_command, assure_perturb_form}};
+    AssureKind{"perturb", assure_perturb_command, assure_perturb_form},
+    AssureKind{"monitor", assure_monitor_command, assure_monitor_form}};
 
 std::vector<std::string> assure_words() {
   std::vector<std::string> words;
@@ -85,9 +89,10 @@ std::vector<CommandForm> assure_forms() {
 
 }  // namespace
 
-const Command kAssure = {"assure",
-                         "assure perturb: a bundle with faults in its logs, and a list of them",
-                         run_assure,
-                         assure_forms};
+const Command kAssure = {
+    "assure",
+    "assure perturb: faults in the logs of a bundle; assure monitor: what rules detect",
+    run_assure,
+    assure_forms};
 
 }  // namespace tcert::cli

@@ -6,10 +6,12 @@
 
 namespace tcert::cli {
 
-/// Arguments with the kind among them. Returns the exit code; throws the errors of errors.hpp.
+/// Arguments with the kind among them. Return the exit code; throw the errors of errors.hpp.
+int assure_monitor_command(Arguments arguments);
 int assure_perturb_command(Arguments arguments);
 
-/// What it takes.
+/// What they take.
+[[nodiscard]] CommandForm assure_monitor_form();
 [[nodiscard]] CommandForm assure_perturb_form();
 
 }  // namespace tcert::cli

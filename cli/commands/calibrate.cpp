@@ -44,7 +44,8 @@ struct CalibrateKind {
 
 constexpr std::array kCalibrateKinds{
     CalibrateKind{"rays", calibrate_rays_command, calibrate_rays_form},
-    CalibrateKind{"tracking", calibrate_tracking_command, calibrate_tracking_form}};
+    CalibrateKind{"tracking", calibrate_tracking_command, calibrate_tracking_form},
+    CalibrateKind{"guards", calibrate_guards_command, calibrate_guards_form}};
 
 std::vector<std::string> calibrate_words() {
   std::vector<std::string> words;
@@ -70,7 +71,7 @@ int run_calibrate(Arguments arguments) {
   CalibrateRequest request;
   Manner manner;
   if (parse(kCalibrateText, options_of(request), manner, arguments)) {
-    throw UsageError("unknown kind '" + request.kind + "', expected rays or tracking" +
+    throw UsageError("unknown kind '" + request.kind + "', expected rays, tracking or guards" +
                      did_you_mean(request.kind, calibrate_words()));
   }
   return exit_done;

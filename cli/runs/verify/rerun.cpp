@@ -5,8 +5,10 @@
 #include <span>
 #include <utility>
 
+#include "cli/runs/assure_monitor.hpp"
 #include "cli/runs/assure_perturb.hpp"
 #include "cli/runs/batch/trial_features.hpp"
+#include "cli/runs/calibrate_guards.hpp"
 #include "cli/runs/calibrate_rays.hpp"
 #include "cli/runs/calibrate_tracking.hpp"
 #include "cli/runs/certify.hpp"
@@ -67,6 +69,8 @@ constexpr std::array kEntries{
     Entry{"import", "barn", true, again<ImportBarnRequest, import_barn>},
     Entry{"calibrate", "rays", true, again<CalibrateRaysRequest, calibrate_rays>},
     Entry{"calibrate", "tracking", true, again<CalibrateTrackingRequest, calibrate_tracking>},
+    Entry{"calibrate", "guards", true, again<CalibrateGuardsRequest, calibrate_guards>},
+    Entry{"assure", "monitor", true, again<AssureMonitorRequest, assure_monitor>},
     Entry{"assure", "perturb", true, again<AssurePerturbRequest, assure_perturb>},
     Entry{"certify", "", false, again<CertifyRequest, certify>},
     Entry{"replay", "", false, again<ReplayRequest, replay>},
