@@ -17,15 +17,18 @@ constexpr std::string_view kCalibrateText =
 rays: bends beside measured clearances become the calibrations of a bundle's rays, with a lower bound
 that holds on a new day.
 tracking: runs beside their nominal paths become the buffers of a robot; a model of it, a table of bounds.
+guards: driven trials become a speed law with thresholds, judged on other days.
 
 Usage: tcert calibrate rays PAIRS [options]
        tcert calibrate tracking (RUNS | --model WORD) [options]
+       tcert calibrate guards BUNDLE [options]
 
 'tcert calibrate rays --help' and so on list the options.
 
 Example:
   tcert calibrate rays pairs.csv --bundle logs --output calibration/
   tcert calibrate tracking runs.csv --output buffers/
+  tcert calibrate guards driven --output guards/
 
 Cost: a second for a million pairs.
 )";
@@ -89,7 +92,7 @@ std::vector<CommandForm> calibrate_forms() {
 
 const Command kCalibrate = {
     "calibrate",
-    "calibrate rays: a curve with a bound for a new day; calibrate tracking: buffers",
+    "calibrate rays, tracking buffers and guards from data, each with what it bounds",
     run_calibrate,
     calibrate_forms};
 

@@ -42,7 +42,15 @@ class Manual : public ::testing::Test {
         all.push_back(line.substr(2, line.find(' ', 2) - 2));
       }
     }
-    all.insert(all.end(), {"import carmen", "import barn", "calibrate rays", "calibrate tracking", "assure perturb", "simulate terrain"});
+    all.insert(all.end(),
+               {"import carmen",
+                "import barn",
+                "calibrate rays",
+                "calibrate tracking",
+                "calibrate guards",
+                "assure perturb",
+                "assure monitor",
+                "simulate terrain"});
     return all;
   }
 
