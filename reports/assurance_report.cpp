@@ -64,6 +64,23 @@ Table faults_table(const study::Assurance& assurance) {
   return table;
 }
 
+Table risk_table(const study::Assurance& assurance) {
+  using study::RiskBin;
+  Table table = ColumnsOf<RiskBin>()
+                    .fixed("from", "stated from", "", 1, &RiskBin::from)
+                    .fixed("to", "to", "", 1, &RiskBin::to)
+                    .integer("looks", "looks", [](auto& b) { return b.met.of; })
+                    .fixed("mean_stated", "mean stated", "", 3, &RiskBin::mean_stated)
+                    .estimate("met", "met a wall", "", 3, [](auto& b) { return estimated(b.met); })
+                    .answer()
+                    .table("risk", "Chance of a collision ahead: stated and met", assurance.risk);
+  table.footnotes = {
+      "A look a second: what the risk field states of the next risk_ahead_m straight on, and "
+      "whether "
+      "the body would have met a wall on it by the truth."};
+  return table;
+}
+
 Table episodes_table(const std::vector<AssuredTrial>& trials) {
   struct Row {
     std::string trial_id;
@@ -165,6 +182,9 @@ FitReport assurance_report(const study::Assurance& assurance,
   report.findings = findings_of_assurance(assurance);
   report.summary = summary_of(assurance);
   report.tables = {monitors_table(assurance)};
+  if (!assurance.risk.empty()) {
+    report.tables.push_back(risk_table(assurance));
+  }
   if (!assurance.faults.empty()) {
     report.tables.push_back(faults_table(assurance));
   }

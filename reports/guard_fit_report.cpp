@@ -32,6 +32,11 @@ double progress_share(const GuardRow& row) {
   return row.guarded.metres_per_minute() / row.unguarded.metres_per_minute();
 }
 
+/// NA where the guards do not act.
+std::optional<double> of_acting(const GuardRow& row, double value) {
+  return row.choice->guards.mode == GuardMode::act ? std::optional(value) : std::nullopt;
+}
+
 void add_choice_columns(ColumnsOf<GuardRow>& columns) {
   columns
       .text("speed_law",
@@ -42,9 +47,9 @@ void add_choice_columns(ColumnsOf<GuardRow>& columns) {
              "epsilon",
              "m",
              4,
-             [](auto& r) { return r.choice->guards.replan_margin_m; })
+             [](auto& r) { return of_acting(r, r.choice->guards.replan_margin_m); })
       .fixed("guard_min_force_n", "F_min", "N", 1, [](auto& r) {
-        return r.choice->guards.min_force_n;
+        return of_acting(r, r.choice->guards.min_force_n);
       });
 }
 
@@ -126,9 +131,13 @@ std::string config_of(const GuardChoice& choice) {
   };
   text += "speed_law = " + std::string(study::to_string(choice.law.kind)) + '\n';
   line("beta_per_m", choice.law.beta_per_m);
-  text += "guard_mode = act\n";
-  line("replan_margin_m", choice.guards.replan_margin_m);
-  line("guard_min_force_n", choice.guards.min_force_n);
+  if (choice.guards.mode == GuardMode::act) {
+    text += "guard_mode = act\n";
+    line("replan_margin_m", choice.guards.replan_margin_m);
+    line("guard_min_force_n", choice.guards.min_force_n);
+  } else {
+    text += "guard_mode = watch\n";
+  }
   return text;
 }
 

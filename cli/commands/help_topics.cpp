@@ -78,7 +78,9 @@ Table rule_listing() {
           .text("doc", "what it is at a tick", [](auto& one) { return std::string(one.doc); })
           .table("rules", "Rules: what they may speak of", tick_signals());
   table.footnotes = {
-      "A file of rules has one a line, 'name: formula'; what follows # is left out. A formula is a "
+      "A file of rules has one a line, 'name: formula'; what follows # is left out. With 'watch' "
+      "before its name a rule is stated and backs nothing out ('watch name: formula'). A formula "
+      "is a "
       "comparison of sums (force_n > force_limit_n; 2*width_m - 0.1 < margin_m), missing(SIGNAL), "
       "not "
       "F, F and G, F or G, F since G (F has held ever since G did), once[a,b] F (at some time from "

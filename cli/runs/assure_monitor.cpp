@@ -1,5 +1,7 @@
 #include "cli/runs/assure_monitor.hpp"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <optional>
 #include <utility>
@@ -40,6 +42,9 @@ OptionTable options_of(AssureMonitorRequest& request) {
                   request.rules,
                   "FILE",
                   "rules that are watched at every tick ('tcert help rules'), or default");
+  table.add("risk",
+            request.risk,
+            "hold what the risk field states of the way ahead against the truth, too");
   add_tracking_error_option(table, request.tracking_error);
   table
       .add("claim",
@@ -60,6 +65,12 @@ ExitCode assure_monitor(const AssureMonitorRequest& request, Progress& progress)
     require_apart(request.bundle, output_path);
     require_apart(monitor, output_path);
   }
+  if (request.risk && opened.parameters.risk.ahead_m > kTruthAhead) {
+    throw UsageError(
+        fmt::format("--risk: risk_ahead_m is {:g}, and truth.csv knows of {:g} m ahead",
+                    opened.parameters.risk.ahead_m,
+                    kTruthAhead));
+  }
   const std::vector<Rule> rules = rules_of(monitor);
   const TrackingErrorTable tracking_error =
       tracking_error_table(request.tracking_error, request.logs.decimal_comma, progress);
@@ -76,6 +87,9 @@ ExitCode assure_monitor(const AssureMonitorRequest& request, Progress& progress)
     ActionSetup setup =
         study::actions_of(robot, opened.parameters, opened.parameters.speed_law, tracking_error);
     setup.rules = rules;
+    if (request.risk) {
+      setup.risk = opened.parameters.risk;
+    }
     TickActions actions(std::move(setup));
     const auto acted = study::act_trial(actions, trial.ticks, trial.series.ticks);
     TruthResult truth = read_truth(opened.bundle, trial.row->trial_id);
@@ -84,6 +98,7 @@ ExitCode assure_monitor(const AssureMonitorRequest& request, Progress& progress)
                                                       rules.size(),
                                                       truth.samples,
                                                       opened.parameters.unsafe,
+                                                      opened.parameters.risk.ahead_m,
                                                       faults_of(injections, trial.row->trial_id));
     assured.trial_id = trial.row->trial_id;
     assured.cluster = trial.row->day.empty() ? trial.row->trial_id : trial.row->day;

@@ -14,6 +14,7 @@ struct AssureMonitorRequest {
   std::string kind;  ///< "monitor".
   std::string bundle;
   std::string rules = "default";
+  bool risk = false;
   std::string tracking_error;
   double claim = 0.9;
   std::string table;

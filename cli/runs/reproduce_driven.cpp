@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "cli/runs/assure_monitor.hpp"
+#include "cli/runs/calibrate_guards.hpp"
 #include "cli/runs/certify.hpp"
 #include "cli/runs/drive.hpp"
 #include "cli/runs/hypotheses.hpp"
@@ -33,6 +35,7 @@ std::string driven_in(DriveRequest request,
 constexpr const char* kArms =
     "M3,M3+squash5,M3+squash10,M3+squash20,M3+clip5,M3+clip10,M3+clip20,M3+A1,CB-V";
 constexpr std::int64_t kPairedWorlds = 20;  // under each of three lightings
+constexpr std::int64_t kWatchedWorlds = 20;
 
 }  // namespace
 
@@ -47,7 +50,10 @@ std::vector<std::pair<fs::path, const char*>> driven_parts(const fs::path& outpu
           {folder / "certificates", "certify"},
           {folder / "h1", "hypotheses"},
           {folder / "h2", "hypotheses"},
-          {folder / "h3", "hypotheses"}};
+          {folder / "h3", "hypotheses"},
+          {folder / "watched", "drive"},
+          {folder / "assurance", "assure"},
+          {folder / "guards", "calibrate"}};
 }
 
 ExitCode driven_study(ReproduceRequest request, Progress& progress) {
@@ -72,6 +78,18 @@ ExitCode driven_study(ReproduceRequest request, Progress& progress) {
   paired.hypothesis = "h3";
   paired.driven = true;
   steps.attempt("h3", "hypotheses", hypotheses, paired);
+  DriveRequest watched;
+  watched.policies = "M3";
+  watched.worlds = kWatchedWorlds;
+  watched.truth = true;
+  const std::string with_truth = driven_in(watched, "watched", request, progress);
+  auto assured = steps.of_logs<AssureMonitorRequest>("assurance", with_truth);
+  assured.kind = "monitor";
+  assured.risk = true;
+  steps.attempt("assurance", "assure", assure_monitor, assured);
+  auto guards = steps.of_logs<CalibrateGuardsRequest>("guards", with_truth);
+  guards.kind = "guards";
+  steps.attempt("guards", "calibrate", calibrate_guards, guards);
   write_page(request, progress);
   return steps.code();
 }

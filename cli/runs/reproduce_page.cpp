@@ -49,7 +49,9 @@ std::string page_of(const Results& results,
                                  ResultKind::h3_driven,
                                  ResultKind::ablation,
                                  ResultKind::sweep,
-                                 ResultKind::gate};
+                                 ResultKind::gate,
+                                 ResultKind::assurance,
+                                 ResultKind::guards};
   const bool is_text = output.table_format() == TableFormat::text;
   std::string text;
   for (const ResultKind kind : kParts) {

@@ -182,6 +182,14 @@ StudyFigures study_figures(const Results& results) {
                       all.table(ResultKind::gate, "gate_curve"),
                       all.table(ResultKind::gate, "gate_calibration")),
           all.without(ResultKind::gate, "gate"));
+  all.add("rules",
+          rules_figure(all.table(ResultKind::assurance, "monitors")),
+          all.without(ResultKind::assurance, "assure monitor"));
+  all.add("guards",
+          guards_figure(all.table(ResultKind::guards, "guard_choices"),
+                        all.table(ResultKind::guards, "guard_front"),
+                        all.table(ResultKind::guards, "guard_folds")),
+          all.without(ResultKind::guards, "calibrate guards"));
   const Table speed = all.table(ResultKind::certificates, "speed");
   for (const char* const grouped_by : {"algorithm", "lighting"}) {
     all.add(std::string("speed_by_") + grouped_by,

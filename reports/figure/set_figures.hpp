@@ -41,6 +41,15 @@ namespace tcert {
                                                  const table::DataTable& features,
                                                  const std::string& grouped_by);
 
+/// What each rule detects, its false alarms and what it costs, from `monitors` of an assurance.
+[[nodiscard]] std::optional<Figure> rules_figure(const Table& monitors);
+
+/// Progress against unsafe dwell of every choice of guards, with the front, and of the choices of
+/// folds on their own days, from `guard_choices` and `guard_folds`.
+[[nodiscard]] std::optional<Figure> guards_figure(const Table& guard_choices,
+                                                  const Table& guard_front,
+                                                  const Table& guard_folds);
+
 /// The truth T(E; A) against the certificate T_t, from features.csv with the columns truth_lower_m
 /// and truth_upper_m: the proven interval, its upper bound, and the certificates that it refutes.
 [[nodiscard]] std::optional<Figure> truth_figure(const table::DataTable& features,

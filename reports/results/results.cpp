@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 12> kWords = {"corpus",
+constexpr std::array<std::string_view, 14> kWords = {"corpus",
                                                      "certificates",
                                                      "h1",
                                                      "h2",
@@ -28,6 +28,8 @@ constexpr std::array<std::string_view, 12> kWords = {"corpus",
                                                      "gate",
                                                      "driven",
                                                      "h3_driven",
+                                                     "assurance",
+                                                     "guards",
                                                      "other"};
 
 ResultKind kind_of(const WrittenResult& written) {
@@ -45,6 +47,17 @@ ResultKind kind_of(const WrittenResult& written) {
         return is_driven ? ResultKind::h3_driven : ResultKind::h3;
       }
     }
+  }
+  const auto says = [&](std::string_view word) {
+    return written.arguments &&
+           std::ranges::any_of(*written.arguments,
+                               [&](const ManifestArgument& one) { return one.text == word; });
+  };
+  if (written.command == "assure" && says("monitor")) {
+    return ResultKind::assurance;
+  }
+  if (written.command == "calibrate" && says("guards")) {
+    return ResultKind::guards;
   }
   static const std::map<std::string_view, ResultKind> kinds = {
       {"simulate", ResultKind::corpus},
@@ -78,6 +91,7 @@ void add_result(const fs::path& folder, std::string name, Results& results) {
 bool of_the_study(const Result& result) {
   return result.kind != ResultKind::corpus && result.kind != ResultKind::gate &&
          result.kind != ResultKind::driven && result.kind != ResultKind::h3_driven &&
+         result.kind != ResultKind::assurance && result.kind != ResultKind::guards &&
          result.kind != ResultKind::other;
 }
 

@@ -27,6 +27,8 @@ enum class ResultKind {
   gate,
   driven,     ///< drive
   h3_driven,  ///< hypotheses h3 --driven, of worlds of its own
+  assurance,  ///< assure monitor, of a bundle of its own
+  guards,     ///< calibrate guards, likewise
   other,
 };
 
@@ -66,9 +68,9 @@ struct Results {
 /// \throws MissingResult if there is none.
 [[nodiscard]] Results read_results(const std::filesystem::path& folder);
 
-/// Every result but those of the micro-study and of driven arms, which have bundles of their own, must have been made
-/// from the same logs with the same parameters; and what one was made from that another has written
-/// must be that very file. \throws MixedResults.
+/// Every result but those of the micro-study and of driven arms, which have bundles of their own,
+/// must have been made from the same logs with the same parameters; and what one was made from that
+/// another has written must be that very file. \throws MixedResults.
 void require_same_inputs(const Results& results);
 
 /// A table that a command wrote as <name>.json into the result's folder; empty if it is not there.

@@ -16,7 +16,7 @@
 #include <string>
 #include <tcert/certifier.hpp>
 #include <tcert/corridor_graph.hpp>
-#include <tcert/guards.hpp>
+#include <tcert/runtime.hpp>
 
 #include "support/allocations.hpp"
 #include "support/lap.hpp"
@@ -171,6 +171,59 @@ void time_trials(const TickFile& file, std::uint64_t wanted) {
   print_row("each tick's fastest of all rounds", slowest, most_labels);
 }
 
+/// A whole tick with everything on: certificate, guards, risk field, default rules, and step().
+void time_runtime(const TickFile& file, SpeedLawKind law, std::uint64_t wanted) {
+  ActionSetup setup;
+  setup.guards = {file.robot, {}, {}, {}, TrackingErrorTable()};
+  setup.guards.law.kind = law;
+  setup.risk.emplace();
+  setup.rules = parse_rules(default_rules());
+  Runtime runtime(file.course, setup);
+  Histogram times;
+  double sum = 0.0;
+  const std::size_t allocations = test_support::allocation_count() + test_support::malloc_count();
+  for (std::uint64_t done = 0; done < wanted;) {
+    for (const TickFile::Trial& trial : file.trials) {
+      runtime.reset();
+      for (const Tick& tick : trial.ticks) {
+        const auto begin = Clock::now();
+        const RuntimeTick now = runtime.update(tick);
+        const Command next = runtime.step({now.acted.guarded.speed_mps, 0.1}, tick.pose, 0.1);
+        times.add(since_ns(begin));
+        sum += next.speed_mps;
+      }
+      done += trial.ticks.size();
+    }
+  }
+  std::printf("everything on: allocations and mallocs %zu (%g)\n",
+              test_support::allocation_count() + test_support::malloc_count() - allocations,
+              sum);
+  print_row(law == SpeedLawKind::barrier ? "Runtime, everything on, barrier law"
+                                         : "Runtime, everything on, clip law",
+            times,
+            0);
+}
+
+/// The barrier filter alone, on programs of eight random rows, a third of them without a solution.
+void time_filter() {
+  std::mt19937 engine(1);
+  const auto unit = [&engine] { return static_cast<double>(engine()) / 2147483648.0 - 1.0; };
+  Histogram times;
+  double sum = 0.0;
+  for (int i = 0; i < 1'000'000; ++i) {
+    std::array<BarrierRow, kMostBarrierRows> rows{};
+    for (BarrierRow& row : rows) {
+      row = {unit(), 0.3 * unit(), 0.1 * unit() - 0.1};
+    }
+    const Command wanted{0.11 + 0.2 * unit(), 0.8 * unit()};
+    const auto begin = Clock::now();
+    sum += nearest_command(wanted, rows, {}).command.speed_mps;
+    times.add(since_ns(begin));
+  }
+  std::printf("filter (%g)\n", sum);
+  print_row("nearest_command, eight rows", times, 0);
+}
+
 /// Laps of a circle of so many nodes: readings at random, a tenth of the ticks in contact.
 void time_laps(std::uint32_t nodes) {
   const test_support::Lap lap = test_support::make_lap(nodes - 8);
@@ -253,6 +306,10 @@ int main(int argc, char** argv) {
   std::ifstream stream(argv[1], std::ios::binary);
   const TickFile file = test_support::read_tick_file(stream);
   time_trials(file, argc == 3 ? std::strtoull(argv[2], nullptr, 10) : 10'000'000);
+  for (const SpeedLawKind law : {SpeedLawKind::clip, SpeedLawKind::barrier}) {
+    time_runtime(file, law, 1'000'000);
+  }
+  time_filter();
   for (const std::uint32_t nodes : {64U, 512U, 2048U, 4096U}) {
     time_laps(nodes);
   }

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kAssuranceStream = 0x4153;  // of this analysis' draws
 constexpr std::size_t kFewestClusters = 10;
+constexpr int kRiskBins = 10;
 
 /// Counts of each trial, in their order.
 struct Counts {
@@ -70,16 +71,13 @@ ShareEstimate share_of(const Counts& counts,
                             statistics::ResamplingPlan::of_clusters(clusters),
                             {options.replicates, options.seed, kAssuranceStream, {}});
   share.interval = statistics::bootstrap_intervals(resampled, 0, options.level).expanded;
+  if (found == 0.0 || found == of) {
+    // No resample differs: the exact bound over days is what is left, as if each were one try.
+    share.interval = statistics::clopper_pearson(found == 0.0 ? 0 : days, days, options.level);
+  }
   if (share.interval) {
     share.interval->low = std::max(share.interval->low, 0.0);
     share.interval->high = std::min(share.interval->high, 1.0);
-  }
-  // Where nothing, or everything, was found no resample differs: the exact bound over days is what
-  // is left, as if each day were one try.
-  if (share.interval && (found == 0.0 || found == of)) {
-    const auto exact = statistics::clopper_pearson(found == 0.0 ? 0 : days, days, options.level);
-    share.interval->low = std::min(share.interval->low, exact->low);
-    share.interval->high = std::max(share.interval->high, exact->high);
   }
   return share;
 }
@@ -194,6 +192,39 @@ FaultScore fault_score(const std::vector<AssuredTrial>& trials,
   return score;
 }
 
+/// Ten bins of the chance that was stated, each with how often a wall was really met.
+std::vector<RiskBin> risk_bins(const std::vector<AssuredTrial>& trials,
+                               const std::vector<std::uint32_t>& clusters,
+                               const AssuranceOptions& options) {
+  std::vector<RiskBin> bins;
+  for (int k = 0; k < kRiskBins; ++k) {
+    RiskBin bin;
+    bin.from = static_cast<double>(k) / kRiskBins;
+    bin.to = static_cast<double>(k + 1) / kRiskBins;
+    Counts counts;
+    double stated = 0.0;
+    for (const AssuredTrial& trial : trials) {
+      double met = 0.0;
+      double of = 0.0;
+      for (const RiskLook& look : trial.risk) {
+        if (std::min(static_cast<int>(look.stated * kRiskBins), kRiskBins - 1) == k) {
+          of += 1.0;
+          met += look.met ? 1.0 : 0.0;
+          stated += look.stated;
+        }
+      }
+      counts.found.push_back(met);
+      counts.of.push_back(of);
+    }
+    bin.met = share_of(counts, clusters, options);
+    if (bin.met.of > 0) {
+      bin.mean_stated = stated / static_cast<double>(bin.met.of);
+      bins.push_back(bin);
+    }
+  }
+  return bins;
+}
+
 }  // namespace
 
 Assurance assurance_of(const std::vector<AssuredTrial>& trials,
@@ -216,6 +247,7 @@ Assurance assurance_of(const std::vector<AssuredTrial>& trials,
     assurance.monitors.push_back(score_of(trials, r, clusters, options));
     assurance.monitors.back().monitor = r < rules.size() ? rules[r] : "any";
   }
+  assurance.risk = risk_bins(trials, clusters, options);
   for (const std::string& kind : kinds) {
     for (std::size_t k = 0; k <= rules.size(); ++k) {
       const std::size_t r = k == 0 ? rules.size() : k - 1;

@@ -52,6 +52,14 @@ struct FaultScore {
   std::optional<double> median_delay_s;
 };
 
+/// Looks ahead whose stated chance of a collision lies in [from, to).
+struct RiskBin {
+  double from = 0.0;
+  double to = 0.0;
+  double mean_stated = 0.0;
+  ShareEstimate met;  ///< Those at which the body would have met a wall on that way.
+};
+
 struct Assurance {
   AssuranceOptions options;
   std::size_t trials = 0;
@@ -59,6 +67,7 @@ struct Assurance {
   std::size_t clusters = 0;
   double hours = 0.0;
   std::vector<MonitorScore> monitors;  ///< One a rule, then "any".
+  std::vector<RiskBin> risk;           ///< Those with a look; none without a risk field.
   std::vector<FaultScore> faults;      ///< By kind: "any", then the rules that saw one.
 };
 

@@ -39,6 +39,27 @@ std::vector<TimeSpan> alarms_of(const TickTable& ticks,
   return joined_spans(std::move(spans), kJoinAlarms, 0.0);
 }
 
+/// Looks a second apart, so that they overlap little.
+std::vector<RiskLook> risk_looks(const TickTable& ticks,
+                                 std::span<const ActedTick> acted,
+                                 const std::vector<TruthSample>& truth,
+                                 double ahead_m) {
+  std::vector<RiskLook> looks;
+  std::size_t at = 0;
+  std::int64_t next_ns = ticks.time_ns.empty() ? 0 : ticks.time_ns.front();
+  for (std::size_t i = 0; i < acted.size(); ++i) {
+    while (at + 1 < truth.size() && truth[at + 1].time_ns <= ticks.time_ns[i]) {
+      ++at;
+    }
+    if (std::isnan(acted[i].risk_ahead) || ticks.time_ns[i] < next_ns || at >= truth.size()) {
+      continue;
+    }
+    next_ns = ticks.time_ns[i] + 1'000'000'000;
+    looks.push_back({acted[i].risk_ahead, truth[at].free_ahead_m < ahead_m});
+  }
+  return looks;
+}
+
 /// Way along the heading from each tick to the next; backwards counts as none.
 std::vector<double> forward_ways(const TickTable& ticks) {
   std::vector<double> ways(ticks.size(), 0.0);
@@ -56,6 +77,7 @@ AssuredTrial assure_trial(const TickTable& ticks,
                           std::size_t rules,
                           const std::optional<std::vector<TruthSample>>& truth,
                           const UnsafeRule& unsafe,
+                          double ahead_m,
                           std::vector<InjectedFault> faults) {
   if (acted.size() != ticks.size()) {
     throw std::invalid_argument("assurance: actions and ticks differ in length");
@@ -65,6 +87,7 @@ AssuredTrial assure_trial(const TickTable& ticks,
   trial.has_truth = truth.has_value();
   if (truth) {
     trial.episodes = unsafe_episodes(*truth, unsafe);
+    trial.risk = risk_looks(ticks, acted, *truth, ahead_m);
   }
   if (ticks.size() > 1) {
     trial.hours = elapsed_s(ticks.time_ns.front(), ticks.time_ns.back()) / 3600.0;

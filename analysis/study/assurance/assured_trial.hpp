@@ -36,6 +36,12 @@ struct MonitorRecord {
   double alarmed_m = 0.0;           ///< Forward way that was driven under an alarm.
 };
 
+/// What the risk field stated of the way ahead at one tick, and what was there.
+struct RiskLook {
+  double stated = 0.0;
+  bool met = false;
+};
+
 struct AssuredTrial {
   std::string trial_id;
   std::string cluster;  ///< Day.
@@ -44,18 +50,21 @@ struct AssuredTrial {
   bool has_truth = false;  ///< Else there are no episodes, and no alarm is called false.
   std::vector<UnsafeEpisode> episodes;
   std::vector<InjectedFault> faults;
+  std::vector<RiskLook> risk;           ///< Once a second; empty without risk field or truth.
   std::vector<MonitorRecord> monitors;  ///< One a rule, then that of all together.
 };
 
 /// An alarm tells of an episode if it is on at some time from 2 s before its beginning to 0.5 s
 /// after it, of a fault from its beginning to 0.5 s after its end. It is false if it meets no time
 /// from 2 s before an episode to 0.5 s after it.
-/// \pre one acted tick a tick, `rules` of them.
+/// A wall counts as met if the body cannot go `ahead_m` straight on. \pre one acted tick a tick,
+/// `rules` of them.
 [[nodiscard]] AssuredTrial assure_trial(const TickTable& ticks,
                                         std::span<const ActedTick> acted,
                                         std::size_t rules,
                                         const std::optional<std::vector<TruthSample>>& truth,
                                         const UnsafeRule& unsafe,
+                                        double ahead_m,
                                         std::vector<InjectedFault> faults);
 
 }  // namespace tcert::study

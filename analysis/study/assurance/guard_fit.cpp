@@ -50,8 +50,9 @@ RiskControl control_risk(const std::vector<GuardChoice>& choices,
   RiskControl control;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const GuardChoice& one = choices[i];
-    if (one.law.kind != like.law.kind || one.law.beta_per_m != like.law.beta_per_m ||
-        one.guards.min_force_n != like.guards.min_force_n) {
+    if (one.guards.mode != GuardMode::act || one.law.kind != like.law.kind ||
+        one.law.beta_per_m != like.law.beta_per_m ||
+        (like.guards.mode == GuardMode::act && one.guards.min_force_n != like.guards.min_force_n)) {
       continue;
     }
     double sum = 0.0;
@@ -174,6 +175,11 @@ std::vector<GuardChoice> guard_choices(const GuardChoice& base,
   std::vector<GuardChoice> choices;
   for (const SpeedLawKind law : laws) {
     for (const double beta : betas) {
+      GuardChoice alone = base;
+      alone.law.kind = law;
+      alone.law.beta_per_m = beta;
+      alone.guards.mode = GuardMode::watch;
+      choices.push_back(alone);
       for (const double epsilon_m : epsilons_m) {
         for (const double force_n : forces_n) {
           GuardChoice choice = base;

@@ -98,7 +98,8 @@ struct GuardFit {
   RiskControl control;
 };
 
-/// The grid: each law of `laws` at each beta, epsilon and force envelope. The rest as in `base`.
+/// The grid: each law of `laws` at each beta, alone (G2 and G3 are stated and do nothing) and with
+/// guards that act at each epsilon and force envelope. The rest as in `base`.
 [[nodiscard]] std::vector<GuardChoice> guard_choices(const GuardChoice& base,
                                                      const std::vector<SpeedLawKind>& laws,
                                                      const std::vector<double>& betas,

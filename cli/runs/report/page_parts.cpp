@@ -20,12 +20,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostRows = 200;
 
 /// Tables to be read first, in this order, whatever result they are of.
-constexpr std::array<std::string_view, 22> kMainTables = {
-    "table1",    "speed",       "issuance",       "tc_early",   "h1",
-    "h1_within", "h1_time",     "h1_time_within", "h1_mixed",   "h2",
-    "h2_within", "h2_equality", "h2_interaction", "h3",         "h3_baseline",
-    "h3_driven", "h3_events",   "gate",           "gate_slope", "cells",
-    "ablation",  "sweep"};
+constexpr std::array<std::string_view, 26> kMainTables = {
+    "table1",     "speed",       "issuance",       "tc_early",   "h1",
+    "h1_within",  "h1_time",     "h1_time_within", "h1_mixed",   "h2",
+    "h2_within",  "h2_equality", "h2_interaction", "h3",         "h3_baseline",
+    "h3_driven",  "h3_events",   "gate",           "gate_slope", "cells",
+    "ablation",   "sweep",       "monitors",       "risk",       "guard_front",
+    "guard_folds"};
 
 std::size_t rank_of(const std::string& name) {
   return static_cast<std::size_t>(std::find(kMainTables.begin(), kMainTables.end(), name) -

@@ -66,6 +66,25 @@ void FeltPoints::add(const Tick& tick, double travel_m) noexcept {
   front_m_ = std::isfinite(front_m) ? std::max(front_m, 0.0) : 0.0;
 }
 
+double FeltPoints::free_way_m(const Pose& pose, double most_m) const noexcept {
+  const Point heading = direction(pose.yaw_rad);
+  double least_m = most_m;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const Stop& stop = stops_[(first_ + i) % stops_.size()];
+    for (std::size_t k = 0; k < stop.count; ++k) {
+      const Point away = points_[stop.slot + k] - pose.position;
+      const double across_m = cross(heading, away);
+      const double along_m = dot(heading, away);
+      if (along_m > 0.0 && std::abs(across_m) < half_width_m_) {
+        const double meets_m =
+            along_m - std::sqrt(half_width_m_ * half_width_m_ - across_m * across_m);
+        least_m = std::min(least_m, std::max(meets_m, 0.0));
+      }
+    }
+  }
+  return least_m;
+}
+
 FeltPoints::Nearest FeltPoints::nearest(Point to) const noexcept {
   Nearest found;
   for (std::size_t i = 0; i < size_; ++i) {

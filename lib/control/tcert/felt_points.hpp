@@ -39,6 +39,10 @@ class FeltPoints {
   /// O(points).
   [[nodiscard]] Nearest nearest(Point to) const noexcept;
 
+  /// How far the body at a pose can go straight on before it meets a point; at most `most_m`.
+  /// O(points).
+  [[nodiscard]] double free_way_m(const Pose& pose, double most_m) const noexcept;
+
   /// How far the body's front may go straight on by what the rays within `front_rad` of the heading
   /// read in the last tick: the least of them less half the body width, 0 if no ray looks there.
   [[nodiscard]] double front_m() const noexcept { return front_m_; }

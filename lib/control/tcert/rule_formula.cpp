@@ -22,6 +22,11 @@ class Tokens {
   Tokens(std::string_view line, std::size_t number) : line_(line), number_(number) { next(); }
 
   [[nodiscard]] std::string_view now() const noexcept { return now_; }
+  /// The next thing in the line is a word, too.
+  [[nodiscard]] bool is_followed_by_word() const noexcept {
+    const std::size_t next = line_.find_first_not_of(kBlank, at_ + now_.size());
+    return next < line_.size() && is_word(line_[next]);
+  }
   [[nodiscard]] bool at_end() const noexcept { return now_.empty(); }
   [[nodiscard]] bool is_number() const noexcept {
     return !now_.empty() && ((now_[0] >= '0' && now_[0] <= '9') || now_[0] == '.');
@@ -276,6 +281,10 @@ std::vector<Rule> parse_rules(std::string_view text) {
     }
     Tokens tokens(line, number);
     Rule rule;
+    if (tokens.now() == "watch" && tokens.is_followed_by_word()) {
+      rule.acts = false;
+      tokens.next();
+    }
     rule.name = tokens.now();
     rule.text = trimmed(line.substr(std::min(line.find(':'), line.size() - 1) + 1));
     if (!std::ranges::all_of(rule.name, is_word)) {
@@ -299,7 +308,8 @@ std::string_view default_rules() noexcept {
   return R"(# What is wrong at a tick, by what was sensed.
 stale: historically[0,0.2] stale > 0.5 or unchanged_s >= 0.5
 force: force_n > force_limit_n
-margin: historically[0,0.2] (robust_margin_m <= 0.005 and speed_cmd_mps > 0)
+watch margin: historically[0,0.2] (robust_margin_m <= 0.005 and speed_cmd_mps > 0)
+watch ahead: speed_cmd_mps > 0.05 and felt_ahead_m <= 0.3*speed_cmd_mps
 stall: time_s >= 2 and historically[0,2] (speed_cmd_mps > 0.03 and moved_mps < 0.01)
 latency: gap_s >= 0.25
 jump: moved_mps >= 1 or jump_m >= 0.4

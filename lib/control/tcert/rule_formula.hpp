@@ -35,9 +35,10 @@ struct RuleNode {
   std::vector<Term> terms{};
 };
 
-/// `name: formula`; the root is the last node.
+/// `[watch] name: formula`; the root is the last node.
 struct Rule {
   std::string name;
+  bool acts = true;  ///< False of a rule that is watched alone: its alarms back nothing out.
   std::string text;
   std::vector<RuleNode> nodes;
 };
@@ -46,7 +47,8 @@ inline constexpr std::size_t kMostRules = 32;
 inline constexpr std::size_t kMostRuleNodes = 256;   ///< Of one rule.
 inline constexpr double kLongestRuleWindow = 600.0;  ///< s
 
-/// One rule a line, `name: formula`; empty lines and what follows '#' are left out.
+/// One rule a line, `name: formula`, or `watch name: formula`; empty lines and what follows '#' are
+/// left out.
 ///
 ///     formula     = or { "since" or }           or  = and { "or" and }       and = unary { "and"
 ///     unary } unary       = "not" unary | ("once" | "historically") [ "[" from "," to "]" ] unary
@@ -59,7 +61,7 @@ inline constexpr double kLongestRuleWindow = 600.0;  ///< s
 /// kLongestRuleWindow.
 [[nodiscard]] std::vector<Rule> parse_rules(std::string_view text);
 
-/// The default rules: stale touch, force, robust margin, stall, latency, jump.
+/// The default rules: stale touch, force, robust margin, a wall ahead, stall, latency, jump.
 [[nodiscard]] std::string_view default_rules() noexcept;
 
 }  // namespace tcert

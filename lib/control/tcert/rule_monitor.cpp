@@ -90,6 +90,7 @@ RuleMonitor::RuleMonitor(std::vector<Rule> rules)
             {WindowExtreme(from_s, to_s, largest), WindowExtreme(from_s, to_s, largest)});
       }
     }
+    acting_ |= rule.acts ? 1U << evaluated_.size() : 0U;
     evaluated_.push_back(std::move(evaluated));
   }
 }

@@ -89,6 +89,8 @@ class RuleMonitor {
   /// Alarms, or'ed as 1 << rule; their robustness is in states() until the next call.
   std::uint32_t update(std::int64_t time_ns, const SignalValues& signals) noexcept;
 
+  /// Those that act, as 1 << rule.
+  [[nodiscard]] std::uint32_t acting() const noexcept { return acting_; }
   [[nodiscard]] const std::vector<Rule>& rules() const noexcept { return rules_; }
   [[nodiscard]] std::span<const RuleState> states() const noexcept { return states_; }
 
@@ -113,6 +115,7 @@ class RuleMonitor {
   std::vector<Evaluated> evaluated_;
   std::vector<Memory> memories_;
   std::vector<RuleState> states_;
+  std::uint32_t acting_ = 0;
   bool began_ = false;
   std::int64_t last_ns_ = 0;
 };

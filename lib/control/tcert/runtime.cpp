@@ -11,12 +11,15 @@ TickActions::TickActions(ActionSetup setup)
       guards_(setup.guards),
       risk_parameters_(setup.risk),
       slack_m_(setup.guards.certificate.contact_slack_m),
-      signals_(robot_),
       monitor_(std::move(setup.rules)),
       fallback_(setup.fallback, robot_.min_turn_radius_m) {
   if (risk_parameters_) {
     validate(*risk_parameters_, robot_);
     risk_.emplace(*risk_parameters_);
+  }
+  if (!monitor_.rules().empty()) {
+    validate(robot_, setup.guards.certificate);
+    signals_.emplace(robot_, setup.guards.certificate);
   }
   for (const Ray& ray : robot_.rays) {
     longest_m_.push_back(longest_clearance(ray));
@@ -28,7 +31,9 @@ void TickActions::reset() noexcept {
   if (risk_) {
     risk_->clear();
   }
-  signals_.reset();
+  if (signals_) {
+    signals_->reset();
+  }
   monitor_.reset();
   fallback_.reset();
   began_ = false;
@@ -79,8 +84,10 @@ ActedTick TickActions::update(const Tick& tick,
                                        elapsed_s(first_ns_, tick.time_ns));
     }
   }
-  acted.alarms =
-      monitor_.update(tick.time_ns, signals_.take(tick, certified, acted.guarded, commanded));
+  if (signals_) {
+    acted.alarms =
+        monitor_.update(tick.time_ns, signals_->take(tick, certified, acted.guarded, commanded));
+  }
   acted.alarms_began = acted.alarms & ~alarms_;
   acted.alarms_ended = alarms_ & ~acted.alarms;
   alarms_ = acted.alarms;
@@ -96,7 +103,7 @@ Command TickActions::step(const Command& wanted,
     const double least = std::min(least_mps, wanted.speed_mps);
     kept = {least, wanted.yaw_rate_rps * (least / wanted.speed_mps)};
   }
-  return fallback_.step(kept, alarms_ != 0, pose, wider_side_, seconds);
+  return fallback_.step(kept, (alarms_ & monitor_.acting()) != 0, pose, wider_side_, seconds);
 }
 
 Runtime::Runtime(const Course& course, const ActionSetup& setup)

@@ -58,9 +58,10 @@ class TickActions {
                    const Command& commanded = {kMissing, kMissing}) noexcept;
 
   /// What to command in the place of `wanted` for the next `seconds`, at a tick or between two: the
-  /// barrier law's filter, and the fallback of an alarm of the last tick. The speed that the other
-  /// laws grant is in `guarded`, and taking it is left to who commands. The filter leaves a forward
-  /// command at least `least_mps`, for a robot that would else stand for good where it touches.
+  /// barrier law's filter, and the fallback of an alarm of the last tick, of a rule that acts. The
+  /// speed that the other laws grant is in `guarded`, and taking it is left to who commands. The
+  /// filter leaves a forward command at least `least_mps`, for a robot that would else stand for
+  /// good where it touches.
   Command step(const Command& wanted,
                const Pose& pose,
                double seconds,
@@ -80,7 +81,7 @@ class TickActions {
   std::optional<RiskField> risk_;
   std::vector<double> longest_m_;
   double slack_m_;
-  TickSignals signals_;
+  std::optional<TickSignals> signals_;  // if there are rules
   RuleMonitor monitor_;
   Fallback fallback_;
   bool began_ = false;

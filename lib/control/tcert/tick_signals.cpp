@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tcert/felt_clearance.hpp>
 #include <tcert/tick_signals.hpp>
 
 namespace tcert {
@@ -26,6 +27,7 @@ enum Signal : std::size_t {
   sig_unchanged,
   sig_jump,
   sig_missing_rays,
+  sig_felt_ahead,
   sig_end
 };
 static_assert(sig_end == kTickSignals);
@@ -53,6 +55,11 @@ constexpr std::array<SignalDoc, kTickSignals> kSignals{{
      "for how long a ray has read the same to the last digit, the longest of all"},
     {"jump_m", "m", "largest change of a ray's clearance since the tick before"},
     {"missing_rays", "", "rays without a reading"},
+    {"felt_ahead_m",
+     "m",
+     "way straight on until the body meets what a ray touched over the last body width of travel; "
+     "at "
+     "most the longest ray"},
 }};
 
 }  // namespace
@@ -67,10 +74,16 @@ std::optional<std::size_t> signal_named(std::string_view name) noexcept {
              : std::optional(static_cast<std::size_t>(found - kSignals.begin()));
 }
 
-TickSignals::TickSignals(const Robot& robot) : rays_(robot.rays), last_(robot.rays.size()) {}
+TickSignals::TickSignals(const Robot& robot, const CertificateParameters& parameters)
+    : rays_(robot.rays), felt_(robot, parameters), last_(robot.rays.size()) {
+  for (const Ray& ray : rays_) {
+    longest_m_ = std::max(longest_m_, longest_clearance(ray));
+  }
+}
 
 void TickSignals::reset() noexcept {
   std::fill(last_.begin(), last_.end(), LastReading{});
+  felt_.clear();
   began_ = false;
 }
 
@@ -124,6 +137,11 @@ SignalValues TickSignals::take(const Tick& tick,
   now[sig_gated_speed] = guarded.speed_mps;
   now[sig_moved] =
       began_ && gap_s > 0.0 ? distance(tick.pose.position, last_position_) / gap_s : kMissing;
+  now[sig_felt_ahead] = kMissing;
+  if ((certified.flags & (flag_stale | flag_bad_input)) == 0) {
+    felt_.add(tick, certified.travel_m);
+    now[sig_felt_ahead] = felt_.free_way_m(tick.pose, longest_m_);
+  }
   compare_rays(tick, gap_s, now);
   began_ = true;
   last_ns_ = std::max(last_ns_, tick.time_ns);

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <tcert/certifier.hpp>
 #include <tcert/command.hpp>
-#include <tcert/felt_clearance.hpp>
+#include <tcert/felt_points.hpp>
 #include <tcert/guards.hpp>
 #include <tcert/robot.hpp>
 #include <tcert/tick.hpp>
@@ -26,7 +26,7 @@ struct SignalDoc {
 
 /// All signals, in the order of their values.
 [[nodiscard]] std::span<const SignalDoc> tick_signals() noexcept;
-inline constexpr std::size_t kTickSignals = 20;
+inline constexpr std::size_t kTickSignals = 21;
 
 /// The place of a signal, if there is one of that name.
 [[nodiscard]] std::optional<std::size_t> signal_named(std::string_view name) noexcept;
@@ -37,7 +37,8 @@ using SignalValues = std::array<double, kTickSignals>;
 /// Takes the ticks of one run. The constructor takes all memory; every other member is noexcept.
 class TickSignals {
  public:
-  explicit TickSignals(const Robot& robot);
+  /// \pre robot and parameters are valid.
+  TickSignals(const Robot& robot, const CertificateParameters& parameters);
 
   void reset() noexcept;
 
@@ -56,6 +57,8 @@ class TickSignals {
     double unchanged_s = 0.0;
   };
   std::vector<Ray> rays_;
+  FeltPoints felt_;
+  double longest_m_ = 0.0;  // of a ray
   std::vector<LastReading> last_;
   bool began_ = false;
   std::int64_t first_ns_ = 0;

@@ -138,10 +138,13 @@ TEST(ParseRules, SaysWhereAndWhatItExpected) {
 
 TEST(ParseRules, TakesTheDefaultRules) {
   const std::vector<Rule> rules = parse_rules(default_rules());
-  ASSERT_EQ(rules.size(), 6U);
+  ASSERT_EQ(rules.size(), 7U);
   EXPECT_EQ(rules[1].name, "force");
   EXPECT_EQ(rules[1].text, "force_n > force_limit_n");
   EXPECT_TRUE(parse_rules("").empty());
+  EXPECT_FALSE(rules[2].acts) << "margin is watched";
+  EXPECT_EQ(RuleMonitor(rules).acting(), 0b1110011U);
+  EXPECT_EQ(parse_rules("watch: force_n > 1")[0].name, "watch") << "a name like any other";
 }
 
 }  // namespace

@@ -64,6 +64,10 @@ TEST(Runtime, AnAlarmBacksOut) {
   EXPECT_EQ(runtime.step({0.2, 0.0}, run.ticks.front().pose, 0.1).speed_mps, 0.0);
   EXPECT_EQ(runtime.actions().fallback().state(), FallbackState::stop);
   EXPECT_EQ(runtime.update(run.ticks[1], {0.0, 0.0}).acted.alarms_began, 0U);
+  setup.rules = parse_rules("watch always: time_s >= 0");
+  Runtime watching(run.course, setup);
+  EXPECT_EQ(watching.update(run.ticks.front(), {0.1, 0.0}).acted.alarms, 1U);
+  EXPECT_EQ(watching.step({0.2, 0.0}, run.ticks.front().pose, 0.1).speed_mps, 0.2);
 }
 
 TEST(Runtime, TheRiskAheadFallsWhereTheBodyHasBeen) {

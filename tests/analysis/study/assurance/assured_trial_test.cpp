@@ -77,7 +77,7 @@ TEST(AssuredTrial, AnAlarmTellsOfWhatBeginsSoon) {
   const TickTable ticks = ticks_of(101);
   const auto truth = truth_of(10.0, 0.2, near_wall);
   const auto judged = [&](std::vector<std::pair<double, double>> spans) {
-    return assure_trial(ticks, alarms_at(101, std::move(spans)), 1, truth, {}, {}).monitors[1];
+    return assure_trial(ticks, alarms_at(101, std::move(spans)), 1, truth, {}, 0.4, {}).monitors[1];
   };
   EXPECT_TRUE(judged({{4.0, 4.2}}).episodes[0].detected);
   EXPECT_NEAR(judged({{4.0, 4.2}}).episodes[0].delay_s, -1.0, 1e-9);
@@ -97,7 +97,7 @@ TEST(AssuredTrial, AFaultIsSeenWhileItLastsOrJustAfter) {
   const TickTable ticks = ticks_of(101);
   const std::vector<InjectedFault> faults{{"wide", {3.0, 4.0}}, {"freeze", {7.0, 8.0}}};
   const AssuredTrial trial =
-      assure_trial(ticks, alarms_at(101, {{4.4, 4.6}}), 1, std::nullopt, {}, faults);
+      assure_trial(ticks, alarms_at(101, {{4.4, 4.6}}), 1, std::nullopt, {}, 0.4, faults);
   EXPECT_TRUE(trial.monitors[0].faults[0].detected);
   EXPECT_NEAR(trial.monitors[0].faults[0].delay_s, 1.4, 1e-9);
   EXPECT_FALSE(trial.monitors[0].faults[1].detected);
