@@ -1,5 +1,7 @@
 #include "analysis/study/soundness/soundness.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tcert/certifier.hpp>
@@ -95,15 +97,16 @@ std::vector<SoundnessMethod> u_turn_methods() {
   return methods;
 }
 
-std::vector<SoundnessMethod> witness_methods() {
+std::vector<SoundnessMethod> witness_methods(double reading_bound_m) {
+  const std::string off = fmt::format("{:g} mm off", 1e3 * reading_bound_m);
   std::vector<SoundnessMethod> methods;
   const CertificateParameters parameters = small(ClearanceReading::witness);
   add_with_and_without_noise(methods, "witness", parameters);
-  methods.push_back({"witness, 10 mm off", parameters, true});
-  methods.back().witness.reading_bound_m = 0.01;
+  methods.push_back({"witness, " + off, parameters, true});
+  methods.back().witness.reading_bound_m = reading_bound_m;
   methods.push_back({"witness, native rates", parameters, false, {}, true});
-  methods.push_back({"witness, native rates, 10 mm off", parameters, true, {}, true});
-  methods.back().witness.reading_bound_m = 0.01;
+  methods.push_back({"witness, native rates, " + off, parameters, true, {}, true});
+  methods.back().witness.reading_bound_m = reading_bound_m;
   return methods;
 }
 

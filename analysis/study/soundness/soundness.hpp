@@ -30,9 +30,9 @@ struct SoundnessMethod {
 [[nodiscard]] std::vector<SoundnessMethod> mixed_methods();
 [[nodiscard]] std::vector<SoundnessMethod> u_turn_methods();
 
-/// Witnesses of ticks and of streams at native rates, without noise and with, and with 10 mm taken
-/// off readings that have noise.
-[[nodiscard]] std::vector<SoundnessMethod> witness_methods();
+/// Witnesses of ticks and of streams at native rates, without noise and with, and with a bound
+/// taken off readings that have noise.
+[[nodiscard]] std::vector<SoundnessMethod> witness_methods(double reading_bound_m = 0.01);
 
 struct SoundnessOptions {
   std::uint64_t seed = 1;

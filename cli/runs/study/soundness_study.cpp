@@ -69,7 +69,8 @@ StudyItems soundness_study(const StudyRequest& request, Progress& /*progress*/) 
                        WorldFamily (*family)(std::uint64_t),
                        std::span<const WorldFamily> families,
                        std::vector<study::SoundnessMethod> methods) {
-    methods = wanted.of(request.witness ? study::witness_methods() : std::move(methods));
+    methods = wanted.of(request.witness ? study::witness_methods(request.reading_bound_m)
+                                        : std::move(methods));
     if (methods.empty()) {
       return;
     }

@@ -26,7 +26,7 @@ struct Study {
 constexpr std::array kStudies{
     Study{"soundness",
           "soundness tightness",
-          "worlds hard u-turns driven witness methods readings",
+          "worlds hard u-turns driven witness methods readings reading-bound",
           soundness_study},
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
@@ -47,6 +47,7 @@ constexpr std::array kOfSome{"worlds",
                              "witness",
                              "methods",
                              "readings",
+                             "reading-bound",
                              "data-sets",
                              "replicates",
                              "terrains",
@@ -134,6 +135,12 @@ OptionTable options_of(StudyRequest& request) {
            "WORD",
            "soundness: true readings (exact), logged ones (noisy), or both")
       .one_of({"exact", "noisy", "both"});
+  table
+      .add("reading-bound",
+           request.reading_bound_m,
+           "M",
+           "soundness, with --witness: metres taken off logged readings, in the methods that do")
+      .within(0.0, 10.0);
   table
       .add("data-sets",
            request.data_sets,

@@ -18,6 +18,7 @@ struct StudyRequest {
   std::int64_t driven = 0;
   bool witness = false;
   std::string methods;                    ///< Comma between; empty: all.
+  double reading_bound_m = 0.01;          ///< Taken off readings in the methods that take some off.
   std::string readings = "both";          ///< "exact", "noisy" or "both".
   std::optional<std::int64_t> data_sets;  ///< None: as many as the study usually has.
   std::optional<std::int64_t> replicates;
