@@ -180,11 +180,19 @@ TEST(GuardFit, ChoosesTheLeastDwellThatKeepsTheProgress) {
     paths.push_back(path_of(day, true));
   }
   const auto choices = guard_choices({}, {SpeedLawKind::squash}, {5.0, 20.0}, {0.0, 0.4}, {5.0});
-  const GuardFit fit = fit_guards(paths, 12, setup_of_test(), choices, {}, {});
+  // At beta 20 a fifth of the way takes two and a half times as long: 77 % of the progress is left.
+  GuardFitOptions options;
+  options.most_lost = 0.4;
+  const GuardFit fit = fit_guards(paths, 12, setup_of_test(), choices, {}, options);
   ASSERT_TRUE(fit.best);
-  const GuardChoice& best = fit.choices[*fit.best];
-  EXPECT_EQ(best.guards.replan_margin_m, 0.0) << "0.4 m halts everywhere";
-  EXPECT_GE(fit.scores[*fit.best].all.metres_per_minute(), 0.9 * fit.unguarded.metres_per_minute());
+  const GuardScore& best = fit.scores[*fit.best];
+  EXPECT_NE(fit.choices[best.choice].guards.replan_margin_m, 0.4) << "0.4 m halts everywhere";
+  EXPECT_EQ(best.all.unsafe_s, 0.0) << "its margin tells of the wall";
+  EXPECT_GE(best.all.metres_per_minute(), 0.6 * fit.unguarded.metres_per_minute());
+  GuardFitOptions strict;
+  strict.most_lost = 0.01;
+  EXPECT_FALSE(fit_guards(paths, 12, setup_of_test(), choices, {}, strict).best)
+      << "who slows down at all is slower";
   EXPECT_EQ(fit.folds.size(), 5U);
   std::size_t days = 0;
   for (const GuardFold& fold : fit.folds) {
