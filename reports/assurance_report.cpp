@@ -31,6 +31,7 @@ Table monitors_table(const study::Assurance& assurance) {
           .integer("trials_whole", "of them all detected", &MonitorScore::trials_whole)
           .fixed("false_per_hour", "false alarms", "1/h", 1, &MonitorScore::false_per_hour)
           .answer()
+          .fixed("false_share", "of the time", &MonitorScore::false_share)
           .fixed("alarms_per_hour", "alarms", "1/h", 1, &MonitorScore::alarms_per_hour)
           .fixed("median_delay_s", "delay, median", "s", 2, &MonitorScore::median_delay_s)
           .fixed("progress_lost", "progress under alarm", [](auto& m) { return m.progress.value; })
@@ -38,8 +39,9 @@ Table monitors_table(const study::Assurance& assurance) {
           .table("monitors", "What each rule sees, and what it costs", assurance.monitors);
   table.footnotes = {
       "An episode is detected by an alarm that is on at some time from 2 s before its beginning to "
-      "0.5 s after it; a false alarm meets no time from 2 s before an episode to 0.5 s after it. "
-      "'any' is all rules together.",
+      "0.5 s after it; a false alarm is a piece of an alarm outside of all times from 2 s before "
+      "an episode to 0.5 s "
+      "after it, and 'of the time' is how long they are. 'any' is all rules together.",
       "Progress under alarm: share of the way forward that was driven while it was on; an alarm "
       "that is always on detects everything and costs all of it.",
       fmt::format("Intervals: {:g} %, days resampled (expanded percentiles); none with fewer than "
@@ -49,18 +51,25 @@ Table monitors_table(const study::Assurance& assurance) {
 }
 
 Table faults_table(const study::Assurance& assurance) {
-  Table table = ColumnsOf<FaultScore>()
-                    .text("kind", "fault", &FaultScore::kind)
-                    .text("monitor", "rule", &FaultScore::monitor)
-                    .integer("faults", "injected", [](auto& f) { return f.faults.of; })
-                    .integer("alarmed", "alarmed", [](auto& f) { return f.faults.found; })
-                    .estimate("share", "share", "", 3, [](auto& f) { return estimated(f.faults); })
-                    .answer()
-                    .fixed("median_delay_s", "delay, median", "s", 2, &FaultScore::median_delay_s)
-                    .table("faults", "Which injected faults are seen", assurance.faults);
+  Table table =
+      ColumnsOf<FaultScore>()
+          .text("kind", "fault", &FaultScore::kind)
+          .text("monitor", "rule", &FaultScore::monitor)
+          .integer("faults", "injected", [](auto& f) { return f.faults.of; })
+          .integer("alarmed", "alarmed", [](auto& f) { return f.faults.found; })
+          .estimate("share", "share", "", 3, [](auto& f) { return estimated(f.faults); })
+          .answer()
+          .estimate(
+              "without", "without a fault", "", 3, [](auto& f) { return estimated(f.controls); })
+          .answer()
+          .fixed("median_delay_s", "delay, median", "s", 2, &FaultScore::median_delay_s)
+          .table("faults", "Which injected faults are seen", assurance.faults);
   table.footnotes = {
       "A fault is seen by an alarm that is on at some time from its beginning to 0.5 s after its "
-      "end. A fault need not make the robot unsafe, and an alarm may be on for another reason."};
+      "end; "
+      "'without a fault' is how often one is on in a time as long, 5 s and more before it, which "
+      "is what "
+      "chance does. A fault need not make the robot unsafe."};
   return table;
 }
 
@@ -132,6 +141,35 @@ Table alarms_table(const std::vector<AssuredTrial>& trials, const std::vector<st
       .table("alarms", "Alarms", rows);
 }
 
+/// Of each kind of fault the rule that sees most of it beyond chance.
+void add_faults(const study::Assurance& assurance, std::vector<Finding>& findings) {
+  for (std::size_t i = 0; i < assurance.faults.size(); ++i) {
+    if (assurance.faults[i].monitor != "any") {
+      continue;
+    }
+    const std::string& kind = assurance.faults[i].kind;
+    const auto beyond = [](const FaultScore& one) {
+      return one.faults.value.value_or(0.0) - one.controls.value.value_or(0.0);
+    };
+    const FaultScore* best = &assurance.faults[i];
+    for (std::size_t k = i + 1; k < assurance.faults.size() && assurance.faults[k].kind == kind;
+         ++k) {
+      const FaultScore& one = assurance.faults[k];
+      best = best->monitor == "any" || beyond(one) > beyond(*best) ? &one : best;
+    }
+    findings.push_back(
+        {"Fault '" + kind + "'",
+         "",
+         fmt::format("{} of {} injected are met by an alarm of '{}', {}; without a fault "
+                     "{}.",
+                     best->faults.found,
+                     best->faults.of,
+                     best->monitor,
+                     in_words(best->faults.value, best->faults.interval),
+                     in_words(best->controls.value, best->controls.interval))});
+  }
+}
+
 Table findings_of_assurance(const study::Assurance& assurance) {
   const MonitorScore& any = assurance.monitors.back();
   if (assurance.without_truth == assurance.trials) {
@@ -156,7 +194,9 @@ Table findings_of_assurance(const study::Assurance& assurance) {
       any.trials_whole,
       any.false_per_hour ? fmt::format("{:.1f}", *any.false_per_hour) : "NA",
       any.progress.value ? fmt::format("{:.1f} %", 100.0 * *any.progress.value) : "NA");
-  return findings_table({{claim, std::string(study::to_string(any.claim)), evidence}},
+  std::vector<Finding> findings{{claim, std::string(study::to_string(any.claim)), evidence}};
+  add_faults(assurance, findings);
+  return findings_table(findings,
                         {"Supported if the interval of the share lies above the claim, "
                          "contradicted if below it. With "
                          "95 % confidence a share above 90 % takes 29 episodes of independent "

@@ -131,10 +131,22 @@ void append_audit_rows(std::string& out,
                  tick,
                  "rule_" + rules[r],
                  (acted.alarms_began & rule) != 0,
-                 {kMissing, kMissing, "the rule holds"},
+                 {kMissing,
+                  kMissing,
+                  (acted.alarms_began & rule) != 0 ? "the rule holds" : "the rule holds no longer"},
                  guarded.speed_mps);
     }
   }
+}
+
+std::string words_of_signals(std::uint32_t signals) {
+  std::string words;
+  for (std::size_t k = 0; k < kTickSignals; ++k) {
+    if ((signals & (1U << k)) != 0) {
+      words += (words.empty() ? "" : ", ") + std::string(tick_signals()[k].name);
+    }
+  }
+  return words;
 }
 
 std::string alarm_words(std::uint32_t alarms, const std::vector<std::string>& rules) {

@@ -28,6 +28,9 @@ void append_audit_rows(std::string& out,
 /// Words of GuardedTick::triggers, joined by '+'; empty if there are none.
 [[nodiscard]] std::string trigger_words(std::uint32_t triggers);
 
+/// Names of signals, 1 << signal, with a comma between.
+[[nodiscard]] std::string words_of_signals(std::uint32_t signals);
+
 /// Names of the rules that alarm, joined by '+'.
 [[nodiscard]] std::string alarm_words(std::uint32_t alarms, const std::vector<std::string>& rules);
 

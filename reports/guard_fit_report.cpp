@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <table/csv_write.hpp>
 
 #include "analysis/study/replay/replay_record.hpp"
@@ -68,6 +69,8 @@ void add_outcome_columns(ColumnsOf<GuardRow>& columns) {
              2,
              [](auto& r) { return r.guarded.metres_per_minute(); })
       .fixed("progress_share", "of the unguarded", progress_share)
+      .answer()
+      .fixed("stalled_share", "trials stalled", [](auto& r) { return r.guarded.stalled_share(); })
       .answer();
 }
 
@@ -116,14 +119,18 @@ Table risk_table(const GuardFit& fit) {
                     .table("guard_risk", "Conformal risk control of epsilon", rows);
   table.footnotes = {
       "The smallest epsilon with n/(n + 1) R + 1/(n + 1) <= alpha keeps the expected unsafe share "
-      "of "
-      "a new day at alpha or below, if days are exchangeable; law, beta and F_min are the best "
-      "ones', which were chosen on the same days, so that the promise is of epsilon alone."};
+      "of a "
+      "new day at alpha or below, if days are exchangeable: of guards that act under the law, beta "
+      "and "
+      "F_min of the parameters, for what is chosen by the same days has no such promise."};
   return table;
 }
 
-std::string config_of(const GuardChoice& choice) {
+std::string config_of(const GuardChoice& choice, const std::string& tracking_error) {
   std::string text = "# What 'tcert calibrate guards' chose; --config takes it as it is.\n";
+  if (!tracking_error.empty()) {
+    text += "# Chosen with --tracking-error '" + tracking_error + "': it belongs to it.\n";
+  }
   const auto line = [&](const char* key, double value) {
     text += std::string(key) + " = ";
     table::append_number(text, value);
@@ -150,46 +157,73 @@ GuardDwell held_out(const GuardFit& fit, bool guarded) {
 }
 
 Table findings_of_guards(const GuardFit& fit, const study::GuardFitOptions& options) {
-  if (!fit.best) {
-    return findings_table({{"Guards",
-                            "",
-                            fmt::format("No choice of {} keeps {:g} % of the unguarded progress.",
-                                        fit.choices.size(),
-                                        100.0 * (1.0 - options.most_lost))}});
+  std::vector<Finding> findings;
+  if (fit.best && !fit.folds.empty()) {
+    const GuardDwell before = held_out(fit, false);
+    const GuardDwell after = held_out(fit, true);
+    findings.push_back(
+        {"Guards",
+         "",
+         fmt::format(
+             "On days that had no part in the choice the guarded robot is unsafe for {:.2f} s "
+             "per 100 m, the unguarded one for {:.2f}, at {:.1f} % of its progress; {} of {} "
+             "trials stall.{}",
+             kPer100 * after.unsafe_per_metre(),
+             kPer100 * before.unsafe_per_metre(),
+             100.0 * after.metres_per_minute() / before.metres_per_minute(),
+             after.stalled,
+             after.trials,
+             fit.folds_without == 0
+                 ? ""
+                 : fmt::format(" {} folds are left out: no choice of the other days was good "
+                               "enough.",
+                               fit.folds_without))});
+  } else {
+    findings.push_back(
+        {"Guards",
+         "",
+         fmt::format("No choice of {} keeps {:g} % of the unguarded progress and lets no "
+                     "more than {:g} % of the trials stall.",
+                     fit.choices.size(),
+                     100.0 * (1.0 - options.most_lost),
+                     100.0 * options.most_lost)});
   }
-  const GuardDwell before = held_out(fit, false);
-  const GuardDwell after = held_out(fit, true);
-  std::vector<Finding> findings{
-      {"Guards",
-       "",
-       fmt::format("On days that had no part in the choice the guarded robot is unsafe for {:.2f} "
-                   "s per 100 "
-                   "m, the unguarded one for {:.2f}, at {:.1f} % of its progress.",
-                   kPer100 * after.unsafe_per_metre(),
-                   kPer100 * before.unsafe_per_metre(),
-                   100.0 * after.metres_per_minute() / before.metres_per_minute())}};
+  const std::string declared = fmt::format("{} at {:g} per metre, F_min {:g} N, as declared",
+                                           study::to_string(options.declared.law.kind),
+                                           options.declared.law.beta_per_m,
+                                           options.declared.guards.min_force_n);
   findings.push_back(
       {"epsilon",
        "",
-       fit.control.epsilon_m
-           ? fmt::format("epsilon {:g} m keeps the expected unsafe share of a new day at {:g} or "
-                         "below.",
-                         *fit.control.epsilon_m,
-                         options.risk)
-           : fmt::format("No epsilon of the grid promises an unsafe share of {:g}; with {} days "
-                         "nothing below {:.3g} can be promised.",
-                         options.risk,
-                         fit.days,
-                         fit.control.least_alpha)});
+       fit.control.risk.empty()
+           ? fmt::format("Nothing is promised: {} is not in the lists.", declared)
+       : fit.control.epsilon_m
+           ? fmt::format(
+                 "epsilon {:g} m keeps the expected unsafe share of a new day at {:g} or below "
+                 "({}).",
+                 *fit.control.epsilon_m,
+                 options.risk,
+                 declared)
+           : fmt::format(
+                 "No epsilon of the lists promises an unsafe share of {:g} ({}); with {} days "
+                 "nothing below {:.3g} can be promised.",
+                 options.risk,
+                 declared,
+                 fit.days,
+                 fit.control.least_alpha)});
   return findings_table(findings,
-                        {"In a log the robot goes on along the logged path: what it would do after "
-                         "a halt is measured "
-                         "by 'tcert drive' with +guards."});
+                        {"Where guards halt, the way is driven at the least speed and counts as "
+                         "safe; a trial stalls if "
+                         "that goes on over stall_m: it would not have got through. What a robot "
+                         "does after a halt is "
+                         "measured by 'tcert drive' with +guards."});
 }
 
 }  // namespace
 
-FitReport guard_fit_report(const GuardFit& fit, const study::GuardFitOptions& options) {
+FitReport guard_fit_report(const GuardFit& fit,
+                           const study::GuardFitOptions& options,
+                           const std::string& tracking_error) {
   FitReport report;
   report.model = "calibrate guards";
   report.findings = findings_of_guards(fit, options);
@@ -200,8 +234,8 @@ FitReport guard_fit_report(const GuardFit& fit, const study::GuardFitOptions& op
       .number("risk", "alpha of epsilon", options.risk)
       .number("least_alpha", "least alpha that so many days promise", fit.control.least_alpha);
   report.summary = std::move(record).table();
-  report.tables = {
-      choices_table("guard_front", "No other has more progress and less dwell", fit, true)};
+  report.tables = {choices_table(
+      "guard_front", "No other has more progress, less dwell and fewer stalls", fit, true)};
   if (!fit.folds.empty()) {
     report.tables.push_back(folds_table(fit));
   }
@@ -210,7 +244,8 @@ FitReport guard_fit_report(const GuardFit& fit, const study::GuardFitOptions& op
   }
   report.details = {choices_table("guard_choices", "Every choice", fit, false)};
   if (fit.best) {
-    report.attachments = {{"guards", "For --config:", config_of(fit.choices[*fit.best]), "ini"}};
+    report.attachments = {
+        {"guards", "For --config:", config_of(fit.choices[*fit.best], tracking_error), "ini"}};
   }
   return report;
 }

@@ -8,8 +8,9 @@
 namespace tcert {
 
 /// Tables: the front, the folds, the risk by epsilon; every choice as detail; the best one as a
-/// config file.
+/// config file, which names the tracking-error table that it was chosen with.
 [[nodiscard]] FitReport guard_fit_report(const study::GuardFit& fit,
-                                         const study::GuardFitOptions& options);
+                                         const study::GuardFitOptions& options,
+                                         const std::string& tracking_error);
 
 }  // namespace tcert

@@ -11,8 +11,9 @@ constexpr std::string_view kCalibrateGuardsText =
 
 BUNDLE has truth.csv ('tcert drive --truth'). Each choice of law, beta, epsilon and F_min is replayed along the
 logged paths; chosen is the one with the least unsafe dwell (time driven at a wall within the stopping way,
-unsafe_brake_mps2 and unsafe_reaction_s) among those that keep 1 - P of the unguarded progress. Where guards
-halt, the way is driven at the least speed and counts as safe. Choices are made on folds of whole days and
+unsafe_brake_mps2 and unsafe_reaction_s) among those that keep 1 - P of the unguarded
+progress and let at most P of the trials stall. Where guards halt, the way is driven at the least speed and
+counts as safe; over stall_m of it the trial has stalled. Choices are made on folds of whole days and
 judged on the days left out; the front, every choice and the best one as a config file are printed. epsilon
 also comes with a promise for a new day, by conformal risk control.
 

@@ -90,6 +90,12 @@ Table rule_listing() {
       "always), in parentheses where need be. 'not' and the two windows bind more strongly than "
       "'and', "
       "that more than 'or', that more than 'since'.",
+      "At most 32 rules, windows of at most 600 s and 6000 s together. A factor stands before its "
+      "signal "
+      "(2*width_m); '<' and '<=' are the same. A certificate before there is one is -inf, which is "
+      "known. "
+      "unchanged_s is for sensors with noise: in a simulation without it rays read the same for "
+      "long.",
       "A rule alarms at the ticks at which it surely holds: a missing signal may be anything. A "
       "window that reaches back beyond the first tick looks at what there is: 'time_s >= 2 and "
       "historically[0,2] F' waits for two seconds.",

@@ -8,7 +8,8 @@ namespace {
 constexpr std::string_view kReplayText =
     R"(Drive the logged trials again at gated speed: same path, every interval re-timed by the margin.
 
-Each trial is replayed at every law of --laws and beta of --betas, guards G1-G3 on. Where the law or
+Each trial is replayed at every law of --laws and beta of --betas, guards G1-G3 on; where neither is given and
+a config file or a flag sets speed_law or beta_per_m, at that law alone. Where the law or
 a guard halts over 5 cm of path or more the run stalls, and its success is lost; shorter stretches
 are crept through.
 

@@ -7,6 +7,7 @@
 #include "analysis/study/assurance/guard_fit.hpp"
 #include "analysis/study/replay/replay_trial.hpp"
 #include "cli/runs/certify_trials.hpp"
+#include "cli/runs/data_file.hpp"
 #include "cli/runs/guard_options.hpp"
 #include "cli/runs/replay_options.hpp"
 #include "cli/runs/report_output.hpp"
@@ -60,10 +61,17 @@ OptionTable options_of(CalibrateGuardsRequest& request) {
   table.add("betas", request.betas, "LIST", "sensitivities s of the law, in 1/m");
   table.add("epsilons", request.epsilons, "LIST", "robust margins at which G3 halts, in m");
   table.add("forces", request.forces, "LIST", "F_min of the force envelope G2, in N");
-  table.add("most-lost", request.most_lost, "P", "share of the unguarded progress that may be lost")
+  table
+      .add("most-lost",
+           request.most_lost,
+           "P",
+           "share of the unguarded progress that may be lost, and of trials that may stall")
       .within(0.0, 1.0);
   table
-      .add("risk", request.risk, "P", "unsafe share of a new day's time that epsilon is to keep to")
+      .add("most-unsafe",
+           request.most_unsafe,
+           "P",
+           "unsafe share of a new day's time that epsilon is to keep to")
       .within(1e-6, 1.0);
   table.add("folds", request.folds, "N", "of whole days").within(2, 1000);
   add_tracking_error_option(table, request.tracking_error);
@@ -118,12 +126,14 @@ ExitCode calibrate_guards(const CalibrateGuardsRequest& request, Progress& progr
   }
   study::GuardFitOptions options;
   options.most_lost = request.most_lost;
-  options.risk = request.risk;
+  options.risk = request.most_unsafe;
+  options.stall_m = opened.parameters.replay.stall_m;
+  options.declared = {opened.parameters.speed_law, opened.parameters.guards};
   options.folds = static_cast<std::size_t>(request.folds);
   const ThreadLimit limit(request.threads);
   const study::GuardFit fit = study::fit_guards(
       paths, days.size(), setup, std::move(choices), opened.parameters.unsafe, options);
-  FitReport report = guard_fit_report(fit, options);
+  FitReport report = guard_fit_report(fit, options, request.tracking_error);
   report.synthetic = synthetic_label(opened.bundle.info);
   Manifest manifest = manifest_of("calibrate", opened, written(request), summary);
   if (const auto input = tracking_error_input(request.tracking_error)) {

@@ -17,7 +17,7 @@ struct CalibrateGuardsRequest {
   std::string epsilons = "0,0.005,0.01,0.02,0.04";
   std::string forces = "5,20,40";
   double most_lost = 0.1;
-  double risk = 0.1;
+  double most_unsafe = 0.1;
   std::int64_t folds = 5;
   std::string tracking_error;
   std::string table;

@@ -56,7 +56,9 @@ std::vector<Rule> rules_of(const MonitorOptions& options) {
     throw NoInput("'" + options.rules + "': expected a readable file: " + file.problem);
   }
   try {
-    std::vector<Rule> rules = parse_rules(file.bytes->view());
+    std::string_view text = file.bytes->view();
+    text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    std::vector<Rule> rules = parse_rules(text);
     if (rules.empty()) {
       throw std::invalid_argument("found no rule, expected lines 'name: formula'");
     }

@@ -25,6 +25,22 @@ std::string name_of(const SpeedLaw& law) {
   return name;
 }
 
+/// A config file or flags name the law or its sensitivity, and --laws and --betas do not.
+bool is_law_configured(const ReplayRequest& request) {
+  if (is_given(request.given, "laws") || is_given(request.given, "betas")) {
+    return false;
+  }
+  const ParameterChanges& changes = request.logs.parameters;
+  for (const Settings* const settings : {&changes.of_file, &changes.of_flags}) {
+    for (const auto& [key, value] : *settings) {
+      if (key == "speed_law" || key == "beta_per_m") {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Cells before those of the audit log.
 std::string audit_prefix(const study::ReplayRecord& record,
                          const std::optional<SyntheticLabel>& label) {
@@ -156,6 +172,9 @@ ExitCode replay(const ReplayRequest& request, Progress& progress) {
   const OpenedBundle opened = open_for(request.bundle, request.logs, progress);
   study::ReplaySetup setup =
       replay_setup(request.laws, opened.parameters, request.logs.decimal_comma, progress);
+  if (is_law_configured(request)) {
+    setup.laws = {opened.parameters.speed_law};
+  }
   setup.replan = request.replan;
   setup.rules = rules_of(request.monitor);
   setup.risk = request.monitor.risk;

@@ -49,7 +49,13 @@ ShareEstimate share_of(const Counts& counts,
     return share;
   }
   share.value = found / of;
-  const std::size_t days = std::set(clusters.begin(), clusters.end()).size();
+  std::set<std::uint32_t> with_one;
+  for (std::size_t i = 0; i < counts.of.size(); ++i) {
+    if (counts.of[i] > 0.0) {
+      with_one.insert(clusters[i]);
+    }
+  }
+  const std::size_t days = with_one.size();
   if (days < kFewestClusters) {
     return share;
   }
@@ -127,6 +133,7 @@ MonitorScore score_of(const std::vector<AssuredTrial>& trials,
   double hours = 0.0;
   double true_hours = 0.0;
   double false_alarms = 0.0;
+  double false_s = 0.0;
   double alarms = 0.0;
   double way_m = 0.0;
   double alarmed_m = 0.0;
@@ -136,6 +143,7 @@ MonitorScore score_of(const std::vector<AssuredTrial>& trials,
     hours += trial.hours;
     true_hours += trial.has_truth ? trial.hours : 0.0;
     false_alarms += static_cast<double>(record.false_alarms);
+    false_s += record.false_s;
     alarms += static_cast<double>(record.alarms.size());
     way_m += trial.forward_m;
     alarmed_m += record.alarmed_m;
@@ -150,6 +158,8 @@ MonitorScore score_of(const std::vector<AssuredTrial>& trials,
   }
   score.trials_interval =
       statistics::clopper_pearson(score.trials_whole, score.trials, options.level);
+  score.false_share =
+      true_hours > 0.0 ? std::optional(false_s / (3600.0 * true_hours)) : std::nullopt;
   score.false_per_hour = true_hours > 0.0 ? std::optional(false_alarms / true_hours) : std::nullopt;
   score.alarms_per_hour = hours > 0.0 ? std::optional(alarms / hours) : std::nullopt;
   score.median_delay_s = median_of(std::move(delays));
@@ -170,12 +180,18 @@ FaultScore fault_score(const std::vector<AssuredTrial>& trials,
   FaultScore score;
   score.kind = kind;
   Counts counts;
+  Counts controls;
   std::vector<double> delays;
   for (const AssuredTrial& trial : trials) {
     double found = 0.0;
     double of = 0.0;
+    double alarmed = 0.0;
+    double compared = 0.0;
     for (std::size_t i = 0; i < trial.faults.size(); ++i) {
       if (trial.faults[i].kind == kind) {
+        const Control control = trial.monitors[monitor].controls[i];
+        compared += control == Control::none ? 0.0 : 1.0;
+        alarmed += control == Control::alarmed ? 1.0 : 0.0;
         const Detection& detection = trial.monitors[monitor].faults[i];
         of += 1.0;
         found += detection.detected ? 1.0 : 0.0;
@@ -186,8 +202,11 @@ FaultScore fault_score(const std::vector<AssuredTrial>& trials,
     }
     counts.found.push_back(found);
     counts.of.push_back(of);
+    controls.found.push_back(alarmed);
+    controls.of.push_back(compared);
   }
   score.faults = share_of(counts, clusters, options);
+  score.controls = share_of(controls, clusters, options);
   score.median_delay_s = median_of(std::move(delays));
   return score;
 }

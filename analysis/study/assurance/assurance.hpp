@@ -37,7 +37,8 @@ struct MonitorScore {
   std::size_t trials = 0;        ///< With an unsafe episode.
   std::size_t trials_whole = 0;  ///< Of them those of which every episode is detected.
   std::optional<statistics::Interval> trials_interval;  ///< Of their share, Clopper and Pearson's.
-  std::optional<double> false_per_hour;                 ///< NA without any truth.
+  std::optional<double> false_share;     ///< Of all time: under an alarm that is false.
+  std::optional<double> false_per_hour;  ///< NA without any truth.
   std::optional<double> alarms_per_hour;
   std::optional<double> median_delay_s;  ///< Of the episodes detected.
   ShareEstimate progress;  ///< Share of the forward way driven under an alarm; value alone.
@@ -49,6 +50,8 @@ struct FaultScore {
   std::string kind;
   std::string monitor;
   ShareEstimate faults;
+  ShareEstimate
+      controls;  ///< Times as long, without a fault, that an alarm meets: what chance does.
   std::optional<double> median_delay_s;
 };
 

@@ -25,6 +25,42 @@ Detection detected_in(const std::vector<TimeSpan>& alarms, const TimeSpan& windo
   return {};
 }
 
+/// What is left of a span outside of `windows`, in order. \pre windows in order.
+std::vector<TimeSpan> outside_of(TimeSpan span, const std::vector<TimeSpan>& windows) {
+  std::vector<TimeSpan> left;
+  for (const TimeSpan& window : windows) {
+    if (window.end_s <= span.begin_s || window.begin_s >= span.end_s) {
+      continue;
+    }
+    if (window.begin_s > span.begin_s) {
+      left.push_back({span.begin_s, window.begin_s});
+    }
+    span.begin_s = std::max(span.begin_s, window.end_s);
+  }
+  if (span.begin_s < span.end_s) {
+    left.push_back(span);
+  }
+  return left;
+}
+
+constexpr double kApart = 5.0;  // s
+
+/// Whether an alarm is on in a time like that of a fault, but before it and free of others.
+Control control_of(const std::vector<TimeSpan>& alarms,
+                   const std::vector<InjectedFault>& faults,
+                   const InjectedFault& fault,
+                   double first_s) {
+  const double length_s = fault.time.end_s - fault.time.begin_s + kAfter;
+  const TimeSpan before{fault.time.begin_s - kApart - length_s, fault.time.begin_s - kApart};
+  const bool is_free = std::ranges::none_of(faults, [&](const InjectedFault& other) {
+    return meets(before, {other.time.begin_s, other.time.end_s + kAfter});
+  });
+  if (before.begin_s < first_s || !is_free) {
+    return Control::none;
+  }
+  return detected_in(alarms, before, before.begin_s).detected ? Control::alarmed : Control::quiet;
+}
+
 std::vector<TimeSpan> alarms_of(const TickTable& ticks,
                                 std::span<const ActedTick> acted,
                                 std::uint32_t rules) {
@@ -92,6 +128,10 @@ AssuredTrial assure_trial(const TickTable& ticks,
   if (ticks.size() > 1) {
     trial.hours = elapsed_s(ticks.time_ns.front(), ticks.time_ns.back()) / 3600.0;
   }
+  std::vector<TimeSpan> windows;
+  for (const UnsafeEpisode& episode : trial.episodes) {
+    windows.push_back({episode.time.begin_s - kBefore, episode.time.end_s + kAfter});
+  }
   const std::vector<double> ways = forward_ways(ticks);
   for (const double way_m : ways) {
     trial.forward_m += way_m;
@@ -108,12 +148,17 @@ AssuredTrial assure_trial(const TickTable& ticks,
     for (const InjectedFault& fault : trial.faults) {
       const TimeSpan window{fault.time.begin_s, fault.time.end_s + kAfter};
       record.faults.push_back(detected_in(record.alarms, window, fault.time.begin_s));
+      record.controls.push_back(control_of(
+          record.alarms,
+          trial.faults,
+          fault,
+          ticks.time_ns.empty() ? 0.0 : 1e-9 * static_cast<double>(ticks.time_ns.front())));
     }
     for (const TimeSpan& alarm : record.alarms) {
-      const bool is_true = std::ranges::any_of(trial.episodes, [&](const UnsafeEpisode& episode) {
-        return meets(alarm, {episode.time.begin_s - kBefore, episode.time.end_s + kAfter});
-      });
-      record.false_alarms += trial.has_truth && !is_true ? 1 : 0;
+      for (const TimeSpan& piece : outside_of(alarm, windows)) {
+        record.false_alarms += trial.has_truth ? 1 : 0;
+        record.false_s += trial.has_truth ? piece.end_s - piece.begin_s : 0.0;
+      }
     }
     for (std::size_t i = 0; i < acted.size(); ++i) {
       record.alarmed_m += (acted[i].alarms & of) != 0 ? ways[i] : 0.0;

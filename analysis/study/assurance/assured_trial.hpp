@@ -3,6 +3,7 @@
 /// What rules said of one trial, held against what really happened and what was injected.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,12 +28,17 @@ struct Detection {
       0.0;  ///< Of the first alarm after the beginning; negative: before it. If detected.
 };
 
+/// The same time without a fault: as long as its window, and over 5 s before it begins.
+enum class Control : std::uint8_t { none, quiet, alarmed };
+
 /// Of one rule, or of all together.
 struct MonitorRecord {
   std::vector<TimeSpan> alarms;     ///< Less than 0.5 s apart as one.
   std::vector<Detection> episodes;  ///< One for each unsafe episode.
   std::vector<Detection> faults;    ///< One for each injected fault.
-  std::size_t false_alarms = 0;     ///< That meet no unsafe episode.
+  std::vector<Control> controls;    ///< Likewise.
+  std::size_t false_alarms = 0;     ///< Pieces of alarms outside of every episode's time.
+  double false_s = 0.0;             ///< How long they are.
   double alarmed_m = 0.0;           ///< Forward way that was driven under an alarm.
 };
 
@@ -55,8 +61,9 @@ struct AssuredTrial {
 };
 
 /// An alarm tells of an episode if it is on at some time from 2 s before its beginning to 0.5 s
-/// after it, of a fault from its beginning to 0.5 s after its end. It is false if it meets no time
-/// from 2 s before an episode to 0.5 s after it.
+/// after it, of a fault from its beginning to 0.5 s after its end. What of it lies outside of
+/// all times from 2 s before an episode to 0.5 s after it is false, each piece by itself: an alarm
+/// that is always on is false between any two episodes.
 /// A wall counts as met if the body cannot go `ahead_m` straight on. \pre one acted tick a tick,
 /// `rules` of them.
 [[nodiscard]] AssuredTrial assure_trial(const TickTable& ticks,

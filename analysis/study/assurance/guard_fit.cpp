@@ -19,7 +19,7 @@ std::optional<std::size_t> best_of(const std::vector<GuardDwell>& of_choices,
   const double least = (1.0 - most_lost) * unguarded.metres_per_minute();
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < of_choices.size(); ++i) {
-    if (of_choices[i].metres_per_minute() >= least &&
+    if (of_choices[i].metres_per_minute() >= least && of_choices[i].stalled_share() <= most_lost &&
         (!best || of_choices[i].unsafe_per_metre() < of_choices[*best].unsafe_per_metre())) {
       best = i;
     }
@@ -29,7 +29,11 @@ std::optional<std::size_t> best_of(const std::vector<GuardDwell>& of_choices,
 
 /// What is left of `all` without one fold.
 GuardDwell without(const GuardDwell& all, const GuardDwell& fold) {
-  return {all.way_m - fold.way_m, all.time_s - fold.time_s, all.unsafe_s - fold.unsafe_s};
+  return {all.way_m - fold.way_m,
+          all.time_s - fold.time_s,
+          all.unsafe_s - fold.unsafe_s,
+          all.trials - fold.trials,
+          all.stalled - fold.stalled};
 }
 
 void mark_front(std::vector<GuardScore>& scores) {
@@ -37,12 +41,14 @@ void mark_front(std::vector<GuardScore>& scores) {
     one.on_front = std::ranges::none_of(scores, [&](const GuardScore& other) {
       const double progress = other.all.metres_per_minute() - one.all.metres_per_minute();
       const double dwell = other.all.unsafe_per_metre() - one.all.unsafe_per_metre();
-      return progress >= 0.0 && dwell <= 0.0 && (progress > 0.0 || dwell < 0.0);
+      const double stalls = other.all.stalled_share() - one.all.stalled_share();
+      return progress >= 0.0 && dwell <= 0.0 && stalls <= 0.0 &&
+             (progress > 0.0 || dwell < 0.0 || stalls < 0.0);
     });
   }
 }
 
-/// Of the choices that differ from `like` in epsilon alone.
+/// Of the choices that act and differ from `like` in epsilon alone.
 RiskControl control_risk(const std::vector<GuardChoice>& choices,
                          const GuardChoice& like,
                          const std::vector<std::vector<GuardDwell>>& by_choice_and_day,
@@ -52,7 +58,7 @@ RiskControl control_risk(const std::vector<GuardChoice>& choices,
     const GuardChoice& one = choices[i];
     if (one.guards.mode != GuardMode::act || one.law.kind != like.law.kind ||
         one.law.beta_per_m != like.law.beta_per_m ||
-        (like.guards.mode == GuardMode::act && one.guards.min_force_n != like.guards.min_force_n)) {
+        one.guards.min_force_n != like.guards.min_force_n) {
       continue;
     }
     double sum = 0.0;
@@ -84,6 +90,8 @@ GuardDwell& GuardDwell::operator+=(const GuardDwell& other) noexcept {
   way_m += other.way_m;
   time_s += other.time_s;
   unsafe_s += other.unsafe_s;
+  trials += other.trials;
+  stalled += other.stalled;
   return *this;
 }
 
@@ -93,6 +101,10 @@ double GuardDwell::metres_per_minute() const noexcept {
 
 double GuardDwell::unsafe_per_metre() const noexcept {
   return way_m > 0.0 ? unsafe_s / way_m : 0.0;
+}
+
+double GuardDwell::stalled_share() const noexcept {
+  return trials > 0 ? static_cast<double>(stalled) / static_cast<double>(trials) : 0.0;
 }
 
 GuardedPath guarded_path(TickTable ticks,
@@ -130,6 +142,7 @@ GuardedPath guarded_path(TickTable ticks,
 
 GuardDwell unguarded_dwell(const GuardedPath& path, const UnsafeRule& unsafe) {
   GuardDwell dwell;
+  dwell.trials = 1;
   for (std::size_t i = 0; i < path.way_m.size(); ++i) {
     if (path.way_m[i] > 0.0) {
       const double speed_mps = path.way_m[i] / path.logged_s[i];
@@ -145,9 +158,12 @@ GuardDwell unguarded_dwell(const GuardedPath& path, const UnsafeRule& unsafe) {
 
 GuardDwell guarded_dwell(const GuardedPath& path,
                          const GuardSetup& setup,
-                         const UnsafeRule& unsafe) {
+                         const UnsafeRule& unsafe,
+                         double stall_m) {
   Guards guards(setup);
   GuardDwell dwell;
+  dwell.trials = 1;
+  double halted_m = 0.0;
   for (std::size_t i = 0; i < path.way_m.size(); ++i) {
     const Command commanded = path.ticks.commanded(i);
     const GuardedTick now =
@@ -156,6 +172,8 @@ GuardDwell guarded_dwell(const GuardedPath& path,
       continue;
     }
     const double speed_mps = now.halted() ? now.retreat_speed_mps : now.speed_mps;
+    halted_m = now.halted() ? halted_m + path.way_m[i] : 0.0;
+    dwell.stalled = halted_m >= stall_m ? 1 : dwell.stalled;
     const double time_s = path.way_m[i] / speed_mps;
     dwell.way_m += path.way_m[i];
     dwell.time_s += time_s;
@@ -215,7 +233,7 @@ GuardFit fit_guards(const std::vector<GuardedPath>& paths,
     of_choice.law = fit.choices[c].law;
     of_choice.parameters = fit.choices[c].guards;
     for (const GuardedPath& path : paths) {
-      guarded[c][path.day] += guarded_dwell(path, of_choice, unsafe);
+      guarded[c][path.day] += guarded_dwell(path, of_choice, unsafe, options.stall_m);
     }
   });
   std::vector<GuardDwell> all(fit.choices.size());
@@ -250,11 +268,11 @@ GuardFit fit_guards(const std::vector<GuardedPath>& paths,
       fold.choice = *best;
       fold.guarded = of_fold[*best];
       fit.folds.push_back(fold);
+    } else {
+      ++fit.folds_without;
     }
   }
-  if (fit.best) {
-    fit.control = control_risk(fit.choices, fit.choices[*fit.best], guarded, options.risk);
-  }
+  fit.control = control_risk(fit.choices, options.declared, guarded, options.risk);
   return fit;
 }
 

@@ -27,10 +27,14 @@ struct GuardDwell {
   double way_m = 0.0;
   double time_s = 0.0;
   double unsafe_s = 0.0;  ///< Driven towards a wall within its stopping way.
+  std::size_t trials = 0;
+  std::size_t stalled =
+      0;  ///< Of them those that halt over stall_m of way or more, as in a replay.
 
   GuardDwell& operator+=(const GuardDwell& other) noexcept;
   [[nodiscard]] double metres_per_minute() const noexcept;
   [[nodiscard]] double unsafe_per_metre() const noexcept;  ///< s/m.
+  [[nodiscard]] double stalled_share() const noexcept;
 };
 
 /// One trial, as far as its guards are judged by it.
@@ -54,22 +58,26 @@ struct GuardedPath {
 [[nodiscard]] GuardDwell unguarded_dwell(const GuardedPath& path, const UnsafeRule& unsafe);
 
 /// At the speed that guards of `setup` grant, on the same path; where they halt the way is driven
-/// at the least speed and counts as safe: somebody looks. \pre `setup` is of the path's robot.
+/// at the least speed and counts as safe: somebody looks. A trial that halts over `stall_m` of
+/// forward way would not have got through: it is stalled. \pre `setup` is of the path's robot.
 [[nodiscard]] GuardDwell guarded_dwell(const GuardedPath& path,
                                        const GuardSetup& setup,
-                                       const UnsafeRule& unsafe);
+                                       const UnsafeRule& unsafe,
+                                       double stall_m);
 
 struct GuardFitOptions {
-  double most_lost = 0.1;  ///< delta: progress may fall to (1 - delta) of the unguarded one.
+  /// delta: progress may fall to (1 - delta) of the unguarded one, and that share of trials stall.
+  double most_lost = 0.1;
+  double stall_m = 0.05;
   std::size_t folds = 5;   ///< Of whole days, dealt in their order.
   double risk = 0.1;       ///< alpha of conformal risk control.
-  int threads = 0;
+  GuardChoice declared{};  ///< Whose epsilon that is for: law, beta and F_min are not chosen by it.
 };
 
 struct GuardScore {
   std::size_t choice = 0;
   GuardDwell all;
-  bool on_front = false;  ///< No other has more progress and less unsafe dwell.
+  bool on_front = false;  ///< No other has more progress, less unsafe dwell and fewer stalls.
 };
 
 struct GuardFold {
@@ -81,7 +89,8 @@ struct GuardFold {
 
 /// epsilon_replan with a promise for a new day: the smallest epsilon with
 /// n/(n + 1) R(epsilon) + 1/(n + 1) <= alpha, R the mean over days of the share of the guarded time
-/// that is unsafe (Angelopoulos et al. 2022).
+/// that is unsafe (Angelopoulos et al. 2022). Of the declared law, beta and F_min alone: what is
+/// chosen by the same days has no such promise.
 struct RiskControl {
   std::optional<double> epsilon_m;
   std::vector<std::pair<double, double>> risk;  ///< epsilon and R, made to fall.
@@ -94,6 +103,7 @@ struct GuardFit {
   GuardDwell unguarded;
   std::optional<std::size_t> best;  ///< Of all days; none keeps the progress if empty.
   std::vector<GuardFold> folds;
+  std::size_t folds_without = 0;  ///< In which no choice was good enough: they are in no figure.
   std::size_t days = 0;
   RiskControl control;
 };

@@ -5,6 +5,7 @@
 #include "cli/runs/inputs.hpp"
 #include "cli/runs/live/live_bundle.hpp"
 #include "cli/runs/result_folder.hpp"
+#include "reports/audit.hpp"
 #include "reports/features_table.hpp"
 
 namespace tcert::cli {
@@ -76,6 +77,10 @@ const std::string& LiveTicks::row_of(const TickLine& line, StatusLines& status) 
 
 bool LiveTicks::close(StatusLines& status) {
   const bool audited = !audit_ || audit_->close(status);
+  if (const std::string missing = words_of_signals(runtime_.actions().monitor().never_known());
+      !missing.empty()) {
+    status.say("tcert live: no tick had " + missing + ": rules that speak of it could not alarm.");
+  }
   const bool recorded = !record_ || record_->close(status);
   if (witness_) {
     status.say("tcert live: " + witness_->conclude());

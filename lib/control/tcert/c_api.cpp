@@ -1,5 +1,6 @@
 #include <tcert/tcert.h>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <exception>
@@ -143,7 +144,15 @@ tcert_status tcert_step(tcert_certifier* certifier,
                         double seconds,
                         tcert_command* command,
                         std::int32_t* state) noexcept {
-  if (certifier == nullptr || wanted == nullptr || command == nullptr || !(seconds >= 0.0)) {
+  if (certifier == nullptr || wanted == nullptr || command == nullptr) {
+    return TCERT_ERROR_ARGUMENT;
+  }
+  for (const double value : {wanted->speed_mps, wanted->yaw_rate_rps, x_m, y_m, yaw_rad, seconds}) {
+    if (!(std::abs(value) <= kLargestPose)) {
+      return TCERT_ERROR_ARGUMENT;
+    }
+  }
+  if (seconds < 0.0) {
     return TCERT_ERROR_ARGUMENT;
   }
   const Command taken = certifier->runtime.step(

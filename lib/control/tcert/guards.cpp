@@ -12,6 +12,7 @@ namespace {
 constexpr double kTickPeriod = 0.1;     // of a first tick
 constexpr double kLongestPeriod = 1.0;  // s
 constexpr int kBisections = 30;
+constexpr int kBrakingSpeeds = 32;
 
 double largest_force(std::span<const RayReading> rays) noexcept {
   double largest = kMissing;
@@ -72,7 +73,7 @@ double Guards::error_at(double speed_mps) const noexcept {
 
 bool Guards::acts() const noexcept {
   return setup_.parameters.mode == GuardMode::act ||
-         (setup_.parameters.mode == GuardMode::by_law && setup_.law.kind == SpeedLawKind::clip);
+         (setup_.parameters.mode == GuardMode::by_law && setup_.law.kind != SpeedLawKind::squash);
 }
 
 // The speeds that can be kept reach from some speed downwards as long as r_TE rises with the speed,
@@ -92,7 +93,18 @@ double Guards::fixed_point(double corridor_value_m) const noexcept {
   if (last_speed_mps_ > low && last_speed_mps_ < high && can_be_kept(last_speed_mps_)) {
     low = last_speed_mps_;
   } else if (!can_be_kept(low)) {
-    return low;
+    // Braking may cost more than it gains: some speed between may hold where neither end does.
+    const double top = std::min(last_speed_mps_, high);
+    const double step = (top - low) / kBrakingSpeeds;
+    int i = kBrakingSpeeds - 1;
+    while (i > 0 && !(step > 0.0 && can_be_kept(low + i * step))) {
+      --i;
+    }
+    if (i == 0) {
+      return low;
+    }
+    high = low + (i + 1) * step;
+    low += i * step;
   }
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (low + high);
@@ -121,7 +133,7 @@ double Guards::wanted_speed(const Tick& tick,
       return fixed_point(certified.corridor_value_m);
     case SpeedLawKind::barrier: {
       const double speed_mps = std::isnan(wanted.speed_mps) ? law.max_speed_mps : wanted.speed_mps;
-      const FilteredCommand kept = filtered({speed_mps, wanted.yaw_rate_rps}, tick.pose, period_s_);
+      const FilteredCommand kept = filtered({speed_mps, now.yaw_rate_rps}, tick.pose, period_s_);
       now.triggers |= kept.feasible ? 0U : guard_barrier;
       now.yaw_rate_rps = kept.command.yaw_rate_rps;
       return std::max(kept.command.speed_mps, 0.0);
@@ -145,7 +157,8 @@ GuardedTick Guards::update(const Tick& tick,
   now.yaw_rate_rps = std::isnan(wanted.yaw_rate_rps) ? 0.0 : wanted.yaw_rate_rps;
   if ((certified.flags & (flag_stale | flag_bad_input)) != 0) {
     now.triggers = guard_no_evidence;
-    command(now, tick.time_ns);
+    // The time of a bad tick may be anything: it is not looked at.
+    command(now, (certified.flags & flag_bad_input) != 0 ? last_ns_ : tick.time_ns);
     return now;
   }
   period_s_ = began_ ? std::min(elapsed_s(last_ns_, tick.time_ns), kLongestPeriod) : kTickPeriod;
@@ -178,7 +191,7 @@ void Guards::command(GuardedTick& now, std::int64_t time_ns) noexcept {
   if (setup_.table.has_speed_left()) {
     left_.command(now.speed_mps, setup_.table.hold_s(now.speed_mps), time_ns);
   }
-  began_ = true;
+  began_ = began_ || (now.triggers & guard_no_evidence) == 0;
   last_ns_ = time_ns;
   last_speed_mps_ = now.speed_mps;
   last_triggers_ = now.triggers;

@@ -19,7 +19,8 @@ namespace tcert {
 
 /// What G2 and G3 do when they trip.
 enum class GuardMode : std::uint8_t {
-  by_law,  ///< As the paper has them: act under the clip law (5), watch under squash (3.5).
+  by_law,  ///< Watch under squash, as the paper has it (3.5); act under all others (5), which never
+           ///< halt.
   act,     ///< Forward speed 0.
   watch,   ///< They are stated and nothing else: the speed is the speed law's.
 };
@@ -90,7 +91,8 @@ struct GuardSetup {
 /// the ticks' own clock. Under the clip law v = law(V - k r_TE(v)) has a solution, for the law is
 /// continuous and never below v_min: what is granted is the larger end of where it can be kept
 /// (and, where the guards act, with V_rob above replan_margin_m), to within (v_max - v_min) 2^-30,
-/// and v_min where nowhere. Under squash no such speed need exist, for it falls from v_min to 0 at
+/// and v_min where nowhere; of the speeds below the last one, where braking may cost more than it
+/// gains, 32 are looked at. Under squash no such speed need exist, for it falls from v_min to 0 at
 /// once; it goes by m_t. Were r_TE that of the speed before, a halt would lower r_TE, which would
 /// end the halt, which would raise it again: a robot would halt and go at every other tick.
 ///

@@ -10,7 +10,9 @@ namespace tcert {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r";
-constexpr std::size_t kDeepest = 64;  // parentheses and prefixes within one another
+constexpr std::size_t kMostText = 1U << 16U;  // bytes
+constexpr std::size_t kMostTerms = 32;        // of a side of a comparison
+constexpr std::size_t kDeepest = 64;          // parentheses and prefixes within one another
 
 bool is_word(char c) noexcept {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -222,6 +224,9 @@ class Parser {
         return;
       }
       first = false;
+      if (node.terms.size() == kMostTerms) {
+        tokens_.refuse("a sum of at most " + std::to_string(kMostTerms) + " signals");
+      }
       if (!tokens_.is_number()) {
         node.terms.push_back({factor, signal()});
         continue;
@@ -268,7 +273,12 @@ std::string_view trimmed(std::string_view text) noexcept {
 }  // namespace
 
 std::vector<Rule> parse_rules(std::string_view text) {
+  if (text.size() > kMostText) {
+    throw std::invalid_argument("rules: found " + std::to_string(text.size()) +
+                                " bytes, expected at most " + std::to_string(kMostText));
+  }
   std::vector<Rule> rules;
+  double windows_s = 0.0;
   std::size_t number = 0;
   while (!text.empty()) {
     ++number;
@@ -287,8 +297,8 @@ std::vector<Rule> parse_rules(std::string_view text) {
     }
     rule.name = tokens.now();
     rule.text = trimmed(line.substr(std::min(line.find(':'), line.size() - 1) + 1));
-    if (!std::ranges::all_of(rule.name, is_word)) {
-      tokens.refuse("the name of a rule: letters, digits and _");
+    if (!std::ranges::all_of(rule.name, is_word) || rule.name == "watch" || rule.name == "any") {
+      tokens.refuse("the name of a rule: letters, digits and _, neither watch nor any");
     }
     if (std::ranges::any_of(rules, [&](const Rule& other) { return other.name == rule.name; })) {
       tokens.refuse("each name once");
@@ -299,6 +309,13 @@ std::vector<Rule> parse_rules(std::string_view text) {
     tokens.next();
     tokens.expect(":");
     rule.nodes = Parser(tokens).parse();
+    for (const RuleNode& node : rule.nodes) {
+      windows_s += std::isfinite(node.to_s) ? node.to_s : node.from_s;
+    }
+    if (windows_s > kLongestRuleWindows) {
+      tokens.refuse("before this windows of at most " + to_text(kLongestRuleWindows) +
+                    " s, all rules together");
+    }
     rules.push_back(std::move(rule));
   }
   return rules;
@@ -306,7 +323,8 @@ std::vector<Rule> parse_rules(std::string_view text) {
 
 std::string_view default_rules() noexcept {
   return R"(# What is wrong at a tick, by what was sensed.
-stale: historically[0,0.2] stale > 0.5 or unchanged_s >= 0.5
+stale: historically[0,0.2] stale > 0.5
+watch frozen: unchanged_s >= 0.5
 force: force_n > force_limit_n
 watch margin: historically[0,0.2] (robust_margin_m <= 0.005 and speed_cmd_mps > 0)
 watch ahead: speed_cmd_mps > 0.05 and felt_ahead_m <= 0.3*speed_cmd_mps

@@ -79,6 +79,9 @@ RuleMonitor::RuleMonitor(std::vector<Rule> rules)
   for (const Rule& rule : rules_) {
     Evaluated evaluated{std::vector<Robustness>(rule.nodes.size()), {}};
     for (const RuleNode& node : rule.nodes) {
+      for (const RuleNode::Term& term : node.terms) {
+        spoken_of_ |= node.kind == RuleNode::Kind::comparison ? 1U << term.signal : 0U;
+      }
       evaluated.memory.push_back(static_cast<std::uint32_t>(memories_.size()));
       const bool has_window =
           node.kind == RuleNode::Kind::once || node.kind == RuleNode::Kind::historically;
@@ -102,6 +105,7 @@ void RuleMonitor::reset() noexcept {
     memory.began = false;
   }
   std::fill(states_.begin(), states_.end(), RuleState{});
+  known_ = 0;
   began_ = false;
 }
 
@@ -151,6 +155,9 @@ std::uint32_t RuleMonitor::update(std::int64_t time_ns, const SignalValues& sign
   if (advances) {
     began_ = true;
     last_ns_ = time_ns;
+    for (std::size_t k = 0; k < signals.size(); ++k) {
+      known_ |= std::isnan(signals[k]) ? 0U : 1U << k;
+    }
     for (std::size_t r = 0; r < rules_.size(); ++r) {
       Evaluated& rule = evaluated_[r];
       for (std::size_t i = 0; i < rule.values.size(); ++i) {

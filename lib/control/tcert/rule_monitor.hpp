@@ -11,6 +11,8 @@
 
 namespace tcert {
 
+static_assert(kTickSignals <= 32, "a bit for each signal");
+
 /// The robustness of a formula, as far as it is known: what is missing may be anything. Both bounds
 /// are equal where nothing is missing.
 struct Robustness {
@@ -91,6 +93,9 @@ class RuleMonitor {
 
   /// Those that act, as 1 << rule.
   [[nodiscard]] std::uint32_t acting() const noexcept { return acting_; }
+  /// Signals that a comparison speaks of and no tick since the last reset has had, as 1 << signal:
+  /// it may never hold for want of them.
+  [[nodiscard]] std::uint32_t never_known() const noexcept { return spoken_of_ & ~known_; }
   [[nodiscard]] const std::vector<Rule>& rules() const noexcept { return rules_; }
   [[nodiscard]] std::span<const RuleState> states() const noexcept { return states_; }
 
@@ -116,6 +121,8 @@ class RuleMonitor {
   std::vector<Memory> memories_;
   std::vector<RuleState> states_;
   std::uint32_t acting_ = 0;
+  std::uint32_t spoken_of_ = 0;
+  std::uint32_t known_ = 0;
   bool began_ = false;
   std::int64_t last_ns_ = 0;
 };

@@ -37,6 +37,7 @@ void TickActions::reset() noexcept {
   monitor_.reset();
   fallback_.reset();
   began_ = false;
+  monitored_ns_ = 0;
   alarms_ = 0;
   wider_side_ = 1;
 }
@@ -68,8 +69,12 @@ ActedTick TickActions::update(const Tick& tick,
                               const CertifiedTick& certified,
                               const Command& commanded) noexcept {
   ActedTick acted;
-  if (!std::exchange(began_, true)) {
+  const bool is_bad = (certified.flags & flag_bad_input) != 0;
+  // The time of a bad tick may be anything: for the rules it comes just after the one before.
+  monitored_ns_ = is_bad || tick.time_ns <= monitored_ns_ ? monitored_ns_ + 1 : tick.time_ns;
+  if (!is_bad && !std::exchange(began_, true)) {
     first_ns_ = tick.time_ns;
+    monitored_ns_ = tick.time_ns;
   }
   acted.guarded = guards_.update(tick, certified, {kMissing, commanded.yaw_rate_rps});
   if ((certified.flags & (flag_stale | flag_bad_input)) == 0) {
@@ -85,8 +90,8 @@ ActedTick TickActions::update(const Tick& tick,
     }
   }
   if (signals_) {
-    acted.alarms =
-        monitor_.update(tick.time_ns, signals_->take(tick, certified, acted.guarded, commanded));
+    acted.alarms = monitor_.update(
+        monitored_ns_, signals_->take(tick, certified, acted.guarded, acted.risk_ahead, commanded));
   }
   acted.alarms_began = acted.alarms & ~alarms_;
   acted.alarms_ended = alarms_ & ~acted.alarms;
@@ -98,6 +103,10 @@ Command TickActions::step(const Command& wanted,
                           const Pose& pose,
                           double seconds,
                           double least_mps) noexcept {
+  if (!std::isfinite(wanted.speed_mps) || !std::isfinite(wanted.yaw_rate_rps) ||
+      !std::isfinite(seconds)) {
+    return {};
+  }
   Command kept = guards_.filtered(wanted, pose, seconds).command;
   if (kept.speed_mps < least_mps && wanted.speed_mps > kept.speed_mps) {
     const double least = std::min(least_mps, wanted.speed_mps);

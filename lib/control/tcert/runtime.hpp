@@ -61,7 +61,7 @@ class TickActions {
   /// barrier law's filter, and the fallback of an alarm of the last tick, of a rule that acts. The
   /// speed that the other laws grant is in `guarded`, and taking it is left to who commands. The
   /// filter leaves a forward command at least `least_mps`, for a robot that would else stand for
-  /// good where it touches.
+  /// good where it touches; an infeasible one, too. A command that is not finite halts.
   Command step(const Command& wanted,
                const Pose& pose,
                double seconds,
@@ -86,6 +86,7 @@ class TickActions {
   Fallback fallback_;
   bool began_ = false;
   std::int64_t first_ns_ = 0;
+  std::int64_t monitored_ns_ = 0;  // time of the last tick, for the rules
   std::uint32_t alarms_ = 0;
   int wider_side_ = 1;
 };

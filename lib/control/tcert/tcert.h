@@ -269,7 +269,8 @@ typedef struct tcert_parameters {
   double fallback_reorient_rad;
   double fallback_turn_rate_rps;
   double fallback_within_s;
-  /** Rules that are monitored, one a line, `name: formula`: see `tcert help rules`. Null: none. */
+  /** Rules that are monitored, one a line, `name: formula`, or `watch name: formula` of one that
+   * is stated alone and backs nothing out; 32 at most: see `tcert help rules`. Null: none. */
   const char* rules;
 } tcert_parameters;
 
@@ -377,7 +378,8 @@ TCERT_API tcert_status tcert_update(tcert_certifier* certifier,
  * the body at the pose: the barrier law's filter, and the fallback (stop, reverse, re-orient, halt)
  * of an alarm of the last tick. `state`, unless null, is a tcert_fallback_state. What it returns is
  * taken for what the robot is told to drive until the next call: rules and the barrier law go by it
- * at the next tick. Without it they know of no command. */
+ * at the next tick. Without it they know of no command. A number that is not finite, or beyond
+ * 1e9, and seconds below 0 are TCERT_ERROR_ARGUMENT. Only tcert_reset ends TCERT_FALLBACK_HALT. */
 TCERT_API tcert_status tcert_step(tcert_certifier* certifier,
                                   const tcert_command* wanted,
                                   double x_m,

@@ -28,6 +28,7 @@ enum Signal : std::size_t {
   sig_jump,
   sig_missing_rays,
   sig_felt_ahead,
+  sig_risk_ahead,
   sig_end
 };
 static_assert(sig_end == kTickSignals);
@@ -52,7 +53,9 @@ constexpr std::array<SignalDoc, kTickSignals> kSignals{{
     {"moved_mps", "m/s", "way since the tick before, by its time"},
     {"unchanged_s",
      "s",
-     "for how long a ray has read the same to the last digit, the longest of all"},
+     "for how long a ray has read the same to the last digit, the longest of all; ranges of their "
+     "reach, "
+     "where nothing is, are not counted"},
     {"jump_m", "m", "largest change of a ray's clearance since the tick before"},
     {"missing_rays", "", "rays without a reading"},
     {"felt_ahead_m",
@@ -60,6 +63,9 @@ constexpr std::array<SignalDoc, kTickSignals> kSignals{{
      "way straight on until the body meets what a ray touched over the last body width of travel; "
      "at "
      "most the longest ray"},
+    {"risk_ahead",
+     "",
+     "chance of a collision over risk_ahead_m straight on, if a risk field is kept"},
 }};
 
 }  // namespace
@@ -98,7 +104,8 @@ void TickSignals::compare_rays(const Tick& tick, double gap_s, SignalValues& now
       missing += 1.0;
     } else {
       const double clear_m = felt_clearance(rays_[k], tick.rays[k]);
-      last.unchanged_s = value == last.value ? last.unchanged_s + gap_s : 0.0;
+      const bool sees_nothing = rays_[k].kind == RayKind::range && value >= rays_[k].reach_m;
+      last.unchanged_s = value == last.value && !sees_nothing ? last.unchanged_s + gap_s : 0.0;
       jump_m = std::fmax(jump_m, std::abs(clear_m - last.clear_m));
       last.value = value;
       last.clear_m = clear_m;
@@ -113,13 +120,18 @@ void TickSignals::compare_rays(const Tick& tick, double gap_s, SignalValues& now
 SignalValues TickSignals::take(const Tick& tick,
                                const CertifiedTick& certified,
                                const GuardedTick& guarded,
+                               double risk_ahead,
                                const Command& commanded) noexcept {
   SignalValues now{};
+  const bool is_bad = (certified.flags & flag_bad_input) != 0;
+  const std::int64_t time_ns =
+      is_bad ? last_ns_ : tick.time_ns;  // that of a bad tick may be anything
   if (!began_) {
-    first_ns_ = last_ns_ = tick.time_ns;
+    first_ns_ = last_ns_ = time_ns;
   }
-  const double gap_s = std::max(elapsed_s(last_ns_, tick.time_ns), 0.0);
-  now[sig_time] = std::max(elapsed_s(first_ns_, tick.time_ns), 0.0);
+  const double gap_s = std::max(elapsed_s(last_ns_, time_ns), 0.0);
+  now[sig_time] = std::max(elapsed_s(first_ns_, time_ns), 0.0);
+  now[sig_risk_ahead] = risk_ahead;
   now[sig_gap] = gap_s;
   now[sig_stale] = (certified.flags & flag_stale) != 0 ? 1.0 : 0.0;
   now[sig_bad_input] = (certified.flags & flag_bad_input) != 0 ? 1.0 : 0.0;
@@ -135,17 +147,20 @@ SignalValues TickSignals::take(const Tick& tick,
   now[sig_width] = certified.width_m;
   now[sig_speed_cmd] = commanded.speed_mps;
   now[sig_gated_speed] = guarded.speed_mps;
-  now[sig_moved] =
-      began_ && gap_s > 0.0 ? distance(tick.pose.position, last_position_) / gap_s : kMissing;
+  now[sig_moved] = began_ && !is_bad && gap_s > 0.0
+                       ? distance(tick.pose.position, last_position_) / gap_s
+                       : kMissing;
   now[sig_felt_ahead] = kMissing;
   if ((certified.flags & (flag_stale | flag_bad_input)) == 0) {
     felt_.add(tick, certified.travel_m);
     now[sig_felt_ahead] = felt_.free_way_m(tick.pose, longest_m_);
   }
   compare_rays(tick, gap_s, now);
-  began_ = true;
-  last_ns_ = std::max(last_ns_, tick.time_ns);
-  last_position_ = tick.pose.position;
+  if (!is_bad) {
+    began_ = true;
+    last_ns_ = std::max(last_ns_, time_ns);
+    last_position_ = tick.pose.position;
+  }
   return now;
 }
 

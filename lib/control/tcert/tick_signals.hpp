@@ -26,7 +26,7 @@ struct SignalDoc {
 
 /// All signals, in the order of their values.
 [[nodiscard]] std::span<const SignalDoc> tick_signals() noexcept;
-inline constexpr std::size_t kTickSignals = 21;
+inline constexpr std::size_t kTickSignals = 22;
 
 /// The place of a signal, if there is one of that name.
 [[nodiscard]] std::optional<std::size_t> signal_named(std::string_view name) noexcept;
@@ -46,6 +46,7 @@ class TickSignals {
   [[nodiscard]] SignalValues take(const Tick& tick,
                                   const CertifiedTick& certified,
                                   const GuardedTick& guarded,
+                                  double risk_ahead,
                                   const Command& commanded) noexcept;
 
  private:

@@ -92,6 +92,14 @@ TEST(RuleMonitor, WhatIsMissingMayBeAnything) {
   EXPECT_EQ(monitor.update(1'000'000'000, signals(std::nan(""), -1.0)), 0b11000U);
 }
 
+TEST(RuleMonitor, SaysWhichSignalsNeverCame) {
+  RuleMonitor monitor(parse_rules("a: force_n > 1 or width_m > 1\nb: missing(margin_m)"));
+  monitor.update(0, signals(std::nan(""), 1.0));
+  EXPECT_EQ(monitor.never_known(), 1U << *signal_named("force_n"));
+  monitor.update(1, signals(2.0, 1.0));
+  EXPECT_EQ(monitor.never_known(), 0U);
+}
+
 TEST(RuleMonitor, ATickOutOfOrderChangesNothing) {
   RuleMonitor monitor(parse_rules("r: once[0,1] force_n > 0"));
   EXPECT_EQ(monitor.update(10, signals(1.0, 0.0)), 1U);
@@ -128,6 +136,17 @@ TEST(ParseRules, SaysWhereAndWhatItExpected) {
                  "line 2, column 1: found 'a', expected each name");
   expect_refused("a force_n > 1", "expected ':'");
   expect_refused("a: force_n > 1 force_n > 2", "and, or, since");
+  expect_refused("watch: force_n > 1", "expected the name of a rule");
+  expect_refused("any: force_n > 1", "expected the name of a rule");
+  std::string sum = "a: force_n";
+  std::string windows;
+  for (int i = 0; i < 40; ++i) {
+    sum += " + force_n";
+    windows += (i == 0 ? "a: " : " or ") + std::string("once[0,600] force_n > 1");
+  }
+  expect_refused(sum + " > 1", "a sum of at most 32 signals");
+  expect_refused(windows, "windows of at most 6000 s");
+  expect_refused(std::string(100'000, ' '), "expected at most 65536");
   expect_refused("a: " + std::string(200, '(') + "force_n > 1", "at most 64 parts");
   std::string many;
   for (int i = 0; i < 33; ++i) {
@@ -138,13 +157,12 @@ TEST(ParseRules, SaysWhereAndWhatItExpected) {
 
 TEST(ParseRules, TakesTheDefaultRules) {
   const std::vector<Rule> rules = parse_rules(default_rules());
-  ASSERT_EQ(rules.size(), 7U);
-  EXPECT_EQ(rules[1].name, "force");
-  EXPECT_EQ(rules[1].text, "force_n > force_limit_n");
+  ASSERT_EQ(rules.size(), 8U);
+  EXPECT_EQ(rules[2].name, "force");
+  EXPECT_EQ(rules[2].text, "force_n > force_limit_n");
   EXPECT_TRUE(parse_rules("").empty());
-  EXPECT_FALSE(rules[2].acts) << "margin is watched";
-  EXPECT_EQ(RuleMonitor(rules).acting(), 0b1110011U);
-  EXPECT_EQ(parse_rules("watch: force_n > 1")[0].name, "watch") << "a name like any other";
+  EXPECT_FALSE(rules[3].acts) << "margin is watched";
+  EXPECT_EQ(RuleMonitor(rules).acting(), 0b11100101U);
 }
 
 }  // namespace

@@ -94,6 +94,42 @@ TEST(Runtime, TheRiskAheadFallsWhereTheBodyHasBeen) {
   EXPECT_LT(again, 0.5 * first);
 }
 
+// A tick that is refused says nothing, whatever its time is.
+TEST(Runtime, ABadTickLoosensNothing) {
+  const test_support::Run run = random_run(7, 300);
+  for (const SpeedLawKind law : {SpeedLawKind::clip, SpeedLawKind::profile}) {
+    Runtime with(run.course, everything(run.robot, law));
+    Runtime without(run.course, everything(run.robot, law));
+    for (std::size_t i = 0; i < run.ticks.size(); ++i) {
+      if (i % 40 == 0) {
+        Tick bad = run.ticks[i];
+        bad.time_ns = i % 80 == 0 ? -5'000'000'000 : 9'000'000'000'000'000'000;
+        bad.rays = {};
+        const RuntimeTick refused = with.update(bad, {0.1, 0.0});
+        ASSERT_TRUE(refused.acted.guarded.halted());
+      }
+      const RuntimeTick a = with.update(run.ticks[i], {0.1, 0.0});
+      const RuntimeTick b = without.update(run.ticks[i], {0.1, 0.0});
+      ASSERT_LE(a.acted.guarded.speed_mps, b.acted.guarded.speed_mps + 1e-12) << i;
+      ASSERT_EQ(std::isnan(a.acted.risk_ahead), std::isnan(b.acted.risk_ahead));
+      if (!std::isnan(a.acted.risk_ahead)) {
+        ASSERT_EQ(a.acted.risk_ahead, b.acted.risk_ahead) << i;
+      }
+    }
+  }
+}
+
+TEST(Runtime, TheBarrierLawNeedsNoCommand) {
+  const test_support::Run run = random_run(9, 20);
+  Runtime runtime(run.course, everything(run.robot, SpeedLawKind::barrier));
+  double fastest = 0.0;
+  for (const Tick& tick : run.ticks) {
+    fastest = std::max(fastest, runtime.update(tick).acted.guarded.speed_mps);
+  }
+  EXPECT_GE(fastest, 0.0);
+  EXPECT_EQ(runtime.step({kMissing, kMissing}, {}, 0.1).speed_mps, 0.0);
+}
+
 TEST(Runtime, RefusesAFieldOfTooManyCells) {
   const test_support::Run run = random_run(1, 10);
   ActionSetup setup = everything(run.robot, SpeedLawKind::squash);

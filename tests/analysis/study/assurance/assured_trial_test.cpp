@@ -91,6 +91,8 @@ TEST(AssuredTrial, AnAlarmTellsOfWhatBeginsSoon) {
   EXPECT_TRUE(always.episodes[0].detected);
   EXPECT_NEAR(always.episodes[0].delay_s, -2.0, 1e-9);
   EXPECT_NEAR(always.alarmed_m, 2.0, 1e-9);
+  EXPECT_EQ(always.false_alarms, 2U) << "before the episode's time and after it";
+  EXPECT_NEAR(always.false_s, 3.0 + 3.5, 0.11);
 }
 
 TEST(AssuredTrial, AFaultIsSeenWhileItLastsOrJustAfter) {
@@ -103,6 +105,16 @@ TEST(AssuredTrial, AFaultIsSeenWhileItLastsOrJustAfter) {
   EXPECT_FALSE(trial.monitors[0].faults[1].detected);
   EXPECT_FALSE(trial.has_truth);
   EXPECT_EQ(trial.monitors[0].false_alarms, 0U) << "without truth none is called false";
+  EXPECT_EQ(trial.monitors[0].controls[0], Control::none) << "there is no time before the first";
+  const std::vector<InjectedFault> late{{"wide", {9.0, 9.3}}};
+  const auto control = [&](double begin_s) {
+    return assure_trial(
+               ticks, alarms_at(101, {{begin_s, begin_s + 0.2}}), 1, std::nullopt, {}, 0.4, late)
+        .monitors[0]
+        .controls[0];
+  };
+  EXPECT_EQ(control(3.5), Control::alarmed);
+  EXPECT_EQ(control(1.0), Control::quiet);
 }
 
 std::vector<AssuredTrial> trials_of(std::size_t count, double detected) {
@@ -169,8 +181,10 @@ TEST(GuardFit, DwellIsTheTimeThatIsDrivenAtAWall) {
   EXPECT_NEAR(before.metres_per_minute(), 12.0, 1e-9);
   GuardSetup setup = setup_of_test();
   setup.parameters.mode = GuardMode::act;
-  const GuardDwell after = guarded_dwell(path, setup, {});
+  const GuardDwell after = guarded_dwell(path, setup, {}, 0.05);
   EXPECT_EQ(after.unsafe_s, 0.0);
+  EXPECT_EQ(after.stalled, 1U) << "it halts over 0.4 m";
+  EXPECT_EQ(guarded_dwell(path, setup, {}, 0.5).stalled, 0U);
   EXPECT_NEAR(after.way_m, 2.0, 1e-9);
 }
 
@@ -183,16 +197,22 @@ TEST(GuardFit, ChoosesTheLeastDwellThatKeepsTheProgress) {
   // At beta 20 a fifth of the way takes two and a half times as long: 77 % of the progress is left.
   GuardFitOptions options;
   options.most_lost = 0.4;
+  options.stall_m = 0.5;
+  options.declared.law.beta_per_m = 20.0;
   const GuardFit fit = fit_guards(paths, 12, setup_of_test(), choices, {}, options);
   ASSERT_TRUE(fit.best);
   const GuardScore& best = fit.scores[*fit.best];
   EXPECT_NE(fit.choices[best.choice].guards.replan_margin_m, 0.4) << "0.4 m halts everywhere";
   EXPECT_EQ(best.all.unsafe_s, 0.0) << "its margin tells of the wall";
   EXPECT_GE(best.all.metres_per_minute(), 0.6 * fit.unguarded.metres_per_minute());
-  GuardFitOptions strict;
+  GuardFitOptions strict = options;
   strict.most_lost = 0.01;
   EXPECT_FALSE(fit_guards(paths, 12, setup_of_test(), choices, {}, strict).best)
       << "who slows down at all is slower";
+  GuardFitOptions stalling = options;
+  stalling.stall_m = 0.05;
+  EXPECT_FALSE(fit_guards(paths, 12, setup_of_test(), choices, {}, stalling).best)
+      << "squash halts where there is no margin";
   EXPECT_EQ(fit.folds.size(), 5U);
   std::size_t days = 0;
   for (const GuardFold& fold : fit.folds) {
@@ -209,6 +229,7 @@ TEST(GuardFit, PromisesNothingWithTooFewDays) {
   GuardFitOptions options;
   options.most_lost = 1.0;
   options.risk = 0.3;
+  options.declared.law.beta_per_m = 20.0;
   const GuardFit fit = fit_guards(paths, 2, setup_of_test(), choices, {}, options);
   EXPECT_FALSE(fit.control.epsilon_m) << "1/(n + 1) alone is above it";
 }
