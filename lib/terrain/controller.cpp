@@ -2,14 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <terrain/controller.hpp>
+#include <terrain/pursuit.hpp>
 
 namespace tcert::terrain {
 namespace {
-
-[[nodiscard]] bool is_ground(const Grid& grid, const CellSet& ground, const Position& p) {
-  const Cell c = nearest_cell(p);
-  return grid.contains(c) && ground[grid.index(c)] != 0;
-}
 
 /// The part of the ground whose outline holds `p`, simplified; none if there is none.
 [[nodiscard]] std::optional<Outline> outline_round(const Grid& grid,
@@ -44,32 +40,6 @@ namespace {
 }
 
 }  // namespace
-
-bool stays_on_ground(const Grid& grid,
-                     const CellSet& ground,
-                     const Position& a,
-                     const Position& b) {
-  // Between two of the lines that part cells all points round to one cell: that of the middle.
-  const Eigen::Vector2d way = b - a;
-  std::vector<double> crossings{0.0, 1.0};
-  for (int axis = 0; axis < 2; ++axis) {
-    const double low = std::min(a[axis], b[axis]);
-    const double high = std::max(a[axis], b[axis]);
-    double line = std::ceil(low - 0.5) + 0.5;
-    while (line < high) {
-      crossings.push_back(std::clamp((line - a[axis]) / way[axis], 0.0, 1.0));
-      line += 1.0;
-    }
-  }
-  std::sort(crossings.begin(), crossings.end());
-  for (std::size_t k = 1; k < crossings.size(); ++k) {
-    const Position middle = a + way * (0.5 * (crossings[k - 1] + crossings[k]));
-    if (!is_ground(grid, ground, middle) || !is_ground(grid, ground, a + way * crossings[k])) {
-      return false;
-    }
-  }
-  return true;
-}
 
 ReactiveWay reactive_way(const Grid& grid,
                          const CellSet& ground,

@@ -24,12 +24,6 @@ struct ReactiveWay {
   std::size_t triangles = 0;
 };
 
-/// Every point of the segment rounds to a cell of the ground. O(k log k) for k cells passed.
-[[nodiscard]] bool stays_on_ground(const Grid& grid,
-                                   const CellSet& ground,
-                                   const Position& a,
-                                   const Position& b);
-
 /// Moves from one position to another within one part of the ground. Every point of the way rounds
 /// to a cell of the ground: a step that would not is shortened, and the way ends where none is
 /// left. Outlines keep their holes and are simplified towards the ground only.

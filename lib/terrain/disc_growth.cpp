@@ -2,73 +2,42 @@
 #include <cmath>
 #include <terrain/disc_growth.hpp>
 #include <terrain/distance_transform.hpp>
+#include <terrain/row_counts.hpp>
 
 namespace tcert::terrain {
 namespace {
 
-/// Counts of discs over each row, as differences.
-class Painter {
- public:
-  explicit Painter(const Grid& grid)
-      : grid_(grid),
-        width_(static_cast<std::size_t>(grid.columns) + 1),
-        steps_(static_cast<std::size_t>(grid.rows) * width_, 0) {}
+/// Largest k with k^2 <= rest; -1 if there is none.
+[[nodiscard]] int half_width(double rest, double far) {
+  if (rest < 0.0) {
+    return -1;
+  }
+  int k = static_cast<int>(std::min(std::sqrt(rest), far));
+  while (static_cast<double>(k) * k > rest) {
+    --k;
+  }
+  while (k < far && (k + 1.0) * (k + 1.0) <= rest) {
+    ++k;
+  }
+  return k;
+}
 
-  /// All cells within radius of `centre`. \pre radius >= 0
-  void disc(Cell centre, double radius) {
-    const double r2 = radius * radius;
-    const double far = grid_.rows + grid_.columns;
-    const int reach = static_cast<int>(std::min(radius, far));
-    const int first = std::max(0, centre.x - reach);
-    const int last = std::min(grid_.rows - 1, centre.x + reach);
-    for (int x = first; x <= last; ++x) {
-      const double dx = x - centre.x;
-      const int half = half_width(r2 - dx * dx, far);
-      if (half >= 0) {
-        row(x, centre.y - half, centre.y + half);
-      }
+/// All cells within radius of `centre`. \pre radius >= 0
+void paint_disc(RowCounts& counts, Cell centre, double radius) {
+  const Grid& grid = counts.grid();
+  const double r2 = radius * radius;
+  const double far = grid.rows + grid.columns;
+  const int reach = static_cast<int>(std::min(radius, far));
+  const int first = std::max(0, centre.x - reach);
+  const int last = std::min(grid.rows - 1, centre.x + reach);
+  for (int x = first; x <= last; ++x) {
+    const double dx = x - centre.x;
+    const int half = half_width(r2 - dx * dx, far);
+    if (half >= 0) {
+      counts.add(x, centre.y - half, centre.y + half);
     }
   }
-
-  [[nodiscard]] CellSet painted() const {
-    CellSet set(grid_.size());
-    for (int x = 0; x < grid_.rows; ++x) {
-      const std::size_t from = static_cast<std::size_t>(x) * width_;
-      std::int32_t over = 0;
-      for (int y = 0; y < grid_.columns; ++y) {
-        over += steps_[from + static_cast<std::size_t>(y)];
-        set[grid_.index({x, y})] = over > 0 ? 1 : 0;
-      }
-    }
-    return set;
-  }
-
- private:
-  /// Largest k with k^2 <= rest; -1 if there is none.
-  [[nodiscard]] static int half_width(double rest, double far) {
-    if (rest < 0.0) {
-      return -1;
-    }
-    int k = static_cast<int>(std::min(std::sqrt(rest), far));
-    while (static_cast<double>(k) * k > rest) {
-      --k;
-    }
-    while (k < far && (k + 1.0) * (k + 1.0) <= rest) {
-      ++k;
-    }
-    return k;
-  }
-
-  void row(int x, int from, int to) {
-    const std::size_t start = static_cast<std::size_t>(x) * width_;
-    ++steps_[start + static_cast<std::size_t>(std::max(from, 0))];
-    --steps_[start + static_cast<std::size_t>(std::min(to, grid_.columns - 1) + 1)];
-  }
-
-  Grid grid_;
-  std::size_t width_;
-  std::vector<std::int32_t> steps_;
-};
+}
 
 }  // namespace
 
@@ -86,7 +55,7 @@ CellSet grow_discs(const Grid& grid,
                    double threshold,
                    double lipschitz,
                    std::span<const std::int64_t> depth2) {
-  Painter painter(grid);
+  RowCounts counts(grid);
   CellSet stays(grid.size(), 0);
   bool all_stay = true;
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -107,9 +76,9 @@ CellSet grow_discs(const Grid& grid,
     if (radius >= grid.rows + grid.columns) {
       return CellSet(grid.size(), 1);  // NOLINT(modernize-return-braced-init-list): a list of two.
     }
-    painter.disc(grid.cell(i), radius);
+    paint_disc(counts, grid.cell(i), radius);
   }
-  CellSet grown = painter.painted();
+  CellSet grown = counts.covered();
   for (std::size_t i = 0; i < grid.size(); ++i) {
     grown[i] = grown[i] | stays[i];
   }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <terrain/field_scale.hpp>
 #include <terrain/planner.hpp>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct Terrain {
 enum class Motion {
   jump,      ///< It is there: decisions alone are studied.
   route,     ///< The shortest way over cells of S_t.
-  reactive,  ///< The diffeomorphic controller.
+  reactive,  ///< The diffeomorphic controller; a route finishes where it stands still.
+  pursuit,   ///< Line-of-sight pursuit of that route: see pursuit_way().
 };
 
 [[nodiscard]] std::string_view to_string(Motion motion) noexcept;
@@ -41,6 +43,7 @@ struct ExploreSetup {
   GpPrior prior;
   Cell start;
   std::optional<Cell> goal;        ///< None: explore.
+  std::vector<Cell> more_goals;    ///< Gone to in turn, once `goal` is reached.
   std::vector<Cell> first_cells;   ///< Measured before the first step, the start not among them.
   std::vector<Measurement> known;  ///< Of an earlier run.
   std::vector<Cell> seeds;         ///< S_0.
@@ -49,22 +52,30 @@ struct ExploreSetup {
   Motion motion = Motion::route;
   double robot_radius = 2.0;
   double simplification = 4.0;  ///< Tolerance of outlines and depth of sub-goals (`published`).
+  /// `reactive`, not `published`: the controller is sent to the nearest cell so deep within the
+  /// ground, and a route goes the rest.
+  double sub_goal_depth = 0.0;
+  Body body;  ///< What must be certified for the robot to stand.
   AdaptivePrior adaptive;
-  /// Confidence at which the Lipschitz constant is estimated, after the first batch and again
-  /// whenever the measurements have doubled; it holds for all estimates together, and none lowers
-  /// the constant. 0: as the rules give it. `certified` only.
-  double lipschitz_confidence = 0.0;
+  /// Confidence of FieldScale's bounds, of which `band` has its scale and, unless it is 0,
+  /// `certified` its Lipschitz constant, which then falls as more is measured.
+  double confidence = 0.0;
+  double noise_sd = 0.0;   ///< Of a measurement, for these bounds.
+  GradientPrior gradient;  ///< Declared for these bounds, from earlier ground.
 };
 
 enum class End {
-  reached,   ///< The goal is safe and joined to the robot.
+  reached,   ///< The goal, the last if there are several, is safe and joined to the robot.
   explored,  ///< There is no goal, and no cell within reach can make the safe set grow.
-  // No cell within reach can make the safe set grow; under `certified` the measurements and the
-  // Lipschitz constant alone say so, not the model. The terrain itself says what stands in the way:
+  /// No cell within reach can make the safe set grow; under `certified` the measurements and the
+  /// Lipschitz constant alone say so, not the model. All that a robot can know;
+  exhausted,
+  // of a terrain that is known, it says itself what stands in the way:
   not_reachable,   ///< No way from start to goal keeps the threshold.
   past_obstacles,  ///< Ways that keep it lead over blocked cells alone.
+  only_body,       ///< Ways that keep it past blocked cells are too narrow for the body.
   only_lipschitz,  ///< `certified`: there is a way, but none that this constant certifies.
-  only_rules,      ///< `thesis`, `published`: there is a way, but these rules do not find it.
+  only_rules,      ///< Other rules: there is a way, but these rules do not find it.
   /// `published`: the goal is safe and joined to the robot, but not so deep within the outline as
   /// these rules want it.
   goal_at_edge,
@@ -86,7 +97,8 @@ struct ExploreStep {
   std::optional<Cell> next;
   double lower = 0.0;  ///< Of the next sample; meaningless without one.
   double upper = 0.0;
-  std::optional<double> certificate;  ///< Start to goal over S_t; none until they are joined.
+  /// Over S_t from the start, or the goal before, to the goal; none until they are joined.
+  std::optional<double> certificate;
   double lipschitz = 0.0;
   double travelled = 0.0;            ///< Cells, since the start.
   std::size_t unsafe_certified = 0;  ///< Cells of S_t whose true value is below h.
@@ -99,6 +111,7 @@ struct ExploreResult {
   std::vector<Position> path;
   std::vector<Position> free_space;  ///< Local free space of the controller when it last set out.
   std::size_t most_unsafe_certified = 0;
+  std::size_t goals_reached = 0;
   std::size_t ways = 0;  ///< From one cell to the next that was chosen, or to the goal.
   /// `reactive`: ways whose end the controller did not come to within a cell; a route went the
   /// rest.
@@ -106,6 +119,7 @@ struct ExploreResult {
   double controller_cells = 0.0;  ///< Length of the way gone by the controller.
   double route_cells = 0.0;       ///< Length of the way gone by routes.
   Position frontier{0.0, 0.0};    ///< The cell within reach that is nearest to the goal.
+  Cell goal;                      ///< The goal that this is of: the last that was looked for.
 
   [[nodiscard]] const ExploreStep& last() const { return steps.back(); }
 };

@@ -26,6 +26,26 @@ void require_inside(const Grid& grid, const CellSet& blocked, Cell c, const std:
 
 }  // namespace
 
+void require_valid(const Grid& grid, const ExploreSetup& setup) {
+  if (!setup.blocked.empty() && setup.blocked.size() != grid.size()) {
+    throw std::invalid_argument("terrain and obstacles need one value a cell");
+  }
+  require_within("max-steps", setup.max_steps);
+  require_within("robot-radius", setup.robot_radius);
+  require_within("simplification", setup.simplification);
+  require_within("sub-goal-depth", setup.sub_goal_depth);
+  require_inside(grid, setup.blocked, setup.start, "start");
+  if (setup.goal) {
+    require_inside(grid, setup.blocked, *setup.goal, "goal");
+  }
+  for (const Cell c : setup.more_goals) {
+    require_inside(grid, setup.blocked, c, "goal");
+  }
+  for (const Cell c : setup.first_cells) {
+    require_inside(grid, setup.blocked, c, "first measurement");
+  }
+}
+
 void require_explorable(const Terrain& terrain, const ExploreSetup& setup) {
   const Grid& grid = terrain.grid;
   if (terrain.values.size() != grid.size() ||
@@ -39,18 +59,10 @@ void require_explorable(const Terrain& terrain, const ExploreSetup& setup) {
                                   " is not a number within +-1e30; block the cell if it is a gap");
     }
   }
-  require_within("max-steps", setup.max_steps);
-  require_within("robot-radius", setup.robot_radius);
-  require_within("simplification", setup.simplification);
-  require_inside(terrain.grid, setup.blocked, setup.start, "start");
-  if (setup.goal) {
-    require_inside(terrain.grid, setup.blocked, *setup.goal, "goal");
-  }
-  for (const Cell c : setup.first_cells) {
-    require_inside(terrain.grid, setup.blocked, c, "first measurement");
-  }
-  if (setup.rules.kind == RuleSet::certified &&
-      terrain.at(setup.start) - setup.rules.noise_bound < setup.rules.threshold) {
+  require_valid(grid, setup);
+  const bool certifies =
+      setup.rules.kind == RuleSet::certified || setup.rules.kind == RuleSet::band;
+  if (certifies && terrain.at(setup.start) - setup.rules.noise_bound < setup.rules.threshold) {
     throw std::invalid_argument(
         "the start " + text_of(setup.start) +
         " stands on unsafe ground: " + std::to_string(terrain.at(setup.start)) +
@@ -58,20 +70,24 @@ void require_explorable(const Terrain& terrain, const ExploreSetup& setup) {
   }
 }
 
-End what_forbids(const Terrain& terrain, const ExploreSetup& setup) {
+End what_forbids(const Terrain& terrain, const ExploreSetup& setup, Cell from, Cell goal) {
   CellSet good(terrain.grid.size());
   for (std::size_t i = 0; i < good.size(); ++i) {
     // What a gap holds is not known: it may be good.
     good[i] = terrain.values[i] < setup.rules.threshold ? 0 : 1;
   }
-  if (!are_joined(terrain.grid, good, setup.start, *setup.goal)) {
+  if (!are_joined(terrain.grid, good, from, goal)) {
     return End::not_reachable;
   }
   for (std::size_t i = 0; i < setup.blocked.size(); ++i) {
     good[i] = setup.blocked[i] != 0 ? 0 : good[i];
   }
-  if (!are_joined(terrain.grid, good, setup.start, *setup.goal)) {
+  if (!are_joined(terrain.grid, good, from, goal)) {
     return End::past_obstacles;
+  }
+  if (!are_joined(
+          terrain.grid, standing_cells(terrain.grid, good, Footprint(setup.body)), from, goal)) {
+    return End::only_body;
   }
   return setup.rules.kind == RuleSet::certified ? End::only_lipschitz : End::only_rules;
 }

@@ -5,7 +5,7 @@
 namespace tcert::terrain {
 namespace {
 
-constexpr std::array<std::string_view, 3> kMotions{"jump", "route", "reactive"};
+constexpr std::array<std::string_view, 4> kMotions{"jump", "route", "reactive", "pursuit"};
 
 }  // namespace
 
@@ -27,10 +27,14 @@ std::string_view to_string(End end) noexcept {
       return "reached";
     case End::explored:
       return "explored: no cell can make the ground grow";
+    case End::exhausted:
+      return "no cell within reach can make the ground grow";
     case End::not_reachable:
       return "not reachable at this threshold";
     case End::past_obstacles:
       return "not reachable at this threshold past the obstacles and gaps";
+    case End::only_body:
+      return "not reachable at this threshold with this body";
     case End::only_lipschitz:
       return "not certified: only the Lipschitz constant forbids it";
     case End::only_rules:

@@ -29,6 +29,10 @@ inline constexpr std::array kLimits{
     Limit{"expanders", 1.0, 1e9},
     Limit{"noise-bound", 0.0, kLargestValue},
     Limit{"travel-weight", 0.0, 1e6},
+    Limit{"horizon", 1.0, 12.0},
+    Limit{"growth-weight", 0.0, 1.0},
+    Limit{"noise-sd", 0.0, kLargestValue},
+    Limit{"gradient-prior", 0.0, 1e12},
     Limit{"confidence", 0.5, 0.999999},
     Limit{"kernel-mean", -kLargestValue, kLargestValue},
     // The certified rules derive it from the Lipschitz constant and the length scale, squared.
@@ -37,6 +41,9 @@ inline constexpr std::array kLimits{
     Limit{"noise-variance", 0.0, 1e60},
     Limit{"simplification", 0.0, 1e4},
     Limit{"robot-radius", 0.0, 1e4},
+    // Radius, length and width: the footprint is looked at row by row.
+    Limit{"body", 0.0, 1000.0},
+    Limit{"sub-goal-depth", 0.0, 1e4},
     Limit{"start-radius", 0.0, 100.0},
     Limit{"max-steps", 0.0, 1e5},
     Limit{"frames", 0.0, 64.0}};

@@ -1,4 +1,3 @@
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -6,17 +5,6 @@
 
 namespace tcert::terrain {
 namespace {
-
-/// P(chi-square with 2m degrees of freedom <= x).
-[[nodiscard]] double chi_square_even(int m, double x) {
-  double term = std::exp(-0.5 * x);
-  double tail = term;
-  for (int k = 1; k < m; ++k) {
-    term *= 0.5 * x / k;
-    tail += term;
-  }
-  return 1.0 - tail;
-}
 
 /// Where a rising function of x > 0 passes `level`.
 template <class F>
@@ -27,56 +15,6 @@ template <class F>
     (f(middle) < level ? low : high) = middle;
   }
   return high;
-}
-
-// In length scales. A patch holds the measurements within kReach of its anchor; anchors are kApart
-// from one another, so that the patches' centres are at least two apart.
-constexpr double kReach = 0.5;
-constexpr double kApart = 3.0;
-
-/// A plane over a patch flattens the field: of a gradient's variance it keeps at least (1 +
-/// kReach^2 / 2)^-2, which it does if all measurements are at the patch's edge.
-constexpr double kLeastShare = 0.79;
-
-[[nodiscard]] std::vector<const Measurement*> points_round(std::span<const Measurement> all,
-                                                           const Position& anchor,
-                                                           double reach) {
-  std::vector<const Measurement*> points;
-  for (const Measurement& m : all) {
-    if ((m.at - anchor).norm() <= reach) {
-      points.push_back(&m);
-    }
-  }
-  return points;
-}
-
-/// Squared norm of the least-squares plane's gradient; negative if there are fewer than three
-/// points or all are on a line.
-[[nodiscard]] double squared_gradient(const std::vector<const Measurement*>& points) {
-  if (points.size() < 3) {
-    return -1.0;
-  }
-  Position centre(0.0, 0.0);
-  double mean = 0.0;
-  for (const Measurement* m : points) {
-    centre += m->at;
-    mean += m->value;
-  }
-  const auto n = static_cast<double>(points.size());
-  centre /= n;
-  mean /= n;
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d moment(0.0, 0.0);
-  for (const Measurement* m : points) {
-    const Eigen::Vector2d d = m->at - centre;
-    scatter += d * d.transpose();
-    moment += d * (m->value - mean);
-  }
-  const double trace = scatter.trace();
-  if (!(scatter.determinant() > 1e-4 * trace * trace)) {
-    return -1.0;
-  }
-  return (scatter.inverse() * moment).squaredNorm();
 }
 
 }  // namespace
@@ -131,47 +69,6 @@ double steepest_factor(const Grid& grid, double length_scale, double risk) {
   // The sum falls beyond t = 3.
   const double t = 3.0 + solve_rising([&](double over) { return safety(3.0 + over); }, -risk, 1e3);
   return std::sqrt(t);
-}
-
-double confidence_of_estimate(double confidence, int number) noexcept {
-  return 1.0 - std::ldexp(1.0 - confidence, -number);
-}
-
-LipschitzEstimate estimate_lipschitz(const Grid& grid,
-                                     std::span<const Measurement> measurements,
-                                     double length_scale,
-                                     double noise_bound,
-                                     double confidence) {
-  LipschitzEstimate estimate;
-  std::vector<Position> anchors;
-  double sum = 0.0;
-  for (const Measurement& m : measurements) {
-    const bool apart = std::all_of(anchors.begin(), anchors.end(), [&](const Position& a) {
-      return (a - m.at).norm() >= kApart * length_scale;
-    });
-    if (!apart) {
-      continue;
-    }
-    const double gradient2 =
-        squared_gradient(points_round(measurements, m.at, kReach * length_scale));
-    if (gradient2 >= 0.0) {
-      sum += gradient2 / kLeastShare;
-      anchors.push_back(m.at);
-    }
-  }
-  estimate.patches = static_cast<int>(anchors.size());
-  if (estimate.patches == 0) {
-    estimate.constant = kUnbounded;
-    return estimate;
-  }
-  const double half_risk = 0.5 * (1.0 - confidence);
-  const double steepest = steepest_measured(measurements, noise_bound);
-  estimate.gradient_sd = std::sqrt(sum / (2.0 * estimate.patches));
-  const double quantile =
-      solve_rising([&](double x) { return chi_square_even(estimate.patches, x); }, half_risk, 1e6);
-  const double sd_bound = std::sqrt(sum / quantile);
-  estimate.constant = std::max(steepest, sd_bound * steepest_factor(grid, length_scale, half_risk));
-  return estimate;
 }
 
 }  // namespace tcert::terrain

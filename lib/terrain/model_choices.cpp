@@ -1,57 +1,88 @@
 #include <algorithm>
-#include <terrain/lipschitz.hpp>
+#include <terrain/confidence.hpp>
 #include <terrain/model_choices.hpp>
 
 namespace tcert::terrain {
+namespace {
+
+[[nodiscard]] FieldAssumptions assumptions_of(const ExploreSetup& setup, double length_scale) {
+  return {length_scale, setup.noise_sd, setup.confidence, setup.gradient};
+}
+
+/// Half the 95 % point of chi-square with one degree of freedom: a length scale whose likelihood is
+/// less likely by more is rejected.
+constexpr double kLikelihoodRatio = 0.5 * 3.841458820694124;
+
+}  // namespace
+
+ModelChoices::ModelChoices(const ExploreSetup& setup) : setup_(setup) {
+  const bool needs_scale = setup.rules.kind == RuleSet::band ||
+                           (setup.rules.kind == RuleSet::certified && setup.confidence > 0.0);
+  if (needs_scale) {
+    scale_.emplace(assumptions_of(setup, setup.prior.length_scale));
+  }
+}
 
 void ModelChoices::renew(Planner& planner) {
   const std::size_t n = planner.measurements().size();
-  if (n < next_choice_) {
+  if (setup_.adaptive.on && n >= next_choice_) {
+    next_choice_ = std::max(setup_.adaptive.first, 2 * n);
+    if (n >= setup_.adaptive.first) {
+      choose_length_scale(planner);
+    }
+  }
+  if (!scale_) {
     return;
   }
-  next_choice_ = std::max(setup_.adaptive.first, 2 * n);
-  if (setup_.lipschitz_confidence > 0.0) {
-    estimate_lipschitz_anew(planner);
+  for (; taken_ < n; ++taken_) {
+    scale_->add(planner.measurements()[taken_]);
   }
-  if (setup_.adaptive.on && n >= setup_.adaptive.first) {
-    choose_length_scale(planner);
+  if (scale_->renew()) {
+    apply_scale(planner);
   }
 }
 
-/// Raises the Lipschitz constant where the measurements ask for it. Never lowers it: where they
-/// were taken depends on what was measured before. Without a further place nothing new is known,
-/// and no risk is taken.
-void ModelChoices::estimate_lipschitz_anew(Planner& planner) {
-  const double confidence = confidence_of_estimate(setup_.lipschitz_confidence, estimates_ + 1);
-  const LipschitzEstimate estimate = estimate_lipschitz(planner.grid(),
-                                                        planner.measurements(),
-                                                        planner.model().prior().length_scale,
-                                                        setup_.rules.noise_bound,
-                                                        confidence);
-  if (estimate.patches <= patches_) {
-    return;
-  }
-  ++estimates_;
-  patches_ = estimate.patches;
-  if (estimate.constant > planner.rules().lipschitz) {
-    planner.set_lipschitz(estimate.constant);
+void ModelChoices::apply_scale(Planner& planner) const {
+  if (setup_.rules.kind == RuleSet::band) {
+    planner.set_field_variance(scale_->variance_bound());
+  } else if (scale_->variance_bound() > 0.0) {
+    planner.set_lipschitz(scale_->lipschitz_bound(planner.grid()));
   }
 }
 
-void ModelChoices::choose_length_scale(Planner& planner) const {
+void ModelChoices::choose_length_scale(Planner& planner) {
+  const bool is_band = setup_.rules.kind == RuleSet::band;
+  const auto likelihood_of = [&](const GpPrior& prior) {
+    return is_band ? profile_log_likelihood(prior, planner.measurements())
+                   : log_likelihood(prior, planner.measurements());
+  };
   GpPrior best = planner.model().prior();
-  double highest = planner.model().log_likelihood();
+  double highest = is_band ? likelihood_of(best) : planner.model().log_likelihood();
+  std::vector<std::pair<GpPrior, double>> all{{best, highest}};
   for (const double factor : setup_.adaptive.factors) {
     GpPrior prior = setup_.prior;
     prior.length_scale *= factor;
-    const double likelihood = log_likelihood(prior, planner.measurements());
-    if (likelihood > highest) {
-      highest = likelihood;
+    all.emplace_back(prior, likelihood_of(prior));
+    if (all.back().second > highest) {
+      highest = all.back().second;
       best = prior;
     }
   }
-  if (best != planner.model().prior()) {
-    planner.change_prior(best);
+  if (is_band) {
+    // What certifies must not be too long: the shortest one that is not rejected.
+    for (const auto& [prior, likelihood] : all) {
+      if (likelihood >= highest - kLikelihoodRatio && prior.length_scale < best.length_scale) {
+        best = prior;
+      }
+    }
+  }
+  if (best == planner.model().prior()) {
+    return;
+  }
+  planner.change_prior(best);
+  if (scale_) {
+    scale_.emplace(assumptions_of(setup_, best.length_scale));
+    taken_ = 0;
   }
 }
 

@@ -1,29 +1,31 @@
 #pragma once
 /// \file
-/// The length scale and the Lipschitz constant, chosen anew whenever the measurements have doubled.
-/// Internal to explore.cpp.
+/// What an exploration learns of the field beside its values: its scale, with it the Lipschitz
+/// constant or the band, and its length scale. Internal to the exploration.
 
 #include <cstddef>
+#include <optional>
 #include <terrain/explore.hpp>
+#include <terrain/field_scale.hpp>
 
 namespace tcert::terrain {
 
 class ModelChoices {
  public:
   /// Keeps a reference to `setup`.
-  explicit ModelChoices(const ExploreSetup& setup) : setup_(setup) {}
+  explicit ModelChoices(const ExploreSetup& setup);
 
   /// Changes the planner's choices if it has enough new measurements.
   void renew(Planner& planner);
 
  private:
-  void estimate_lipschitz_anew(Planner& planner);
-  void choose_length_scale(Planner& planner) const;
+  void apply_scale(Planner& planner) const;
+  void choose_length_scale(Planner& planner);
 
   const ExploreSetup& setup_;
-  std::size_t next_choice_ = 0;  // in measurements
-  int estimates_ = 0;
-  int patches_ = 0;
+  std::optional<FieldScale> scale_;
+  std::size_t taken_ = 0;        // measurements that the scale has
+  std::size_t next_choice_ = 0;  // of the length scale, in measurements
 };
 
 }  // namespace tcert::terrain

@@ -21,6 +21,7 @@ Planner::Planner(const Grid& grid,
       model_(std::make_unique<SeparableGp>(grid, prior)),
       seeds_(grid.size(), 0),
       safe_(grid.size(), 0),
+      standing_(grid.size(), 0),
       expanders_(grid.size(), 0),
       considered_(grid.size(), 0),
       measured_(grid.size(), 0),
@@ -74,6 +75,9 @@ void Planner::add(const Measurement& m) {
   } else {
     model_->add(m.at, m.value);
     measurements_.push_back(m);
+    if (rules_.kind == RuleSet::band && grid_.contains(cell)) {
+      measured_[grid_.index(cell)] = 1;
+    }
   }
 }
 
@@ -100,6 +104,17 @@ void Planner::set_lipschitz(double lipschitz) {
     derive_anew();
   }
 }
+
+void Planner::set_field_variance(double variance) {
+  field_variance_ = variance;
+  if (rules_.noise_sd > 0.0) {
+    GpPrior prior = model_->prior();
+    prior.noise_variance = prior.variance * rules_.noise_sd * rules_.noise_sd / variance;
+    change_prior(prior);
+  }
+}
+
+void Planner::set_body(const Body& body) { footprint_ = Footprint(body); }
 
 void Planner::set_blocked(CellSet blocked) {
   if (blocked.size() != grid_.size()) {

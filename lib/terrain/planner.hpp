@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <terrain/body.hpp>
 #include <terrain/confidence.hpp>
 #include <terrain/grid.hpp>
 #include <terrain/rules.hpp>
@@ -46,12 +47,20 @@ class Planner {
   /// derived anew. `certified` only. \pre lipschitz > 0
   void set_lipschitz(double lipschitz);
 
+  /// `band`: an upper bound of the field's variance, of which the prior's is a share; infinite
+  /// until it is set, and then nothing is certified. With noise the model begins again with its
+  /// share: O(n) additions. \pre variance > 0
+  void set_field_variance(double variance);
+
+  /// What has to be certified for the robot to stand; a point unless set.
+  void set_body(const Body& body);
+
   /// Cells that are physically blocked: safe or not, nothing is chosen or reached there.
   void set_blocked(CellSet blocked);
 
-  /// Updates the sets and chooses. Without a goal: the widest expander anywhere. Under `certified`,
-  /// and under all rules once there are blocked cells, only cells that `robot` can reach over
-  /// ground are chosen.
+  /// Updates the sets and chooses. Without a goal: the widest expander anywhere. Under `certified`
+  /// and `band`, and under all rules once there are blocked cells or a body, only cells that
+  /// `robot` can reach over cells where it can stand are chosen.
   const Plan& plan(std::optional<Cell> goal, std::optional<Cell> robot = std::nullopt);
 
   /// Begins with another prior and the same measurements: O(n) additions.
@@ -67,6 +76,11 @@ class Planner {
   [[nodiscard]] const CellSet& safe() const noexcept { return safe_; }
   /// Safe and not blocked.
   [[nodiscard]] CellSet ground() const;
+  /// Where the body stands on ground alone, as of the last plan.
+  [[nodiscard]] const CellSet& standing() const noexcept { return standing_; }
+  [[nodiscard]] const Footprint& footprint() const noexcept { return footprint_; }
+  /// `band`: see set_field_variance().
+  [[nodiscard]] double field_variance() const noexcept { return field_variance_; }
   [[nodiscard]] const CellSet& expander_set() const noexcept { return expanders_; }
   /// The members of G_t that were considered: the n nearest to the goal, or the n widest without
   /// one.
@@ -86,10 +100,18 @@ class Planner {
   void plan_thesis(std::optional<Cell> goal, std::optional<Cell> robot);
   void plan_published(std::optional<Cell> goal, std::optional<Cell> robot);
   /// All of it without a robot.
-  [[nodiscard]] CellSet reachable_ground(std::optional<Cell> robot) const;
+  [[nodiscard]] CellSet reachable_ground(std::optional<Cell> robot);
   /// Takes from the expanders what is blocked, or behind what is blocked.
   void leave_out_blocked(std::optional<Cell> robot);
   void plan_certified(std::optional<Cell> goal, std::optional<Cell> robot);
+  void plan_band(std::optional<Cell> goal, std::optional<Cell> robot);
+  /// Members of S_t that border a cell outside that may be safe.
+  [[nodiscard]] CellSet borders(const CellSet& reachable) const;
+  /// By rules.selection.
+  void select(const Intervals& by,
+              std::optional<Cell> goal,
+              std::optional<Cell> robot,
+              const std::vector<std::int64_t>& depth2);
   /// Members of G_t that are reachable and not measured yet, by the upper bounds given. The disc of
   /// a measurement is part of S_t: to measure there again makes it grow by the noise at most.
   [[nodiscard]] CellSet unmeasured_expanders(const Intervals& by,
@@ -100,10 +122,6 @@ class Planner {
               const Intervals& by,
               std::optional<Cell> goal,
               Ties ties);
-  void look_ahead(const std::vector<std::size_t>& candidates,
-                  std::optional<Cell> goal,
-                  Cell robot,
-                  const std::vector<std::int64_t>& depth2);
   void derive_anew();
   [[nodiscard]] double steepest_to(const Measurement& measurement) const;
 
@@ -114,9 +132,12 @@ class Planner {
   CellSet seeds_;
   CellSet blocked_;  // empty: none
   CellSet safe_;
+  Footprint footprint_{Body{}};
+  CellSet standing_;
+  double field_variance_ = kUnbounded;
   CellSet expanders_;
   CellSet considered_;
-  CellSet measured_;  // `certified`
+  CellSet measured_;  // `certified` and `band`
   Intervals intervals_;
   Intervals cone_;  // `certified`: of measurements and the Lipschitz constant alone
   std::size_t empty_ = 0;

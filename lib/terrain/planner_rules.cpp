@@ -3,6 +3,7 @@
 #include <terrain/components.hpp>
 #include <terrain/disc_growth.hpp>
 #include <terrain/distance_transform.hpp>
+#include <terrain/frontier.hpp>
 #include <terrain/planner.hpp>
 #include <terrain/selection.hpp>
 #include <utility>
@@ -20,6 +21,9 @@ const Plan& Planner::plan(std::optional<Cell> goal, std::optional<Cell> robot) {
       break;
     case RuleSet::certified:
       plan_certified(goal, robot);
+      break;
+    case RuleSet::band:
+      plan_band(goal, robot);
       break;
   }
   plan_.safe = count(ground());
@@ -61,15 +65,16 @@ void Planner::choose(std::vector<std::size_t> candidates,
   }
 }
 
-CellSet Planner::reachable_ground(std::optional<Cell> robot) const {
-  return robot ? component_of(grid_, ground(), *robot) : ground();
+CellSet Planner::reachable_ground(std::optional<Cell> robot) {
+  standing_ = standing_cells(grid_, ground(), footprint_);
+  return robot ? component_of(grid_, standing_, *robot) : standing_;
 }
 
 void Planner::leave_out_blocked(std::optional<Cell> robot) {
-  if (blocked_.empty()) {
+  const CellSet reachable = reachable_ground(robot);
+  if (blocked_.empty() && footprint_.is_point()) {
     return;
   }
-  const CellSet reachable = reachable_ground(robot);
   for (std::size_t i = 0; i < grid_.size(); ++i) {
     expanders_[i] = expanders_[i] & reachable[i];
   }
@@ -166,32 +171,76 @@ void Planner::plan_certified(std::optional<Cell> goal, std::optional<Cell> robot
     plan_.expanders = count(expanders_);
     plan_.against_the_model = plan_.expanders > 0;
   }
-  if (rules_.look_ahead && robot) {
-    look_ahead(members(expanders_), goal, *robot, depth2);
-  } else {
-    choose(members(expanders_),
-           plan_.against_the_model ? cone_ : intervals_,
-           goal,
-           Ties::nearest_first);
-  }
+  select(plan_.against_the_model ? cone_ : intervals_, goal, robot, depth2);
 }
 
-void Planner::look_ahead(const std::vector<std::size_t>& candidates,
-                         std::optional<Cell> goal,
-                         Cell robot,
-                         const std::vector<std::int64_t>& depth2) {
-  double best = kUnbounded;
-  for (const std::size_t i : candidates) {
-    const Cell c = grid_.cell(i);
-    const double expected = std::clamp(model_->mean()[i], intervals_.lower[i], intervals_.upper[i]);
-    const double radius = std::max(0.0, (expected - rules_.threshold) / rules_.lipschitz);
-    const double gain = radius - std::sqrt(static_cast<double>(depth2[i]));
-    const double way = rules_.travel_weight * distance(c, robot);
-    const double score = goal ? distance(c, *goal) - radius + way : way - gain;
-    if (score < best) {
-      best = score;
-      plan_.next = c;
+void Planner::plan_band(std::optional<Cell> goal, std::optional<Cell> robot) {
+  intervals_ = Intervals(grid_.size());
+  if (field_variance_ < kUnbounded && model_->measurements() > 0) {
+    set_to_band(intervals_,
+                model_->mean(),
+                model_->variance(),
+                rules_.band() * std::sqrt(field_variance_ / model_->prior().variance));
+  }
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    safe_[i] = seeds_[i] != 0 || intervals_.lower[i] >= rules_.threshold ? 1 : 0;
+  }
+  expanders_ = borders(reachable_ground(robot));
+  plan_.expanders = count(expanders_);
+  select(intervals_, goal, robot, squared_depth(grid_, safe_));
+}
+
+CellSet Planner::borders(const CellSet& reachable) const {
+  CellSet set(grid_.size(), 0);
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    if (reachable[i] == 0 || measured_[i] != 0) {
+      continue;
     }
+    const Cell c = grid_.cell(i);
+    set[i] = std::any_of(kSteps.begin(), kSteps.end(), [&](Cell step) {
+      const Cell next{c.x + step.x, c.y + step.y};
+      if (!grid_.contains(next)) {
+        return false;
+      }
+      const std::size_t n = grid_.index(next);
+      return standing_[n] == 0 && intervals_.upper[n] >= rules_.threshold &&
+             (blocked_.empty() || blocked_[n] == 0);
+    });
+  }
+  return set;
+}
+
+void Planner::select(const Intervals& by,
+                     std::optional<Cell> goal,
+                     std::optional<Cell> robot,
+                     const std::vector<std::int64_t>& depth2) {
+  const std::vector<std::size_t> candidates = members(expanders_);
+  // Without discs nothing is expected to grow by more in one place than in another.
+  const bool in_order = rules_.kind == RuleSet::band && !goal;
+  if (rules_.selection == Selection::thesis || !robot || in_order) {
+    choose(candidates, by, goal, Ties::nearest_first);
+    return;
+  }
+  const FrontierView view{
+      grid_,
+      rules_,
+      model_->mean(),
+      model_->variance(),
+      rules_.kind == RuleSet::band ? field_variance_ / model_->prior().variance : 1.0,
+      intervals_,
+      safe_,
+      blocked_,
+      depth2};
+  switch (rules_.selection) {
+    case Selection::horizon:
+      plan_.next = best_sequence(view, candidates, goal, *robot);
+      break;
+    case Selection::pareto:
+      plan_.next = best_of_front(view, candidates, goal, *robot);
+      break;
+    default:
+      plan_.next = look_ahead(view, candidates, goal, *robot);
+      break;
   }
   // All were looked at; those nearest to the goal are shown.
   const auto n = static_cast<std::size_t>(rules_.expanders);

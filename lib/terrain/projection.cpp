@@ -10,14 +10,17 @@ std::optional<Cell> projected_inwards(const Grid& grid,
                                       const CellSet& safe,
                                       Cell target,
                                       double depth) {
-  const CellSet filled = fill_holes(grid, safe);
-  const auto depth2 = squared_depth(grid, filled);
+  return nearest_deep(grid, fill_holes(grid, safe), target, depth);
+}
+
+std::optional<Cell> nearest_deep(const Grid& grid, const CellSet& set, Cell target, double depth) {
+  const auto depth2 = squared_depth(grid, set);
   // The outline lies one cell within the nearest cell outside.
   const double needed = depth + 1.0;
   std::optional<Cell> nearest;
   double best = kUnbounded;
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    if (filled[i] == 0 || static_cast<double>(depth2[i]) < needed * needed) {
+    if (set[i] == 0 || static_cast<double>(depth2[i]) < needed * needed) {
       continue;
     }
     const Cell c = grid.cell(i);

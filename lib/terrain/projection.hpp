@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where the published program measures instead of at the cell it chose.
+/// Cells deep within ground: where the published program measures instead of at the cell it chose.
 
 #include <optional>
 #include <terrain/grid.hpp>
@@ -14,5 +14,11 @@ namespace tcert::terrain {
                                                     const CellSet& safe,
                                                     Cell target,
                                                     double depth);
+
+/// The same within `set` as it is, holes and all.
+[[nodiscard]] std::optional<Cell> nearest_deep(const Grid& grid,
+                                               const CellSet& set,
+                                               Cell target,
+                                               double depth);
 
 }  // namespace tcert::terrain

@@ -1,6 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <terrain/limits.hpp>
@@ -64,6 +65,11 @@ SeparableGp::SeparableGp(const Grid& grid, const GpPrior& prior) : grid_(grid), 
   columns_basis_ = basis(grid.columns, prior.length_scale);
   mean_.assign(grid.size(), prior.mean);
   variance_.assign(grid.size(), prior.variance);
+  if (prior.unknown_mean) {
+    ones_.assign(grid.size(), 0.0);
+    flat_mean_ = mean_;
+    flat_variance_.assign(grid.size(), std::numeric_limits<double>::infinity());
+  }
 }
 
 void SeparableGp::add(const Position& p, double y) {
@@ -72,6 +78,7 @@ void SeparableGp::add(const Position& p, double y) {
   std::vector<double> row(n + 1);
   double pivot = prior_.variance + noise_of(prior_);
   double residual = y - prior_.mean;
+  double residual_of_one = 1.0;
   for (std::size_t j = 0; j < n; ++j) {
     const double d2 = (p - positions_[j]).squaredNorm();
     double sum =
@@ -83,6 +90,9 @@ void SeparableGp::add(const Position& p, double y) {
     row[j] = sum / other[j];
     pivot -= row[j] * row[j];
     residual -= row[j] * whitened_[j];
+    if (prior_.unknown_mean) {
+      residual_of_one -= row[j] * whitened_ones_[j];
+    }
   }
   if (!(pivot > 0.0)) {
     throw std::domain_error("measurements coincide: the covariance is singular");
@@ -109,6 +119,9 @@ void SeparableGp::add(const Position& p, double y) {
     mean_[i] += z * v[i];
     variance_[i] -= v[i] * v[i];
   }
+  if (prior_.unknown_mean) {
+    allow_for_mean(z, residual_of_one / root);
+  }
 
   log_likelihood_ -= 0.5 * (z * z + std::log(2.0 * std::numbers::pi * pivot));
   positions_.push_back(p);
@@ -117,10 +130,27 @@ void SeparableGp::add(const Position& p, double y) {
   whitened_.push_back(z);
 }
 
-double log_likelihood(const GpPrior& prior, std::span<const Measurement> measurements) {
+void SeparableGp::allow_for_mean(double z, double z_of_one) {
+  const double* v = cells_.data();
+  ones_by_ones_ += z_of_one * z_of_one;
+  values_by_ones_ += z * z_of_one;
+  const double offset = values_by_ones_ / ones_by_ones_;  // of the mean, from prior_.mean
+  for (std::size_t i = 0; i < ones_.size(); ++i) {
+    ones_[i] += z_of_one * v[i];
+    const double rest = 1.0 - ones_[i];
+    flat_mean_[i] = mean_[i] + offset * rest;
+    flat_variance_[i] = variance_[i] + rest * rest / ones_by_ones_;
+  }
+  whitened_ones_.push_back(z_of_one);
+}
+
+namespace {
+
+/// Of the covariance of the measurements, noise included.
+[[nodiscard]] Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> covariance_factor(
+    const GpPrior& prior, std::span<const Measurement> measurements) {
   const auto n = static_cast<Eigen::Index>(measurements.size());
   Eigen::MatrixXd k(n, n);
-  Eigen::VectorXd residual(n);
   const double scale = -0.5 / (prior.length_scale * prior.length_scale);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Measurement& a = measurements[static_cast<std::size_t>(i)];
@@ -129,14 +159,41 @@ double log_likelihood(const GpPrior& prior, std::span<const Measurement> measure
       k(i, j) = prior.variance * std::exp(scale * (a.at - b.at).squaredNorm());
     }
     k(i, i) += noise_of(prior);
-    residual(i) = a.value - prior.mean;
   }
-  const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> llt(k);
-  const Eigen::VectorXd whitened = llt.matrixL().solve(residual);
+  return Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(k);
+}
+
+[[nodiscard]] Eigen::VectorXd residuals(const GpPrior& prior,
+                                        std::span<const Measurement> measurements) {
+  Eigen::VectorXd residual(static_cast<Eigen::Index>(measurements.size()));
+  for (Eigen::Index i = 0; i < residual.size(); ++i) {
+    residual(i) = measurements[static_cast<std::size_t>(i)].value - prior.mean;
+  }
+  return residual;
+}
+
+}  // namespace
+
+double log_likelihood(const GpPrior& prior, std::span<const Measurement> measurements) {
+  const auto n = static_cast<Eigen::Index>(measurements.size());
+  const auto llt = covariance_factor(prior, measurements);
+  const Eigen::VectorXd whitened = llt.matrixL().solve(residuals(prior, measurements));
   const auto logs = llt.matrixLLT().diagonal().array().log().sum();
   return -0.5 *
              (whitened.squaredNorm() + static_cast<double>(n) * std::log(2.0 * std::numbers::pi)) -
          logs;
+}
+
+double profile_log_likelihood(const GpPrior& prior, std::span<const Measurement> measurements) {
+  const auto n = static_cast<Eigen::Index>(measurements.size());
+  const auto llt = covariance_factor(prior, measurements);
+  const Eigen::VectorXd y = llt.matrixL().solve(residuals(prior, measurements));
+  const Eigen::VectorXd one = llt.matrixL().solve(Eigen::VectorXd::Ones(n));
+  const double cross = y.dot(one);
+  const double squares = y.squaredNorm() - cross * cross / one.squaredNorm();
+  const auto count = static_cast<double>(n);
+  return -0.5 * count * (std::log(2.0 * std::numbers::pi * squares / count) + 1.0) -
+         llt.matrixLLT().diagonal().array().log().sum();
 }
 
 std::size_t SeparableGp::bytes() const noexcept {

@@ -17,6 +17,9 @@ struct GpPrior {
   double length_scale = 30.0;  ///< Cells, > 0.
   double noise_variance =
       1.0;  ///< Of a measurement, >= 0; 1e-10 of the variance at least is taken.
+  /// The constant mean is not known: a flat prior on it, `mean` being an offset alone (universal
+  /// kriging of a constant, Rasmussen and Williams 2006, section 2.7).
+  bool unknown_mean = false;
   friend bool operator==(const GpPrior&, const GpPrior&) = default;
 };
 
@@ -41,15 +44,24 @@ class SeparableGp {
   [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
   [[nodiscard]] const GpPrior& prior() const noexcept { return prior_; }
   [[nodiscard]] std::size_t measurements() const noexcept { return positions_.size(); }
-  [[nodiscard]] std::span<const double> mean() const noexcept { return mean_; }
-  /// Of the noise-free value, >= 0 up to rounding.
-  [[nodiscard]] std::span<const double> variance() const noexcept { return variance_; }
+  [[nodiscard]] std::span<const double> mean() const noexcept {
+    return prior_.unknown_mean ? flat_mean_ : mean_;
+  }
+  /// Of the noise-free value, >= 0 up to rounding; infinite without a measurement if the mean is
+  /// not known.
+  [[nodiscard]] std::span<const double> variance() const noexcept {
+    return prior_.unknown_mean ? flat_variance_ : variance_;
+  }
   /// log p(values | prior) of all measurements.
   [[nodiscard]] double log_likelihood() const noexcept { return log_likelihood_; }
   /// Bytes held for cells, directions and measurements.
   [[nodiscard]] std::size_t bytes() const noexcept;
 
  private:
+  /// Adds what not knowing the mean does to mean and variance. `z` and `z_of_one` are the new
+  /// whitened residuals of the value and of a constant 1.
+  void allow_for_mean(double z, double z_of_one);
+
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   Grid grid_;
@@ -62,6 +74,12 @@ class SeparableGp {
   std::vector<std::vector<double>> cholesky_;  // row by row, diagonal last
   std::vector<Eigen::MatrixXd> directions_;    // G of each measurement, r x s
   std::vector<double> whitened_;               // forward-substituted residuals
+  std::vector<double> whitened_ones_;          // the same of a constant 1, if the mean is not known
+  std::vector<double> ones_;                   // what the measurements say of a constant 1, a cell
+  double ones_by_ones_ = 0.0;                  // products of the whitened residuals
+  double values_by_ones_ = 0.0;
+  std::vector<double> flat_mean_;
+  std::vector<double> flat_variance_;
   double log_likelihood_ = 0.0;
   RowMajor cells_;  // scratch
 };
@@ -74,5 +92,10 @@ struct Measurement {
 /// log p(values | prior) without a grid. O(n^3).
 [[nodiscard]] double log_likelihood(const GpPrior& prior,
                                     std::span<const Measurement> measurements);
+
+/// The same at that mean and variance of the field at which it is largest, the noise being the
+/// prior's share of the variance. O(n^3). \pre two measurements that differ
+[[nodiscard]] double profile_log_likelihood(const GpPrior& prior,
+                                            std::span<const Measurement> measurements);
 
 }  // namespace tcert::terrain

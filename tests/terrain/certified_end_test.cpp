@@ -91,7 +91,7 @@ TEST(CertifiedEnd, LeavesNoCellThatCouldHelp) {
     const Cell goal = cell();
     ExploreSetup setup = setup_of(terrain, start, goal, terrain.at(start) - 30.0);
     setup.rules.noise_bound = number % 2 == 0 ? 0.0 : 5.0;
-    setup.rules.look_ahead = number % 3 == 0;
+    setup.rules.selection = number % 3 == 0 ? Selection::look_ahead : Selection::thesis;
     std::size_t left = 0;
     const auto watch = [&](const Planner& planner, const ExploreStep& s, const ExploreResult&) {
       if (!s.next) {

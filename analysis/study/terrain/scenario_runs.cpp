@@ -69,7 +69,7 @@ std::vector<Variant> variants_of(const Scenario& scenario,
     return variant;
   };
   const Variant ahead =
-      changed(plain, "certified, look-ahead", [](Variant& v) { v.rules.look_ahead = true; });
+      changed(plain, "certified, look-ahead", [](Variant& v) { v.rules.selection = Selection::look_ahead; });
   const Variant trusting = changed(ahead, "trusting the model", [](Variant& v) {
     v.rules.trust_model = true;
     v.rules.beta = kTrustedBeta;

@@ -43,7 +43,7 @@ TerrainOutcome explore_terrain(const Telling& telling, std::uint64_t seed, std::
   setup.rules.lipschitz = telling.told * kLipschitz;
   setup.rules.trust_model = telling.trusted;
   setup.rules.beta = telling.beta;
-  setup.rules.look_ahead = number % 2 == 0;
+  setup.rules.selection = number % 2 == 0 ? Selection::look_ahead : Selection::thesis;
   setup.prior = prior_of(setup.rules.lipschitz, field.length_scale, terrain.at(setup.start));
   setup.max_steps = 150;
   setup.motion = number % 3 == 0 ? Motion::reactive : Motion::route;
