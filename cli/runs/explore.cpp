@@ -41,7 +41,8 @@ using terrain::Terrain;
 /// For the manifest; none if there will be no manifest. \throws NoInput.
 std::vector<ManifestFile> inputs_of(const ExploreRequest& options) {
   std::vector<ManifestFile> inputs;
-  for (const std::string& path : {options.terrain, options.config, options.obstacles}) {
+  for (const std::string& path :
+       {options.terrain, options.config, options.obstacles, options.known}) {
     if (options.output.path.empty() || path.empty()) {
       continue;
     }
@@ -69,7 +70,7 @@ ExitCode explore(const ExploreRequest& request, Progress& progress) {
   const terrain::Grid grid{file.rows, file.columns};
   const Places places = places_of(options, grid);
   terrain::CellSet blocked = blocked_cells(file, options.obstacles, reading, progress);
-  require_free(grid, file, blocked, places.start, places.goal);
+  require_free(grid, file, blocked, places.start, places.goals);
   const Terrain ground{grid, std::move(file.values)};
   const ExploreSetup setup = explore_setup(options, progress, ground, std::move(blocked));
   std::optional<ResultFolder> folder;
@@ -78,9 +79,11 @@ ExitCode explore(const ExploreRequest& request, Progress& progress) {
     folder.emplace(options.output.path, "explore");
   }
   FrameKeeper frames;
+  std::vector<terrain::Measurement> measurements;
   const auto keep = [&](const terrain::Planner& planner,
                         const terrain::ExploreStep& step,
                         const ExploreResult& so_far) {
+    measurements = planner.measurements();
     if (folder && options.frames > 0) {
       frames.add({step.step,
                   planner.ground(),
@@ -98,6 +101,8 @@ ExitCode explore(const ExploreRequest& request, Progress& progress) {
   if (folder) {
     folder->write("series.csv", render(explore_table(result, label), TableFormat::csv));
     folder->write("path.csv", render(path_table(result, label), TableFormat::csv));
+    folder->write("measurements.csv",
+                  render(measurement_table(measurements, label), TableFormat::csv));
     int number = 0;
     std::vector<ExploreFrame> chosen = frames.evenly(static_cast<std::size_t>(options.frames));
     if (!chosen.empty()) {
@@ -105,9 +110,13 @@ ExitCode explore(const ExploreRequest& request, Progress& progress) {
       chosen.back().path_points = result.path.size();
     }
     for (const ExploreFrame& frame : chosen) {
-      folder->write(
-          fmt::format("frames/frame_{:03}.svg", ++number),
-          explore_picture(ground, setup.rules.threshold, frame, result.path, setup.goal, label));
+      folder->write(fmt::format("frames/frame_{:03}.svg", ++number),
+                    explore_picture(ground,
+                                    setup.rules.threshold,
+                                    frame,
+                                    result.path,
+                                    setup.goal ? std::optional(result.goal) : std::nullopt,
+                                    label));
     }
     Manifest manifest;
     manifest.command = "explore";

@@ -2,6 +2,10 @@
 /// \file
 /// `explore`: a terrain that is felt one cell at a time.
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
@@ -28,11 +32,20 @@ struct ExploreRequest {
   double kernel_mean = 0.0;
   double noise_variance = 1.0;
   double noise_bound = 0.0;
+  double noise_sd = 0.0;
+  std::string gradient_prior;                ///< "SD,PLACES".
+  std::optional<double> least_length_scale;  ///< None: half of kernel_length_scale.
   std::int64_t start_radius = 2;
-  std::string motion = "route";
+  std::string known;
+  std::string motion;  ///< Empty: by the rules.
+  double sub_goal_depth = 0.0;
   double simplification = 4.0;
   double robot_radius = 2.0;
+  std::string body;       ///< "R", "LENGTH,WIDTH" or "LENGTH,WIDTH,YAW_DEG"; empty: a point.
+  std::string selection;  ///< Empty: by the rules.
   bool look_ahead = false;
+  std::int64_t horizon = 3;
+  double growth_weight = 0.5;
   double travel_weight = 0.1;
   bool adaptive = false;
   bool trust_model = false;

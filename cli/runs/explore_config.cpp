@@ -52,19 +52,21 @@ void apply_config(ExploreRequest& request, Progress& progress) {
 }
 
 void settle_beta(ExploreRequest& request, Progress& progress) {
-  if (!request.trust_model) {
+  const bool is_band = request.rules == "band";
+  if (!request.trust_model && !is_band) {
     return;
   }
   if (!is_given(request.given, "beta")) {
     request.beta = terrain::kTrustedBeta;
   } else if (request.beta < terrain::kTrustedBeta) {
-    progress.say(fmt::format(
-        "warning: --trust-model certifies by a band of {:.3g} sd (--beta {:g}); at less "
-        "than {:.3g} sd (--beta {:g}) it holds unsafe cells safe: see --help",
-        std::sqrt(request.beta),
-        request.beta,
-        std::sqrt(terrain::kTrustedBeta),
-        terrain::kTrustedBeta));
+    progress.say(
+        fmt::format("warning: {} certifies by a band of {:.3g} sd (--beta {:g}); at less "
+                    "than {:.3g} sd (--beta {:g}) it holds unsafe cells safe: see --help",
+                    is_band ? "--rules band" : "--trust-model",
+                    std::sqrt(request.beta),
+                    request.beta,
+                    std::sqrt(terrain::kTrustedBeta),
+                    terrain::kTrustedBeta));
   }
 }
 

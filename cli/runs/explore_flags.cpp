@@ -16,34 +16,73 @@ namespace {
 /// A flag that acts under some rule sets alone.
 struct Use {
   std::string_view option;
-  bool certified;
-  bool thesis;
-  bool published;
+  std::vector<std::string_view> rules;
 };
-constexpr std::array kUses{Use{"noise-bound", true, false, false},
-                           Use{"confidence", true, false, false},
-                           Use{"look-ahead", true, false, false},
-                           Use{"travel-weight", true, false, false},
-                           Use{"trust-model", true, false, false},
-                           Use{"start-radius", true, true, false}};
+
+[[nodiscard]] std::vector<Use> uses() {
+  return {{"noise-bound", {"certified"}},
+          {"lipschitz", {"certified", "thesis", "published"}},
+          {"confidence", {"certified", "band"}},
+          {"noise-sd", {"certified", "band"}},
+          {"gradient-prior", {"certified", "band"}},
+          {"least-length-scale", {"band"}},
+          {"selection", {"certified", "band"}},
+          {"look-ahead", {"certified", "band"}},
+          {"horizon", {"certified", "band"}},
+          {"travel-weight", {"certified", "band"}},
+          {"growth-weight", {"certified", "band"}},
+          {"trust-model", {"certified"}},
+          {"kernel-mean", {"certified", "thesis", "published"}},
+          {"kernel-variance", {"certified", "thesis", "published"}},
+          {"noise-variance", {"certified", "thesis", "published"}},
+          {"start-radius", {"certified", "band", "thesis"}}};
+}
 
 [[nodiscard]] std::string names_of(const Use& use) {
   std::string names;
-  for (const auto& [acts, name] : {std::pair{use.certified, "certified"},
-                                   {use.thesis, "thesis"},
-                                   {use.published, "published"}}) {
-    if (acts) {
-      names += (names.empty() ? "" : " or ") + std::string(name);
-    }
+  for (const std::string_view name : use.rules) {
+    names += (names.empty() ? "" : " or ") + std::string(name);
   }
   return names;
 }
 
+/// Flags that need another one.
+void check_pairs(const ExploreRequest& o) {
+  const std::string selection = selection_of(o);
+  if (o.look_ahead && is_given(o.given, "selection") && o.selection != "look-ahead") {
+    throw UsageError("--look-ahead is --selection look-ahead: leave out one of them");
+  }
+  if (is_given(o.given, "travel-weight") && selection == "thesis") {
+    throw UsageError("--travel-weight has no effect under --selection thesis");
+  }
+  if (is_given(o.given, "horizon") && selection != "horizon") {
+    throw UsageError("--horizon has no effect without --selection horizon");
+  }
+  if (is_given(o.given, "growth-weight") && selection != "pareto") {
+    throw UsageError("--growth-weight has no effect without --selection pareto");
+  }
+  const bool reactive = motion_of(o) == "reactive";
+  if (is_given(o.given, "sub-goal-depth") && (!reactive || o.rules == "published")) {
+    throw UsageError(
+        "--sub-goal-depth has no effect without --motion reactive, nor under --rules published, "
+        "which have --simplification for it");
+  }
+  if (is_given(o.given, "simplification") && o.rules != "published" && !reactive) {
+    throw UsageError(
+        fmt::format("--simplification has no effect under --rules {} with --motion {}: "
+                    "leave it out, or take --rules published or --motion reactive",
+                    o.rules,
+                    motion_of(o)));
+  }
+  const bool estimates = o.rules == "band" || o.lipschitz.empty() || o.lipschitz == "auto";
+  if (is_given(o.given, "gradient-prior") && !estimates) {
+    throw UsageError("--gradient-prior has no effect with a --lipschitz that is given");
+  }
+}
+
 void check_uses(const ExploreRequest& o, Progress& progress) {
-  for (const Use& use : kUses) {
-    const bool acts = o.rules == "certified" ? use.certified
-                      : o.rules == "thesis"  ? use.thesis
-                                             : use.published;
+  for (const Use& use : uses()) {
+    const bool acts = std::find(use.rules.begin(), use.rules.end(), o.rules) != use.rules.end();
     if (!acts && is_given(o.given, use.option)) {
       throw UsageError(
           fmt::format("--{0} has no effect under --rules {1}: leave it out, or take "
@@ -53,28 +92,19 @@ void check_uses(const ExploreRequest& o, Progress& progress) {
                       names_of(use)));
     }
   }
-  if (is_given(o.given, "travel-weight") && !o.look_ahead) {
-    throw UsageError("--travel-weight has no effect without --look-ahead");
-  }
-  if (is_given(o.given, "simplification") && o.rules != "published" && o.motion != "reactive") {
-    throw UsageError(
-        fmt::format("--simplification has no effect under --rules {} with --motion {}: "
-                    "leave it out, or take --rules published or --motion reactive",
-                    o.rules,
-                    o.motion));
-  }
+  check_pairs(o);
   if (is_given(o.given, "lipschitz") && o.rules == "published") {
     progress.say(
         "note: under --rules published --lipschitz acts on the expanders alone: the safe set is "
         "the "
         "model's.");
   }
-  if (is_given(o.given, "robot-radius") && o.motion != "reactive") {
+  if (is_given(o.given, "robot-radius") && motion_of(o) != "reactive") {
     progress.say(fmt::format(
         "note: --robot-radius keeps the robot's body off the borders in the mapped plane "
-        "of --motion reactive alone; under --motion {} it has no effect. Under either "
-        "motion what is certified is cells, not the ground under a body.",
-        o.motion));
+        "of --motion reactive alone; under --motion {} it has no effect. --body makes that the "
+        "ground under the body is certified.",
+        motion_of(o)));
   }
   if (is_given(o.given, "seed") && o.rules != "published") {
     progress.say(
@@ -114,6 +144,16 @@ void check_limits(const ExploreRequest& o) {
   require_limit("simplification", o.simplification);
   require_limit("robot-radius", o.robot_radius);
   require_limit("travel-weight", o.travel_weight);
+  require_limit("horizon", static_cast<double>(o.horizon));
+  require_limit("growth-weight", o.growth_weight);
+  require_limit("noise-sd", o.noise_sd);
+  require_limit("sub-goal-depth", o.sub_goal_depth);
+  if (o.least_length_scale) {
+    require_range("least-length-scale",
+                  *o.least_length_scale,
+                  terrain::limit_of("kernel-length-scale").low,
+                  terrain::limit_of("kernel-length-scale").high);
+  }
   require_limit("start-radius", static_cast<double>(o.start_radius));
   require_limit("max-steps", static_cast<double>(o.max_steps));
   require_limit("frames", static_cast<double>(o.frames));
@@ -143,12 +183,25 @@ double lipschitz_of(const ExploreRequest& o) {
   return value;
 }
 
+std::string motion_of(const ExploreRequest& o) {
+  const bool certifies = o.rules == "certified" || o.rules == "band";
+  return !o.motion.empty() ? o.motion : certifies ? "pursuit" : "route";
+}
+
+std::string selection_of(const ExploreRequest& o) {
+  if (!o.selection.empty()) {
+    return o.selection;
+  }
+  return o.look_ahead ? "look-ahead" : o.rules == "certified" ? "horizon" : "thesis";
+}
+
 void check(const ExploreRequest& o, Progress& progress) {
   if (o.terrain.empty()) {
     throw UsageError("needs TERRAIN, or a config file with environment.FILENAME");
   }
-  require_word("rules", o.rules, {"certified", "thesis", "published"});
-  require_word("motion", o.motion, {"route", "reactive", "jump"});
+  require_word("rules", o.rules, {"certified", "band", "thesis", "published"});
+  require_word("motion", motion_of(o), {"pursuit", "route", "reactive", "jump"});
+  require_word("selection", selection_of(o), {"horizon", "look-ahead", "pareto", "thesis"});
   if (!o.mode.empty()) {
     require_word("mode", o.mode, {"navigate", "explore"});
   }

@@ -2,6 +2,8 @@
 /// \file
 /// Which flags of `explore` act under which rules, and within which bounds.
 
+#include <string>
+
 #include "cli/runs/explore.hpp"
 
 namespace tcert::cli {
@@ -12,5 +14,9 @@ void check(const ExploreRequest& options, Progress& progress);
 
 /// The largest slope. \throws UsageError for what is no number within its limit.
 [[nodiscard]] double lipschitz_of(const ExploreRequest& options);
+
+/// What the rules take unless it was given.
+[[nodiscard]] std::string motion_of(const ExploreRequest& options);
+[[nodiscard]] std::string selection_of(const ExploreRequest& options);
 
 }  // namespace tcert::cli

@@ -6,9 +6,12 @@ OptionTable options_of(ExploreRequest& request) {
   OptionTable table(request.given);
   table.argument({"TERRAIN", &request.terrain, false, OptionRole::input});
   table.add_input("config", request.config, "FILE", "published configuration file (INI)");
-  table.add("rules", request.rules, "RULES", "certified, thesis or published");
+  table.add("rules", request.rules, "RULES", "certified, band, thesis or published");
   table.add("start", request.start, "X,Y", "cell where the robot stands");
-  table.add("goal", request.goal, "X,Y", "cell to be reached; none: explore");
+  table.add("goal",
+            request.goal,
+            "X,Y",
+            "cell to be reached, or several in turn with ; between; none: explore");
   table.add(
       "mode", request.mode, "MODE", "navigate or explore; by default navigate if there is a goal");
   table.add(
@@ -30,17 +33,34 @@ OptionTable options_of(ExploreRequest& request) {
       "lipschitz",
       request.lipschitz,
       "L",
-      "largest slope per cell: give it if it is known; 'auto' is an estimate, several times "
-      "too wide from one place, so that goals may not be reached (certified rules); published "
-      "rules make the safe set without it");
+      "largest slope per cell: give it if it is known; 'auto' is a bound that falls as more is "
+      "measured (certified rules); published rules make the safe set without it, band has none");
   table.add("confidence",
             request.confidence,
             "P",
-            "that no estimate of the Lipschitz constant in the run is too low");
-  table.add("beta",
-            request.beta,
-            "B",
-            "half-width of the model's band: sqrt(B) sd; published: B sd; 25 with --trust-model");
+            "that no bound of the terrain's variance in the run, and so none of the Lipschitz "
+            "constant, is too low (certified rules with auto, band)");
+  table.add(
+      "noise-sd",
+      request.noise_sd,
+      "SD",
+      "of a measurement's Gaussian error, for these bounds and the band; certified rules take "
+      "from it the --noise-bound that all measurements keep at --confidence");
+  table.add("gradient-prior",
+            request.gradient_prior,
+            "SD,PLACES",
+            "standard deviation of the slope along one axis on earlier ground of this kind, and so "
+            "many independent places it is worth, for these bounds");
+  table.add("least-length-scale",
+            request.least_length_scale,
+            "CELLS",
+            "band: the terrain's own is no shorter; by default half of --kernel-length-scale");
+  table.add(
+      "beta",
+      request.beta,
+      "B",
+      "half-width of the model's band: sqrt(B) sd; published: B sd; 25 with --trust-model and "
+      "under band");
   table.add(
       "expanders", request.expanders, "N", "so many expanders nearest to the goal are considered");
   table.add(
@@ -65,7 +85,22 @@ OptionTable options_of(ExploreRequest& request) {
       "CELLS",
       "cells round the start that are measured first (certified and thesis rules; published draws "
       "50 by --seed)");
-  table.add("motion", request.motion, "HOW", "between measurements: route, reactive or jump");
+  table.add_input("known",
+                  request.known,
+                  "FILE",
+                  "measurements of an earlier run, a CSV with columns x, y and value: its "
+                  "measurements.csv");
+  table.add("motion",
+            request.motion,
+            "HOW",
+            "between measurements: pursuit of the route in line of sight (certified rules and "
+            "band, unless given), route (other rules), reactive or jump");
+  table.add(
+      "sub-goal-depth",
+      request.sub_goal_depth,
+      "CELLS",
+      "reactive motion: so deep within the ground the controller drives, and a route goes the "
+      "rest; published rules have --simplification for it");
   table.add(
       "simplification",
       request.simplification,
@@ -76,11 +111,31 @@ OptionTable options_of(ExploreRequest& request) {
             request.robot_radius,
             "CELLS",
             "erosion of the local free space of reactive motion, in the mapped "
-            "plane; what is certified is cells, not the ground under a body");
-  table.add("look-ahead",
-            request.look_ahead,
-            "choose by where the ground is expected to reach, the way counted (certified rules)");
-  table.add("travel-weight", request.travel_weight, "W", "of the way in --look-ahead");
+            "plane; what must be certified to stand is --body");
+  table.add(
+      "body",
+      request.body,
+      "LENGTHS",
+      "stand and go only where all ground under the body is certified: R, a disc's radius in "
+      "cells, or LENGTH,WIDTH[,YAW] of a box, with its yaw in degrees from x towards y, which "
+      "it keeps");
+  table.add(
+      "selection",
+      request.selection,
+      "HOW",
+      "of the next cell (certified rules, band): horizon, a sequence of expected measurements "
+      "(certified rules, unless given), look-ahead, one, pareto, growth against cost, or "
+      "thesis, the widest interval (band, unless given)");
+  table.add("look-ahead", request.look_ahead, "the same as --selection look-ahead");
+  table.add("horizon", request.horizon, "N", "measurements that --selection horizon looks ahead");
+  table.add("travel-weight",
+            request.travel_weight,
+            "W",
+            "of the way to a cell, by all selections but the thesis'");
+  table.add("growth-weight",
+            request.growth_weight,
+            "W",
+            "of the probability of growth in --selection pareto, 0 to 1");
   table.add("adaptive", request.adaptive, "choose the length scale by likelihood on the way");
   table.add(
       "trust-model",

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <table/random.hpp>
 #include <terrain/limits.hpp>
@@ -11,6 +10,7 @@
 
 #include "cli/runs/errors.hpp"
 #include "cli/runs/explore_flags.hpp"
+#include "cli/runs/explore_values.hpp"
 #include "cli/runs/progress.hpp"
 
 namespace tcert::cli {
@@ -20,20 +20,6 @@ using terrain::Cell;
 using terrain::Measurement;
 using terrain::RuleSet;
 using terrain::Terrain;
-
-[[nodiscard]] Cell cell_of(const std::string& option, const std::string& text) {
-  Cell cell;
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, cell.x);
-  if (first.ec == std::errc{} && first.ptr != end && *first.ptr == ',') {
-    const auto second = std::from_chars(first.ptr + 1, end, cell.y);
-    if (second.ec == std::errc{} && second.ptr == end) {
-      return cell;
-    }
-  }
-  throw UsageError("--" + option + ": found '" + text +
-                   "', expected a cell as X,Y with whole numbers");
-}
 
 /// Whether nobody is to measure at a cell.
 [[nodiscard]] bool is_blocked(const Terrain& terrain, const terrain::CellSet& blocked, Cell c) {
@@ -95,28 +81,106 @@ using terrain::Terrain;
   return measurements;
 }
 
+/// What is measured first of all, the start among them. \throws BadData if it is not safe.
+[[nodiscard]] std::vector<Measurement> safe_start(const terrain::ExploreSetup& setup,
+                                                  const Terrain& terrain) {
+  std::vector<Cell> around = setup.first_cells;
+  around.push_back(setup.start);
+  for (const Cell c : around) {
+    if (terrain.at(c) - setup.rules.noise_bound < setup.rules.threshold) {
+      throw BadData(
+          fmt::format("the ground round the start is not safe: {}{} at ({}, {}) is below "
+                      "the threshold {}; start elsewhere or lower --start-radius",
+                      terrain.at(c),
+                      setup.rules.noise_bound > 0.0
+                          ? fmt::format(" less --noise-bound {}", setup.rules.noise_bound)
+                          : std::string(),
+                      c.x,
+                      c.y,
+                      setup.rules.threshold));
+    }
+  }
+  std::vector<Measurement> first = setup.known;
+  const std::vector<Measurement> now = measured(terrain, around);
+  first.insert(first.end(), now.begin(), now.end());
+  return first;
+}
+
+/// The bound that the exploration itself begins with.
+[[nodiscard]] terrain::FieldScale scale_of(const terrain::ExploreSetup& setup,
+                                           double length_scale,
+                                           const std::vector<Measurement>& first) {
+  terrain::FieldScale scale({length_scale, setup.noise_sd, setup.confidence, setup.gradient});
+  for (const Measurement& m : first) {
+    scale.add(m);
+  }
+  (void)scale.renew();
+  return scale;
+}
+
+/// The Lipschitz constant that the first measurements bound. \throws UsageError, BadData.
+[[nodiscard]] double first_bound(const terrain::ExploreSetup& setup,
+                                 const std::vector<Measurement>& first,
+                                 const terrain::Grid& grid,
+                                 Progress& progress) {
+  const terrain::FieldScale scale = scale_of(setup, setup.prior.length_scale, first);
+  const double bound = std::max(scale.lipschitz_bound(grid),
+                                terrain::steepest_measured(first, setup.rules.noise_bound));
+  if (!std::isfinite(bound) || !(bound > 0.0)) {
+    throw UsageError("the Lipschitz constant cannot be estimated from " +
+                     std::to_string(first.size()) +
+                     " measurements; give it with --lipschitz or raise --start-radius");
+  }
+  if (const double least = terrain::limit_of("lipschitz").low; bound < least) {
+    throw BadData(
+        fmt::format("the slopes of the terrain are too small to reckon with: {:.3g} per cell, at "
+                    "least {:g} is "
+                    "needed; multiply its values",
+                    bound,
+                    least));
+  }
+  progress.say(
+      fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} measurements; "
+                  "it falls as more is measured. That takes the terrain for a Gaussian field of "
+                  "length scale {:g} cells (--kernel-length-scale).",
+                  bound,
+                  100.0 * setup.confidence,
+                  first.size(),
+                  setup.prior.length_scale));
+  return bound;
+}
+
+/// What no error of so many measurements exceeds with the confidence, if each is Gaussian.
+[[nodiscard]] double noise_bound_of(double sd, double confidence, std::size_t measurements) {
+  const double tail =
+      (1.0 - confidence) / static_cast<double>(std::max<std::size_t>(measurements, 1));
+  double low = 0.0;
+  double high = 40.0;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (std::erfc(middle / std::sqrt(2.0)) > tail ? low : high) = middle;
+  }
+  return sd * high;
+}
+
 /// Lipschitz constant and prior of the certified rules, from what was measured round the start.
 void set_certified(terrain::ExploreSetup& setup,
                    const ExploreRequest& o,
                    Progress& progress,
                    const Terrain& terrain) {
-  std::vector<Cell> around = setup.first_cells;
-  around.push_back(setup.start);
-  for (const Cell c : around) {
-    if (terrain.at(c) - o.noise_bound < o.threshold) {
-      throw BadData(
-          fmt::format("the ground round the start is not safe: {}{} at ({}, {}) is below "
-                      "the threshold {}; start elsewhere or lower --start-radius",
-                      terrain.at(c),
-                      o.noise_bound > 0.0 ? fmt::format(" less --noise-bound {}", o.noise_bound)
-                                          : std::string(),
-                      c.x,
-                      c.y,
-                      o.threshold));
-    }
+  if (o.noise_sd > 0.0 && !is_given(o.given, "noise-bound")) {
+    const auto most = static_cast<std::size_t>(setup.max_steps) + setup.first_cells.size() + 1;
+    setup.rules.noise_bound = noise_bound_of(o.noise_sd, o.confidence, most);
+    progress.say(fmt::format(
+        "noise bound {:.4g}: with --noise-sd {:g} all of {} measurements keep it at {:g} % "
+        "confidence.",
+        setup.rules.noise_bound,
+        o.noise_sd,
+        most,
+        100.0 * o.confidence));
   }
-  const std::vector<Measurement> first = measured(terrain, around);
-  const double steepest = terrain::steepest_measured(first, o.noise_bound);
+  const std::vector<Measurement> first = safe_start(setup, terrain);
+  const double steepest = terrain::steepest_measured(first, setup.rules.noise_bound);
   bool estimated = o.lipschitz.empty() || o.lipschitz == "auto";
   if (!estimated) {
     setup.rules.lipschitz = lipschitz_of(o);
@@ -131,43 +195,37 @@ void set_certified(terrain::ExploreSetup& setup,
     }
   }
   if (estimated) {
-    const auto estimate =
-        terrain::estimate_lipschitz(terrain.grid,
-                                    first,
-                                    o.kernel_length_scale,
-                                    o.noise_bound,
-                                    terrain::confidence_of_estimate(o.confidence, 1));
-    if (!std::isfinite(estimate.constant) || !(estimate.constant > 0.0)) {
-      throw UsageError("the Lipschitz constant cannot be estimated from " +
-                       std::to_string(first.size()) +
-                       " measurements; give it with --lipschitz or raise --start-radius");
-    }
-    if (const double least = terrain::limit_of("lipschitz").low; estimate.constant < least) {
-      throw BadData(
-          fmt::format("the slopes of the terrain are too small to reckon with: {:.3g} per cell, at "
-                      "least {:g} is "
-                      "needed; multiply its values",
-                      estimate.constant,
-                      least));
-    }
-    setup.rules.lipschitz = estimate.constant;
-    setup.lipschitz_confidence = o.confidence;
-    progress.say(
-        fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} "
-                    "measurements; raised where later ones ask for it.",
-                    estimate.constant,
-                    100.0 * o.confidence,
-                    first.size()));
+    setup.confidence = o.confidence;
+    setup.rules.lipschitz = first_bound(setup, first, terrain.grid, progress);
   }
   // The prior's scale is that of the data: a field whose steepest gradient is the constant.
   if (!is_given(o.given, "kernel-variance")) {
-    const double factor = terrain::steepest_factor(terrain.grid, o.kernel_length_scale, 0.5);
-    const double sd = setup.rules.lipschitz * o.kernel_length_scale / factor;
-    setup.prior.variance = sd * sd;
+    setup.prior.variance =
+        terrain::variance_of(terrain.grid, setup.rules.lipschitz, setup.prior.length_scale);
+    setup.prior_follows_lipschitz = estimated;
   }
   if (!is_given(o.given, "kernel-mean")) {
     setup.prior.mean = terrain.at(setup.start);
   }
+}
+
+/// A field of unit variance, whose scale the exploration bounds.
+void set_band(terrain::ExploreSetup& setup,
+              const ExploreRequest& o,
+              Progress& progress,
+              const Terrain& terrain) {
+  setup.confidence = o.confidence;
+  const double length_scale = o.least_length_scale.value_or(0.5 * o.kernel_length_scale);
+  setup.prior = {terrain.at(setup.start), 1.0, length_scale, terrain::kBandNugget, true};
+  const terrain::FieldScale scale = scale_of(setup, length_scale, safe_start(setup, terrain));
+  progress.say(fmt::format(
+      "band of {:.3g} sd, sd at most {:.4g} at {:g} % confidence. It takes the terrain for a "
+      "Gaussian field with a squared-exponential covariance of length scale {:g} cells or more: "
+      "on rougher ground it holds unsafe cells safe (see --help).",
+      setup.rules.band(),
+      std::sqrt(scale.variance_bound()),
+      100.0 * o.confidence,
+      length_scale));
 }
 
 /// S_0 is what was measured round the start and found safe.
@@ -185,6 +243,9 @@ void set_thesis(terrain::ExploreSetup& setup, const Terrain& terrain, Progress& 
         steepest));
   }
   setup.seeds = std::move(around);
+  for (const Measurement& m : setup.known) {
+    setup.seeds.push_back(terrain::nearest_cell(m.at));
+  }
   std::erase_if(setup.seeds, [&](Cell c) { return terrain.at(c) < setup.rules.threshold; });
   if (setup.seeds.empty()) {
     throw BadData("no cell round the start is safe, and Algorithm 1 needs a safe seed set");
@@ -196,19 +257,22 @@ void set_thesis(terrain::ExploreSetup& setup, const Terrain& terrain, Progress& 
 Places places_of(const ExploreRequest& o, const terrain::Grid& grid) {
   Places places;
   places.start = cell_of("start", o.start);
-  if (!o.goal.empty() && o.mode != "explore") {
-    places.goal = cell_of("goal", o.goal);
+  if (o.mode != "explore") {
+    places.goals = cells_of("goal", o.goal);
   }
-  for (const auto& [name, cell] :
-       {std::pair{"start", std::optional(places.start)}, std::pair{"goal", places.goal}}) {
-    if (cell && !grid.contains(*cell)) {
+  const auto require_inside = [&](const char* name, Cell cell) {
+    if (!grid.contains(cell)) {
       throw UsageError(fmt::format("--{}: ({}, {}) lies outside the terrain of {} x {} cells",
                                    name,
-                                   cell->x,
-                                   cell->y,
+                                   cell.x,
+                                   cell.y,
                                    grid.rows,
                                    grid.columns));
     }
+  };
+  require_inside("start", places.start);
+  for (const Cell goal : places.goals) {
+    require_inside("goal", goal);
   }
   return places;
 }
@@ -220,28 +284,43 @@ terrain::ExploreSetup explore_setup(const ExploreRequest& o,
   const Places places = places_of(o, terrain.grid);
   terrain::ExploreSetup setup;
   setup.start = places.start;
-  setup.goal = places.goal;
+  if (!places.goals.empty()) {
+    setup.goal = places.goals.front();
+    setup.more_goals.assign(places.goals.begin() + 1, places.goals.end());
+  }
   setup.blocked = std::move(blocked);
   setup.rules.kind = *terrain::rule_set_from(o.rules);
   setup.rules.threshold = o.threshold;
   setup.rules.beta = o.beta;
   setup.rules.expanders = static_cast<int>(o.expanders);
   setup.rules.noise_bound = o.noise_bound;
+  setup.rules.noise_sd = o.noise_sd;
   setup.rules.trust_model = o.trust_model;
-  setup.rules.look_ahead = o.look_ahead;
+  setup.rules.selection = *terrain::selection_from(selection_of(o));
   setup.rules.travel_weight = o.travel_weight;
+  setup.rules.horizon = static_cast<int>(o.horizon);
+  setup.rules.growth_weight = o.growth_weight;
   setup.prior = {o.kernel_mean, o.kernel_variance, o.kernel_length_scale, o.noise_variance};
+  setup.noise_sd = o.noise_sd;
+  setup.gradient = gradient_prior_of(o.gradient_prior);
   setup.max_steps = static_cast<int>(o.max_steps);
-  setup.motion = *terrain::motion_from(o.motion);
+  setup.motion = *terrain::motion_from(motion_of(o));
+  setup.sub_goal_depth = o.sub_goal_depth;
   setup.simplification = o.simplification;
   setup.robot_radius = o.robot_radius;
+  setup.body = body_of(o.body);
   setup.adaptive.on = o.adaptive;
+  setup.known = known_of(o.known, terrain.grid, setup.blocked);
   setup.first_cells =
       setup.rules.kind == RuleSet::published
           ? published_batch(terrain, setup.blocked, setup.start, o.threshold, o.seed)
           : cells_round(terrain, setup.blocked, setup.start, static_cast<int>(o.start_radius));
   if (setup.rules.kind == RuleSet::certified) {
     set_certified(setup, o, progress, terrain);
+    return setup;
+  }
+  if (setup.rules.kind == RuleSet::band) {
+    set_band(setup, o, progress, terrain);
     return setup;
   }
   if (!o.lipschitz.empty()) {

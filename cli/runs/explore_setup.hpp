@@ -3,15 +3,17 @@
 /// What `explore` runs, from what it was asked.
 
 #include <terrain/explore.hpp>
+#include <vector>
 
 #include "cli/runs/explore.hpp"
 
 namespace tcert::cli {
 
-/// Start, and the goal if there is one. \throws UsageError if they lie outside the terrain.
+/// Start, and the goals in turn, if there are any. \throws UsageError if they lie outside the
+/// terrain.
 struct Places {
   terrain::Cell start;
-  std::optional<terrain::Cell> goal;
+  std::vector<terrain::Cell> goals;
 };
 [[nodiscard]] Places places_of(const ExploreRequest& options, const terrain::Grid& grid);
 

@@ -18,6 +18,9 @@ using terrain::ExploreSetup;
       return "is not reachable at this threshold: no way from the start keeps it";
     case End::past_obstacles:
       return "is not reachable at this threshold: ways that keep it lead through obstacles or gaps";
+    case End::only_body:
+      return "is reachable at this threshold, but not by this body: ways that keep it are too "
+             "narrow";
     case End::only_lipschitz:
       return fmt::format(
           "is reachable at this threshold, but not by what L = {:.6g}{} certifies; a smaller L "
@@ -40,13 +43,17 @@ using terrain::ExploreSetup;
   if (!setup.goal) {
     return text;
   }
+  if (!setup.more_goals.empty()) {
+    text +=
+        fmt::format("goals reached: {} of {}\n", result.goals_reached, setup.more_goals.size() + 1);
+  }
   if (result.end == End::goal_at_edge) {
     return text + fmt::format(
                       "the goal ({}, {}) is certified and joined, but less than {:g} cells "
                       "(--simplification) within the outline, where the published rules do "
                       "not end\n",
-                      setup.goal->x,
-                      setup.goal->y,
+                      result.goal.x,
+                      result.goal.y,
                       setup.simplification);
   }
   const std::string why = reason(result, setup);
@@ -54,13 +61,13 @@ using terrain::ExploreSetup;
     text += fmt::format(
         "the goal ({}, {}) {}: {} cells are certified, and the frontier stands at ({}, {}), {:.1f} "
         "cells from the goal\n",
-        setup.goal->x,
-        setup.goal->y,
+        result.goal.x,
+        result.goal.y,
         why,
         result.last().safe,
         result.frontier.x(),
         result.frontier.y(),
-        (terrain::position(*setup.goal) - result.frontier).norm());
+        (terrain::position(result.goal) - result.frontier).norm());
   }
   return text;
 }
@@ -87,7 +94,9 @@ ExitCode exit_code_of(End end) noexcept {
       return exit_done;
     case End::not_reachable:
     case End::past_obstacles:
+    case End::only_body:
       return exit_not_reachable;
+    case End::exhausted:
     case End::only_lipschitz:
     case End::only_rules:
       return exit_only_rules;
@@ -106,8 +115,9 @@ std::string explore_summary(const ExploreResult& result, const ExploreSetup& set
   const terrain::ExploreStep& last = result.last();
   std::string text = how_it_ended(result, setup);
   text += fmt::format(
-      "rules: {}\nmeasurements: {} first, {} after\nsafe cells: {}\ntravelled: {:.1f} cells\n",
+      "rules: {}\nmeasurements: {}{} first, {} after\nsafe cells: {}\ntravelled: {:.1f} cells\n",
       terrain::to_string(setup.rules.kind),
+      setup.known.empty() ? "" : fmt::format("{} known, ", setup.known.size()),
       setup.first_cells.size() + 1,
       result.steps.size() - 1,
       last.safe,
@@ -115,10 +125,18 @@ std::string explore_summary(const ExploreResult& result, const ExploreSetup& set
   if (setup.goal) {
     text += certificate(result);
   }
+  if (setup.rules.kind == terrain::RuleSet::band) {
+    text += fmt::format(
+        "assumed: a Gaussian field of length scale {:g} cells or more, certified by a band of {:g} "
+        "sd\n",
+        setup.prior.length_scale,
+        setup.rules.band());
+  } else {
+    text += fmt::format("Lipschitz constant: {:.6g}\n", last.lipschitz);
+  }
   text += fmt::format(
-      "Lipschitz constant: {:.6g}\nunsafe cells held to be safe, at most: {}\nsteps "
+      "unsafe cells held to be safe, at most: {}\nsteps "
       "onto unsafe cells: {}\n",
-      last.lipschitz,
       result.most_unsafe_certified,
       last.unsafe_visits);
   if (setup.motion == terrain::Motion::reactive) {

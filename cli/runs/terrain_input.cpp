@@ -136,36 +136,38 @@ void require_free(const terrain::Grid& grid,
                   const TerrainGrid& terrain,
                   const terrain::CellSet& blocked,
                   terrain::Cell start,
-                  std::optional<terrain::Cell> goal) {
+                  const std::vector<terrain::Cell>& goals) {
   if (blocked.empty()) {
     return;
   }
-  for (const auto& [name, cell] : {std::pair{"start", std::optional(start)}, {"goal", goal}}) {
-    if (cell && blocked[grid.index(*cell)] != 0) {
+  const auto require = [&](const char* name, terrain::Cell cell) {
+    if (blocked[grid.index(cell)] != 0) {
       throw BadData(fmt::format("the {} ({}, {}) lies in {}; name another cell",
                                 name,
-                                cell->x,
-                                cell->y,
-                                std::isnan(terrain.values[grid.index(*cell)])
+                                cell.x,
+                                cell.y,
+                                std::isnan(terrain.values[grid.index(cell)])
                                     ? "a gap of the terrain, where nothing is known"
                                     : "a physical obstacle"));
     }
-  }
-  if (!goal) {
-    return;
-  }
+  };
+  require("start", start);
   terrain::CellSet free(blocked.size());
   std::transform(blocked.begin(), blocked.end(), free.begin(), [](std::uint8_t b) {
     return b == 0 ? std::uint8_t{1} : std::uint8_t{0};
   });
-  if (terrain::component_of(grid, free, start)[grid.index(*goal)] == 0) {
-    throw BadData(
-        fmt::format("the goal ({}, {}) cannot be reached whatever the ground is: obstacles or gaps "
-                    "lie all the way between it and the start ({}, {})",
-                    goal->x,
-                    goal->y,
-                    start.x,
-                    start.y));
+  const terrain::CellSet reach = terrain::component_of(grid, free, start);
+  for (const terrain::Cell goal : goals) {
+    require("goal", goal);
+    if (reach[grid.index(goal)] == 0) {
+      throw BadData(fmt::format(
+          "the goal ({}, {}) cannot be reached whatever the ground is: obstacles or gaps "
+          "lie all the way between it and the start ({}, {})",
+          goal.x,
+          goal.y,
+          start.x,
+          start.y));
+    }
   }
 }
 

@@ -34,11 +34,12 @@ namespace tcert::cli {
                                              const TerrainFileOptions& options,
                                              Progress& progress);
 
-/// \throws BadData if start or goal are blocked, or apart for what is blocked, whatever the ground.
+/// \throws BadData if start or goals are blocked, or apart for what is blocked, whatever the
+/// ground.
 void require_free(const terrain::Grid& grid,
                   const TerrainGrid& terrain,
                   const terrain::CellSet& blocked,
                   terrain::Cell start,
-                  std::optional<terrain::Cell> goal);
+                  const std::vector<terrain::Cell>& goals);
 
 }  // namespace tcert::cli

@@ -16,7 +16,9 @@ class Run {
 
   ExploreResult run() {
     for (const Cell c : setup_.first_cells) {
-      explorer_.add({position(c), terrain_.at(c)});
+      if (setup_.known.empty() || explorer_.asks_for(c)) {
+        explorer_.add({position(c), terrain_.at(c)});
+      }
     }
     measure();
     for (int step = 0;; ++step) {
@@ -93,8 +95,10 @@ class Run {
     result_.free_space = way.free_space;
     ++result_.ways;
     result_.controller_fallbacks += way.fell_back ? 1U : 0U;
-    result_.controller_cells += way.by_controller;
-    result_.route_cells += way.length - way.by_controller;
+    for (const double step : way.driven) {
+      result_.controller_cells += step;
+    }
+    result_.route_cells += way.walked;
   }
 
   const Terrain& terrain_;

@@ -52,14 +52,16 @@ struct ExploreSetup {
   Motion motion = Motion::route;
   double robot_radius = 2.0;
   double simplification = 4.0;  ///< Tolerance of outlines and depth of sub-goals (`published`).
-  /// `reactive`, not `published`: the controller is sent to the nearest cell so deep within the
-  /// ground, and a route goes the rest.
+  /// `reactive`, not `published`: the controller drives between the nearest cells so deep within
+  /// the ground, and routes lead there and away.
   double sub_goal_depth = 0.0;
   Body body;  ///< What must be certified for the robot to stand.
   AdaptivePrior adaptive;
   /// Confidence of FieldScale's bounds, of which `band` has its scale and, unless it is 0,
   /// `certified` its Lipschitz constant, which then falls as more is measured.
   double confidence = 0.0;
+  /// The prior's variance follows the Lipschitz constant that is bounded: see variance_of().
+  bool prior_follows_lipschitz = false;
   double noise_sd = 0.0;   ///< Of a measurement, for these bounds.
   GradientPrior gradient;  ///< Declared for these bounds, from earlier ground.
 };
@@ -119,7 +121,7 @@ struct ExploreResult {
   double controller_cells = 0.0;  ///< Length of the way gone by the controller.
   double route_cells = 0.0;       ///< Length of the way gone by routes.
   Position frontier{0.0, 0.0};    ///< The cell within reach that is nearest to the goal.
-  Cell goal;                      ///< The goal that this is of: the last that was looked for.
+  Cell goal;                      ///< The last that was looked for; meaningless without one.
 
   [[nodiscard]] const ExploreStep& last() const { return steps.back(); }
 };

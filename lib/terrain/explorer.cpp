@@ -145,7 +145,10 @@ Way Explorer::go_to_goal() { return follow(*goal_); }
 
 Way Explorer::follow(Cell to) {
   Way way = way_to(planner_.grid(), planner_.standing(), robot_, to, to == goal_, setup_);
-  travelled_ += way.length;
+  for (const double step : way.driven) {
+    travelled_ += step;
+  }
+  travelled_ += way.walked;
   robot_ = position(to);
   return way;
 }

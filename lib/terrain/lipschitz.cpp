@@ -71,4 +71,9 @@ double steepest_factor(const Grid& grid, double length_scale, double risk) {
   return std::sqrt(t);
 }
 
+double variance_of(const Grid& grid, double lipschitz, double length_scale) {
+  const double sd = lipschitz * length_scale / steepest_factor(grid, length_scale, 0.5);
+  return sd * sd;
+}
+
 }  // namespace tcert::terrain

@@ -24,4 +24,7 @@ namespace tcert::terrain {
 /// length_scale^2.
 [[nodiscard]] double steepest_factor(const Grid& grid, double length_scale, double risk);
 
+/// Of a field whose steepest gradient on the grid is as often below as above `lipschitz`.
+[[nodiscard]] double variance_of(const Grid& grid, double lipschitz, double length_scale);
+
 }  // namespace tcert::terrain

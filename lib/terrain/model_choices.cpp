@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <terrain/confidence.hpp>
+#include <terrain/lipschitz.hpp>
 #include <terrain/model_choices.hpp>
 
 namespace tcert::terrain {
@@ -47,6 +47,13 @@ void ModelChoices::apply_scale(Planner& planner) const {
     planner.set_field_variance(scale_->variance_bound());
   } else if (scale_->variance_bound() > 0.0) {
     planner.set_lipschitz(scale_->lipschitz_bound(planner.grid()));
+    if (setup_.prior_follows_lipschitz) {
+      GpPrior prior = planner.model().prior();
+      prior.variance = variance_of(planner.grid(), planner.rules().lipschitz, prior.length_scale);
+      if (prior != planner.model().prior()) {
+        planner.change_prior(prior);
+      }
+    }
   }
 }
 

@@ -109,7 +109,8 @@ void Planner::set_field_variance(double variance) {
   field_variance_ = variance;
   if (rules_.noise_sd > 0.0) {
     GpPrior prior = model_->prior();
-    prior.noise_variance = prior.variance * rules_.noise_sd * rules_.noise_sd / variance;
+    prior.noise_variance =
+        prior.variance * (kBandNugget + rules_.noise_sd * rules_.noise_sd / variance);
     change_prior(prior);
   }
 }

@@ -35,6 +35,9 @@ enum class Selection {
 /// Band of the model that may be trusted with certifying: 5 sd.
 inline constexpr double kTrustedBeta = 25.0;
 
+/// Of the model of `band`, as a share of the field's variance.
+inline constexpr double kBandNugget = 1e-6;
+
 struct Rules {
   RuleSet kind = RuleSet::certified;
   double threshold = 1000.0;  ///< h: ground is safe at f >= h.

@@ -8,11 +8,23 @@
 namespace tcert::terrain {
 namespace {
 
+/// Over a route, to a cell or nowhere.
+void walk(Way& way, const std::vector<Cell>& route, bool is_goal) {
+  for (std::size_t k = 1; k < route.size(); ++k) {
+    // The end is visited by the measurement there, if there is one.
+    if (k + 1 < route.size() || is_goal) {
+      way.cells.push_back(route[k]);
+    }
+    way.points.push_back(position(route[k]));
+  }
+  way.walked += route_length(route);
+}
+
 /// As far as the controller brings the robot; returns the cell where it stands.
 Cell react(Way& way,
            const Grid& grid,
            const CellSet& ground,
-           const Position& from,
+           Position from,
            Cell to,
            const ExploreSetup& setup) {
   ControllerOptions options;
@@ -20,17 +32,20 @@ Cell react(Way& way,
   options.simplification = setup.simplification;
   Cell target = to;
   if (setup.sub_goal_depth > 0.0 && setup.rules.kind != RuleSet::published) {
+    // Out of the rim that outlines give up, where the map has no sense; and not into it.
     const CellSet part = component_of(grid, ground, nearest_cell(from));
     target = nearest_deep(grid, part, to, setup.sub_goal_depth).value_or(to);
+    const Cell deep = nearest_deep(grid, part, nearest_cell(from), setup.sub_goal_depth)
+                          .value_or(nearest_cell(from));
+    walk(way, shortest_route(grid, ground, nearest_cell(from), deep), true);
+    from = position(deep);
   }
   const ReactiveWay driven = reactive_way(grid, ground, from, position(target), options);
   way.free_space = driven.free_space;
   Cell before = nearest_cell(from);
   for (std::size_t k = 1; k < driven.path.size(); ++k) {
     const Cell c = nearest_cell(driven.path[k]);
-    const double length = (driven.path[k] - driven.path[k - 1]).norm();
-    way.length += length;
-    way.by_controller += length;
+    way.driven.push_back((driven.path[k] - driven.path[k - 1]).norm());
     if (!(c == before)) {
       way.cells.push_back(c);
       before = c;
@@ -50,7 +65,7 @@ void pursue(Way& way, const std::vector<Position>& points, bool is_goal) {
   if (!is_goal && !way.cells.empty()) {
     way.cells.pop_back();  // The end is visited by the measurement there.
   }
-  way.length += length_of(points);
+  way.walked += length_of(points);
 }
 
 }  // namespace
@@ -80,14 +95,7 @@ Way way_to(const Grid& grid,
   if (route.empty()) {
     route = {at, to};
   }
-  for (std::size_t k = 1; k < route.size(); ++k) {
-    // The end is visited by the measurement there, if there is one.
-    if (k + 1 < route.size() || is_goal) {
-      way.cells.push_back(route[k]);
-    }
-    way.points.push_back(position(route[k]));
-  }
-  way.length += route_length(route);
+  walk(way, route, is_goal);
   return way;
 }
 

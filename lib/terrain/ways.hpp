@@ -10,8 +10,8 @@ namespace tcert::terrain {
 struct Way {
   std::vector<Position> points;      ///< From the first after the start to the end.
   std::vector<Cell> cells;           ///< Stepped onto in between; the end only if it is a goal.
-  double length = 0.0;               ///< Cells.
-  double by_controller = 0.0;        ///< Of it, gone by the controller; the rest by a route.
+  std::vector<double> driven;        ///< Lengths of the controller's steps, cells.
+  double walked = 0.0;               ///< Length of the rest, on routes and in line of sight.
   bool fell_back = false;            ///< The controller did not come to within a cell of its end.
   std::vector<Position> free_space;  ///< Of the controller as it set out.
 };

@@ -50,4 +50,16 @@ Table path_table(const terrain::ExploreResult& result,
   return table;
 }
 
+Table measurement_table(const std::vector<terrain::Measurement>& measurements,
+                        const std::optional<SyntheticLabel>& synthetic) {
+  using terrain::Measurement;
+  Table table = ColumnsOf<Measurement>()
+                    .number("x", "x", [](auto& m) { return m.at.x(); })
+                    .number("y", "y", [](auto& m) { return m.at.y(); })
+                    .number("value", "value", &Measurement::value)
+                    .table("measurements", "What was measured", measurements);
+  table.synthetic = synthetic;
+  return table;
+}
+
 }  // namespace tcert

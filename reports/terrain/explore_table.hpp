@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <terrain/explore.hpp>
+#include <vector>
 
 #include "reports/table.hpp"
 
@@ -21,5 +22,9 @@ namespace tcert {
 /// The positions the robot went through, in order: x, y.
 [[nodiscard]] Table path_table(const terrain::ExploreResult& result,
                                const std::optional<SyntheticLabel>& synthetic);
+
+/// What was measured, in order, that of earlier runs among it: x, y, value.
+[[nodiscard]] Table measurement_table(const std::vector<terrain::Measurement>& measurements,
+                                      const std::optional<SyntheticLabel>& synthetic);
 
 }  // namespace tcert
