@@ -2,6 +2,7 @@
 /// \file
 /// Terrain files: a rectangle of numbers, one line a row; a list of points; an ESRI ASCII grid.
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -17,12 +18,36 @@ inline constexpr std::size_t kMostTerrainCells = std::size_t{1} << 26U;
 inline constexpr int kMostTerrainSide = 8192;
 inline constexpr double kLargestTerrainValue = 1e30;
 
+/// Where the cells lie on a map: the centre of cell (x, y) is at the origin, x steps along the rows
+/// and y steps along the columns.
+struct MapFrame {
+  double east = 0.0;  ///< First coordinate of the centre of cell (0, 0).
+  double north = 0.0;
+  /// Rows run from north to south and columns from west to east, as in an ESRI grid; else x counts
+  /// the first coordinate and y the second, both upwards, as in a list of points.
+  bool rows_run_south = false;
+  double x_step = 1.0;  ///< Metres, or whatever the map is in, from one x to the next; > 0.
+  double y_step = 1.0;
+  bool is_declared = false;  ///< By the file; else all of it is what there is by default.
+
+  [[nodiscard]] double first_of(double x, double y) const noexcept {
+    return east + (rows_run_south ? y * y_step : x * x_step);
+  }
+  [[nodiscard]] double second_of(double x, double y) const noexcept {
+    return rows_run_south ? north - x * x_step : north + y * y_step;
+  }
+  [[nodiscard]] bool is_square() const noexcept {
+    return std::abs(x_step - y_step) <= 1e-6 * x_step;
+  }
+};
+
 /// Row-major values; row x of the file is x = 0, 1, ... NaN is a gap: nothing is known there.
 struct TerrainGrid {
   int rows = 0;
   int columns = 0;
   std::vector<double> values;
   std::string header;  ///< The line that was dropped as such; empty if there was none.
+  MapFrame frame{};
 };
 
 enum class TerrainHeader {

@@ -1,5 +1,6 @@
 #include "cli/runs/live/live.hpp"
 
+#include "cli/commands/live_terrain.hpp"
 #include "cli/commands/run_command.hpp"
 
 namespace tcert::cli {
@@ -27,6 +28,7 @@ of the record or of the rows, the run goes on: that is said once, what is lost i
 exit code is 73.
 
 Usage: tcert live --bundle BUNDLE [options] < ticks
+       tcert live terrain [LAYOUT] [options] < measurements   (see 'tcert live terrain --help')
 
 Example:
   robot_driver | tcert live --bundle results/corpus/bundle.json
@@ -42,9 +44,16 @@ Cost: about a microsecond of certifying per tick; memory does not grow with the 
 bytes a tick for witnesses, up to a million ticks.
 )";
 
-int run_live(Arguments arguments) { return run_command(kLiveText, arguments, live); }
+int run_live(Arguments arguments) {
+  if (!arguments.empty() && arguments.front() == "terrain") {
+    return live_terrain_command(arguments.subspan(1));
+  }
+  return run_command(kLiveText, arguments, live);
+}
 
-std::vector<CommandForm> live_forms() { return {form_for<LiveRequest>(kLiveText)}; }
+std::vector<CommandForm> live_forms() {
+  return {form_for<LiveRequest>(kLiveText), live_terrain_form()};
+}
 
 }  // namespace
 

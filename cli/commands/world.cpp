@@ -15,7 +15,7 @@ Printed as an interval: at least what a path that was found and measured is wort
 clearance alone allows, which is exact for fields of discs and within a stated error for others.
 
 Files: .json or .jsonl (the worlds of a bundle; one, an array, one a line), .csv of discs
-(world,x_m,y_m,radius_m), .map of MovingAI, .yaml of ROS map_server with its PGM image (unknown is
+(world,x_m,y_m,radius_m), .map of MovingAI, .yaml of ROS map_server with its PGM or PNG image, turned or not (unknown is
 occupied); also .gz and .zst. A world that cannot be used is named, the others go on (exit code 3).
 Everything outside of a world's bounds is occupied; a CSV's bounds hold its discs, S and G.
 

@@ -50,6 +50,10 @@ struct ExploreRequest {
   bool adaptive = false;
   bool trust_model = false;
   std::string obstacles;
+  std::string units = "cells";
+  double cell_size = 1.0;
+  std::string rasters;
+  std::string baseline;
   std::int64_t max_steps = 2000;
   std::int64_t frames = 9;
   OutputPath output;
@@ -57,6 +61,8 @@ struct ExploreRequest {
   std::vector<std::string> given;  ///< Those go before the config file.
 };
 
+/// All but the terrain and those that commands share.
+void add_explore_options(OptionTable& table, ExploreRequest& request);
 [[nodiscard]] OptionTable options_of(ExploreRequest& request);
 
 /// The summary as text; with an output also the folder of results. The code says how it ended.

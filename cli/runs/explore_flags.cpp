@@ -8,6 +8,7 @@
 #include <terrain/limits.hpp>
 
 #include "cli/runs/errors.hpp"
+#include "cli/runs/explore_rasters.hpp"
 #include "cli/runs/progress.hpp"
 
 namespace tcert::cli {
@@ -201,6 +202,14 @@ void check(const ExploreRequest& o, Progress& progress) {
   }
   require_word("rules", o.rules, {"certified", "band", "thesis", "published"});
   require_word("motion", motion_of(o), {"pursuit", "route", "reactive", "jump"});
+  require_word("units", o.units, {"cells", "metres"});
+  if (!o.baseline.empty()) {
+    require_word("baseline", o.baseline, {"straight", "sparse-rrt"});
+  }
+  if (!o.rasters.empty() && o.output.path.empty()) {
+    throw UsageError("--rasters needs --output DIR to write them to");
+  }
+  (void)raster_formats_of(o.rasters);
   require_word("selection", selection_of(o), {"horizon", "look-ahead", "pareto", "thesis"});
   if (!o.mode.empty()) {
     require_word("mode", o.mode, {"navigate", "explore"});

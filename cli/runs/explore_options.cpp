@@ -2,9 +2,7 @@
 
 namespace tcert::cli {
 
-OptionTable options_of(ExploreRequest& request) {
-  OptionTable table(request.given);
-  table.argument({"TERRAIN", &request.terrain, false, OptionRole::input});
+void add_explore_options(OptionTable& table, ExploreRequest& request) {
   table.add_input("config", request.config, "FILE", "published configuration file (INI)");
   table.add("rules", request.rules, "RULES", "certified, band, thesis or published");
   table.add("start", request.start, "X,Y", "cell where the robot stands");
@@ -147,8 +145,38 @@ OptionTable options_of(ExploreRequest& request) {
       request.obstacles,
       "FILE",
       "second layer, a terrain file of the same size: cells that are not 0, or gaps, are blocked");
+  table.add(
+      "units",
+      request.units,
+      "WORD",
+      "of lengths, slopes and places that are given by flag: cells, or metres of the map that "
+      "an ESRI grid, a list of points or --cell-size says (start radius and kernel defaults "
+      "stay in cells)");
+  table
+      .add("cell-size",
+           request.cell_size,
+           "M",
+           "metres from one line of a rectangle to the next, of a file that does not say so")
+      .within(1e-6, 1e6);
+  table.add(
+      "rasters",
+      request.rasters,
+      "FORMATS",
+      "what is known of every cell at the end, as DIR/rasters/*: asc (ESRI ASCII), csv (x, y, "
+      "value), png, comma between");
+  table.add("baseline",
+            request.baseline,
+            "METHOD",
+            "what the method is compared with in its place: straight, a walk to the goal, or "
+            "sparse-rrt, a sparse process seen from afar under RRT* (--seed)");
   table.add("max-steps", request.max_steps, "N", "measurements at most");
   table.add("frames", request.frames, "N", "pictures, evenly spaced over the run");
+}
+
+OptionTable options_of(ExploreRequest& request) {
+  OptionTable table(request.given);
+  table.argument({"TERRAIN", &request.terrain, false, OptionRole::input});
+  add_explore_options(table, request);
   add_common(table, request);
   return table;
 }

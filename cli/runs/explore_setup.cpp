@@ -7,6 +7,7 @@
 #include <table/random.hpp>
 #include <terrain/limits.hpp>
 #include <terrain/lipschitz.hpp>
+#include <terrain/settle.hpp>
 
 #include "cli/runs/errors.hpp"
 #include "cli/runs/explore_flags.hpp"
@@ -24,24 +25,6 @@ using terrain::Terrain;
 /// Whether nobody is to measure at a cell.
 [[nodiscard]] bool is_blocked(const Terrain& terrain, const terrain::CellSet& blocked, Cell c) {
   return !blocked.empty() && blocked[terrain.grid.index(c)] != 0;
-}
-
-/// The cells within `radius` of the start that are not blocked, the start not among them.
-[[nodiscard]] std::vector<Cell> cells_round(const Terrain& terrain,
-                                            const terrain::CellSet& blocked,
-                                            Cell start,
-                                            int radius) {
-  std::vector<Cell> cells;
-  for (int x = start.x - radius; x <= start.x + radius; ++x) {
-    for (int y = start.y - radius; y <= start.y + radius; ++y) {
-      const Cell c{x, y};
-      if (terrain.grid.contains(c) && !(c == start) &&
-          squared_distance(c, start) <= radius * radius && !is_blocked(terrain, blocked, c)) {
-        cells.push_back(c);
-      }
-    }
-  }
-  return cells;
 }
 
 /// The published program's 50 draws round the start; those below the threshold are discarded, and
@@ -106,86 +89,19 @@ using terrain::Terrain;
   return first;
 }
 
-/// The bound that the exploration itself begins with.
-[[nodiscard]] terrain::FieldScale scale_of(const terrain::ExploreSetup& setup,
-                                           double length_scale,
-                                           const std::vector<Measurement>& first) {
-  terrain::FieldScale scale({length_scale, setup.noise_sd, setup.confidence, setup.gradient});
-  for (const Measurement& m : first) {
-    scale.add(m);
-  }
-  (void)scale.renew();
-  return scale;
-}
-
-/// The Lipschitz constant that the first measurements bound. \throws UsageError, BadData.
-[[nodiscard]] double first_bound(const terrain::ExploreSetup& setup,
-                                 const std::vector<Measurement>& first,
-                                 const terrain::Grid& grid,
-                                 Progress& progress) {
-  const terrain::FieldScale scale = scale_of(setup, setup.prior.length_scale, first);
-  const double bound = std::max(scale.lipschitz_bound(grid),
-                                terrain::steepest_measured(first, setup.rules.noise_bound));
-  if (!std::isfinite(bound) || !(bound > 0.0)) {
-    throw UsageError("the Lipschitz constant cannot be estimated from " +
-                     std::to_string(first.size()) +
-                     " measurements; give it with --lipschitz or raise --start-radius");
-  }
-  if (const double least = terrain::limit_of("lipschitz").low; bound < least) {
-    throw BadData(
-        fmt::format("the slopes of the terrain are too small to reckon with: {:.3g} per cell, at "
-                    "least {:g} is "
-                    "needed; multiply its values",
-                    bound,
-                    least));
-  }
-  progress.say(
-      fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} measurements; "
-                  "it falls as more is measured. That takes the terrain for a Gaussian field of "
-                  "length scale {:g} cells (--kernel-length-scale).",
-                  bound,
-                  100.0 * setup.confidence,
-                  first.size(),
-                  setup.prior.length_scale));
-  return bound;
-}
-
-/// What no error of so many measurements exceeds with the confidence, if each is Gaussian.
-[[nodiscard]] double noise_bound_of(double sd, double confidence, std::size_t measurements) {
-  const double tail =
-      (1.0 - confidence) / static_cast<double>(std::max<std::size_t>(measurements, 1));
-  double low = 0.0;
-  double high = 40.0;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    (std::erfc(middle / std::sqrt(2.0)) > tail ? low : high) = middle;
-  }
-  return sd * high;
-}
-
 /// Lipschitz constant and prior of the certified rules, from what was measured round the start.
 void set_certified(terrain::ExploreSetup& setup,
                    const ExploreRequest& o,
                    Progress& progress,
                    const Terrain& terrain) {
-  if (o.noise_sd > 0.0 && !is_given(o.given, "noise-bound")) {
-    const auto most = static_cast<std::size_t>(setup.max_steps) + setup.first_cells.size() + 1;
-    setup.rules.noise_bound = noise_bound_of(o.noise_sd, o.confidence, most);
-    progress.say(fmt::format(
-        "noise bound {:.4g}: with --noise-sd {:g} all of {} measurements keep it at {:g} % "
-        "confidence.",
-        setup.rules.noise_bound,
-        o.noise_sd,
-        most,
-        100.0 * o.confidence));
-  }
+  settle_noise(setup, o, progress);
   const std::vector<Measurement> first = safe_start(setup, terrain);
   const double steepest = terrain::steepest_measured(first, setup.rules.noise_bound);
-  bool estimated = o.lipschitz.empty() || o.lipschitz == "auto";
-  if (!estimated) {
+  terrain::Told told = told_of(o);
+  if (told.lipschitz) {
     setup.rules.lipschitz = lipschitz_of(o);
     if (steepest > setup.rules.lipschitz * (1.0 + 1e-9)) {
-      estimated = true;
+      told.lipschitz = false;
       progress.say(fmt::format(
           "warning: the Lipschitz constant {} is contradicted by the first measurements "
           "({:.3g} per cell); it is estimated instead. Give the terrain's own with "
@@ -194,38 +110,36 @@ void set_certified(terrain::ExploreSetup& setup,
           steepest));
     }
   }
-  if (estimated) {
-    setup.confidence = o.confidence;
-    setup.rules.lipschitz = first_bound(setup, first, terrain.grid, progress);
+  setup.confidence = told.lipschitz ? 0.0 : o.confidence;
+  try {
+    terrain::settle(setup, terrain.grid, first, told);
+  } catch (const std::invalid_argument& error) {
+    throw BadData(std::string(error.what()) + " (--lipschitz, --start-radius)");
   }
-  // The prior's scale is that of the data: a field whose steepest gradient is the constant.
-  if (!is_given(o.given, "kernel-variance")) {
-    setup.prior.variance =
-        terrain::variance_of(terrain.grid, setup.rules.lipschitz, setup.prior.length_scale);
-    setup.prior_follows_lipschitz = estimated;
-  }
-  if (!is_given(o.given, "kernel-mean")) {
-    setup.prior.mean = terrain.at(setup.start);
+  if (!told.lipschitz) {
+    progress.say(
+        fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} "
+                    "measurements; it falls as more is measured. That takes the terrain for a "
+                    "Gaussian field of length scale {:g} cells (--kernel-length-scale).",
+                    setup.rules.lipschitz,
+                    100.0 * setup.confidence,
+                    first.size(),
+                    setup.prior.length_scale));
   }
 }
 
 /// A field of unit variance, whose scale the exploration bounds.
-void set_band(terrain::ExploreSetup& setup,
-              const ExploreRequest& o,
-              Progress& progress,
-              const Terrain& terrain) {
-  setup.confidence = o.confidence;
-  const double length_scale = o.least_length_scale.value_or(0.5 * o.kernel_length_scale);
-  setup.prior = {terrain.at(setup.start), 1.0, length_scale, terrain::kBandNugget, true};
-  const terrain::FieldScale scale = scale_of(setup, length_scale, safe_start(setup, terrain));
+void set_band(terrain::ExploreSetup& setup, Progress& progress, const Terrain& terrain) {
+  const std::vector<Measurement> first = safe_start(setup, terrain);
+  terrain::settle(setup, terrain.grid, first, {});
   progress.say(fmt::format(
       "band of {:.3g} sd, sd at most {:.4g} at {:g} % confidence. It takes the terrain for a "
       "Gaussian field with a squared-exponential covariance of length scale {:g} cells or more: "
       "on rougher ground it holds unsafe cells safe (see --help).",
       setup.rules.band(),
-      std::sqrt(scale.variance_bound()),
-      100.0 * o.confidence,
-      length_scale));
+      std::sqrt(terrain::first_scale(setup, first).variance_bound()),
+      100.0 * setup.confidence,
+      setup.prior.length_scale));
 }
 
 /// S_0 is what was measured round the start and found safe.
@@ -277,11 +191,9 @@ Places places_of(const ExploreRequest& o, const terrain::Grid& grid) {
   return places;
 }
 
-terrain::ExploreSetup explore_setup(const ExploreRequest& o,
-                                    Progress& progress,
-                                    const Terrain& terrain,
-                                    terrain::CellSet blocked) {
-  const Places places = places_of(o, terrain.grid);
+terrain::ExploreSetup places_setup(const ExploreRequest& o,
+                                   const Places& places,
+                                   terrain::CellSet blocked) {
   terrain::ExploreSetup setup;
   setup.start = places.start;
   if (!places.goals.empty()) {
@@ -289,6 +201,20 @@ terrain::ExploreSetup explore_setup(const ExploreRequest& o,
     setup.more_goals.assign(places.goals.begin() + 1, places.goals.end());
   }
   setup.blocked = std::move(blocked);
+  setup.max_steps = static_cast<int>(o.max_steps);
+  return setup;
+}
+
+terrain::Told told_of(const ExploreRequest& o) {
+  return {!o.lipschitz.empty() && o.lipschitz != "auto",
+          is_given(o.given, "kernel-variance"),
+          is_given(o.given, "kernel-mean")};
+}
+
+terrain::ExploreSetup unsettled_setup(const ExploreRequest& o,
+                                      const terrain::Grid& grid,
+                                      terrain::CellSet blocked) {
+  terrain::ExploreSetup setup = places_setup(o, places_of(o, grid), std::move(blocked));
   setup.rules.kind = *terrain::rule_set_from(o.rules);
   setup.rules.threshold = o.threshold;
   setup.rules.beta = o.beta;
@@ -303,24 +229,51 @@ terrain::ExploreSetup explore_setup(const ExploreRequest& o,
   setup.prior = {o.kernel_mean, o.kernel_variance, o.kernel_length_scale, o.noise_variance};
   setup.noise_sd = o.noise_sd;
   setup.gradient = gradient_prior_of(o.gradient_prior);
-  setup.max_steps = static_cast<int>(o.max_steps);
   setup.motion = *terrain::motion_from(motion_of(o));
   setup.sub_goal_depth = o.sub_goal_depth;
   setup.simplification = o.simplification;
   setup.robot_radius = o.robot_radius;
   setup.body = body_of(o.body);
   setup.adaptive.on = o.adaptive;
-  setup.known = known_of(o.known, terrain.grid, setup.blocked);
+  setup.known = known_of(o.known, grid, setup.blocked);
+  if (setup.rules.kind == RuleSet::band) {
+    setup.confidence = o.confidence;
+    setup.prior.length_scale = o.least_length_scale.value_or(0.5 * o.kernel_length_scale);
+  }
+  return setup;
+}
+
+void settle_noise(terrain::ExploreSetup& setup, const ExploreRequest& o, Progress& progress) {
+  if (setup.rules.kind == RuleSet::certified && o.noise_sd > 0.0 &&
+      !is_given(o.given, "noise-bound")) {
+    const auto most = static_cast<std::size_t>(setup.max_steps) + setup.first_cells.size() + 1;
+    setup.rules.noise_bound = terrain::gaussian_noise_bound(o.noise_sd, o.confidence, most);
+    progress.say(fmt::format(
+        "noise bound {:.4g}: with --noise-sd {:g} all of {} measurements keep it at {:g} % "
+        "confidence.",
+        setup.rules.noise_bound,
+        o.noise_sd,
+        most,
+        100.0 * o.confidence));
+  }
+}
+
+terrain::ExploreSetup explore_setup(const ExploreRequest& o,
+                                    Progress& progress,
+                                    const Terrain& terrain,
+                                    terrain::CellSet blocked) {
+  terrain::ExploreSetup setup = unsettled_setup(o, terrain.grid, std::move(blocked));
   setup.first_cells =
       setup.rules.kind == RuleSet::published
           ? published_batch(terrain, setup.blocked, setup.start, o.threshold, o.seed)
-          : cells_round(terrain, setup.blocked, setup.start, static_cast<int>(o.start_radius));
+          : terrain::cells_round(
+                terrain.grid, setup.blocked, setup.start, static_cast<int>(o.start_radius));
   if (setup.rules.kind == RuleSet::certified) {
     set_certified(setup, o, progress, terrain);
     return setup;
   }
   if (setup.rules.kind == RuleSet::band) {
-    set_band(setup, o, progress, terrain);
+    set_band(setup, progress, terrain);
     return setup;
   }
   if (!o.lipschitz.empty()) {

@@ -2,7 +2,7 @@
 /// \file
 /// What `explore` runs, from what it was asked.
 
-#include <terrain/explore.hpp>
+#include <terrain/session.hpp>
 #include <vector>
 
 #include "cli/runs/explore.hpp"
@@ -16,6 +16,22 @@ struct Places {
   std::vector<terrain::Cell> goals;
 };
 [[nodiscard]] Places places_of(const ExploreRequest& options, const terrain::Grid& grid);
+
+/// Start, goals and obstacles alone.
+[[nodiscard]] terrain::ExploreSetup places_setup(const ExploreRequest& options,
+                                                 const Places& places,
+                                                 terrain::CellSet blocked);
+
+/// What the first measurements need not decide.
+[[nodiscard]] terrain::Told told_of(const ExploreRequest& options);
+
+/// The setup as far as the options decide it: see terrain::settle(). \throws UsageError, BadData.
+[[nodiscard]] terrain::ExploreSetup unsettled_setup(const ExploreRequest& options,
+                                                    const terrain::Grid& grid,
+                                                    terrain::CellSet blocked);
+
+/// `certified` with --noise-sd alone: the noise bound, which is said on stderr.
+void settle_noise(terrain::ExploreSetup& setup, const ExploreRequest& options, Progress& progress);
 
 /// The setup for a terrain; says on stderr what of the options could not be used, and why.
 /// `blocked` cells are not measured. \throws UsageError; BadData if the start is not on safe

@@ -111,17 +111,18 @@ ExitCode exit_code_of(End end) noexcept {
   return exit_stranded;
 }
 
-std::string explore_summary(const ExploreResult& result, const ExploreSetup& setup) {
+std::string explore_summary(const ExploreResult& result, const ExploreSetup& setup, double cell_m) {
   const terrain::ExploreStep& last = result.last();
   std::string text = how_it_ended(result, setup);
   text += fmt::format(
-      "rules: {}\nmeasurements: {}{} first, {} after\nsafe cells: {}\ntravelled: {:.1f} cells\n",
+      "rules: {}\nmeasurements: {}{} first, {} after\nsafe cells: {}\ntravelled: {:.1f} cells{}\n",
       terrain::to_string(setup.rules.kind),
       setup.known.empty() ? "" : fmt::format("{} known, ", setup.known.size()),
       setup.first_cells.size() + 1,
       result.steps.size() - 1,
       last.safe,
-      last.travelled);
+      last.travelled,
+      cell_m > 0.0 ? fmt::format(", {:.1f} m", last.travelled * cell_m) : std::string());
   if (setup.goal) {
     text += certificate(result);
   }

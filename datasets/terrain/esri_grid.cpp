@@ -74,6 +74,7 @@ class EsriReader {
     if (read_header() && read_cells()) {
       grid_.nodata = header_.nodata;
       grid_.note = note();
+      set_frame();
     }
     grid_.problems = problems_.take();
     return std::move(grid_);
@@ -175,6 +176,22 @@ class EsriReader {
     return !problems_.has_error();
   }
 
+  void set_frame() {
+    const std::optional<double> dx = header_.dx ? header_.dx : header_.cell;
+    const std::optional<double> dy = header_.dy ? header_.dy : header_.cell;
+    if (!dx || !dy) {
+      return;
+    }
+    MapFrame& frame = grid_.terrain.frame;
+    frame.rows_run_south = true;
+    frame.x_step = *dy;
+    frame.y_step = *dx;
+    frame.east = header_.centre_x ? *header_.centre_x : header_.x.value_or(0.0) + 0.5 * *dx;
+    const double south = header_.centre_y ? *header_.centre_y : header_.y.value_or(0.0) + 0.5 * *dy;
+    frame.north = south + (grid_.terrain.rows - 1) * *dy;
+    frame.is_declared = true;
+  }
+
   [[nodiscard]] std::string note() const {
     std::string text = fmt::format(
         "ESRI ASCII grid of {} x {} cells: x counts its rows from north to south, y its columns "
@@ -198,7 +215,7 @@ class EsriReader {
       text += fmt::format(
           "; its cellsize is {0:.6g}, but lengths, --lipschitz and length scales stay per "
           "cell "
-          "(a slope of s per unit is L = {0:.6g} s)",
+          "(a slope of s per unit is L = {0:.6g} s) unless --units metres says otherwise",
           *dx);
     }
     return text;

@@ -156,7 +156,8 @@ struct Nodes {
   }
   return text + fmt::format(
                     "; lengths, --lipschitz and length scales stay per cell (a slope of s "
-                    "per unit is L = {:.4g} s); --terrain-format grid reads a terrain "
+                    "per unit is L = {:.4g} s) unless --units metres says otherwise; "
+                    "--terrain-format grid reads a terrain "
                     "three cells wide",
                     x.step);
 }
@@ -202,6 +203,7 @@ struct Nodes {
   PointListResult result;
   result.kind = PointList::lattice;
   result.terrain = {x.count, y.count, std::move(nodes.values), {}};
+  result.terrain.frame = {x.low, y.low, false, x.step, y.step, true};
   result.note = note_of(x, y, points);
   return result;
 }

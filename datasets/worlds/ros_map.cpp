@@ -3,7 +3,9 @@
 #include <cmath>
 #include <string_view>
 #include <table/file_kind.hpp>
+#include <tcert/elementary.hpp>
 
+#include "datasets/png_image.hpp"
 #include "datasets/worlds/raster_world.hpp"
 #include "datasets/worlds/world_files.hpp"
 
@@ -33,9 +35,9 @@ std::optional<double> number_of(std::string_view text) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// What was expected, or null: "[x, y, yaw]" with yaw 0.
-const char* read_origin(std::string_view text, Point& origin) {
-  constexpr const char* kExpected = "[x, y, 0] in metres, on one line or a line each";
+/// What was expected, or null: "[x, y, yaw]".
+const char* read_origin(std::string_view text, RosMap& map) {
+  constexpr const char* kExpected = "[x, y, yaw] in metres and radians, on one line or a line each";
   if (text.size() < 2 || text.front() != '[' || text.back() != ']') {
     return kExpected;
   }
@@ -53,10 +55,10 @@ const char* read_origin(std::string_view text, Point& origin) {
     values[k] = *value;
     text.remove_prefix(std::min(comma + 1, text.size()));
   }
-  origin = {values[0], values[1]};
-  return values[2] == 0.0 ? nullptr
-                          : "[x, y, 0]: maps are not turned; set the third number to 0 and give S "
-                            "and G in the map's own axes";
+  map.origin = {values[0], values[1]};
+  map.yaw_rad = values[2];
+  constexpr double kMostYaw = 100.0;
+  return std::abs(values[2]) <= kMostYaw ? nullptr : kExpected;
 }
 
 constexpr const char* kUnknownKey =
@@ -74,7 +76,7 @@ const char* read_key(std::string_view key, std::string_view value, RosMap& map) 
     return map.resolution_m > 0.0 ? nullptr : "metres a cell, above 0";
   }
   if (key == "origin") {
-    return read_origin(value, map.origin);
+    return read_origin(value, map);
   }
   if (key == "negate") {
     map.negate = value == "1" || value == "true";
@@ -177,11 +179,19 @@ std::string read_raw(std::string_view raw, const std::string& wanted, Pgm& image
 }
 
 /// Empty iff the image was read; else what was expected.
-std::string read_pgm(std::string_view text, const std::string& file, Pgm& image) {
+std::string read_image(std::string_view text, const std::string& file, Pgm& image) {
+  const auto kind = table::kind_of_binary(text, file);
+  if (kind && kind->name == "a PNG image") {
+    PngResult png = read_grey_png(text, kMostRasterCells);
+    image.columns = png.image.columns;
+    image.rows = png.image.rows;
+    image.most = 255;
+    image.pixels.assign(png.image.pixels.begin(), png.image.pixels.end());
+    return png.problem;
+  }
   const bool plain = text.substr(0, 2) == "P2";
   if (!plain && text.substr(0, 2) != "P5") {
-    const auto kind = table::kind_of_binary(text, file);
-    return "a PGM image: P2 or P5" +
+    return "a PGM image, P2 or P5, or a PNG image" +
            (kind ? ", but this is " + kind->name + ": convert it to PGM (convert " + file +
                        " map.pgm) and name that in the YAML"
                  : std::string());
@@ -204,6 +214,28 @@ std::string read_pgm(std::string_view text, const std::string& file, Pgm& image)
   }
   fields.skip(1);
   return read_raw(fields.rest(), wanted, image);
+}
+
+Point turned_back(Point p, const RosMap& map) {
+  const double c = elementary::cos(map.yaw_rad);
+  const double s = elementary::sin(map.yaw_rad);
+  const Point d = p - map.origin;
+  return map.origin + Point{c * d.x_m + s * d.y_m, c * d.y_m - s * d.x_m};
+}
+
+/// A region of the map's frame in the axes of its image.
+std::optional<Region> turned_back(std::optional<Region> region, const RosMap& map) {
+  if (!region || map.yaw_rad == 0.0) {
+    return region;
+  }
+  if (auto* const disc = std::get_if<Disc>(&*region)) {
+    disc->centre = turned_back(disc->centre, map);
+  } else {
+    for (Point& vertex : std::get<Polygon>(*region).vertices) {
+      vertex = turned_back(vertex, map);
+    }
+  }
+  return region;
 }
 
 }  // namespace
@@ -268,13 +300,13 @@ std::optional<RosMap> read_ros_yaml(const table::Bytes& bytes,
   return good ? std::optional(map) : std::nullopt;
 }
 
-WorldsResult world_from_pgm(const table::Bytes& bytes,
-                            const std::string& file,
-                            const RosMap& map,
-                            const WorldFrame& frame) {
+WorldsResult world_from_image(const table::Bytes& bytes,
+                              const std::string& file,
+                              const RosMap& map,
+                              const WorldFrame& frame) {
   WorldsResult result;
   Pgm image;
-  const std::string expected = read_pgm(bytes.view(), file, image);
+  const std::string expected = read_image(bytes.view(), file, image);
   if (!expected.empty()) {
     result.diagnostics.push_back({table::Severity::error, file, 0, "", "", expected, 1});
     return result;
@@ -286,9 +318,19 @@ WorldsResult world_from_pgm(const table::Bytes& bytes,
     raster.occupied.push_back(occupancy < map.free_threshold ? 0 : 1);
   }
   World world = raster_world(raster, map.origin, map.resolution_m);
-  world.start = frame.start;
-  world.goal = frame.goal;
+  world.start = turned_back(frame.start, map);
+  world.goal = turned_back(frame.goal, map);
   result.worlds.push_back(std::move(world));
+  if (map.yaw_rad != 0.0) {
+    result.diagnostics.push_back({table::Severity::warning,
+                                  file,
+                                  0,
+                                  "origin",
+                                  std::to_string(map.yaw_rad),
+                                  "nothing else; the map is turned by so many radians: places are "
+                                  "given in its own axes, and S and G were turned back into them",
+                                  1});
+  }
   return result;
 }
 

@@ -1,7 +1,9 @@
 #include "datasets/worlds/world_files.hpp"
 
+#include <iterator>
 #include <set>
 #include <table/file_kind.hpp>
+#include <utility>
 
 #include "datasets/worlds/world_problems.hpp"
 
@@ -27,7 +29,11 @@ WorldsResult read_ros_map(const table::Bytes& yaml, const fs::path& path, const 
     reject(result, image, "a readable file: " + bytes.problem);
     return result;
   }
-  return world_from_pgm(*bytes.bytes, image.string(), *map, frame);
+  WorldsResult world = world_from_image(*bytes.bytes, image.string(), *map, frame);
+  result.worlds = std::move(world.worlds);
+  std::move(
+      world.diagnostics.begin(), world.diagnostics.end(), std::back_inserter(result.diagnostics));
+  return result;
 }
 
 WorldsResult read_any(const fs::path& path, const fs::path& name, const WorldFrame& frame) {

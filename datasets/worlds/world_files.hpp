@@ -44,27 +44,30 @@ struct WorldsResult {
                                                 const std::string& file,
                                                 const WorldFrame& frame);
 
-/// A PGM image, P2 or P5, read as map_server of ROS reads it; see RosMap.
+/// An image as map_server of ROS reads it.
 struct RosMap {
   std::string image;  ///< Path as the YAML has it.
   double resolution_m = 0.0;
-  Point origin;  ///< Low corner of the image's last row.
+  Point origin;          ///< Low corner of the image's last row.
+  double yaw_rad = 0.0;  ///< The image is turned by so much about it, counter-clockwise.
   bool negate = false;
   double occupied_threshold = 0.65;
   double free_threshold = 0.196;
 };
 
-/// image, resolution, origin [x, y, 0] (or a line each), negate, occupied_thresh, free_thresh; mode
-/// trinary. Another key is a warning and has no effect.
+/// image, resolution, origin [x, y, yaw] (or a line each), negate, occupied_thresh, free_thresh;
+/// mode trinary. Another key is a warning and has no effect.
 [[nodiscard]] std::optional<RosMap> read_ros_yaml(const table::Bytes& bytes,
                                                   const std::string& file,
                                                   std::vector<table::Diagnostic>& diagnostics);
 
 /// p = (max - x) / max, or x / max with `negate`; free iff p < free_threshold: unknown is occupied.
-[[nodiscard]] WorldsResult world_from_pgm(const table::Bytes& bytes,
-                                          const std::string& file,
-                                          const RosMap& map,
-                                          const WorldFrame& frame);
+/// The image is a PGM, P2 or P5, or a PNG, of which colours count by their luminance. A turned map
+/// is given in its own axes: S and G are turned back about the origin, which a warning says.
+[[nodiscard]] WorldsResult world_from_image(const table::Bytes& bytes,
+                                            const std::string& file,
+                                            const RosMap& map,
+                                            const WorldFrame& frame);
 
 /// By the name: .json, .jsonl, .csv, .map, .yaml or .yml (with the image it names), each also with
 /// .gz or .zst. Worlds that cannot be asked for their truth (world_problems) are left out with an

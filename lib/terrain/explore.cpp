@@ -26,6 +26,9 @@ class Run {
       if (const auto end = finished(step)) {
         result_.end = *end;
         result_.frontier = explorer_.frontier();
+        if (setup_.wants_layers) {
+          result_.layers = explorer_.layers();
+        }
         result_.goal = explorer_.goal().value_or(Cell{});
         return std::move(result_);
       }

@@ -38,6 +38,17 @@ struct AdaptivePrior {
   std::size_t first = 16;  ///< Measurements before the first choice.
 };
 
+/// What is known of every cell at the end; NaN where nothing is.
+struct Layers {
+  CellSet safe;               ///< S_t without blocked cells.
+  CellSet standing;           ///< Where the body stands on it.
+  std::vector<double> lower;  ///< l_t as the certificate takes it.
+  std::vector<double> upper;  ///< u_t.
+  std::vector<double> mean;   ///< Of the model.
+  std::vector<double> sd;
+  std::vector<double> certificate;  ///< Of the start and the cell: see widest_field().
+};
+
 struct ExploreSetup {
   Rules rules;
   GpPrior prior;
@@ -57,6 +68,7 @@ struct ExploreSetup {
   double sub_goal_depth = 0.0;
   Body body;  ///< What must be certified for the robot to stand.
   AdaptivePrior adaptive;
+  bool wants_layers = false;  ///< See ExploreResult::layers.
   /// Confidence of FieldScale's bounds, of which `band` has its scale and, unless it is 0,
   /// `certified` its Lipschitz constant, which then falls as more is measured.
   double confidence = 0.0;
@@ -121,6 +133,7 @@ struct ExploreResult {
   double controller_cells = 0.0;  ///< Length of the way gone by the controller.
   double route_cells = 0.0;       ///< Length of the way gone by routes.
   Position frontier{0.0, 0.0};    ///< The cell within reach that is nearest to the goal.
+  std::optional<Layers> layers;   ///< If they were wanted.
   Cell goal;                      ///< The last that was looked for; meaningless without one.
 
   [[nodiscard]] const ExploreStep& last() const { return steps.back(); }

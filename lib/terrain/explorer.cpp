@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <terrain/components.hpp>
 #include <terrain/explore_checks.hpp>
 #include <terrain/explorer.hpp>
@@ -62,18 +64,46 @@ const ExploreStep& Explorer::plan(int step, const Measurement& last) {
   row_.lipschitz = planner_.rules().lipschitz;
   row_.travelled = travelled_;
   if (goal_) {
-    const Grid& grid = planner_.grid();
-    const bool is_point = planner_.footprint().is_point();
-    row_.certificate = widest_route(
-        grid,
-        planner_.standing(),
-        is_point ? planner_.proven()
-                 : least_under(grid, planner_.proven(), planner_.standing(), planner_.footprint()),
-        setup_.rules.threshold,
-        leg_start_,
-        *goal_);
+    row_.certificate = widest_route(planner_.grid(),
+                                    planner_.standing(),
+                                    proven_under_body(),
+                                    setup_.rules.threshold,
+                                    leg_start_,
+                                    *goal_);
   }
   return row_;
+}
+
+std::vector<double> Explorer::proven_under_body() const {
+  return least_under(planner_.grid(), planner_.proven(), planner_.standing(), planner_.footprint());
+}
+
+Layers Explorer::layers() const {
+  const auto known = [](std::span<const double> values) {
+    std::vector<double> finite(values.begin(), values.end());
+    for (double& v : finite) {
+      v = std::isfinite(v) ? v : std::numeric_limits<double>::quiet_NaN();
+    }
+    return finite;
+  };
+  const bool is_band = setup_.rules.kind == RuleSet::band;
+  const double scale =
+      is_band ? planner_.field_variance() / planner_.model().prior().variance : 1.0;
+  std::vector<double> sd = known(planner_.model().variance());
+  for (double& v : sd) {
+    v = std::sqrt(std::max(v, 0.0) * scale);
+  }
+  return {planner_.ground(),
+          planner_.standing(),
+          known(planner_.proven()),
+          known(planner_.intervals().upper),
+          known(planner_.model().mean()),
+          known(sd),
+          known(widest_field(planner_.grid(),
+                             planner_.standing(),
+                             proven_under_body(),
+                             setup_.rules.threshold,
+                             setup_.start))};
 }
 
 std::optional<End> Explorer::end(int step) const {

@@ -50,10 +50,14 @@ class Explorer {
   [[nodiscard]] double travelled() const noexcept { return travelled_; }
   /// The cell within reach that is nearest to the goal; the robot's without a goal.
   [[nodiscard]] Position frontier() const;
+  /// Of the last plan. O(cells log cells).
+  [[nodiscard]] Layers layers() const;
   /// Where the robot will go to measure. \pre end() is none
   [[nodiscard]] Cell target() const;
 
  private:
+  /// l_t, or the least of it under the body.
+  [[nodiscard]] std::vector<double> proven_under_body() const;
   [[nodiscard]] bool is_joined_to_goal() const;
   [[nodiscard]] bool deep_enough(int step) const;
   Way follow(Cell to);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <queue>
 #include <terrain/confidence.hpp>
 #include <terrain/routes.hpp>
@@ -81,14 +82,18 @@ double route_length(const std::vector<Cell>& route) noexcept {
   return length;
 }
 
-std::optional<double> widest_route(const Grid& grid,
-                                   const CellSet& ground,
-                                   std::span<const double> value,
-                                   double threshold,
-                                   Cell from,
-                                   Cell to) {
-  if (!is_member(grid, ground, from) || !is_member(grid, ground, to)) {
-    return std::nullopt;
+namespace {
+
+/// Gives `visit` every cell that is joined to `from` with the width of the widest way there, the
+/// widest first, until it returns true.
+template <class Visit>
+void by_width(const Grid& grid,
+              const CellSet& ground,
+              std::span<const double> value,
+              Cell from,
+              Visit visit) {
+  if (!is_member(grid, ground, from)) {
+    return;
   }
   std::vector<double> widest(grid.size(), -kUnbounded);
   CellSet done(grid.size(), 0);
@@ -102,10 +107,10 @@ std::optional<double> widest_route(const Grid& grid,
       continue;
     }
     done[at] = 1;
-    const Cell c = grid.cell(at);
-    if (c == to) {
-      return width - threshold;
+    if (visit(at, width)) {
+      return;
     }
+    const Cell c = grid.cell(at);
     for (std::size_t k = 0; k < 4; ++k) {
       const Cell next{c.x + kSteps[k].x, c.y + kSteps[k].y};
       if (!is_member(grid, ground, next)) {
@@ -119,7 +124,41 @@ std::optional<double> widest_route(const Grid& grid,
       }
     }
   }
-  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> widest_route(const Grid& grid,
+                                   const CellSet& ground,
+                                   std::span<const double> value,
+                                   double threshold,
+                                   Cell from,
+                                   Cell to) {
+  std::optional<double> found;
+  if (!is_member(grid, ground, to)) {
+    return found;
+  }
+  const std::size_t wanted = grid.index(to);
+  by_width(grid, ground, value, from, [&](std::size_t at, double width) {
+    if (at == wanted) {
+      found = width - threshold;
+    }
+    return found.has_value();
+  });
+  return found;
+}
+
+std::vector<double> widest_field(const Grid& grid,
+                                 const CellSet& ground,
+                                 std::span<const double> value,
+                                 double threshold,
+                                 Cell from) {
+  std::vector<double> field(grid.size(), std::numeric_limits<double>::quiet_NaN());
+  by_width(grid, ground, value, from, [&](std::size_t at, double width) {
+    field[at] = width - threshold;
+    return false;
+  });
+  return field;
 }
 
 }  // namespace tcert::terrain

@@ -30,4 +30,11 @@ namespace tcert::terrain {
                                                  Cell from,
                                                  Cell to);
 
+/// The same from one cell to every cell: NaN where they are not joined. O(cells log cells).
+[[nodiscard]] std::vector<double> widest_field(const Grid& grid,
+                                               const CellSet& ground,
+                                               std::span<const double> value,
+                                               double threshold,
+                                               Cell from);
+
 }  // namespace tcert::terrain

@@ -1,5 +1,7 @@
 #include "reports/terrain/explore_table.hpp"
 
+#include <fmt/format.h>
+
 #include "reports/columns_of.hpp"
 
 namespace tcert {
@@ -13,7 +15,8 @@ ColumnsOf<terrain::Cell> cell_columns() {
       .integer("next_y", "next_y", &terrain::Cell::y);
 }
 
-ColumnsOf<ExploreStep> step_columns() {
+/// What is known without the terrain itself.
+ColumnsOf<ExploreStep> felt_columns() {
   return ColumnsOf<ExploreStep>()
       .integer("step", "step", &ExploreStep::step)
       .fixed("x", "x", "cell", 3, [](auto& s) { return s.at.x(); })
@@ -25,7 +28,11 @@ ColumnsOf<ExploreStep> step_columns() {
       .fixed("width", "width", [](auto& s) { return when(s.next.has_value(), s.upper - s.lower); })
       .fixed("certificate", "certificate", &ExploreStep::certificate)
       .fixed("lipschitz", "lipschitz", "1/cell", 3, &ExploreStep::lipschitz)
-      .fixed("travelled", "travelled", "cell", 3, &ExploreStep::travelled)
+      .fixed("travelled", "travelled", "cell", 3, &ExploreStep::travelled);
+}
+
+ColumnsOf<ExploreStep> step_columns() {
+  return felt_columns()
       .integer("unsafe_certified", "unsafe_certified", &ExploreStep::unsafe_certified)
       .integer("unsafe_visits", "unsafe_visits", &ExploreStep::unsafe_visits);
 }
@@ -50,13 +57,31 @@ Table path_table(const terrain::ExploreResult& result,
   return table;
 }
 
-Table measurement_table(const std::vector<terrain::Measurement>& measurements,
+Table live_table(const std::vector<LiveRow>& rows) {
+  const auto way_of = [](const LiveRow& row) {
+    std::string text;
+    for (const terrain::Position& p : row.way) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ";", p.x(), p.y());
+    }
+    return text;
+  };
+  return ColumnsOf<LiveRow>()
+      .part(felt_columns(), [](const LiveRow& row) { return std::optional(row.step); })
+      .text("way", "way", way_of)
+      .text("end",
+            "end",
+            [](const LiveRow& row) { return row.end ? std::string(to_string(*row.end)) : ""; })
+      .table("series", "Exploration, step by step", rows);
+}
+
+Table measurement_table(const std::vector<TakenMeasurement>& measurements,
                         const std::optional<SyntheticLabel>& synthetic) {
-  using terrain::Measurement;
-  Table table = ColumnsOf<Measurement>()
-                    .number("x", "x", [](auto& m) { return m.at.x(); })
-                    .number("y", "y", [](auto& m) { return m.at.y(); })
-                    .number("value", "value", &Measurement::value)
+  using Taken = TakenMeasurement;
+  Table table = ColumnsOf<Taken>()
+                    .number("x", "x", [](auto& m) { return m.measurement.at.x(); })
+                    .number("y", "y", [](auto& m) { return m.measurement.at.y(); })
+                    .number("value", "value", [](auto& m) { return m.measurement.value; })
+                    .integer("plan", "plan", [](auto& m) { return std::int64_t{m.plan ? 1 : 0}; })
                     .table("measurements", "What was measured", measurements);
   table.synthetic = synthetic;
   return table;

@@ -19,12 +19,28 @@ namespace tcert {
 [[nodiscard]] Table explore_table(const terrain::ExploreResult& result,
                                   const std::optional<SyntheticLabel>& synthetic);
 
+/// A row of what a robot is told that is not simulated: the columns of explore_table() but those of
+/// the terrain itself; `way`, places "x y" with ; between, from where it stands to next or the
+/// goal; `end`, empty while it goes on.
+struct LiveRow {
+  terrain::ExploreStep step;
+  std::vector<terrain::Position> way;
+  std::optional<terrain::End> end;
+};
+[[nodiscard]] Table live_table(const std::vector<LiveRow>& rows);
+
 /// The positions the robot went through, in order: x, y.
 [[nodiscard]] Table path_table(const terrain::ExploreResult& result,
                                const std::optional<SyntheticLabel>& synthetic);
 
-/// What was measured, in order, that of earlier runs among it: x, y, value.
-[[nodiscard]] Table measurement_table(const std::vector<terrain::Measurement>& measurements,
+/// A measurement, and whether the robot stood there and planned next.
+struct TakenMeasurement {
+  terrain::Measurement measurement;
+  bool plan = false;
+};
+
+/// What was measured, in order, that of earlier runs among it: x, y, value, plan (0 or 1).
+[[nodiscard]] Table measurement_table(const std::vector<TakenMeasurement>& measurements,
                                       const std::optional<SyntheticLabel>& synthetic);
 
 }  // namespace tcert

@@ -1,4 +1,5 @@
 #include "datasets/worlds/world_files.hpp"
+#include "datasets/png_image.hpp"
 
 #include <gtest/gtest.h>
 
@@ -117,7 +118,7 @@ TEST(WorldFiles, RosMapsPlainAndRaw) {
   const std::string raw("P5\n# a comment\n3 1\n255\n\xfe\xcd\x00", 26);
   for (const std::string& text : {std::string("P2\n3 1 # wide\n255\n254 205 0\n"), raw}) {
     const WorldsResult read =
-        world_from_pgm(table::Bytes::copy_of(text), "m.pgm", ros_map(), frame());
+        world_from_image(table::Bytes::copy_of(text), "m.pgm", ros_map(), frame());
     ASSERT_EQ(read.worlds.size(), 1U) << refusal(read);
     const World& world = read.worlds.front();
     EXPECT_EQ(world.bounds.low, (Point{-1.0, 2.0}));
@@ -128,14 +129,14 @@ TEST(WorldFiles, RosMapsPlainAndRaw) {
     EXPECT_EQ(extent.high, (Point{0.5, 2.5}));
   }
   const WorldsResult negated =
-      world_from_pgm(table::Bytes::copy_of("P2 2 1 255 255 0"), "m.pgm", ros_map(true), frame());
+      world_from_image(table::Bytes::copy_of("P2 2 1 255 255 0"), "m.pgm", ros_map(true), frame());
   ASSERT_EQ(negated.worlds.size(), 1U);
   EXPECT_EQ(extent_of(negated.worlds[0].obstacles.at(0)).low, (Point{-1.0, 2.0}));
 }
 
 TEST(WorldFiles, RosMapsWhoseHeaderLies) {
   const auto refused = [](std::string_view text) {
-    return refusal(world_from_pgm(table::Bytes::copy_of(text), "m.pgm", ros_map(), frame()));
+    return refusal(world_from_image(table::Bytes::copy_of(text), "m.pgm", ros_map(), frame()));
   };
   EXPECT_HAS(refused("P2 2 2 255 0 0 0"), "pixel 3 is missing");
   EXPECT_HAS(refused("P2 2 1 255 0 0 0"), "one map a file");
@@ -157,12 +158,12 @@ TEST(WorldFiles, RosYamlIsReadStrictly) {
   EXPECT_EQ(map->origin, (Point{-1.5, 2.0}));
   EXPECT_EQ(map->free_threshold, 0.25);
   EXPECT_FALSE(read_ros_yaml(
-      table::Bytes::copy_of("image: a.pgm\nresolution: 0\norigin: [0, 0, 1]\nnegat: 0\n"),
+      table::Bytes::copy_of("image: a.pgm\nresolution: 0\norigin: [0, 0, x]\nnegat: 0\n"),
       "m.yaml",
       problems));
   ASSERT_EQ(problems.size(), 3U);
   EXPECT_HAS(table::to_string(problems[0]), "m.yaml:2: error: column 'resolution'");
-  EXPECT_HAS(table::to_string(problems[1]), "maps are not turned");
+  EXPECT_HAS(table::to_string(problems[1]), "[x, y, yaw]");
   EXPECT_HAS(table::to_string(problems[2]), "m.yaml:4: warning: column 'negat'");
 }
 
@@ -179,21 +180,50 @@ TEST(WorldFiles, RosYamlTakesListsALineEachAndKeysThatItDoesNotKnow) {
   ASSERT_EQ(problems.size(), 2U);
   EXPECT_HAS(table::to_string(problems[0]), "m.yaml:8: warning: column 'cost_scale'");
   EXPECT_HAS(table::to_string(problems[1]), "m.yaml:9: warning: column 'layers'");
-  problems.clear();
-  EXPECT_FALSE(read_ros_yaml(
+  const auto turned = read_ros_yaml(
       table::Bytes::copy_of("image: m.pgm\nresolution: 1\norigin:\n- 1\n- 2\n- 0.7\n"),
       "m.yaml",
-      problems));
-  ASSERT_EQ(problems.size(), 1U);
-  EXPECT_HAS(table::to_string(problems[0]), "m.yaml:3: error: column 'origin'");
-  EXPECT_HAS(table::to_string(problems[0]), "maps are not turned");
+      problems);
+  ASSERT_TRUE(turned);
+  EXPECT_EQ(0.7, turned->yaw_rad);
+}
+
+TEST(WorldFiles, TurnedMapsTurnStartAndGoalBack) {
+  RosMap map = ros_map();
+  map.yaw_rad = 1.5707963267948966;
+  WorldFrame turned = frame();
+  // A quarter turn about (-1, 2): what lies one metre north of it lies one metre along the rows.
+  turned.start = Disc{{-1.0, 3.0}, 0.1};
+  const WorldsResult read =
+      world_from_image(table::Bytes::copy_of("P2 3 1 255 254 254 254"), "m.pgm", map, turned);
+  ASSERT_EQ(read.worlds.size(), 1U);
+  const auto disc = std::get<Disc>(*read.worlds[0].start);
+  EXPECT_NEAR(disc.centre.x_m, 0.0, 1e-12);
+  EXPECT_NEAR(disc.centre.y_m, 2.0, 1e-12);
+  EXPECT_EQ(disc.radius_m, 0.1);
+  ASSERT_EQ(read.diagnostics.size(), 1U);
+  EXPECT_HAS(table::to_string(read.diagnostics[0]), "in its own axes");
+}
+
+TEST(WorldFiles, PngMapsAreThoseOfTheSamePgm) {
+  const std::string png = png_bytes({3, 2, 1, {254, 205, 0, 254, 254, 10}});
+  const WorldsResult a = world_from_image(table::Bytes::copy_of(png), "m.png", ros_map(), frame());
+  const WorldsResult b = world_from_image(
+      table::Bytes::copy_of("P2 3 2 255 254 205 0 254 254 10"), "m.pgm", ros_map(), frame());
+  ASSERT_EQ(a.worlds.size(), 1U) << refusal(a);
+  EXPECT_EQ(to_json(a.worlds[0]), to_json(b.worlds[0]));
+  for (std::size_t cut = 9; cut < png.size(); cut += 7) {
+    EXPECT_HAS(refusal(world_from_image(
+                   table::Bytes::copy_of(png.substr(0, cut)), "m.png", ros_map(), frame())),
+               "PNG image that is whole");
+  }
 }
 
 TEST(WorldFiles, ImagesThatAreNoPgmAreNamed) {
   using namespace std::string_view_literals;
-  const std::string text = refusal(world_from_pgm(
+  const std::string text = refusal(world_from_image(
       table::Bytes::copy_of("\x89PNG\r\n\x1a\n\0\0"sv), "m.png", ros_map(), frame()));
-  EXPECT_HAS(text, "a PNG image: convert it to PGM (convert m.png map.pgm)");
+  EXPECT_HAS(text, "a PNG image that is whole");
   TemporaryFolder folder;
   EXPECT_HAS(refusal(read_worlds(folder.write("a.map", "\x89PNG\r\n\x1a\n\0\0"sv))), "a PNG image");
 }

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Lines of a robot that measures: CSV x,y,value[,plan], or JSON of the same names.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <terrain/grid.hpp>
+
+namespace tcert::cli {
+
+struct MeasurementLine {
+  terrain::Cell at;
+  double value = 0.0;
+  bool plan = true;  ///< False: measured beside the way, and no answer is wanted.
+};
+
+/// What a line is. Neither a measurement nor a problem: a header, a comment, an empty line.
+struct MeasurementReading {
+  std::optional<MeasurementLine> measurement;
+  std::string problem;  ///< "found ..., expected ..."; or empty.
+};
+
+/// "230,220,1359.4", "230,220,1359.4,0", {"x": 230, "y": 220, "value": 1359.4, "plan": false}. A
+/// CSV line of which no cell is a number is a header.
+[[nodiscard]] MeasurementReading read_measurement(std::string_view line);
+
+}  // namespace tcert::cli

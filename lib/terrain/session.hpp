@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// An exploration by a robot that is not simulated: measurements in, the next place and the way
+/// out.
+
+#include <memory>
+#include <optional>
+#include <terrain/explorer.hpp>
+#include <terrain/settle.hpp>
+#include <vector>
+
+namespace tcert::terrain {
+
+/// What the robot is to do.
+struct Decision {
+  ExploreStep row;            ///< unsafe_certified and unsafe_visits are not known, and 0.
+  std::vector<Position> way;  ///< From where the robot stands, without that, to next or the goal.
+  std::optional<End> end;     ///< None: go to the end of the way, measure there, and plan again.
+  std::size_t goals_reached = 0;
+};
+
+/// Before the first plan the robot measures round its start, and last of all where it stands: what
+/// the setup leaves open is settled by that. Then explore() on a terrain with the same values gives
+/// the same rows, bit for bit, if the robot goes where it is told to.
+class Session {
+ public:
+  /// `setup.first_cells` are not looked at. \throws std::invalid_argument for a setup that is not
+  /// within its limits, and for rules other than `certified` and `band`.
+  Session(const Grid& grid, ExploreSetup setup, const Told& told);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// A measurement beside the way. \throws std::invalid_argument for one that cannot be: outside of
+  /// the grid, on a blocked cell, not within +-1e30, or other than an earlier one of that cell.
+  void take(Cell c, double value);
+
+  /// The robot stands at `c` and measured it. \throws std::invalid_argument as take() does, and at
+  /// the first plan for ground round the start that is not safe, or too little of it.
+  const Decision& plan(Cell c, double value);
+
+  /// Cells that the robot is to measure before the first plan, the start last.
+  [[nodiscard]] std::vector<Cell> first_cells(int radius) const;
+
+  /// Null before the first plan.
+  [[nodiscard]] const Explorer* explorer() const noexcept { return explorer_.get(); }
+  [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
+  [[nodiscard]] const ExploreSetup& setup() const noexcept { return setup_; }
+
+ private:
+  void require(Cell c, double value) const;
+  void begin(const Measurement& at_start);
+  void decide();
+
+  Grid grid_;
+  ExploreSetup setup_;
+  Told told_;
+  std::vector<Measurement> first_;  // before the first plan
+  std::unique_ptr<Explorer> explorer_;
+  int step_ = 0;
+  Measurement last_;
+  Decision decision_;
+};
+
+/// The cells within `radius` of `start` that are not blocked, row by row, the start not among them.
+[[nodiscard]] std::vector<Cell> cells_round(const Grid& grid,
+                                            const CellSet& blocked,
+                                            Cell start,
+                                            int radius);
+
+}  // namespace tcert::terrain

@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// What of a setup the first measurements decide.
+
+#include <span>
+#include <terrain/explore.hpp>
+
+namespace tcert::terrain {
+
+/// What is not decided because it was told.
+struct Told {
+  bool lipschitz = false;  ///< rules.lipschitz; else it is bounded at setup.confidence.
+  bool variance = false;   ///< prior.variance (`certified`).
+  bool mean = false;       ///< prior.mean (`certified`).
+};
+
+/// `certified`: the Lipschitz constant if it was not told, the prior's variance from it, its mean
+/// from the last measurement, that of the start. `band`: a field of unit variance with an unknown
+/// mean, the length scale as it is. Nothing under other rules.
+/// \throws std::invalid_argument if `first` bounds no Lipschitz constant, or one below its Limit.
+void settle(ExploreSetup& setup,
+            const Grid& grid,
+            std::span<const Measurement> first,
+            const Told& told);
+
+/// The bound that FieldScale has of `first`, as the exploration begins with it.
+[[nodiscard]] FieldScale first_scale(const ExploreSetup& setup, std::span<const Measurement> first);
+
+/// What no error of so many measurements exceeds, each being Gaussian, at `confidence` for all.
+[[nodiscard]] double gaussian_noise_bound(double sd, double confidence, std::size_t measurements);
+
+}  // namespace tcert::terrain

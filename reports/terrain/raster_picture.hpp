@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// A layer of a terrain as a picture: pixels are cells.
+
+#include <optional>
+#include <string>
+#include <terrain/grid.hpp>
+#include <vector>
+
+#include "datasets/terrain_file.hpp"
+
+namespace tcert {
+
+/// A place that is marked.
+struct RasterMark {
+  terrain::Cell at;
+  std::uint32_t colour = 0;  ///< 0xRRGGBB.
+};
+
+/// PNG with a cell a pixel, oriented as esri_raster() is: dark blue at the least, over green to
+/// yellow at the largest value, transparent where there is none; marks are discs of three cells.
+[[nodiscard]] std::string raster_picture(const TerrainGrid& layer,
+                                         const std::vector<RasterMark>& marks = {});
+
+}  // namespace tcert
