@@ -26,13 +26,15 @@ Cost: about 2 ms and 115 kB a trial (five times that at native rates).
 
 constexpr std::string_view kTerrainText =
     R"(Make a random terrain whose Lipschitz constant is stated: no two cells differ by more than it times
-their distance. 256 random waves with the covariance of a Gaussian process, scaled.
+their distance. 256 random waves with the covariance of a Gaussian process, scaled; or craters by a
+stated law, as a stand-in for a digital elevation model, which are not scaled.
 
 Usage: tcert simulate terrain --output FILE [options]
 
 Example:
   tcert simulate terrain --output terrain.csv
   tcert simulate terrain --output small.csv --rows 80 --columns 60 --length-scale 10 --lipschitz 40
+  tcert simulate terrain --output craters.csv --kind craters --rows 300 --columns 200
 
 Cost: 0.2 s at 600 x 400 cells.
 )";

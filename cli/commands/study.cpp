@@ -15,6 +15,8 @@ STUDY is one of
   gate         do the sets of the 50 % point of the micro-study cover it
   rays         does the bound of a calibration of rays hold on all of a new day as often as its law says
   null         does H1 find nothing where there is nothing to be found
+  price        what not knowing the Lipschitz constant costs: random terrains of seven kinds, L told,
+               bounded, and not needed
   terrain      what do the rules of exploration hold safe that is not; with TERRAIN, a file like the
                thesis' own (600 x 400 numbers, its first line dropped): the scenarios of the thesis
                under every rule set, and baselines
@@ -22,7 +24,7 @@ STUDY is one of
 With --output DIR/ (it ends with /, or is a folder): every table in every format. Another PATH, though
 it had no ending, is one file of what would be printed, in --format. csv has the first table, or that
 of --table: soundness, tightness; coverage; equivalence; gate_coverage; ray_coverage; null,
-null_corpora; terrain_soundness, terrain_trust; scenarios, baselines.
+null_corpora; price; terrain_soundness, terrain_trust; scenarios, baselines.
 
 Usage: tcert study STUDY [TERRAIN] [options]
 
@@ -32,7 +34,7 @@ Example:
   tcert study coverage --data-sets 200 --replicates 499 --output coverage/
 
 Cost in CPU time, as they are: soundness 15 minutes (with --witness more than 3 hours), coverage 17,
-equivalence 10, gate 6, null 5, rays 1, terrain 40 s, but with TERRAIN an hour or more; in
+equivalence 10, gate 6, null 5, rays 1, price 20, terrain 40 s, but with TERRAIN an hour or more; in
 proportion to --worlds, --hard, --data-sets, --terrains.
 )";
 

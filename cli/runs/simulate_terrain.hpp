@@ -5,11 +5,13 @@
 #include "cli/runs/errors.hpp"
 #include "cli/runs/progress.hpp"
 #include "cli/runs/shared_options.hpp"
+#include "datasets/terrain_field/crater_field.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
 
 namespace tcert::cli {
 
 struct SimulateTerrainRequest {
+  std::string kind = "gaussian";
   std::int64_t rows = TerrainFieldOptions().rows;
   std::int64_t columns = TerrainFieldOptions().columns;
   double mean = TerrainFieldOptions().mean;

@@ -1,5 +1,6 @@
 #include "datasets/terrain_field/terrain_field.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <table/random.hpp>
@@ -25,6 +26,17 @@ struct Wave {
   }
 };
 
+/// What a wave's numbers are divided by, beside the length scale.
+[[nodiscard]] double spread(FieldKind kind, table::RandomStream& random) {
+  const int freedom = kind == FieldKind::matern52 ? 5 : kind == FieldKind::matern32 ? 3 : 0;
+  double squares = 0.0;
+  for (int k = 0; k < freedom; ++k) {
+    const double z = random.normal();
+    squares += z * z;
+  }
+  return freedom > 0 ? std::sqrt(squares / freedom) : 1.0;
+}
+
 }  // namespace
 
 TerrainGrid random_terrain(const TerrainFieldOptions& o) {
@@ -40,8 +52,9 @@ TerrainGrid random_terrain(const TerrainFieldOptions& o) {
   terrain.values.assign(rows * columns, 0.0);
   table::RandomStream random(o.seed, kPurpose, o.number);
   for (int k = 0; k < kWaves; ++k) {
-    const double along_x = random.normal() / o.length_scale;
-    const double along_y = random.normal() / o.length_scale;
+    const double scale = o.length_scale * spread(o.kind, random);
+    const double along_x = random.normal() / scale;
+    const double along_y = random.normal() / scale;
     const Wave down(o.rows, along_x, random.uniform(0.0, 2.0 * std::numbers::pi));
     const Wave across(o.columns, along_y, 0.0);
     for (std::size_t x = 0; x < rows; ++x) {
@@ -54,9 +67,9 @@ TerrainGrid random_terrain(const TerrainFieldOptions& o) {
     }
   }
   const double steepest = terrain::lipschitz_bound({o.rows, o.columns}, terrain.values);
-  const double scale = steepest > 0.0 ? o.lipschitz / steepest : 0.0;
+  const double factor = steepest > 0.0 ? o.lipschitz / steepest : 0.0;
   for (double& value : terrain.values) {
-    value = o.mean + scale * value;
+    value = o.mean + factor * value;
   }
   return terrain;
 }

@@ -17,7 +17,7 @@ class Run {
   ExploreResult run() {
     for (const Cell c : setup_.first_cells) {
       if (setup_.known.empty() || explorer_.asks_for(c)) {
-        explorer_.add({position(c), terrain_.at(c)});
+        explorer_.add({position(c), terrain_.felt_at(c)});
       }
     }
     measure();
@@ -40,7 +40,7 @@ class Run {
  private:
   void measure() {
     const Cell c = nearest_cell(explorer_.robot());
-    last_ = {explorer_.robot(), terrain_.at(c)};
+    last_ = {explorer_.robot(), terrain_.felt_at(c)};
     if (explorer_.asks_for(c)) {
       visit(c);
       explorer_.add(last_);

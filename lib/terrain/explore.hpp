@@ -16,8 +16,10 @@ namespace tcert::terrain {
 struct Terrain {
   Grid grid;
   std::vector<double> values;
+  std::vector<double> felt{};  ///< What a measurement says, if that is not the value; or empty.
 
   [[nodiscard]] double at(Cell c) const { return values[grid.index(c)]; }
+  [[nodiscard]] double felt_at(Cell c) const { return felt.empty() ? at(c) : felt[grid.index(c)]; }
 };
 
 /// How the robot comes from one measurement to the next.

@@ -49,6 +49,7 @@ void require_valid(const Grid& grid, const ExploreSetup& setup) {
 void require_explorable(const Terrain& terrain, const ExploreSetup& setup) {
   const Grid& grid = terrain.grid;
   if (terrain.values.size() != grid.size() ||
+      (!terrain.felt.empty() && terrain.felt.size() != grid.size()) ||
       (!setup.blocked.empty() && setup.blocked.size() != grid.size())) {
     throw std::invalid_argument("terrain and obstacles need one value a cell");
   }
@@ -62,7 +63,7 @@ void require_explorable(const Terrain& terrain, const ExploreSetup& setup) {
   require_valid(grid, setup);
   const bool certifies =
       setup.rules.kind == RuleSet::certified || setup.rules.kind == RuleSet::band;
-  if (certifies && terrain.at(setup.start) - setup.rules.noise_bound < setup.rules.threshold) {
+  if (certifies && terrain.felt_at(setup.start) - setup.rules.noise_bound < setup.rules.threshold) {
     throw std::invalid_argument(
         "the start " + text_of(setup.start) +
         " stands on unsafe ground: " + std::to_string(terrain.at(setup.start)) +

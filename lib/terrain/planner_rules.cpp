@@ -9,6 +9,14 @@
 #include <utility>
 
 namespace tcert::terrain {
+namespace {
+
+/// `band` certifies where the measurements explain half of the field's variance at least. Where
+/// they explain little the band is that of the field as a whole, whose mean and variance are known
+/// from few places, and of one that is rougher than believed from too few.
+constexpr double kMostUnexplained = 0.5;
+
+}  // namespace
 
 const Plan& Planner::plan(std::optional<Cell> goal, std::optional<Cell> robot) {
   plan_ = {};
@@ -182,8 +190,10 @@ void Planner::plan_band(std::optional<Cell> goal, std::optional<Cell> robot) {
                 model_->variance(),
                 rules_.band() * std::sqrt(field_variance_ / model_->prior().variance));
   }
+  const double most = kMostUnexplained * model_->prior().variance;
   for (std::size_t i = 0; i < grid_.size(); ++i) {
-    safe_[i] = seeds_[i] != 0 || intervals_.lower[i] >= rules_.threshold ? 1 : 0;
+    const bool is_explained = model_->variance()[i] <= most;
+    safe_[i] = seeds_[i] != 0 || (is_explained && intervals_.lower[i] >= rules_.threshold) ? 1 : 0;
   }
   expanders_ = borders(reachable_ground(robot));
   plan_.expanders = count(expanders_);

@@ -1,6 +1,7 @@
 #include "reports/study/terrain_report.hpp"
 
 #include <cmath>
+#include <statistics/basics/quantile.hpp>
 
 #include "reports/columns_of.hpp"
 #include "reports/study/study_summary.hpp"
@@ -149,6 +150,49 @@ FitReport scenario_report(const std::vector<ScenarioRun>& runs,
   report.synthetic = label;
   report.summary = study_summary({{"runs", runs.size()}});
   report.tables = {scenario_table(runs), baseline_table(baselines)};
+  return report;
+}
+
+FitReport price_report(const std::vector<PriceRow>& rows, std::uint64_t seed) {
+  const auto count = [](std::size_t terrain::study::Prices::*member) {
+    return [member](const PriceRow& row) { return static_cast<std::int64_t>(row.found.*member); };
+  };
+  const auto median = [](std::vector<double> terrain::study::Prices::*member) {
+    return [member](const PriceRow& row) {
+      std::vector<double> values = row.found.*member;
+      return statistics::quantile_in_place(values, 0.5);
+    };
+  };
+  using terrain::study::Prices;
+  const auto is_certified = [](const PriceRow& row) {
+    return row.cell.method.rules == terrain::RuleSet::certified;
+  };
+  ColumnsOf<PriceRow> columns;
+  columns.text("ground", "ground", [](const PriceRow& row) { return row.cell.ground.name; })
+      .text("method", "method", [](const PriceRow& row) { return row.cell.method.name; })
+      .integer("terrains", "terrains", count(&Prices::terrains))
+      .integer("unsafe", "with unsafe cells held safe", count(&Prices::unsafe_cells))
+      .integer("visits", "with a step onto one", count(&Prices::unsafe_visits))
+      .integer("covered",
+               "L covered at all times",
+               [=](const PriceRow& row) {
+                 return when(is_certified(row), static_cast<std::int64_t>(row.found.covered));
+               })
+      .integer("reachable", "goal reachable", count(&Prices::reachable))
+      .integer("reached", "goal reached", count(&Prices::reached))
+      .fixed("samples", "median measurements", "", 1, median(&Prices::samples))
+      .fixed("way", "median way", "cells", 1, median(&Prices::ways))
+      .fixed("last_ratio", "median last L, of the true", "", 2, [=](const PriceRow& row) {
+        const auto ratio = median(&Prices::last_ratios)(row);
+        return is_certified(row) ? ratio : std::nullopt;
+      });
+  FitReport report = study_report("price", seed);
+  report.summary = study_summary({{"seed", seed}});
+  report.tables = {columns.table("price", "The price of not knowing the Lipschitz constant", rows)};
+  report.tables.back().footnotes = {
+      "Random terrains of 60 x 48 cells, length scale 8, threshold at their mean; craters of 90 x "
+      "60 "
+      "cells, safe below 25 degrees. Medians are of the terrains whose goal was reached."};
   return report;
 }
 

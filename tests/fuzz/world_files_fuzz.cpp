@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 'p': {
       RosMap map;
       map.resolution_m = 0.05;
-      check(world_from_pgm(bytes, "f", map, {}));
+      check(world_from_image(bytes, "f", map, {}));
       break;
     }
     default: {

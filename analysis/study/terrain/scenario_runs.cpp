@@ -23,7 +23,9 @@ std::vector<Measurement> map_of_around(const Terrain& terrain, const Job& job) {
   const auto keep = [&](const Planner& planner, const ExploreStep&, const ExploreResult&) {
     known = planner.measurements();
   };
-  (void)explore(terrain, setup_of(terrain, around, job.variant, job.seed), keep);
+  ExploreSetup setup = setup_of(terrain, around, job.variant, job.seed);
+  settle_by_start(setup, terrain);
+  (void)explore(terrain, setup, keep);
   return known;
 }
 
@@ -37,6 +39,7 @@ ScenarioRun run(const Terrain& terrain, const Job& job) {
       }
     }
   }
+  settle_by_start(setup, terrain);
   return {job.scenario.name,
           job.variant.name,
           job.seed,
@@ -68,12 +71,28 @@ std::vector<Variant> variants_of(const Scenario& scenario,
     change(variant);
     return variant;
   };
-  const Variant ahead =
-      changed(plain, "certified, look-ahead", [](Variant& v) { v.rules.selection = Selection::look_ahead; });
+  const Variant ahead = changed(plain, "certified, look-ahead", [](Variant& v) {
+    v.rules.selection = Selection::look_ahead;
+  });
   const Variant trusting = changed(ahead, "trusting the model", [](Variant& v) {
     v.rules.trust_model = true;
     v.rules.beta = kTrustedBeta;
   });
+  const Variant pursuing =
+      changed(ahead, "certified, pursuit", [](Variant& v) { v.motion = Motion::pursuit; });
+  const Variant horizon = changed(pursuing, "certified, horizon, pursuit", [](Variant& v) {
+    v.rules.selection = Selection::horizon;
+  });
+  const auto bounded = [](Variant& v) { v.confidence = 0.95; };
+  const auto band_of = [&](const char* name, double length_scale, Selection selection) {
+    return changed(horizon, name, [&](Variant& v) {
+      v.rules.kind = RuleSet::band;
+      v.rules.beta = kTrustedBeta;
+      v.rules.selection = selection;
+      v.prior.length_scale = length_scale;
+      v.confidence = 0.95;
+    });
+  };
   const Variant as_published = published(scenario.threshold);
   return {
       as_published,
@@ -86,6 +105,22 @@ std::vector<Variant> variants_of(const Scenario& scenario,
           trusting, "trusting the model, beta 3", [](Variant& v) { v.rules.beta = Rules{}.beta; }),
       changed(ahead, "certified, look-ahead, adaptive", [](Variant& v) { v.adaptive.on = true; }),
       changed(plain, "certified, reactive", [](Variant& v) { v.motion = Motion::reactive; }),
+      changed(plain,
+              "certified, reactive, 6 cells inside",
+              [](Variant& v) {
+                v.motion = Motion::reactive;
+                v.sub_goal_depth = 6.0;
+              }),
+      changed(plain, "certified, pursuit", [](Variant& v) { v.motion = Motion::pursuit; }),
+      changed(pursuing, "certified, look-ahead, pursuit", [](Variant&) {}),
+      horizon,
+      changed(pursuing,
+              "certified, pareto, pursuit",
+              [](Variant& v) { v.rules.selection = Selection::pareto; }),
+      changed(horizon, "certified, horizon, pursuit, L bounded", bounded),
+      band_of("band, half of 70 cells", 35.0, Selection::thesis),
+      band_of("band, 70 cells", 70.0, Selection::thesis),
+      band_of("band, half of 70 cells, pareto", 35.0, Selection::pareto),
       changed(plain, "certified, published batch", [](Variant& v) { v.batch = true; }),
       changed(as_published, "published, adaptive", [](Variant& v) { v.adaptive.on = true; })};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <table/random.hpp>
 #include <terrain/lipschitz.hpp>
+#include <terrain/session.hpp>
 
 namespace tcert::terrain::study {
 namespace {
@@ -81,6 +82,18 @@ std::vector<Cell> first_batch(const Terrain& terrain,
   return cells;
 }
 
+void settle_by_start(ExploreSetup& setup, const Terrain& terrain) {
+  if (!(setup.confidence > 0.0)) {
+    return;
+  }
+  std::vector<Measurement> first = setup.known;
+  for (const Cell c : setup.first_cells) {
+    first.push_back({position(c), terrain.at(c)});
+  }
+  first.push_back({position(setup.start), terrain.at(setup.start)});
+  settle(setup, terrain.grid, first, {});
+}
+
 ExploreSetup setup_of(const Terrain& terrain,
                       const Scenario& scenario,
                       const Variant& variant,
@@ -93,8 +106,13 @@ ExploreSetup setup_of(const Terrain& terrain,
   setup.max_steps = scenario.max_steps;
   setup.motion = variant.motion;
   setup.adaptive = variant.adaptive;
+  setup.sub_goal_depth = variant.sub_goal_depth;
+  setup.confidence = variant.confidence;
   if (variant.batch && !scenario.reuse) {
     setup.first_cells = first_batch(terrain, scenario.start, scenario.threshold, seed);
+  }
+  if (variant.confidence > 0.0) {
+    setup.first_cells = cells_round(terrain.grid, {}, scenario.start, 2);
   }
   if (variant.rules.kind == RuleSet::thesis) {
     setup.seeds = setup.first_cells;

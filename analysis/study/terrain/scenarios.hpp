@@ -32,6 +32,9 @@ struct Variant {
   bool batch = true;  ///< 50 draws round the start are measured first, as published.
   Motion motion = Motion::route;
   AdaptivePrior adaptive;
+  double sub_goal_depth = 0.0;
+  double confidence =
+      0.0;  ///< Above 0: the 13 cells round the start are measured first, and bound.
 };
 
 /// Prior whose steepest expected gradient is `lipschitz`: the scale of the data, from the constant.
@@ -47,6 +50,9 @@ struct Variant {
                                             Cell start,
                                             double threshold,
                                             std::uint64_t seed);
+
+/// Settles by what is measured first, `setup.known` among it, if the variant bounds anything.
+void settle_by_start(ExploreSetup& setup, const Terrain& terrain);
 
 [[nodiscard]] ExploreSetup setup_of(const Terrain& terrain,
                                     const Scenario& scenario,

@@ -25,6 +25,7 @@ struct StudyItems {
 [[nodiscard]] StudyItems gate_coverage_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems ray_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems null_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems price_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems terrain_study(const StudyRequest& request, Progress& progress);
 
 }  // namespace tcert::cli

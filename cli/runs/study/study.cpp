@@ -33,6 +33,7 @@ constexpr std::array kStudies{
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
     Study{"rays", "ray_coverage", "data-sets", ray_study},
     Study{"null", "null null_corpora", "data-sets", null_study},
+    Study{"price", "price", "terrains", price_study},
     Study{"terrain", "terrain_soundness terrain_trust", "terrains", terrain_study}};
 
 /// `study terrain` with a file.
@@ -61,9 +62,10 @@ bool lists(std::string_view words, const std::string& word) {
 const Study& study_of(const StudyRequest& request) {
   const auto* const found = std::ranges::find(kStudies, request.study, &Study::name);
   if (found == kStudies.end()) {
-    throw UsageError("unknown study '" + request.study +
-                     "', expected soundness, coverage, equivalence, gate, rays, null or terrain" +
-                     did_you_mean(request.study, study_names()));
+    throw UsageError(
+        "unknown study '" + request.study +
+        "', expected soundness, coverage, equivalence, gate, rays, null, price or terrain" +
+        did_you_mean(request.study, study_names()));
   }
   const Study& one = request.study == "terrain" && !request.terrain.empty() ? kScenarios : *found;
   for (const char* const option : kOfSome) {
@@ -150,7 +152,7 @@ OptionTable options_of(StudyRequest& request) {
       .within(1, 1e6);
   table.add("replicates", request.replicates, "R", "of the bootstrap; coverage: 1999; gate: 999")
       .within(1, 1e6);
-  table.add("terrains", request.terrains, "N", "terrain: random terrains").within(1, 1e6);
+  table.add("terrains", request.terrains, "N", "price, terrain: random terrains").within(1, 1e6);
   table.add("seeds", request.seeds, "N", "terrain, with TERRAIN: runs of rules that draw")
       .within(1, 1e4);
   table.add("table", request.table, "NAME", "print only this table; a wrong name lists them");

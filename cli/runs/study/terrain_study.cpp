@@ -84,4 +84,25 @@ StudyItems terrain_study(const StudyRequest& request, Progress& progress) {
   return items;
 }
 
+StudyItems price_study(const StudyRequest& request, Progress& /*progress*/) {
+  StudyItems items;
+  const auto terrains = static_cast<std::uint64_t>(request.terrains);
+  const auto seed = static_cast<std::uint64_t>(request.seed);
+  const auto rows = std::make_shared<std::vector<PriceRow>>();
+  for (terrain::study::PriceCell& cell : terrain::study::price_cells()) {
+    rows->push_back({std::move(cell), {}});
+  }
+  for (const PriceRow& row : *rows) {
+    items.sets.push_back(
+        independent_items("terrains", terrains, [cell = row.cell, seed](std::uint64_t i) {
+          return table::row_text(terrain::study::explore_at_price(cell, seed, i));
+        }));
+  }
+  items.take = [rows](std::size_t set, std::uint64_t /*terrain*/, std::string_view line) {
+    rows->at(set).found.add(table::from_row<terrain::study::PriceOutcome>(line));
+  };
+  items.report = [rows, seed] { return price_report(*rows, seed); };
+  return items;
+}
+
 }  // namespace tcert::cli

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// Ground full of craters, made by a stated law: a stand-in for a digital elevation model.
+
+#include <cstdint>
+
+#include "datasets/terrain_file.hpp"
+
+namespace tcert {
+
+/// Cells are a metre wide.
+struct CraterFieldOptions {
+  int rows = 300;
+  int columns = 200;
+  double least_diameter = 6.0;
+  double most_diameter = 80.0;
+  double density = 0.05;      ///< Craters larger than D on an area A: density A / D^2.
+  double slope_limit = 25.0;  ///< Degrees.
+  std::uint64_t seed = 1;
+  std::uint64_t number = 0;
+};
+
+/// The slope limit less the slope, in degrees: safe is what is at least 0.
+///
+/// Craters lie anywhere, their diameters D by a power law of exponent -2, as of a surface in
+/// equilibrium; each is a bowl of revolution, z = -d + (d + h) (r / R)^2 within its rim and h (R /
+/// r)^3 outside, with depth d = D / 5 and rim h = D / 25 when it is fresh (Pike 1977) and a share
+/// of that, evenly drawn from 0.1 to 1, as it wears down. Heights add up, are taken over three
+/// cells each way, and the slope is that of central differences: what a robot of three cells stands
+/// on. O(cells x craters). \throws std::invalid_argument for a size below 3 x 3 or a law that is
+/// none.
+[[nodiscard]] TerrainGrid crater_slopes(const CraterFieldOptions& options);
+
+}  // namespace tcert

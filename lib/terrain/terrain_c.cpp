@@ -1,0 +1,289 @@
+#include <terrain/terrain_c.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <terrain/limits.hpp>
+#include <terrain/session.hpp>
+
+using namespace tcert::terrain;
+
+struct tcert_terrain {
+  Session session;
+  std::vector<Position> way;
+};
+
+namespace {
+
+void say(char* why, std::size_t size, const char* text) noexcept {
+  if (why != nullptr && size > 0) {
+    std::snprintf(why, size, "%s", text);
+  }
+}
+
+/// Runs `work`; what it throws becomes a status.
+template <class Work>
+[[nodiscard]] tcert_terrain_status guarded(char* why, std::size_t size, Work work) noexcept {
+  try {
+    work();
+    return TCERT_TERRAIN_OK;
+  } catch (const std::bad_alloc&) {
+    say(why, size, "not enough memory");
+    return TCERT_TERRAIN_ERROR_MEMORY;
+  } catch (const std::invalid_argument& error) {
+    say(why, size, error.what());
+    return TCERT_TERRAIN_ERROR_INPUT;
+  } catch (const std::domain_error& error) {
+    say(why, size, error.what());
+    return TCERT_TERRAIN_ERROR_INPUT;
+  } catch (const std::exception& error) {
+    say(why, size, error.what());
+    return TCERT_TERRAIN_ERROR_INTERNAL;
+  }
+}
+
+[[nodiscard]] tcert_terrain_setup defaults() noexcept {
+  tcert_terrain_setup setup{};
+  setup.struct_size = sizeof setup;
+  setup.rules = TCERT_TERRAIN_CERTIFIED;
+  setup.selection = TCERT_TERRAIN_HORIZON;
+  setup.max_steps = 2000;
+  setup.length_scale = 30.0;
+  setup.confidence = 0.95;
+  return setup;
+}
+
+[[nodiscard]] Selection selection_of(std::int32_t word) {
+  switch (word) {
+    case TCERT_TERRAIN_THESIS:
+      return Selection::thesis;
+    case TCERT_TERRAIN_LOOK_AHEAD:
+      return Selection::look_ahead;
+    case TCERT_TERRAIN_HORIZON:
+      return Selection::horizon;
+    case TCERT_TERRAIN_PARETO:
+      return Selection::pareto;
+    default:
+      throw std::invalid_argument("selection: found " + std::to_string(word) +
+                                  ", expected a tcert_terrain_selection");
+  }
+}
+
+[[nodiscard]] Body body_of(const tcert_terrain_setup& s) {
+  Body body;
+  if (s.body_radius != 0.0) {
+    body.kind = Body::Kind::disc;
+    body.radius = s.body_radius;
+  } else if (s.body_length != 0.0) {
+    body.kind = Body::Kind::box;
+    body.length = s.body_length;
+    body.width = s.body_width;
+    body.yaw = s.body_yaw_rad;
+  }
+  return body;
+}
+
+[[nodiscard]] ExploreSetup setup_of(const tcert_terrain_setup& s, const std::uint8_t* blocked) {
+  if (s.rows < 1 || s.columns < 1 || s.rows > kMostSide || s.columns > kMostSide) {
+    throw std::invalid_argument("rows and columns: found " + std::to_string(s.rows) + " x " +
+                                std::to_string(s.columns) + ", expected 1 to " +
+                                std::to_string(kMostSide));
+  }
+  if (s.rules != TCERT_TERRAIN_CERTIFIED && s.rules != TCERT_TERRAIN_BAND) {
+    throw std::invalid_argument("rules: found " + std::to_string(s.rules) +
+                                ", expected a tcert_terrain_rules");
+  }
+  ExploreSetup setup;
+  setup.rules.kind = s.rules == TCERT_TERRAIN_BAND ? RuleSet::band : RuleSet::certified;
+  setup.rules.threshold = s.threshold;
+  setup.rules.lipschitz = s.lipschitz != 0.0 ? s.lipschitz : setup.rules.lipschitz;
+  setup.rules.noise_bound = s.noise_bound;
+  setup.rules.noise_sd = s.noise_sd;
+  setup.rules.selection = selection_of(s.selection);
+  if (setup.rules.kind == RuleSet::band) {
+    setup.rules.beta = kTrustedBeta;
+  }
+  setup.prior.length_scale = s.length_scale;
+  setup.start = {s.start_x, s.start_y};
+  if (s.has_goal != 0) {
+    setup.goal = Cell{s.goal_x, s.goal_y};
+  }
+  if (blocked != nullptr) {
+    const std::size_t cells = Grid{s.rows, s.columns}.size();
+    setup.blocked.resize(cells);
+    std::transform(blocked, blocked + cells, setup.blocked.begin(), [](std::uint8_t b) {
+      return b != 0 ? std::uint8_t{1} : std::uint8_t{0};
+    });
+  }
+  setup.max_steps = s.max_steps;
+  setup.motion = Motion::pursuit;
+  setup.body = body_of(s);
+  setup.noise_sd = s.noise_sd;
+  setup.gradient = {s.prior_gradient_sd, s.prior_places};
+  const bool bounds = setup.rules.kind == RuleSet::band || s.lipschitz == 0.0;
+  setup.confidence = bounds ? s.confidence : 0.0;
+  return setup;
+}
+
+[[nodiscard]] std::int32_t end_of(const std::optional<End>& end) noexcept {
+  if (!end) {
+    return TCERT_TERRAIN_GOES_ON;
+  }
+  switch (*end) {
+    case End::reached:
+      return TCERT_TERRAIN_REACHED;
+    case End::explored:
+      return TCERT_TERRAIN_EXPLORED;
+    case End::exhausted:
+      return TCERT_TERRAIN_EXHAUSTED;
+    case End::step_limit:
+      return TCERT_TERRAIN_LIMIT;
+    default:
+      return TCERT_TERRAIN_STRANDED;
+  }
+}
+
+[[nodiscard]] tcert_terrain_decision decision_of(const Decision& decision) noexcept {
+  tcert_terrain_decision now{};
+  now.struct_size = sizeof now;
+  now.step = decision.row.step;
+  now.end = end_of(decision.end);
+  now.next_x = now.next_y = -1;
+  if (!decision.way.empty()) {
+    const Cell last = nearest_cell(decision.way.back());
+    now.next_x = last.x;
+    now.next_y = last.y;
+  }
+  now.safe_cells = decision.row.safe;
+  now.way_points = decision.way.size();
+  now.certificate = decision.row.certificate.value_or(std::numeric_limits<double>::quiet_NaN());
+  now.lipschitz = decision.row.lipschitz;
+  now.travelled = decision.row.travelled;
+  return now;
+}
+
+[[nodiscard]] std::vector<double> layer_of(const Layers& layers, std::int32_t kind) {
+  switch (kind) {
+    case TCERT_TERRAIN_SAFE:
+      return {layers.safe.begin(), layers.safe.end()};
+    case TCERT_TERRAIN_STANDING:
+      return {layers.standing.begin(), layers.standing.end()};
+    case TCERT_TERRAIN_LOWER:
+      return layers.lower;
+    case TCERT_TERRAIN_UPPER:
+      return layers.upper;
+    case TCERT_TERRAIN_MEAN:
+      return layers.mean;
+    case TCERT_TERRAIN_SD:
+      return layers.sd;
+    case TCERT_TERRAIN_CERTIFICATE:
+      return layers.certificate;
+    default:
+      throw std::invalid_argument("no such layer");
+  }
+}
+
+}  // namespace
+
+std::int32_t tcert_terrain_abi_version(void) noexcept { return TCERT_TERRAIN_ABI_VERSION; }
+
+void tcert_terrain_setup_init(tcert_terrain_setup* setup) noexcept {
+  if (setup != nullptr) {
+    *setup = defaults();
+  }
+}
+
+tcert_terrain_status tcert_terrain_create(const tcert_terrain_setup* setup,
+                                          const std::uint8_t* blocked,
+                                          tcert_terrain** terrain,
+                                          char* why,
+                                          std::size_t why_size) noexcept {
+  if (setup == nullptr || terrain == nullptr) {
+    say(why, why_size, "setup and terrain must not be null");
+    return TCERT_TERRAIN_ERROR_ARGUMENT;
+  }
+  *terrain = nullptr;
+  if (setup->struct_size > sizeof *setup || setup->struct_size < sizeof setup->struct_size) {
+    say(why, why_size, "tcert_terrain_setup: its size is that of no header of this library");
+    return TCERT_TERRAIN_ERROR_VERSION;
+  }
+  tcert_terrain_setup known = defaults();
+  std::memcpy(&known, setup, setup->struct_size);
+  return guarded(why, why_size, [&] {
+    const Told told{known.lipschitz != 0.0, false, false};
+    *terrain =
+        new tcert_terrain{{Grid{known.rows, known.columns}, setup_of(known, blocked), told}, {}};
+  });
+}
+
+void tcert_terrain_destroy(tcert_terrain* terrain) noexcept { delete terrain; }
+
+tcert_terrain_status tcert_terrain_take(tcert_terrain* terrain,
+                                        std::int32_t x,
+                                        std::int32_t y,
+                                        double value,
+                                        char* why,
+                                        std::size_t why_size) noexcept {
+  if (terrain == nullptr) {
+    say(why, why_size, "terrain must not be null");
+    return TCERT_TERRAIN_ERROR_ARGUMENT;
+  }
+  return guarded(why, why_size, [&] { terrain->session.take({x, y}, value); });
+}
+
+tcert_terrain_status tcert_terrain_plan(tcert_terrain* terrain,
+                                        std::int32_t x,
+                                        std::int32_t y,
+                                        double value,
+                                        tcert_terrain_decision* decision,
+                                        char* why,
+                                        std::size_t why_size) noexcept {
+  if (terrain == nullptr || decision == nullptr) {
+    say(why, why_size, "terrain and decision must not be null");
+    return TCERT_TERRAIN_ERROR_ARGUMENT;
+  }
+  if (decision->struct_size > sizeof *decision ||
+      decision->struct_size < sizeof decision->struct_size) {
+    say(why, why_size, "tcert_terrain_decision: its size is that of no header of this library");
+    return TCERT_TERRAIN_ERROR_VERSION;
+  }
+  return guarded(why, why_size, [&] {
+    const Decision& made = terrain->session.plan({x, y}, value);
+    terrain->way = made.way;
+    tcert_terrain_decision now = decision_of(made);
+    now.struct_size = decision->struct_size;
+    std::memcpy(decision, &now, decision->struct_size);
+  });
+}
+
+std::size_t tcert_terrain_way(const tcert_terrain* terrain,
+                              double* xy,
+                              std::size_t capacity) noexcept {
+  if (terrain == nullptr) {
+    return 0;
+  }
+  const std::size_t count = xy == nullptr ? 0 : std::min(capacity, terrain->way.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    xy[2 * k] = terrain->way[k].x();
+    xy[2 * k + 1] = terrain->way[k].y();
+  }
+  return terrain->way.size();
+}
+
+tcert_terrain_status tcert_terrain_layer(const tcert_terrain* terrain,
+                                         std::int32_t kind,
+                                         double* values) noexcept {
+  if (terrain == nullptr || values == nullptr) {
+    return TCERT_TERRAIN_ERROR_ARGUMENT;
+  }
+  return guarded(nullptr, 0, [&] {
+    if (terrain->session.explorer() == nullptr) {
+      throw std::invalid_argument("there was no plan yet");
+    }
+    const std::vector<double> layer = layer_of(terrain->session.explorer()->layers(), kind);
+    std::copy(layer.begin(), layer.end(), values);
+  });
+}
