@@ -5,11 +5,18 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <table/csv_write.hpp>
 #include <utility>
 
 namespace tcert {
 namespace {
+
+/// Shortest decimals that read back, without an exponent, which not every reader takes.
+void append_fixed(std::string& text, double value) {
+  std::array<char, 400> digits{};
+  const auto [end, error] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
+  text.append(digits.data(), end);
+}
 
 /// Writes values with a fixed number of decimals, some ten times as fast as the shortest decimals
 /// that read back.
@@ -34,7 +41,7 @@ class FixedDecimals {
   /// \pre `value` is finite
   void append(std::string& text, double value) const {
     if (!is_small_) {
-      table::append_number(text, value);
+      append_fixed(text, value);
       return;
     }
     if (is_whole_) {
@@ -119,7 +126,7 @@ std::string esri_raster(const TerrainGrid& layer, RasterRounding rounding) {
   const auto key = [&](const char* name, double value) {
     text += name;
     text += ' ';
-    table::append_number(text, value);
+    append_fixed(text, value);
     text += '\n';
   };
   key("ncols", columns);
@@ -129,7 +136,7 @@ std::string esri_raster(const TerrainGrid& layer, RasterRounding rounding) {
   key("cellsize", frame.x_step);
   key("NODATA_value", nodata);
   std::string gap;
-  table::append_number(gap, nodata);
+  append_fixed(gap, nodata);
   const FixedDecimals format(layer.values, rounding);
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
@@ -157,9 +164,9 @@ std::string point_raster(const TerrainGrid& layer, RasterRounding rounding) {
   for (int x = 0; x < layer.rows; ++x) {
     for (int y = 0; y < layer.columns; ++y, ++i) {
       if (std::isfinite(layer.values[i])) {
-        table::append_number(text, layer.frame.first_of(x, y));
+        append_fixed(text, layer.frame.first_of(x, y));
         text += ',';
-        table::append_number(text, layer.frame.second_of(x, y));
+        append_fixed(text, layer.frame.second_of(x, y));
         text += ',';
         format.append(text, layer.values[i]);
         text += '\n';

@@ -42,10 +42,11 @@ struct AdaptivePrior {
 
 /// What is known of every cell at the end; NaN where nothing is.
 struct Layers {
-  CellSet safe;               ///< S_t without blocked cells.
-  CellSet standing;           ///< Where the body stands on it.
-  std::vector<double> lower;  ///< l_t as the certificate takes it.
-  std::vector<double> upper;  ///< u_t.
+  CellSet safe;      ///< S_t without blocked cells.
+  CellSet standing;  ///< Where the body stands on it.
+  std::vector<double>
+      lower;  ///< l_t as the certificate takes it: under `certified` without the model.
+  std::vector<double> upper;  ///< u_t likewise.
   std::vector<double> mean;   ///< Of the model.
   std::vector<double> sd;
   std::vector<double> certificate;  ///< Of the start and the cell: see widest_field().

@@ -96,7 +96,7 @@ Layers Explorer::layers() const {
   return {planner_.ground(),
           planner_.standing(),
           known(planner_.proven()),
-          known(planner_.intervals().upper),
+          known(planner_.possible()),
           known(planner_.model().mean()),
           known(sd),
           known(widest_field(planner_.grid(),

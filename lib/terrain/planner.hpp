@@ -91,6 +91,10 @@ class Planner {
   [[nodiscard]] const std::vector<double>& proven() const noexcept {
     return rules_.kind == RuleSet::certified ? cone_.lower : intervals_.lower;
   }
+  /// u_t in the same sense.
+  [[nodiscard]] const std::vector<double>& possible() const noexcept {
+    return rules_.kind == RuleSet::certified ? cone_.upper : intervals_.upper;
+  }
   /// Times a measurement raised the Lipschitz constant.
   [[nodiscard]] int contradictions() const noexcept { return contradictions_; }
   /// Cells where the model's band and the Lipschitz bound exclude one another at the last step.

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <string>
 #include <table/random.hpp>
 #include <terrain/planner.hpp>
+#include <terrain/routes.hpp>
 #include <vector>
 
+#include "datasets/terrain/raster_text.hpp"
 #include "datasets/terrain_field/terrain_field.hpp"
 
 namespace tcert::terrain::study {
@@ -33,7 +36,31 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Steps of the published rules at 600 x 400 cells, timed in blocks of 50 measurements.
+/// The layers of a plan as ESRI rasters: what `explore --rasters asc` adds to a step.
+double raster_ms(const Planner& planner, Cell start) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Grid& grid = planner.grid();
+  const auto write = [&](std::span<const double> values, RasterRounding rounding) {
+    return esri_raster({grid.rows, grid.columns, {values.begin(), values.end()}, {}}, rounding)
+        .size();
+  };
+  const CellSet ground = planner.ground();
+  std::size_t bytes =
+      write(std::vector<double>(ground.begin(), ground.end()), RasterRounding::nearest);
+  bytes += write(planner.proven(), RasterRounding::down);
+  bytes += write(planner.possible(), RasterRounding::up);
+  bytes += write(planner.model().mean(), RasterRounding::nearest);
+  std::vector<double> sd(planner.model().variance().begin(), planner.model().variance().end());
+  for (double& v : sd) {
+    v = std::sqrt(std::max(v, 0.0));
+  }
+  bytes += write(sd, RasterRounding::up);
+  bytes += write(widest_field(grid, ground, planner.proven(), planner.rules().threshold, start),
+                 RasterRounding::down);
+  return bytes > 0 ? 1e3 * seconds_since(begin) : 0.0;
+}
+
+/// Steps of the rules at 600 x 400 cells, timed in blocks of 50 measurements.
 void run(RuleSet kind, int measurements) {
   TerrainFieldOptions field;
   const TerrainGrid made = random_terrain(field);
@@ -46,7 +73,15 @@ void run(RuleSet kind, int measurements) {
   if (kind == RuleSet::certified) {
     prior = {1000.0, 80000.0, 30.0, 1.0};
   }
+  if (kind == RuleSet::band) {
+    prior = {1000.0, 1.0, 30.0, kBandNugget, true};
+    rules.beta = kTrustedBeta;
+  }
+  rules.selection = kind == RuleSet::certified ? Selection::horizon : Selection::thesis;
   Planner planner(grid, rules, prior);
+  if (kind == RuleSet::band) {
+    planner.set_field_variance(80000.0);
+  }
   table::RandomStream random(1, 0x7e44bd, 0);
   std::vector<double> block;
   std::vector<double> cpu;
@@ -73,7 +108,15 @@ void run(RuleSet kind, int measurements) {
       cpu.clear();
     }
   }
-  std::printf("], \"model_mb\": %.1f, \"peak_mb\": %.1f}",
+  std::vector<double> rasters;
+  const Cell start = nearest_cell(planner.measurements().front().at);
+  for (int k = 0; k < 20; ++k) {
+    const std::clock_t cpu_begin = std::clock();
+    raster_ms(planner, start);
+    rasters.push_back(1e3 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
+  }
+  std::printf("], \"rasters_median_cpu_ms\": %.3f, \"model_mb\": %.1f, \"peak_mb\": %.1f}",
+              quantile(rasters, 0.5),
               static_cast<double>(planner.model().bytes()) / 1048576.0,
               peak_megabytes());
 }
@@ -88,5 +131,7 @@ int main(int argc, char** argv) {
   study::run(RuleSet::published, measurements);
   std::printf(", ");
   study::run(RuleSet::certified, measurements);
+  std::printf(", ");
+  study::run(RuleSet::band, measurements);
   std::printf("]\n");
 }

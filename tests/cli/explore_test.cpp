@@ -349,7 +349,14 @@ TEST_F(ExploreCommand, FlagsThatTheRulesWouldNotLookAtAreErrors) {
   }
   refused("published", {"--start-radius", "1"}, "--rules published");
   refused("thesis", {"--simplification", "3"}, "--rules thesis");
-  refused("certified", {"--travel-weight", "0.5"}, "--look-ahead");
+  refused("certified", {"--travel-weight", "0.5", "--selection", "thesis"}, "--selection thesis");
+  refused("certified", {"--horizon", "4", "--look-ahead"}, "--selection horizon");
+  refused("certified", {"--growth-weight", "0.5"}, "--selection pareto");
+  refused("certified", {"--sub-goal-depth", "6"}, "--motion reactive");
+  refused("certified", {"--gradient-prior", "3,20", "--lipschitz", "18"}, "--lipschitz");
+  refused("certified", {"--least-length-scale", "5"}, "--rules band");
+  refused("band", {"--lipschitz", "18"}, "--rules certified or thesis or published");
+  refused("band", {"--noise-bound", "1"}, "--rules certified");
   refused("certified", {"--goal", "50,40", "--mode", "explore"}, "--mode explore");
   refused("thesis", {"--lipschitz", "auto"}, "only --rules certified estimates it");
   refused("certified",

@@ -5,6 +5,7 @@
 #include <terrain/controller.hpp>
 #include <terrain/distance_transform.hpp>
 #include <terrain/outline.hpp>
+#include <terrain/pursuit.hpp>
 #include <terrain/routes.hpp>
 #include <terrain/triangulation.hpp>
 
