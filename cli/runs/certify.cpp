@@ -1,7 +1,10 @@
 #include "cli/runs/certify.hpp"
 
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
+#include "analysis/study/trials/certified_ground.hpp"
 #include "cli/runs/certify_trials.hpp"
 #include "cli/runs/certify_truth.hpp"
 #include "cli/runs/errors.hpp"
@@ -9,6 +12,7 @@
 #include "cli/runs/progress.hpp"
 #include "cli/runs/report_output.hpp"
 #include "cli/runs/shared_options.hpp"
+#include "cli/runs/terrain_input.hpp"
 #include "reports/certify_findings.hpp"
 #include "reports/features_table.hpp"
 #include "reports/study_table.hpp"
@@ -37,14 +41,31 @@ class Failures {
   std::vector<study::TrialRecord> trials_;
 };
 
+/// None of a request without one. \throws NoInput, BadData, UsageError.
+std::optional<study::CertifiedGround> ground_of(const CertifyRequest& request,
+                                                const OpenedBundle& opened,
+                                                Progress& progress) {
+  if (request.ground.empty()) {
+    return std::nullopt;
+  }
+  const TerrainGrid safe = read_terrain_or_throw(request.ground, {}, progress);
+  try {
+    return study::CertifiedGround(
+        safe, effective_robot(opened.bundle.info, opened.parameters).body_width_m);
+  } catch (const std::invalid_argument& error) {
+    throw BadData("'" + request.ground + "': " + error.what());
+  }
+}
+
 ExitCode certify_to_text(const OpenedBundle& opened,
                          const CertifyRequest& request,
+                         const CertifyFiles& files,
                          Progress& progress) {
   Failures failures(request.truth);
   Table table = features_table(opened.bundle);
   study::StudyRecord study;
   const CertifySummary summary = certify_trials(
-      opened, request.threads, progress, nullptr, {}, [&](study::TrialRecord&& trial) {
+      opened, request.threads, progress, nullptr, files, [&](study::TrialRecord&& trial) {
         table.add_row(features_row(trial));
         failures.add(trial);
         study.add(std::move(trial));
@@ -83,6 +104,12 @@ OptionTable options_of(CertifyRequest& request) {
             request.truth,
             "two more columns in the features: T of each trial's known world, at least and at most "
             "(truth_lower_m, truth_upper_m); failed trials with a certificate are listed");
+  table.add_input(
+      "ground",
+      request.ground,
+      "FILE",
+      "ground that is certified, as rasters/safe.asc of 'explore' on the course's map in "
+      "metres: ticks whose body is not on it do not count, and the path is broken there");
   add_common(table, request);
   return table;
 }
@@ -94,6 +121,9 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
     throw UsageError(
         "--ticks, --no-series, --ray-margins, --witness and --witness-edges need --output");
   }
+  if (!request.ground.empty() && (request.witness || request.witness_edges)) {
+    throw UsageError("--ground has no effect on witnesses, which are found in the whole log");
+  }
   OpenedBundle opened = open_for(request.bundle, request.logs, progress);
   if (opened.parameters.witness.witness_every > 0 &&
       opened.parameters.certificate.clearance != ClearanceReading::witness) {
@@ -102,26 +132,26 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
   if (request.truth) {
     add_truth(opened, request.threads, progress);
   }
+  const std::optional<study::CertifiedGround> ground = ground_of(request, opened, progress);
+  CertifyFiles files;
+  files.ground = ground ? &*ground : nullptr;
   if (output.empty()) {
-    return certify_to_text(opened, request, progress);
+    return certify_to_text(opened, request, files, progress);
   }
+  files.series = !request.no_series;
+  files.ticks = request.ticks;
+  files.ray_margins = request.ray_margins;
+  files.witness = request.witness || request.witness_edges;
+  files.witness_edges = request.witness_edges;
   require_apart(request.bundle, output);
   ResultFolder folder(output, "certify");
   Failures failures(request.truth);
   study::StudyRecord study;
-  const CertifySummary summary = certify_trials(opened,
-                                                request.threads,
-                                                progress,
-                                                &folder,
-                                                {!request.no_series,
-                                                 request.ticks,
-                                                 request.ray_margins,
-                                                 request.witness || request.witness_edges,
-                                                 request.witness_edges},
-                                                [&](study::TrialRecord&& trial) {
-                                                  failures.add(trial);
-                                                  study.add(std::move(trial));
-                                                });
+  const CertifySummary summary = certify_trials(
+      opened, request.threads, progress, &folder, files, [&](study::TrialRecord&& trial) {
+        failures.add(trial);
+        study.add(std::move(trial));
+      });
   std::vector<Table> tables = study_tables(study);
   const Table findings = certify_findings(study.rows());
   tables.push_back(findings);
@@ -129,7 +159,11 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
     table.synthetic = synthetic_label(opened.bundle.info);
     write_table(table, folder);
   }
-  folder.commit(manifest_of("certify", opened, written(request), summary));
+  Manifest manifest = manifest_of("certify", opened, written(request), summary);
+  if (ground) {
+    manifest.inputs.push_back({name_of(request.ground), digest_file(request.ground)});
+  }
+  folder.commit(std::move(manifest));
   failures.say(progress);
   say_values(summary, progress);
   sum_up(findings, progress);

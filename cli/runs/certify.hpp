@@ -16,6 +16,7 @@ struct CertifyRequest {
   bool witness = false;
   bool witness_edges = false;
   bool truth = false;
+  std::string ground;
   LogOptions logs;
   OutputOptions output;
   std::int64_t threads = 0;

@@ -164,7 +164,8 @@ CertifySummary certify_trials(const OpenedBundle& opened,
                                   static_cast<int>(threads),
                                   files.ray_margins && folder != nullptr,
                                   files.witness,
-                                  files.witness_edges};
+                                  files.witness_edges,
+                                  files.ground};
   const auto work = [&](study::StudiedTrial&& trial) -> std::function<bool()> {
     auto done = std::make_shared<CertifiedTrial>();
     done->rejected = trial.rejected;

@@ -52,16 +52,17 @@ TerrainGrid crater_slopes(const CraterFieldOptions& o) {
   if (o.rows < 3 || o.columns < 3) {
     throw std::invalid_argument("a field of craters needs at least 3 x 3 cells");
   }
-  if (!(o.least_diameter > 0.0) || !(o.most_diameter > o.least_diameter) || !(o.density >= 0.0)) {
-    throw std::invalid_argument("craters need diameters above 0 and a density of at least 0");
+  if (!(o.least_diameter > 0.0) || !(o.most_diameter > o.least_diameter) || !(o.density >= 0.0) ||
+      o.reach < 1 || o.reach > 100) {
+    throw std::invalid_argument(
+        "craters need diameters above 0, a density of at least 0 and a reach of 1 to 100");
   }
   const std::vector<Crater> craters = craters_of(o);
-  // Two cells more each way: one for the mean over three, one for the difference.
-  constexpr int kRim = 2;
-  const int width = o.columns + 2 * kRim;
+  const int rim = o.reach;
+  const int width = o.columns + 2 * rim;
   std::vector<double> height;
-  for (int x = -kRim; x < o.rows + kRim; ++x) {
-    for (int y = -kRim; y < o.columns + kRim; ++y) {
+  for (int x = -rim; x < o.rows + rim; ++x) {
+    for (int y = -rim; y < o.columns + rim; ++y) {
       double z = 0.0;
       for (const Crater& crater : craters) {
         z += crater.height(x, y);
@@ -70,23 +71,27 @@ TerrainGrid crater_slopes(const CraterFieldOptions& o) {
     }
   }
   const auto at = [&](int x, int y) {
-    return height[static_cast<std::size_t>(x + kRim) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(y + kRim)];
+    return height[static_cast<std::size_t>(x + rim) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(y + rim)];
   };
-  const auto mean = [&](int x, int y) {
-    double sum = 0.0;
-    for (int dx = -1; dx <= 1; ++dx) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        sum += at(x + dx, y + dy);
-      }
-    }
-    return sum / 9.0;
-  };
+  // Of the plane: products of heights and offsets over the sum of squared offsets.
+  double squares = 0.0;
+  for (int d = -rim; d <= rim; ++d) {
+    squares += static_cast<double>(d) * d * (2 * rim + 1);
+  }
   TerrainGrid terrain{o.rows, o.columns, {}, {}};
   for (int x = 0; x < o.rows; ++x) {
     for (int y = 0; y < o.columns; ++y) {
-      const double down = 0.5 * (mean(x + 1, y) - mean(x - 1, y));
-      const double across = 0.5 * (mean(x, y + 1) - mean(x, y - 1));
+      double down = 0.0;
+      double across = 0.0;
+      for (int dx = -rim; dx <= rim; ++dx) {
+        for (int dy = -rim; dy <= rim; ++dy) {
+          down += dx * at(x + dx, y + dy);
+          across += dy * at(x + dx, y + dy);
+        }
+      }
+      down /= squares;
+      across /= squares;
       const double slope = elementary::atan2(std::sqrt(down * down + across * across), 1.0) *
                            180.0 / std::numbers::pi;
       terrain.values.push_back(o.slope_limit - slope);

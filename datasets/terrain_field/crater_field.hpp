@@ -12,9 +12,12 @@ namespace tcert {
 struct CraterFieldOptions {
   int rows = 300;
   int columns = 200;
-  double least_diameter = 6.0;
+  double least_diameter = 12.0;
   double most_diameter = 80.0;
-  double density = 0.05;      ///< Craters larger than D on an area A: density A / D^2.
+  /// Craters larger than D on an area A: density A / D^2. A tenth of geometric saturation, 1.54, as
+  /// on surfaces in equilibrium (Gault 1970).
+  double density = 0.15;
+  int reach = 3;  ///< Cells each way that a slope is taken over: a robot of seven cells.
   double slope_limit = 25.0;  ///< Degrees.
   std::uint64_t seed = 1;
   std::uint64_t number = 0;
@@ -27,8 +30,8 @@ struct CraterFieldOptions {
 /// r)^3 outside, with depth d = D / 5 and rim h = D / 25 when it is fresh (Pike 1977) and a share
 /// of that, evenly drawn from 0.1 to 1, as it wears down. Heights add up, are taken over three
 /// cells each way, and the slope is that of central differences: what a robot of three cells stands
-/// on. O(cells x craters). \throws std::invalid_argument for a size below 3 x 3 or a law that is
-/// none.
+/// on. O(cells x (craters + reach^2)). \throws std::invalid_argument for a size below 3 x 3 or a
+/// law that is none.
 [[nodiscard]] TerrainGrid crater_slopes(const CraterFieldOptions& options);
 
 }  // namespace tcert

@@ -30,7 +30,10 @@ struct Ground {
     CraterFieldOptions craters;
     craters.rows = 90;
     craters.columns = 60;
+    craters.least_diameter = 6.0;
+    craters.reach = 1;
     craters.most_diameter = 40.0;
+    craters.density = 0.05;
     craters.seed = seed;
     craters.number = number;
     TerrainGrid made = crater_slopes(craters);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "analysis/study/trials/certified_ground.hpp"
 #include "analysis/study/witness/felt_samples.hpp"
 #include "analysis/study/witness/witness_series.hpp"
 #include "datasets/tick_limit.hpp"
@@ -98,6 +99,9 @@ void study_trials(const Bundle& bundle,
     trial.rejected = !log;
     if (log) {
       trial.ticks = resample(*log, parameters.resample);
+      if (options.ground != nullptr) {
+        trial.ticks = options.ground->ticks_on(trial.ticks);
+      }
       Certifier& certifier = certifiers.local();
       trial.series = certify_trial(certifier, trial.ticks);
       if (options.ray_margins) {

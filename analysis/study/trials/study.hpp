@@ -22,6 +22,8 @@
 
 namespace tcert::study {
 
+class CertifiedGround;
+
 /// Everything about one trial. A rejected one has diagnostics and neither ticks nor series.
 struct StudiedTrial {
   const TrialRow* row = nullptr;  ///< In the bundle; never null.
@@ -45,6 +47,8 @@ struct StudyOptions {
   bool ray_margins = false;
   bool witness = false;        ///< Look for a witness whatever the clearance reading is.
   bool witness_edges = false;  ///< And for those of the edges, where one is looked for.
+  /// Only ticks on it count; null: all. Not owned.
+  const CertifiedGround* ground = nullptr;
 };
 
 /// Reads a trial's log into `trial`: everything but ticks, series and features. Empty if the trial
