@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/runs/explore_baseline.hpp"
@@ -74,72 +75,92 @@ std::vector<ManifestFile> inputs_of(const ExploreRequest& options) {
   return inputs;
 }
 
-}  // namespace
+/// A request with what it is about.
+struct Task {
+  const ExploreRequest& request;  ///< As it was given, for the manifest.
+  ExploreRequest options;         ///< In cells.
+  TerrainGrid file;
+  Terrain ground;
+  Places places;
+  terrain::CellSet blocked;
+  std::optional<SyntheticLabel> label;
+  std::vector<ManifestFile> inputs;
 
-ExitCode explore(const ExploreRequest& request, Progress& progress) {
-  ExploreRequest options = request;
-  apply_config(options, progress);
-  settle_beta(options, progress);
-  check(options, progress);
-  const TerrainFileOptions reading =
-      terrain_file_options(options.header, options.format, options.nodata);
-  // Before they are read, not after hours of exploring, in which they may be edited.
-  std::vector<ManifestFile> inputs = inputs_of(options);
-  TerrainGrid file = read_terrain_or_throw(options.terrain, reading, progress);
-  const std::optional<SyntheticLabel> label = label_of(file);
-  options = in_cells(options, file);
-  const terrain::Grid grid{file.rows, file.columns};
-  const Places places = places_of(options, grid);
-  terrain::CellSet blocked = blocked_cells(file, options.obstacles, reading, progress);
-  require_free(grid, file, blocked, places.start, places.goals);
-  const RasterFormats rasters = raster_formats_of(options.rasters);
-  const Terrain ground{grid, file.values};
-  std::optional<ResultFolder> folder;
-  const auto open_folder = [&] {
-    if (!options.output.path.empty()) {
-      require_apart(options.terrain, options.output.path);
-      folder.emplace(options.output.path, "explore");
-    }
-  };
-  const auto commit = [&] {
-    Manifest manifest;
-    manifest.command = "explore";
-    record(written(request), manifest);
-    manifest.seed = static_cast<std::uint64_t>(request.seed);
-    manifest.synthetic = label;
-    manifest.inputs = std::move(inputs);
-    folder->commit(std::move(manifest));
-  };
-  const std::string heading = label ? to_string(*label) + "\n" : "";
-  const double cell_m = options.units == "metres" ? file.frame.x_step : 0.0;
+  [[nodiscard]] std::string heading() const { return label ? to_string(*label) + "\n" : ""; }
+};
 
-  if (!options.baseline.empty()) {
-    const ExploreSetup walked = places_setup(options, places, std::move(blocked));
-    const terrain::BaselineResult result = baseline_walk(options, ground, walked);
-    open_folder();
-    progress.show(heading + baseline_summary(options.baseline, result));
-    if (folder) {
-      ExploreResult path;
-      path.path = result.path;
-      folder->write("path.csv", render(path_table(path, label), TableFormat::csv));
-      ExploreFrame frame;
-      frame.safe = frame.expanders = terrain::CellSet(grid.size(), 0);
-      frame.robot = result.path.back();
-      frame.path_points = result.path.size();
-      folder->write(
-          "frames/frame_001.svg",
-          explore_picture(ground, options.threshold, frame, result.path, walked.goal, label));
-      if (rasters.png) {
-        write_terrain_picture(*folder, file, walked);
-      }
-      commit();
-    }
-    return result.reached ? exit_done : exit_step_limit;
+/// None without an output.
+[[nodiscard]] std::optional<ResultFolder> folder_of(const Task& task) {
+  if (task.options.output.path.empty()) {
+    return std::nullopt;
   }
+  require_apart(task.options.terrain, task.options.output.path);
+  return std::optional<ResultFolder>(std::in_place, task.options.output.path, "explore");
+}
 
-  ExploreSetup setup = explore_setup(options, progress, ground, std::move(blocked));
+void commit(ResultFolder& folder, Task& task) {
+  Manifest manifest;
+  manifest.command = "explore";
+  record(written(task.request), manifest);
+  manifest.seed = static_cast<std::uint64_t>(task.request.seed);
+  manifest.synthetic = task.label;
+  manifest.inputs = std::move(task.inputs);
+  folder.commit(std::move(manifest));
+}
+
+ExitCode walk_baseline(Task& task, Progress& progress) {
+  const ExploreSetup setup = places_setup(task.options, task.places, std::move(task.blocked));
+  std::optional<ResultFolder> folder = folder_of(task);
+  const terrain::BaselineResult result = baseline_walk(task.options, task.ground, setup);
+  progress.show(task.heading() + baseline_summary(task.options.baseline, result));
+  if (folder) {
+    ExploreResult way;
+    way.path = result.path;
+    folder->write("path.csv", render(path_table(way, task.label), TableFormat::csv));
+    ExploreFrame frame;
+    frame.safe = frame.expanders = terrain::CellSet(task.ground.grid.size(), 0);
+    frame.robot = result.path.back();
+    frame.path_points = result.path.size();
+    folder->write(
+        "frames/frame_001.svg",
+        explore_picture(
+            task.ground, task.options.threshold, frame, result.path, setup.goal, task.label));
+    if (raster_formats_of(task.options.rasters).png) {
+      write_terrain_picture(*folder, task.file, setup);
+    }
+    commit(*folder, task);
+  }
+  return result.reached ? exit_done : exit_step_limit;
+}
+
+void write_frames(const ResultFolder& folder,
+                  const Task& task,
+                  const ExploreSetup& setup,
+                  const ExploreResult& result,
+                  const FrameKeeper& frames) {
+  int number = 0;
+  std::vector<ExploreFrame> chosen = frames.evenly(static_cast<std::size_t>(task.options.frames));
+  if (!chosen.empty()) {
+    chosen.back().robot = result.path.back();
+    chosen.back().path_points = result.path.size();
+  }
+  for (const ExploreFrame& frame : chosen) {
+    folder.write(fmt::format("frames/frame_{:03}.svg", ++number),
+                 explore_picture(task.ground,
+                                 setup.rules.threshold,
+                                 frame,
+                                 result.path,
+                                 setup.goal ? std::optional(result.goal) : std::nullopt,
+                                 task.label));
+  }
+}
+
+ExitCode run_exploration(Task& task, Progress& progress) {
+  const ExploreRequest& options = task.options;
+  const RasterFormats rasters = raster_formats_of(options.rasters);
+  ExploreSetup setup = explore_setup(options, progress, task.ground, std::move(task.blocked));
   setup.wants_layers = rasters.any();
-  open_folder();
+  std::optional<ResultFolder> folder = folder_of(task);
   FrameKeeper frames;
   const auto keep = [&](const terrain::Planner& planner,
                         const terrain::ExploreStep& step,
@@ -154,38 +175,56 @@ ExitCode explore(const ExploreRequest& request, Progress& progress) {
                   so_far.path.size()});
     }
   };
-  const ExploreResult result = explored(ground, setup, keep);
-  progress.show(heading + explore_summary(result, setup, cell_m));
+  const ExploreResult result = explored(task.ground, setup, keep);
+  const double cell_m = options.units == "metres" ? task.file.frame.x_step : 0.0;
+  progress.show(task.heading() + explore_summary(result, setup, cell_m));
   if (folder) {
-    folder->write("series.csv", render(explore_table(result, label), TableFormat::csv));
-    folder->write("path.csv", render(path_table(result, label), TableFormat::csv));
-    folder->write(
-        "measurements.csv",
-        render(measurement_table(taken_by(ground, setup, result), label), TableFormat::csv));
-    int number = 0;
-    std::vector<ExploreFrame> chosen = frames.evenly(static_cast<std::size_t>(options.frames));
-    if (!chosen.empty()) {
-      chosen.back().robot = result.path.back();
-      chosen.back().path_points = result.path.size();
-    }
-    for (const ExploreFrame& frame : chosen) {
-      folder->write(fmt::format("frames/frame_{:03}.svg", ++number),
-                    explore_picture(ground,
-                                    setup.rules.threshold,
-                                    frame,
-                                    result.path,
-                                    setup.goal ? std::optional(result.goal) : std::nullopt,
-                                    label));
-    }
+    folder->write("series.csv", render(explore_table(result, task.label), TableFormat::csv));
+    folder->write("path.csv", render(path_table(result, task.label), TableFormat::csv));
+    folder->write("measurements.csv",
+                  render(measurement_table(taken_by(task.ground, setup, result), task.label),
+                         TableFormat::csv));
+    write_frames(*folder, task, setup, result, frames);
     if (result.layers) {
-      write_rasters(*folder, rasters, file, *result.layers);
+      write_rasters(*folder, rasters, task.file, *result.layers);
     }
     if (rasters.png) {
-      write_terrain_picture(*folder, file, setup);
+      write_terrain_picture(*folder, task.file, setup);
     }
-    commit();
+    commit(*folder, task);
   }
   return exit_code_of(result.end);
+}
+
+}  // namespace
+
+ExitCode explore(const ExploreRequest& request, Progress& progress) {
+  ExploreRequest options = request;
+  apply_config(options, progress);
+  settle_beta(options, progress);
+  check(options, progress);
+  const TerrainFileOptions reading =
+      terrain_file_options(options.header, options.format, options.nodata);
+  // Before they are read, not after hours of exploring, in which they may be edited.
+  std::vector<ManifestFile> inputs = inputs_of(options);
+  TerrainGrid file = read_terrain_or_throw(options.terrain, reading, progress);
+  options = in_cells(options, file);
+  const terrain::Grid grid{file.rows, file.columns};
+  const Places places = places_of(options, grid);
+  terrain::CellSet blocked = blocked_cells(file, options.obstacles, reading, progress);
+  require_free(grid, file, blocked, places.start, places.goals);
+  Terrain ground{grid, file.values};
+  const std::optional<SyntheticLabel> label = label_of(file);
+  Task task{request,
+            std::move(options),
+            std::move(file),
+            std::move(ground),
+            places,
+            std::move(blocked),
+            label,
+            std::move(inputs)};
+  return task.options.baseline.empty() ? run_exploration(task, progress)
+                                       : walk_baseline(task, progress);
 }
 
 }  // namespace tcert::cli

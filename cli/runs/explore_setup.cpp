@@ -120,7 +120,9 @@ void set_certified(terrain::ExploreSetup& setup,
     progress.say(
         fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} "
                     "measurements; it falls as more is measured. That takes the terrain for a "
-                    "Gaussian field of length scale {:g} cells (--kernel-length-scale).",
+                    "Gaussian field of length scale {:g} cells (--kernel-length-scale), everywhere "
+                    "like here: on ground that is rougher elsewhere it is too low, and unsafe "
+                    "cells are held safe (--gradient-prior).",
                     setup.rules.lipschitz,
                     100.0 * setup.confidence,
                     first.size(),

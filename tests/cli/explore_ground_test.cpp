@@ -1,12 +1,16 @@
 // Ground that is reused, rasters and metres of it, bodies on it, and a robot's own loop over it.
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <sstream>
 #include <string>
 
 #include "datasets/terrain_file.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/unix_client.hpp"
 #include "support/workdir.hpp"
 
 namespace tcert {
@@ -304,6 +308,74 @@ TEST_F(ExploreGround, ARobotIsToldWhatASimulatedOneDoes) {
           << file;
     }
   }
+}
+
+/// Another process, which knows the terrain and is told where to go over a socket.
+TEST_F(ExploreGround, ARobotOverASocketIsToldTheSame) {
+  const ProcessResult run =
+      explore({"--start", "45,35", "--goal", "70,50", "--lipschitz", "18", "--output", "run"});
+  ASSERT_EQ(0, run.exit_code) << to_string(run);
+  const auto terrain = read_terrain(work.path() / "plain.csv");
+  ASSERT_TRUE(terrain.terrain);
+  const std::string path = (work.path() / "robot").string();
+  const pid_t child = work.start({"live",        "terrain",     "--rows",
+                                  "90",          "--columns",   "70",
+                                  "--threshold", "940",         "--kernel-length-scale",
+                                  "20",          "--lipschitz", "18",
+                                  "--start",     "45,35",       "--goal",
+                                  "70,50",       "--listen",    "unix:" + path,
+                                  "--record",    "told"});
+  const int end = test_support::connected_to(path);
+  ASSERT_GE(end, 0);
+  const auto send = [&](int x, int y, bool plan) {
+    std::ostringstream line;
+    line.precision(17);
+    line << x << ',' << y << ',' << terrain.terrain->values[static_cast<std::size_t>(x * 70 + y)]
+         << ',' << plan << '\n';
+    const std::string text = line.str();
+    ASSERT_EQ(static_cast<ssize_t>(text.size()), ::write(end, text.data(), text.size()));
+  };
+  std::string told;
+  const auto row = [&] {
+    std::string line;
+    for (char c = 0; ::read(end, &c, 1) == 1 && c != '\n';) {
+      line += c;
+    }
+    told += line + '\n';
+    return line;
+  };
+  for (int x = 43; x <= 47; ++x) {
+    for (int y = 33; y <= 37; ++y) {
+      const int d2 = (x - 45) * (x - 45) + (y - 35) * (y - 35);
+      if (d2 > 0 && d2 <= 4) {
+        send(x, y, false);
+      }
+    }
+  }
+  send(45, 35, true);
+  row();  // The header.
+  for (int step = 0; step < 500; ++step) {
+    const std::string line = row();
+    const std::size_t last = line.rfind(',');
+    if (line.empty() || last + 1 < line.size()) {
+      break;  // It ended.
+    }
+    // The end of the way: its last "x y".
+    const std::size_t way = line.rfind(',', last - 1) + 1;
+    const std::size_t at = std::min(line.rfind(';', last), last);
+    const std::string place = line.substr(at < last && at >= way ? at + 1 : way, last - way);
+    int x = 0;
+    int y = 0;
+    std::istringstream(place) >> x >> y;
+    send(x, y, true);
+  }
+  ::close(end);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_EQ(first_columns(work.read("run/series.csv"), 12), first_columns(told, 12));
+  EXPECT_EQ(work.read("run/path.csv"), work.read("told/path.csv"));
+  EXPECT_EQ(work.read("run/measurements.csv"), work.read("told/measurements.csv"));
 }
 
 TEST_F(ExploreGround, LinesOfARobotThatCannotBeAreSkipped) {

@@ -13,11 +13,11 @@
 #include "cli/runs/explore_setup.hpp"
 #include "cli/runs/explore_summary.hpp"
 #include "cli/runs/explore_units.hpp"
-#include "cli/runs/live_terrain/measurement_line.hpp"
 #include "cli/runs/live_terrain/robot_lines.hpp"
 #include "cli/runs/result_folder.hpp"
 #include "cli/runs/terrain_input.hpp"
 #include "cli/runs/written_options.hpp"
+#include "datasets/terrain/measurement_line.hpp"
 #include "reports/terrain/explore_table.hpp"
 
 namespace tcert::cli {
@@ -177,17 +177,18 @@ ExitCode live_terrain(const LiveTerrainRequest& request, Progress& progress) {
     std::string problem = reading.problem;
     if (reading.measurement) {
       const MeasurementLine& m = *reading.measurement;
+      const terrain::Position at(m.x, m.y);
       try {
         if (!m.plan) {
-          session.take(m.at, m.value);
-          log.taken.push_back({{terrain::position(m.at), m.value}, false});
+          session.take({m.x, m.y}, m.value);
+          log.taken.push_back({{at, m.value}, false});
           continue;
         }
         const bool is_first = session.explorer() == nullptr;
-        const terrain::Decision& decision = session.plan(m.at, m.value);
-        log.taken.push_back({{terrain::position(m.at), m.value}, true});
-        if (log.path.back() != terrain::position(m.at)) {
-          log.path.push_back(terrain::position(m.at));
+        const terrain::Decision& decision = session.plan({m.x, m.y}, m.value);
+        log.taken.push_back({{at, m.value}, true});
+        if (log.path.back() != at) {
+          log.path.push_back(at);
         }
         log.path.insert(log.path.end(), decision.way.begin(), decision.way.end());
         log.rows.push_back({decision.row, decision.way, decision.end});

@@ -1,14 +1,15 @@
-#include "cli/runs/live_terrain/measurement_line.hpp"
+#include "datasets/terrain/measurement_line.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <table/diagnostic.hpp>
 #include <vector>
 
-namespace tcert::cli {
+namespace tcert {
 namespace {
 
 constexpr std::string_view kExpected =
@@ -42,7 +43,7 @@ constexpr std::string_view kExpected =
     return std::nullopt;
   }
   return MeasurementLine{
-      {static_cast<int>(v[0]), static_cast<int>(v[1])}, v[2], v.size() < 4 || v[3] == 1.0};
+      static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v.size() < 4 || v[3] == 1.0};
 }
 
 [[nodiscard]] MeasurementReading read_json(std::string_view line) {
@@ -91,4 +92,4 @@ MeasurementReading read_measurement(std::string_view line) {
   return {measurement, measurement ? std::string() : found(line)};
 }
 
-}  // namespace tcert::cli
+}  // namespace tcert

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <terrain/grid.hpp>
 
-namespace tcert::cli {
+namespace tcert {
 
 struct MeasurementLine {
-  terrain::Cell at;
+  int x = 0;  ///< The cell.
+  int y = 0;
   double value = 0.0;
   bool plan = true;  ///< False: measured beside the way, and no answer is wanted.
 };
@@ -25,4 +25,4 @@ struct MeasurementReading {
 /// CSV line of which no cell is a number is a header.
 [[nodiscard]] MeasurementReading read_measurement(std::string_view line);
 
-}  // namespace tcert::cli
+}  // namespace tcert
