@@ -193,7 +193,10 @@ std::string selection_of(const ExploreRequest& o) {
   if (!o.selection.empty()) {
     return o.selection;
   }
-  return o.look_ahead ? "look-ahead" : o.rules == "certified" ? "horizon" : "thesis";
+  return o.look_ahead             ? "look-ahead"
+         : o.rules == "certified" ? "horizon"
+         : o.rules == "band"      ? "pareto"
+                                  : "thesis";
 }
 
 void check(const ExploreRequest& o, Progress& progress) {
