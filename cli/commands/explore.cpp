@@ -32,8 +32,8 @@ terrains of 300 in which it held an unsafe cell safe, L as given: beta 3 (1.73 s
 16 (4 sd) 11, 25 (5 sd, the default with --trust-model) 2, 36 (6 sd) 0.
 
 Exit codes: 0 the goal is reached, or without a goal all is explored; otherwise, the result written
-all the same, 4 not reachable at this threshold (or past the obstacles and gaps, or with this body), 5
-only the Lipschitz constant (or the rule set) forbids it, 6 the goal is certified and joined but less than
+all the same, 4 not reachable at this threshold (or past the obstacles and gaps, or with this body),
+5 only the Lipschitz constant (or the rule set) forbids it, 6 the goal is certified and joined but less than
 --simplification cells within the outline (published rules), 7 the limit of --max-steps, 8 stranded
 or nothing safe. 2, 65 and 66: wrong flags, a start, goal or terrain that cannot be, no such file.
 
