@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <limits>
+#include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string_view>
 #include <terrain/limits.hpp>
 #include <terrain/session.hpp>
 
@@ -25,21 +26,17 @@ namespace {
 
 /// Options of `explore` that are of no use without a terrain.
 [[nodiscard]] bool is_for_a_robot(const std::string& name) {
-  for (const char* const other : {"config",
-                                  "header",
-                                  "mode",
-                                  "expanders",
-                                  "noise-variance",
-                                  "kernel-mean",
-                                  "baseline",
-                                  "frames",
-                                  "seed",
-                                  "output"}) {
-    if (name == other) {
-      return false;
-    }
-  }
-  return true;
+  constexpr std::array<std::string_view, 10> kOthers{"config",
+                                                     "header",
+                                                     "mode",
+                                                     "expanders",
+                                                     "noise-variance",
+                                                     "kernel-mean",
+                                                     "baseline",
+                                                     "frames",
+                                                     "seed",
+                                                     "output"};
+  return std::find(kOthers.begin(), kOthers.end(), name) == kOthers.end();
 }
 
 /// Where the cells lie, and which are blocked; the values of a layout are not looked at.
@@ -107,6 +104,116 @@ void write_record(const LiveTerrainRequest& request,
   folder.commit(std::move(manifest));
 }
 
+/// The robot's lines, one after the other.
+class Loop {
+ public:
+  Loop(terrain::Session& session, RobotLines& robot, Progress& progress)
+      : session_(session), robot_(robot), progress_(progress) {
+    for (const terrain::Measurement& m : session.setup().known) {
+      log_.taken.push_back({m, false});
+    }
+    log_.path.push_back(terrain::position(session.setup().start));
+  }
+
+  /// Until it is over, one way or another. \throws BadData for a start that cannot be.
+  void run() {
+    while (!end_ && is_read_) {
+      const std::optional<std::string> line = robot_.next();
+      if (!line) {
+        return;
+      }
+      ++number_;
+      const MeasurementReading reading = read_measurement(*line);
+      if (reading.measurement) {
+        take(*reading.measurement);
+      } else if (!reading.problem.empty()) {
+        skip(reading.problem);
+      }
+    }
+  }
+
+  [[nodiscard]] const Log& log() const noexcept { return log_; }
+  [[nodiscard]] const std::optional<terrain::End>& end() const noexcept { return end_; }
+  [[nodiscard]] bool skipped_any() const noexcept { return bad_ > 0 || robot_.too_long() > 0; }
+
+ private:
+  void take(const MeasurementLine& m) {
+    const bool is_first = session_.explorer() == nullptr;
+    try {
+      if (m.plan) {
+        tell(session_.plan({m.x, m.y}, m.value), {m.x, m.y}, is_first);
+      } else {
+        session_.take({m.x, m.y}, m.value);
+      }
+      log_.taken.push_back({{{m.x, m.y}, m.value}, m.plan});
+    } catch (const std::invalid_argument& error) {
+      if (is_first && m.plan) {
+        throw BadData(error.what());
+      }
+      skip(error.what());
+    } catch (const std::domain_error& error) {
+      skip(error.what());
+    }
+  }
+
+  void tell(const terrain::Decision& decision, const terrain::Position& at, bool with_header) {
+    if (log_.path.back() != at) {
+      log_.path.push_back(at);
+    }
+    log_.path.insert(log_.path.end(), decision.way.begin(), decision.way.end());
+    log_.rows.push_back({decision.row, decision.way, decision.end});
+    end_ = decision.end;
+    is_read_ = robot_.answer(text_of(log_.rows.back(), with_header));
+  }
+
+  void skip(const std::string& problem) {
+    ++bad_;
+    progress_.say(fmt::format("line {}: {}; it is skipped", number_, problem));
+  }
+
+  terrain::Session& session_;
+  RobotLines& robot_;
+  Progress& progress_;
+  Log log_;
+  std::optional<terrain::End> end_;
+  bool is_read_ = true;
+  std::size_t number_ = 0;
+  std::size_t bad_ = 0;
+};
+
+/// In cells, with what the rules take unless it was given. \throws UsageError.
+[[nodiscard]] ExploreRequest options_in_cells(const LiveTerrainRequest& request,
+                                              TerrainGrid& layout,
+                                              Progress& progress) {
+  ExploreRequest o = request.explore;
+  if (o.rules == "band" && !is_given(o.given, "beta")) {
+    o.beta = terrain::kTrustedBeta;
+  }
+  o = in_cells(o, layout);
+  o.output.path = request.record;  // Where rasters go.
+  o.terrain = o.terrain.empty() ? "-" : o.terrain;
+  check(o, progress);
+  return o;
+}
+
+[[nodiscard]] terrain::ExploreSetup setup_of(const ExploreRequest& o,
+                                             const TerrainGrid& layout,
+                                             Progress& progress) {
+  const terrain::Grid grid{layout.rows, layout.columns};
+  const Places places = places_of(o, grid);
+  terrain::CellSet blocked = blocked_cells(
+      layout, o.obstacles, terrain_file_options("auto", o.format, o.nodata), progress);
+  require_free(grid, layout, blocked, places.start, places.goals);
+  terrain::ExploreSetup setup = unsettled_setup(o, grid, std::move(blocked));
+  settle_noise(setup, o, progress);
+  if (told_of(o).lipschitz) {
+    setup.rules.lipschitz = lipschitz_of(o);
+  } else {
+    setup.confidence = o.confidence;
+  }
+  return setup;
+}
+
 }  // namespace
 
 OptionTable options_of(LiveTerrainRequest& request) {
@@ -129,95 +236,29 @@ OptionTable options_of(LiveTerrainRequest& request) {
 }
 
 ExitCode live_terrain(const LiveTerrainRequest& request, Progress& progress) {
-  ExploreRequest o = request.explore;
-  if (o.rules != "certified" && o.rules != "band") {
-    throw UsageError("--rules: found '" + o.rules + "', expected certified or band");
-  }
-  if (o.rules == "band" && !is_given(o.given, "beta")) {
-    o.beta = terrain::kTrustedBeta;
+  if (request.explore.rules != "certified" && request.explore.rules != "band") {
+    throw UsageError("--rules: found '" + request.explore.rules + "', expected certified or band");
   }
   TerrainGrid layout = layout_of(request, progress);
-  o = in_cells(o, layout);
-  o.output.path = request.record;  // Where rasters go.
-  o.terrain = o.terrain.empty() ? "-" : o.terrain;
-  check(o, progress);
-  const terrain::Grid grid{layout.rows, layout.columns};
-  const Places places = places_of(o, grid);
-  terrain::CellSet blocked = blocked_cells(
-      layout, o.obstacles, terrain_file_options("auto", o.format, o.nodata), progress);
-  require_free(grid, layout, blocked, places.start, places.goals);
+  const ExploreRequest o = options_in_cells(request, layout, progress);
   if (!request.record.empty()) {
     require_own_folder(request.record, "live terrain");
   }
-  const terrain::Told told = told_of(o);
-  terrain::ExploreSetup setup = unsettled_setup(o, grid, std::move(blocked));
-  settle_noise(setup, o, progress);
-  if (told.lipschitz) {
-    setup.rules.lipschitz = lipschitz_of(o);
-  } else {
-    setup.confidence = o.confidence;
-  }
-  terrain::Session session(grid, setup, told);
-  Log log;
-  for (const terrain::Measurement& m : setup.known) {
-    log.taken.push_back({m, false});
-  }
-  log.path.push_back(terrain::position(setup.start));
+  terrain::Session session(
+      {layout.rows, layout.columns}, setup_of(o, layout, progress), told_of(o));
   RobotLines robot(request.listen, progress);
-  std::size_t bad = 0;
-  std::size_t number = 0;
-  std::optional<terrain::End> end;
-  while (!end) {
-    const std::optional<std::string> line = robot.next();
-    if (!line) {
-      break;
-    }
-    ++number;
-    const MeasurementReading reading = read_measurement(*line);
-    std::string problem = reading.problem;
-    if (reading.measurement) {
-      const MeasurementLine& m = *reading.measurement;
-      const terrain::Position at(m.x, m.y);
-      try {
-        if (!m.plan) {
-          session.take({m.x, m.y}, m.value);
-          log.taken.push_back({{at, m.value}, false});
-          continue;
-        }
-        const bool is_first = session.explorer() == nullptr;
-        const terrain::Decision& decision = session.plan({m.x, m.y}, m.value);
-        log.taken.push_back({{at, m.value}, true});
-        if (log.path.back() != at) {
-          log.path.push_back(at);
-        }
-        log.path.insert(log.path.end(), decision.way.begin(), decision.way.end());
-        log.rows.push_back({decision.row, decision.way, decision.end});
-        end = decision.end;
-        if (!robot.answer(text_of(log.rows.back(), is_first))) {
-          break;
-        }
-        continue;
-      } catch (const std::invalid_argument& error) {
-        if (session.explorer() == nullptr && m.plan) {
-          throw BadData(error.what());
-        }
-        problem = error.what();
-      } catch (const std::domain_error& error) {
-        problem = error.what();
-      }
-    }
-    if (!problem.empty()) {
-      ++bad;
-      progress.say(fmt::format("line {}: {}; it is skipped", number, problem));
-    }
-  }
+  Loop loop(session, robot, progress);
+  loop.run();
   if (!request.record.empty()) {
-    write_record(request, log, session, layout);
+    write_record(request, loop.log(), session, layout);
   }
-  if (!end) {
+  if (!loop.end()) {
     progress.say("the measurements ended before the exploration did.");
   }
-  return bad > 0 || robot.too_long() > 0 ? exit_rejected : end ? exit_code_of(*end) : exit_done;
+  if (loop.skipped_any()) {
+    return exit_rejected;
+  }
+  return loop.end() ? exit_code_of(*loop.end()) : exit_done;
 }
 
 }  // namespace tcert::cli
