@@ -207,7 +207,7 @@ CellSet Planner::borders(const CellSet& reachable) const {
       continue;
     }
     const Cell c = grid_.cell(i);
-    set[i] = std::any_of(kSteps.begin(), kSteps.end(), [&](Cell step) {
+    const bool grows = std::any_of(kSteps.begin(), kSteps.end(), [&](Cell step) {
       const Cell next{c.x + step.x, c.y + step.y};
       if (!grid_.contains(next)) {
         return false;
@@ -216,6 +216,7 @@ CellSet Planner::borders(const CellSet& reachable) const {
       return standing_[n] == 0 && intervals_.upper[n] >= rules_.threshold &&
              (blocked_.empty() || blocked_[n] == 0);
     });
+    set[i] = grows ? 1 : 0;
   }
   return set;
 }
