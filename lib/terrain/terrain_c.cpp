@@ -4,14 +4,19 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <terrain/limits.hpp>
 #include <terrain/session.hpp>
+#include <utility>
 
 using namespace tcert::terrain;
 
 struct tcert_terrain {
+  tcert_terrain(const Grid& grid, ExploreSetup setup, const Told& told)
+      : session(grid, std::move(setup), told) {}
+
   Session session;
   std::vector<Position> way;
 };
@@ -214,8 +219,9 @@ tcert_terrain_status tcert_terrain_create(const tcert_terrain_setup* setup,
   std::memcpy(&known, setup, setup->struct_size);
   return guarded(why, why_size, [&] {
     const Told told{known.lipschitz != 0.0, false, false};
-    *terrain =
-        new tcert_terrain{{Grid{known.rows, known.columns}, setup_of(known, blocked), told}, {}};
+    auto made = std::make_unique<tcert_terrain>(
+        Grid{known.rows, known.columns}, setup_of(known, blocked), told);
+    *terrain = made.release();
   });
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "datasets/png_image.hpp"
 
@@ -26,19 +28,44 @@ constexpr std::array<Colour, 5> kRamp{
   return colour;
 }
 
+/// Least and largest value; none without one.
+[[nodiscard]] std::optional<std::pair<double, double>> range_of(const std::vector<double>& values) {
+  std::optional<std::pair<double, double>> range;
+  for (const double v : values) {
+    if (std::isfinite(v)) {
+      range = range ? std::pair(std::min(range->first, v), std::max(range->second, v))
+                    : std::pair(v, v);
+    }
+  }
+  return range;
+}
+
+using Pixel = std::array<std::uint8_t, 4>;
+
+[[nodiscard]] Pixel pixel_of(double value, const std::pair<double, double>& range) {
+  Pixel pixel{};
+  if (std::isfinite(value)) {
+    const double span = range.second - range.first;
+    const Colour c = colour_of(span > 0.0 ? (value - range.first) / span : 1.0);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      pixel[k] = static_cast<std::uint8_t>(std::lround(c[k]));
+    }
+    pixel[3] = 255;
+  }
+  return pixel;
+}
+
+[[nodiscard]] Pixel pixel_of(std::uint32_t colour) {
+  return {static_cast<std::uint8_t>(colour >> 16U),
+          static_cast<std::uint8_t>(colour >> 8U & 0xffU),
+          static_cast<std::uint8_t>(colour & 0xffU),
+          255};
+}
+
 }  // namespace
 
 std::string raster_picture(const TerrainGrid& layer, const std::vector<RasterMark>& marks) {
-  double low = 0.0;
-  double high = 0.0;
-  bool any = false;
-  for (const double v : layer.values) {
-    if (std::isfinite(v)) {
-      low = any ? std::min(low, v) : v;
-      high = any ? std::max(high, v) : v;
-      any = true;
-    }
-  }
+  const auto range = range_of(layer.values).value_or(std::pair(0.0, 0.0));
   const bool is_turned = layer.frame.is_declared && !layer.frame.rows_run_south;
   const int rows = is_turned ? layer.columns : layer.rows;
   const int columns = is_turned ? layer.rows : layer.columns;
@@ -46,27 +73,15 @@ std::string raster_picture(const TerrainGrid& layer, const std::vector<RasterMar
   image.pixels.reserve(4 * layer.values.size());
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const int x = is_turned ? column : row;
-      const int y = is_turned ? rows - 1 - row : column;
-      const double v =
-          layer.values[static_cast<std::size_t>(x) * static_cast<std::size_t>(layer.columns) +
-                       static_cast<std::size_t>(y)];
+      const terrain::Cell c{is_turned ? column : row, is_turned ? rows - 1 - row : column};
       const auto mark = std::find_if(marks.begin(), marks.end(), [&](const RasterMark& one) {
-        return squared_distance(one.at, terrain::Cell{x, y}) <= 9.0;
+        return squared_distance(one.at, c) <= 9.0;
       });
-      std::array<std::uint8_t, 4> pixel{};
-      if (mark != marks.end()) {
-        pixel = {static_cast<std::uint8_t>(mark->colour >> 16U),
-                 static_cast<std::uint8_t>(mark->colour >> 8U & 0xffU),
-                 static_cast<std::uint8_t>(mark->colour & 0xffU),
-                 255};
-      } else if (std::isfinite(v)) {
-        const Colour c = colour_of(high > low ? (v - low) / (high - low) : 1.0);
-        for (std::size_t k = 0; k < c.size(); ++k) {
-          pixel[k] = static_cast<std::uint8_t>(std::lround(c[k]));
-        }
-        pixel[3] = 255;
-      }
+      const std::size_t i =
+          static_cast<std::size_t>(c.x) * static_cast<std::size_t>(layer.columns) +
+          static_cast<std::size_t>(c.y);
+      const Pixel pixel =
+          mark != marks.end() ? pixel_of(mark->colour) : pixel_of(layer.values[i], range);
       image.pixels.insert(image.pixels.end(), pixel.begin(), pixel.end());
     }
   }
