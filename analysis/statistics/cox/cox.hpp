@@ -47,6 +47,9 @@ struct CoxData {
 /// The frame without its intercept. \throws std::invalid_argument if its outcome is not Surv().
 [[nodiscard]] CoxData cox_data(const ModelFrame& frame);
 
+/// These rows of the data, in their order; a row may stand several times.
+[[nodiscard]] CoxData on_rows(const CoxData& data, const std::vector<std::size_t>& rows);
+
 struct CoxOptions {
   Ties ties = Ties::efron;
   double level = 0.95;  ///< Of the intervals.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <statistics/cox/cox.hpp>
+#include <statistics/model/factor_levels.hpp>
 #include <stdexcept>
 
 namespace tcert::statistics {
@@ -28,6 +29,29 @@ CoxData cox_data(const ModelFrame& frame) {
   }
   data.design = frame.design(Eigen::all, kept);
   return data;
+}
+
+CoxData on_rows(const CoxData& data, const std::vector<std::size_t>& rows) {
+  const std::vector<Eigen::Index> indices(rows.begin(), rows.end());
+  CoxData chosen;
+  chosen.columns = data.columns;
+  chosen.terms = data.terms;
+  chosen.term_of = data.term_of;
+  chosen.outcome = on_rows(data.outcome, rows);
+  chosen.design = data.design(indices, Eigen::all);
+  if (data.offset) {
+    chosen.offset = (*data.offset)(indices);
+  }
+  if (data.weights) {
+    chosen.weights = (*data.weights)(indices);
+  }
+  if (data.strata) {
+    chosen.strata = on_rows(*data.strata, rows);
+  }
+  if (data.cluster) {
+    chosen.cluster = on_rows(*data.cluster, rows);
+  }
+  return chosen;
 }
 
 }  // namespace tcert::statistics

@@ -13,7 +13,8 @@ ClusterScores cluster_scores(const CoxRows& rows,
   ClusterScores scores;
   scores.products = Eigen::MatrixXd::Zero(p, p);
   scores.total = Eigen::VectorXd::Zero(p);
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(
+  Eigen::MatrixXd& sums = scores.sums;
+  sums = Eigen::MatrixXd::Zero(
       p, cluster == nullptr ? 0 : static_cast<Eigen::Index>(cluster->levels.size()));
   Eigen::VectorXd residual(p);
   const auto add_product = [&](const Eigen::VectorXd& sum) {

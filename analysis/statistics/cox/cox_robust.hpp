@@ -11,6 +11,7 @@ namespace tcert::statistics {
 struct ClusterScores {
   Eigen::MatrixXd products;  ///< p x p: the sum over clusters of their sum times its transpose.
   Eigen::VectorXd total;     ///< p.
+  Eigen::MatrixXd sums;      ///< p x levels of the cluster; without columns if it is null.
 };
 
 /// At `beta`, in scaled columns; a row is its own cluster if `cluster` is null. O(m p^2): the

@@ -74,16 +74,6 @@ std::vector<std::vector<std::size_t>> rows_of_levels(const table::Factor& factor
   return rows;
 }
 
-SurvivalOutcome on_rows(const SurvivalOutcome& outcome, const std::vector<std::size_t>& rows) {
-  SurvivalOutcome result;
-  result.stop = chosen(outcome.stop, rows);
-  result.event = chosen(outcome.event, rows);
-  if (outcome.left_truncated()) {
-    result.start = chosen(outcome.start, rows);
-  }
-  return result;
-}
-
 ScoresByGroup auc_by_group(const Score& score,
                            std::span<const std::uint8_t> success,
                            const table::Factor& group,

@@ -54,8 +54,4 @@ struct ScoresByGroup {
 /// Rows of each level.
 [[nodiscard]] std::vector<std::vector<std::size_t>> rows_of_levels(const table::Factor& factor);
 
-/// The outcome on these rows.
-[[nodiscard]] SurvivalOutcome on_rows(const SurvivalOutcome& outcome,
-                                      const std::vector<std::size_t>& rows);
-
 }  // namespace tcert::statistics

@@ -19,4 +19,8 @@ struct SurvivalOutcome {
   [[nodiscard]] bool left_truncated() const noexcept { return !start.empty(); }
 };
 
+/// The outcome on these rows, in their order.
+[[nodiscard]] SurvivalOutcome on_rows(const SurvivalOutcome& outcome,
+                                      const std::vector<std::size_t>& rows);
+
 }  // namespace tcert::statistics

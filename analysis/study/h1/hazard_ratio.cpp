@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <statistics/basics/standard_deviation.hpp>
-#include <statistics/model/factor_levels.hpp>
 #include <string>
 
 namespace tcert::study {
@@ -14,11 +13,9 @@ statistics::CoxData in_strata(const statistics::CoxData& cox,
                               const H1Data& data,
                               statistics::Conditions& conditions) {
   std::vector<std::size_t> rows;
-  std::vector<Eigen::Index> indices;
   for (std::size_t i = 0; i < data.rows(); ++i) {
     if (data.strata->codes[i] != table::Factor::kMissing) {
       rows.push_back(i);
-      indices.push_back(static_cast<Eigen::Index>(i));
     }
   }
   statistics::CoxData kept = cox;
@@ -31,18 +28,7 @@ statistics::CoxData in_strata(const statistics::CoxData& cox,
        statistics::ConditionSeverity::note,
        data.strata_name,
        std::to_string(data.rows() - rows.size()) + " of the stratified hazard ratio"});
-  kept.outcome = {};
-  for (const std::size_t i : rows) {
-    kept.outcome.stop.push_back(cox.outcome.stop[i]);
-    kept.outcome.event.push_back(cox.outcome.event[i]);
-    if (cox.outcome.left_truncated()) {
-      kept.outcome.start.push_back(cox.outcome.start[i]);
-    }
-  }
-  kept.design = cox.design(indices, Eigen::all);
-  kept.strata = statistics::on_rows(*data.strata, rows);
-  kept.cluster = statistics::on_rows(*cox.cluster, rows);
-  return kept;
+  return statistics::on_rows(kept, rows);
 }
 
 }  // namespace

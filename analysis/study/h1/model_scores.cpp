@@ -20,37 +20,13 @@ Eigen::VectorXd standardised(const std::vector<double>& values) {
 }
 
 /// Indices of the rows, each as often as it was drawn.
-std::vector<Eigen::Index> drawn_rows(std::span<const std::uint32_t> multiplicity) {
-  std::vector<Eigen::Index> rows;
+std::vector<std::size_t> drawn_rows(std::span<const std::uint32_t> multiplicity) {
+  std::vector<std::size_t> rows;
   rows.reserve(multiplicity.size());
   for (std::size_t row = 0; row < multiplicity.size(); ++row) {
-    rows.insert(rows.end(), multiplicity[row], static_cast<Eigen::Index>(row));
+    rows.insert(rows.end(), multiplicity[row], row);
   }
   return rows;
-}
-
-statistics::SurvivalOutcome on(const statistics::SurvivalOutcome& outcome,
-                               const std::vector<Eigen::Index>& rows) {
-  statistics::SurvivalOutcome chosen;
-  for (const Eigen::Index index : rows) {
-    const auto row = static_cast<std::size_t>(index);
-    chosen.stop.push_back(outcome.stop[row]);
-    chosen.event.push_back(outcome.event[row]);
-    if (outcome.left_truncated()) {
-      chosen.start.push_back(outcome.start[row]);
-    }
-  }
-  return chosen;
-}
-
-statistics::CoxData on(const statistics::CoxData& data, const std::vector<Eigen::Index>& rows) {
-  statistics::CoxData chosen;
-  chosen.columns = data.columns;
-  chosen.terms = data.terms;
-  chosen.term_of = data.term_of;
-  chosen.outcome = on(data.outcome, rows);
-  chosen.design = data.design(rows, Eigen::all);
-  return chosen;
 }
 
 statistics::CoxFit light_fit(const statistics::CoxData& data) {
@@ -118,7 +94,7 @@ double H1Model::auc(std::span<const std::uint32_t> multiplicity) const {
 }
 
 double H1Model::c(std::span<const std::uint32_t> multiplicity) const {
-  const statistics::CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
+  const statistics::CoxFit fit = light_fit(statistics::on_rows(cox_, drawn_rows(multiplicity)));
   if (!usable(fit)) {
     return table::kNaN;
   }
@@ -137,7 +113,7 @@ double H1Model::added_logistic_coefficient(std::span<const std::uint32_t> multip
 }
 
 double H1Model::added_cox_coefficient(std::span<const std::uint32_t> multiplicity) const {
-  const statistics::CoxFit fit = light_fit(on(cox_, drawn_rows(multiplicity)));
+  const statistics::CoxFit fit = light_fit(statistics::on_rows(cox_, drawn_rows(multiplicity)));
   return usable(fit) && last_is_estimated(fit) ? fit.beta(Eigen::last) : table::kNaN;
 }
 
@@ -152,7 +128,7 @@ std::optional<std::vector<double>> H1Model::logistic_scores(
 }
 
 std::optional<std::vector<double>> H1Model::cox_scores(std::span<const std::uint8_t> train) const {
-  const statistics::CoxFit fit = light_fit(on(cox_, drawn_rows(as_multiplicity(train))));
+  const statistics::CoxFit fit = light_fit(statistics::on_rows(cox_, drawn_rows(as_multiplicity(train))));
   if (!usable(fit)) {
     return std::nullopt;
   }

@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// A clustered Cox model as `cluster_estimates` asks for it.
+
+#include <optional>
+#include <statistics/clusters/cluster_inference.hpp>
+#include <statistics/cox/cox.hpp>
+
+namespace tcert::statistics {
+
+/// A cluster's information is the predictable variation of its score residuals, the sum over its
+/// rows of the risk score times the integral of (x - mean)(x - mean)' by the baseline hazard: with
+/// it the corrections of a `glm` carry over to the Cox model as its equivalent Poisson regression
+/// (Whitehead 1980), the baseline hazard taken as known. Empty without clusters, without a finite
+/// fit, with exact ties, and where the parts would be too large. The functions refer to `data`,
+/// which must outlive them. `left_out` has O(G) refits.
+[[nodiscard]] std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit);
+
+}  // namespace tcert::statistics
