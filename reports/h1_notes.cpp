@@ -27,12 +27,8 @@ std::string cluster_note(const study::H1Table& h1) {
   }
   std::string note = "Clusters: column '" + cluster +
                      "'. Resamples draw whole clusters, the tests and robust variances use them";
-  const bool few = std::any_of(h1.panels.begin(), h1.panels.end(), [](const study::H1Panel& panel) {
-    return panel.clusters < statistics::kFewClusters;
-  });
-  return note + (few ? fmt::format("; with fewer than {} of them intervals tend to be too narrow.",
-                                   statistics::kFewClusters)
-                     : std::string("."));
+  return note +
+         ". From 6 of them on intervals cover and tests keep their level in simulated studies.";
 }
 
 /// `p` says what the p of a model is.
@@ -104,14 +100,17 @@ std::vector<std::string> h1_success_notes(const study::H1Table& h1) {
       "the predictor less that of the rival, on the same resamples (" +
       std::to_string(h1.options.replicates) + ", seed " + std::to_string(h1.options.seed) +
       "). Intervals: " + interval_words(h1.options.interval) +
-      "; the others are in h1_intervals. p: clustered DeLong (Obuchowski 1997), two-sided; Holm "
+      "; the others are in h1_intervals. p: jackknife of whole clusters and Student's t, "
+      "two-sided; Holm "
       "over the rivals in AUC and in C.");
   notes.push_back(
       model_note("Their p is Wald's test of the predictor added, by the jackknife of whole "
                  "clusters and t; the "
                  "likelihood ratio, trials independent, is in h1_closed_form."));
-  notes.push_back("Out of fold: mean within " + std::to_string(h1.options.folds) +
-                  " folds of whole clusters, weighted by comparable pairs.");
+  notes.push_back(
+      "Within folds: mean within " + std::to_string(h1.options.folds) +
+      " folds of whole clusters, weighted by comparable pairs. A predictor is scored as "
+      "it is, so that nothing of it is out of fold; models are fitted to the other folds.");
   if (h1.outcome_missing > 0) {
     notes.push_back(std::to_string(h1.outcome_missing) +
                     " trials without an outcome are left out.");
@@ -141,10 +140,15 @@ std::vector<std::string> h1_time_notes(const study::H1Table& h1) {
   }
   return {
       "C: Pr(the better value goes with earlier egress), Harrell's, failures censored when they "
-      "fail; p by its clustered jackknife. Time is column '" +
+      "fail. Time is column '" +
           h1.options.time + "'; the event is egress.",
+      "C, failures at limit: the same where failures stay at risk to the limit, with the interval "
+      "of "
+      "the jackknife of whole clusters and t.",
       "HR: hazard ratio of egress per standard deviation (column SD) towards the better side, Cox "
-      "with Efron ties, cluster-robust; above 1 is sooner. At limit: failures stay at risk to " +
+      "with Efron ties; interval by the jackknife of whole clusters and t, above 100 clusters by "
+      "the "
+      "robust variance and t; above 1 is sooner. At limit: failures stay at risk to " +
           limits + ". " + strata,
       model_note("For C the model is a Cox model; its p is made as that of success. The HR of "
                  "'rivals + ...' is the predictor's, rivals held fixed."),

@@ -49,6 +49,19 @@ Table closed_form_table(const study::H1Table& h1) {
       "h1_closed_form", "Closed forms by cluster", rows_of(h1, &study::H1Panel::rows));
 }
 
+Table left_out_table(const study::H1Table& h1) {
+  using Row = study::H1LeftOut;
+  auto columns = panel_columns<Row>();
+  columns.text("without", "without", &Row::cluster)
+      .text("predictor", "predictor", &Row::row)
+      .number("auc", "AUC", &Row::auc)
+      .number("auc_gain", "gain of AUC", &Row::auc_gain)
+      .number("c", "C", &Row::c)
+      .number("c_gain", "gain of C", &Row::c_gain);
+  return columns.table(
+      "h1_left_out", "Without each cluster in turn", rows_of(h1, &study::H1Panel::left_out));
+}
+
 Table fold_table(const study::H1Table& h1) {
   using Fold = std::pair<std::string, std::size_t>;
   auto columns = panel_columns<Fold>();
@@ -144,6 +157,7 @@ FitReport h1_report(const study::H1Table& h1) {
   if (has_strata) {
     report.details.push_back(h1_within_closed_form_table(h1));
   }
+  report.details.push_back(left_out_table(h1));
   report.details.push_back(fold_table(h1));
   report.conditions = conditions_of(h1);
   report.findings = h1_findings(h1);

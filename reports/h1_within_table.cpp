@@ -76,11 +76,14 @@ Table h1_within_table(const study::H1Table& h1) {
       .estimate("auc_within", "AUC" + level, [](auto& r) { return r->within.auc; })
       .fixed("auc_gain", "gain of AUC", [](auto& r) { return r->auc_gain.value; })
       .estimate(
-          "auc_gain_within", "gain of AUC" + level, [](auto& r) { return r->within.auc_gain; });
+          "auc_gain_within", "gain of AUC" + level, [](auto& r) { return r->within.auc_gain; })
+      .estimate(
+          "auc_gain_between", "gain between", [](auto& r) { return r->within.auc_gain_between; });
   Table table = within_table(h1, "h1_within", "success", columns);
   table.footnotes.emplace_back(
       "Pooled numbers compare every pair of trials, also of groups that differ in speed or in "
-      "light before a trial begins; a gain that vanishes within strata is one between groups.");
+      "light before a trial begins. Between: the gain less that within, which is what the groups "
+      "add to it; the two sum up to the gain.");
   for (const study::H1Panel& panel : h1.panels) {
     if (!panel.within.columns.empty()) {
       table.footnotes.push_back(h1_within_note(panel, panel_name(h1, panel)));
@@ -98,7 +101,8 @@ Table h1_time_within_table(const study::H1Table& h1) {
   columns.fixed("c", "C", [](auto& r) { return r->c.value; })
       .estimate("c_within", "C" + level, [](auto& r) { return r->within.c; })
       .fixed("c_gain", "gain of C", [](auto& r) { return r->c_gain.value; })
-      .estimate("c_gain_within", "gain of C" + level, [](auto& r) { return r->within.c_gain; });
+      .estimate("c_gain_within", "gain of C" + level, [](auto& r) { return r->within.c_gain; })
+      .estimate("c_gain_between", "gain between", [](auto& r) { return r->within.c_gain_between; });
   Table table = within_table(h1, "h1_time_within", "time to egress", columns);
   table.footnotes.emplace_back("Strata and pairs: see the table of success.");
   return table;

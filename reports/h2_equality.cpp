@@ -121,15 +121,16 @@ Table h2_interaction_table(const study::H2Table& h2) {
                               "H2: does the effect of the predictor differ between groups?");
   for (const H2Panel& panel : h2.panels) {
     for (const H2Interaction& one : panel.interactions) {
-      table.add_row(columns.row({{one}, panel_name(h2, panel), "cluster-robust Wald"}));
+      table.add_row(
+          columns.row({{one}, panel_name(h2, panel), "jackknife of clusters, Hotelling"}));
     }
     if (const auto& one = panel.mixed_interaction) {
       table.add_row(columns.row({{*one}, panel_name(h2, panel), "likelihood ratio"}));
     }
   }
   table.footnotes = {
-      "Group x predictor beside both by themselves. A robust Wald test of few clusters rejects too "
-      "often."};
+      "Group x predictor beside both by themselves. The likelihood ratio takes trials of a cluster "
+      "as independent given its intercept."};
   return table;
 }
 

@@ -14,12 +14,11 @@ namespace tcert {
 namespace {
 
 std::string cluster_note(const study::H1Options& options) {
-  return options.cluster.empty()
-             ? "Trials are taken as independent: no cluster was named."
-             : "Clusters: column '" + options.cluster +
-                   "'. Resamples draw whole clusters for all groups jointly; with fewer than " +
-                   std::to_string(statistics::kFewClusters) +
-                   " of them intervals tend to be too narrow, and tests reject too often.";
+  return options.cluster.empty() ? "Trials are taken as independent: no cluster was named."
+                                 : "Clusters: column '" + options.cluster +
+                                       "'. Resamples draw whole clusters for all groups jointly. "
+                                       "From 6 of them on intervals "
+                                       "cover and tests keep their level in simulated studies.";
 }
 
 }  // namespace
@@ -48,11 +47,13 @@ std::vector<std::string> h2_level_notes(const study::H2Table& h2) {
       "half. C: Pr(the better value goes with earlier egress) within the group. Intervals: " +
       interval_words(options.interval) + " of " + std::to_string(options.replicates) +
       " resamples, seed " + std::to_string(options.seed) + ".");
-  notes.push_back("Ratios are per standard deviation of the whole panel, " + sds +
-                  ", towards the better side, cluster-robust. OR: of success, logistic. HR: of "
-                  "egress, Cox with "
-                  "Efron ties; at limit: failures stay at risk to " +
-                  limits + "; stratified: by '" + options.strata + "', failures censored.");
+  notes.push_back(
+      "Ratios are per standard deviation of the whole panel, " + sds +
+      ", towards the better side; intervals by the jackknife of whole clusters and t, above 100 "
+      "clusters by the robust variance and t. OR: of success, logistic. HR: of "
+      "egress, Cox with "
+      "Efron ties; at limit: failures stay at risk to " +
+      limits + "; stratified: by '" + options.strata + "', failures censored.");
   if (h2.outcome_missing > 0) {
     notes.push_back(std::to_string(h2.outcome_missing) +
                     " trials without an outcome are left out.");
@@ -67,13 +68,12 @@ std::vector<std::string> h2_equality_notes(const study::H2Table& h2) {
           " (two one-sided tests at 5 % each, all pairs to pass, no correction). Smallest margin: "
           "at which they just would have.",
       "Margin with 80 % power: at which groups that are truly equal would be found so with "
-      "probability 0.8 at least; normal approximation with the largest standard error of a pair, "
-      "SE (1.645 + z(1 - 0.1 / pairs)). A smaller margin than that could hardly be shown here.",
-      "Chi-squared: clustered Wald test that all are equal. 'Not significant' is not equality; and "
-      "with "
-      "22 days of simulated trials the test called equal groups different in 8 to 11 % of studies "
-      "at a "
-      "nominal 5 %.",
+      "probability 0.8 at least; by the largest standard error of a pair, SE (t(0.95) + t(1 - 0.1 "
+      "/ pairs)). A smaller margin than that could hardly be shown here.",
+      "Chi-squared: Wald's statistic that all are equal, with covariances by the jackknife of "
+      "whole "
+      "clusters; p as that of Hotelling's T squared, by F with df and clusters - df degrees of "
+      "freedom. 'Not significant' is not equality.",
       "Max - min is descriptive: equal groups have one above 0 too. Expected: its mean when the "
       "groups' names are permuted within clusters (" +
           std::to_string(h2.options.permutations) + " permutations, seed " +

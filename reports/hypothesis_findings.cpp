@@ -72,14 +72,21 @@ std::string h1_evidence(const study::H1Panel& panel,
   }
   const H1Row& tested = panel.rows.front();
   const bool below = found.verdict == study::Verdict::contradicted;
-  return fmt::format("{} of {} {} in {} trials; the gain that {} is {}, over {}.",
+  std::string between;
+  if (comparison.within) {
+    between = fmt::format(" The groups add {} to it.",
+                          score_words(comparison.timed ? found.rival->within.c_gain_between
+                                                       : found.rival->within.auc_gain_between));
+  }
+  return fmt::format("{} of {} {} in {} trials; the gain that {} is {}, over {}.{}",
                      comparison.name,
                      tested.name,
                      score_words(comparison.score(tested)),
                      panel.complete,
                      below ? "lies below 0" : "reaches lowest",
                      score_words(*found.gain),
-                     found.rival->name);
+                     found.rival->name,
+                     between);
 }
 
 /// Without intervals there is one thing to say of a panel.

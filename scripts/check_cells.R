@@ -12,7 +12,7 @@ cells$withheld <- FALSE  # One value, or one a cell that is checked next.
 INFERENCE <- "\\b(SE|CI|p)\\b|^Holm|TOST|equivalent|margin|correlation|heterogeneity|interaction"
 
 #' The clusters and the outcomes of a class below which there is no inference.
-too_few <- function(y, cluster) length(unique(cluster)) < 10 || min(sum(y == 1), sum(y == 0)) < 10
+too_few <- function(y, cluster) length(unique(cluster)) < 6 || min(sum(y == 1), sum(y == 0)) < 10
 
 withheld_or <- function(quantity, expected) {
   if (grepl(INFERENCE, quantity)) expected[rep_len(cells$withheld, length(expected))] <- NA

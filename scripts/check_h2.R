@@ -53,10 +53,9 @@ or_na <- function(expected, size) {
 }
 
 odds_ratio <- function(e) {
-  fit <- glm_at_optimum(e$scaled, e$y, e$cluster)
-  se <- sqrt(fit$var[2, 2])
-  half <- qnorm((1 + e$level) / 2) * se
-  c(exp(fit$coef[[2]] + c(0, -half, half)), two_sided(fit$coef[[2]], se))
+  by_clusters(e, function(rows) {
+    glm_at_optimum(e$scaled[rows, , drop = FALSE], e$y[rows], e$cluster[rows])$coef[[2]]
+  }, function() glm_at_optimum(e$scaled, e$y, e$cluster)$var[2, 2])
 }
 
 check_ratio <- function(column, p_column, where, h2, forms, expected) {
@@ -111,47 +110,35 @@ check_level <- function(d, level, h2, forms, within) {
 
 # ---- Joint covariances -------------------------------------------------------------------------
 
-#' A row a cluster of the panel, a column a group: summed influences. `of_part` gives them by cluster name.
-influence_of <- function(d, levels, of_part) {
-  clusters <- unique(d$cluster)
-  sapply(levels, function(level) {
-    own <- of_part(part_of(d, level))
-    sums <- setNames(numeric(length(clusters)), clusters)
-    sums[names(own)] <- own
-    sums
-  })
+#' `number(rows)` of each group, with their covariance by the jackknife of whole clusters.
+groups_by_jackknife <- function(d, levels, number) {
+  jackknife(d$cluster, function(rows) sapply(levels, function(level) {
+    number(rows & as.character(d$group) == level)
+  }))
 }
 
 auc_groups <- function(d, levels) {
-  parts <- lapply(levels, function(level) part_of(d, level))
-  U <- influence_of(d, levels, function(e) {
-    p <- auc_parts(e$x, e$y, e$cluster)
-    clusters <- length(unique(e$cluster))
-    sqrt(clusters / (clusters - 1)) * (p$success + p$failure)
-  })
-  covariance <- crossprod(U)
-  diag(covariance) <- sapply(parts, function(e) auc_variance(e$x, e))
-  list(values = sapply(parts, function(e) auc_by_ranks(e$x, e$y)), covariance = covariance)
+  groups_by_jackknife(d, levels, function(rows) auc_by_ranks(d$x[rows, 1], d$y[rows]))
 }
 
 c_groups <- function(d, levels) {
-  U <- influence_of(d, levels, function(e) {
-    rowsum(c_of(e$x, e$censored)$dfbeta, e$cluster)[, 1]
-  })
-  list(values = sapply(levels, function(level) {
-    e <- part_of(d, level)
-    unname(c_of(e$x, e$censored)$concordance)
-  }), covariance = crossprod(U))
+  groups_by_jackknife(d, levels, function(rows) c_of(d$x[rows, 1], d$censored[rows])$concordance)
 }
 
 wald_statistic <- function(estimate, covariance) {
   drop(t(estimate) %*% solve(covariance, estimate))
 }
 
+# Hotelling's T^2 of as many estimates from so many clusters.
+hotelling_p <- function(chi, k, clusters) {
+  pf(chi * (clusters - k) / (k * (clusters - 1)), k, clusters - k, lower.tail = FALSE)
+}
+
 # ---- Equality ----------------------------------------------------------------------------------
 
 check_pairs <- function(where, found, groups, pairs, margin) {
-  z <- qnorm(0.95)
+  df <- groups$clusters - 1
+  z <- qt(0.95, df)
   d <- groups$values[pairs[1, ]] - groups$values[pairs[2, ]]
   V <- groups$covariance
   se <- sqrt(diag(V)[pairs[1, ]] + diag(V)[pairs[2, ]] - 2 * V[t(pairs)])
@@ -159,7 +146,7 @@ check_pairs <- function(where, found, groups, pairs, margin) {
   check("H2 difference SE", where, found$std_error, se)
   check("H2 difference 90 % CI", where, c(found$difference_low, found$difference_high),
         c(d - z * se, d + z * se))
-  p <- pmax(pnorm((d + margin) / se, lower.tail = FALSE), pnorm((d - margin) / se))
+  p <- pmax(pt((d + margin) / se, df, lower.tail = FALSE), pt((d - margin) / se, df))
   check("H2 TOST p", where, found$p_tost, p)
   check_text("H2 equivalent", where, found$equivalent,
              ifelse(d - z * se > -margin & d + z * se < margin, "yes", "no"))
@@ -193,13 +180,13 @@ check_equality <- function(d, quantity, levels, groups, result) {
   check_text("H2 all equivalent", where, found$equivalent, if (all(own$smallest < margin)) "yes" else "no")
   check("H2 smallest margin of all", where, found$smallest_margin, max(own$smallest))
   check("H2 margin with 80 % power", where, found$margin_80,
-        max(own$se) * (qnorm(0.95) + qnorm(1 - 0.2 / ncol(pairs) / 2)))
+        max(own$se) * (qt(0.95, groups$clusters - 1) + qt(1 - 0.2 / ncol(pairs) / 2, groups$clusters - 1)))
   L <- cbind(1, -diag(length(levels) - 1))
   chi <- tryCatch(wald_statistic(L %*% groups$values, L %*% V %*% t(L)), error = function(e) NA)
   df <- length(levels) - 1
   check("H2 heterogeneity", where, found$statistic, chi)
   check("H2 heterogeneity df", where, found$df, if (is.na(chi)) NA else df)
-  check("H2 heterogeneity p", where, found$p, pchisq(chi, df, lower.tail = FALSE))
+  check("H2 heterogeneity p", where, found$p, hotelling_p(chi, df, groups$clusters))
   check("H2 max - min", where, found$range, diff(range(groups$values)))
   found
 }
@@ -232,12 +219,20 @@ interaction_design <- function(d, levels) {
   cbind(x, dummies, dummies * x)
 }
 
+jackknife_wald <- function(d, last, coefficients) {
+  j <- jackknife(d$cluster, function(rows) coefficients(rows)[last])
+  wald_statistic(j$values, j$covariance)
+}
+
 cox_wald <- function(x, outcome, d, last, stratified) {
-  formula <- if (stratified) outcome ~ x + strata(d$strata) else outcome ~ x
-  environment(formula) <- environment()
-  fit <- at_optimum(formula, coxph(formula, cluster = d$cluster, ties = "efron", control = exact_cox),
-                    d$cluster)
-  wald_statistic(coef(fit)[last], fit$var[last, last])
+  jackknife_wald(d, last, function(rows) {
+    y <- outcome[rows]
+    x <- x[rows, , drop = FALSE]
+    s <- d$strata[rows]
+    part <- if (stratified) y ~ x + strata(s) else y ~ x
+    coef(at_optimum(part, coxph(part, cluster = d$cluster[rows], ties = "efron", control = exact_cox),
+                    d$cluster[rows]))
+  })
 }
 
 check_interactions <- function(d, levels, found) {
@@ -247,8 +242,9 @@ check_interactions <- function(d, levels, found) {
   expected <- function(model) {
     switch(model,
            logistic = {
-             fit <- glm_at_optimum(x, d$y, d$cluster)
-             wald_statistic(fit$coef[last + 1], fit$var[last + 1, last + 1])
+             jackknife_wald(d, last + 1, function(rows) {
+               glm_at_optimum(x[rows, ], d$y[rows], d$cluster[rows])$coef
+             })
            },
            Cox = cox_wald(x, d$censored, d, last, FALSE),
            "Cox, stratified" = cox_wald(x, d$censored, d, last, TRUE),
@@ -266,8 +262,9 @@ check_interactions <- function(d, levels, found) {
     check("H2 interaction", where, found$statistic[i], chi, fitted)
     check("H2 interaction df", where, found$df[i], if (is.na(chi)) NA else k)
     # d log p is about half of d chi-squared.
-    check("H2 interaction p", where, found$p[i], pchisq(chi, k, lower.tail = FALSE),
-          fitted * (1 + if (is.na(chi)) 0 else chi))
+    p <- if (mixed) pchisq(chi, k, lower.tail = FALSE)
+         else hotelling_p(chi, k, length(unique(d$cluster)))
+    check("H2 interaction p", where, found$p[i], p, fitted * (1 + if (is.na(chi)) 0 else chi))
   }
 }
 

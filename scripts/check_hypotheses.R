@@ -164,6 +164,21 @@ wald <- function(estimate, se, level) {
   pmin(1, pmax(0, estimate + c(-z, z) * se))
 }
 
+# Numbers with their covariance by the jackknife of whole clusters; `numbers(rows)` are of those rows.
+jackknife <- function(cluster, numbers) {
+  groups <- unique(cluster)
+  all <- numbers(rep(TRUE, length(cluster)))
+  change <- matrix(sapply(groups, function(g) numbers(cluster != g)) - all, length(all))
+  n <- length(groups)
+  list(values = all, covariance = (n - 1) / n * tcrossprod(change), clusters = n)
+}
+
+# Of 0, by t with clusters - 1 degrees of freedom.
+cluster_jackknife_p <- function(cluster, number) {
+  j <- jackknife(cluster, number)
+  2 * pt(-abs(j$values) / sqrt(j$covariance[1]), j$clusters - 1)
+}
+
 # ---- C ---------------------------------------------------------------------------------------
 
 # `x` is turned to the better side, and better means earlier.
@@ -307,7 +322,7 @@ check_auc <- function(d, h1, forms, fold) {
   check_text("row names", d$name, h1$predictor, sapply(rows, `[[`, "name"))
   check("AUC", d$name, h1$auc, auc)
   check("gain of AUC", d$name, h1$auc_gain, gains(auc, length(d$columns)))
-  check("AUC out of fold", d$name, h1$auc_out_of_fold,
+  check("AUC out of fold", d$name, h1$auc_within_folds,
         sapply(rows, function(row) out_of_fold_auc(fold, d, row$auc)))
   for (k in seq_along(d$columns)) {
     se <- sqrt(auc_variance(d$x[, k], d))
@@ -317,7 +332,9 @@ check_auc <- function(d, h1, forms, fold) {
   }
   se <- over_rivals(d, nrow(h1), function(k) sqrt(gain_variance(d$x[, 1], d$x[, k], d)))
   check("gain of AUC SE", d$name, forms$auc_gain_std_error, se)
-  p <- over_rivals(d, nrow(h1), function(k) two_sided(auc[1] - auc[k], se[k]))
+  p <- over_rivals(d, nrow(h1), function(k) cluster_jackknife_p(d$cluster, function(rows) {
+    auc_by_ranks(d$x[rows, 1], d$y[rows]) - auc_by_ranks(d$x[rows, k], d$y[rows])
+  }))
   check("gain of AUC p", d$name, head(h1$p, length(d$columns)), head(p, length(d$columns)))
   p
 }
@@ -329,7 +346,7 @@ check_c <- function(d, time, forms, fold) {
   check_text("row names", d$name, time$predictor, sapply(rows, `[[`, "name"))
   check("C", d$name, time$c, value)
   check("gain of C", d$name, time$c_gain, gains(value, length(d$columns)))
-  check("C out of fold", d$name, time$c_out_of_fold,
+  check("C out of fold", d$name, time$c_within_folds,
         sapply(rows, function(row) out_of_fold_c(fold, d, row$c)))
   for (k in seq_along(d$columns)) {
     se <- sqrt(c_of(d$x[, k], d$censored, d$cluster)$var)
@@ -337,11 +354,20 @@ check_c <- function(d, time, forms, fold) {
     check("C clustered CI", d$columns[k], c(forms$c_low[k], forms$c_high[k]),
           wald(value[k], se, d$level))
   }
+  for (k in seq_along(d$columns)) {
+    j <- jackknife(d$cluster, function(rows) c_of(d$x[rows, k], d$at_limit[rows])$concordance)
+    half <- qt((1 + d$level) / 2, j$clusters - 1) * sqrt(j$covariance[1])
+    check("C at limit", d$columns[k], time$c_at_limit[k], j$values)
+    check("C at limit CI", d$columns[k], c(time$c_at_limit_low[k], time$c_at_limit_high[k]),
+          pmin(1, pmax(0, j$values + c(-half, half))))
+  }
   se <- over_rivals(d, nrow(time), function(k) {
     c_gain_se(d$x[, 1], d$x[, k], d$censored, d$cluster)
   })
   check("gain of C SE", d$name, forms$c_gain_std_error, se)
-  p <- over_rivals(d, nrow(time), function(k) two_sided(value[1] - value[k], se[k]))
+  p <- over_rivals(d, nrow(time), function(k) cluster_jackknife_p(d$cluster, function(rows) {
+    c_of(d$x[rows, 1], d$censored[rows])$concordance - c_of(d$x[rows, k], d$censored[rows])$concordance
+  }))
   check("gain of C p", d$name, head(time$p, length(d$columns)), head(p, length(d$columns)))
   p
 }
@@ -351,16 +377,6 @@ check_holm <- function(d, h1, time, p_auc, p_c) {
   adjusted <- p.adjust(c(p_auc, p_c), "holm")
   check("Holm", paste(d$name, "AUC"), h1$p_holm, head(adjusted, length(p_auc)))
   if (!is.null(p_c)) check("Holm", paste(d$name, "C"), time$p_holm, tail(adjusted, length(p_c)))
-}
-
-# Wald's test of a coefficient by the jackknife of whole clusters and t; `coefficient(rows)` is fitted
-# to those rows.
-cluster_jackknife_p <- function(cluster, coefficient) {
-  groups <- unique(cluster)
-  all <- coefficient(rep(TRUE, length(cluster)))
-  without <- sapply(groups, function(g) coefficient(cluster != g))
-  n <- length(groups)
-  2 * pt(-abs(all) / sqrt((n - 1) / n * sum((without - all)^2)), n - 1)
 }
 
 check_nested <- function(d, h1, time, forms) {
@@ -387,7 +403,7 @@ check_nested <- function(d, h1, time, forms) {
 
 # AUC or C within strata: values in `found`, closed forms in `forms`. `turn` is -1 where a better value
 # goes with a shorter time.
-check_within_of <- function(d, name, outcome, turn, found, forms) {
+check_within_of <- function(d, name, outcome, turn, found, forms, pooled) {
   column <- function(table, suffix) table[[paste0(name, suffix)]]
   fits <- lapply(seq_along(d$columns), function(k) c_within(turn * d$x[, k], outcome, d, d$cluster))
   dfbetas <- sapply(seq_along(d$columns), function(k) {
@@ -399,6 +415,8 @@ check_within_of <- function(d, name, outcome, turn, found, forms) {
   check(paste(quantity, "within"), d$name, column(found, "_within"), value)
   check(paste(quantity, "within, gain"), d$name, column(found, "_gain_within"),
         c(NA, value[1] - value[-1]))
+  check(paste(quantity, "between, gain"), d$name, column(found, "_gain_between"),
+        column(pooled, "_gain")[seq_along(value)] - c(NA, value[1] - value[-1]))
   counts <- as.matrix(fits[[1]]$count)
   if (ncol(counts) == 1) counts <- t(counts)
   pairs <- sum(counts[, c("concordant", "discordant", "tied.x")])
@@ -414,12 +432,12 @@ check_within_of <- function(d, name, outcome, turn, found, forms) {
         two_sided(c(NA, value[1] - value[-1]), gain_se))
 }
 
-check_within <- function(d, success, time, forms) {
+check_within <- function(d, success, time, forms, h1, h1_time) {
   if (is.null(d$within)) return(invisible())
   check("strata within", d$name, forms$strata,
         rep(length(unique(na.omit(d$within))), nrow(forms)))
-  check_within_of(d, "auc", d$y, 1, success, forms)
-  if (!is.null(d$censored)) check_within_of(d, "c", d$censored, -1, time, forms)
+  check_within_of(d, "auc", d$y, 1, success, forms, h1)
+  if (!is.null(d$censored)) check_within_of(d, "c", d$censored, -1, time, forms, h1_time)
 }
 
 # coxph stops where the log-likelihood does not change any more; its score may still be 1e-5, which
@@ -437,6 +455,16 @@ at_optimum <- function(formula, fit, cluster, steps = 3) {
   fit
 }
 
+# By the jackknife of whole clusters; with more than 100 of them by the sandwich times G / (G - 1).
+by_clusters <- function(d, coefficient, robust_variance) {
+  beta <- coefficient(rep(TRUE, d$n))
+  n <- length(unique(d$cluster))
+  variance <- if (n > 100) robust_variance() * n / (n - 1)
+              else jackknife(d$cluster, coefficient)$covariance[1]
+  half <- qt((1 + d$level) / 2, n - 1) * sqrt(variance)
+  c(exp(beta + c(0, -half, half)), 2 * pt(-abs(beta) / sqrt(variance), n - 1))
+}
+
 # Ratio, interval and p of the first column of `x`.
 hazard_ratio <- function(x, outcome, d, stratified = FALSE) {
   formula <- if (stratified) outcome ~ x + strata(d$strata) else outcome ~ x
@@ -451,11 +479,14 @@ hazard_ratio <- function(x, outcome, d, stratified = FALSE) {
   # A monotone likelihood has no ratio. At this tolerance coxph warns of some that have one; per
   # standard deviation those are far below 15.
   if (infinite && abs(coef(first)[[1]]) > 15) return(rep(NA, 4))
-  fit <- at_optimum(formula, first, d$cluster)
-  beta <- coef(fit)[[1]]
-  se <- sqrt(fit$var[1, 1])
-  z <- qnorm((1 + d$level) / 2)
-  c(exp(beta), exp(beta - z * se), exp(beta + z * se), two_sided(beta, se))
+  by_clusters(d, function(rows) {
+    y <- outcome[rows]
+    x <- x[rows, , drop = FALSE]
+    s <- d$strata[rows]
+    part <- if (stratified) y ~ x + strata(s) else y ~ x
+    start <- coxph(part, cluster = d$cluster[rows], ties = "efron", control = exact_cox)
+    coef(at_optimum(part, start, d$cluster[rows]))[[1]]
+  }, function() at_optimum(formula, first, d$cluster)$var[1, 1])
 }
 
 check_hazard_ratio <- function(kind, where, time, forms, expected) {
@@ -604,7 +635,7 @@ check_panel <- function(d, result) {
   p_c <- if (timed) check_c(d, part$h1_time, part$h1_closed_form, fold)
   check_holm(d, part$h1, part$h1_time, p_auc, p_c)
   check_nested(d, part$h1, if (timed) part$h1_time, part$h1_closed_form)
-  check_within(d, part$h1_within, part$h1_time_within, part$h1_within_closed_form)
+  check_within(d, part$h1_within, part$h1_time_within, part$h1_within_closed_form, part$h1, part$h1_time)
   check_mixed(d, part$h1_mixed)
   check_case_level_auc(d, part$h1_case_level)
   if (timed) {

@@ -16,6 +16,7 @@ KIND is one of
   glmm         logistic mixed model          success ~ x1 + (1 | day), (1 + x1 | day), (1 | day/run)
   calibration  agreement of probabilities    success ~ x1 + lighting: fitted out of fold
   cox          proportional hazards          Surv(time, success) ~ x1 + strata(algorithm)
+  finegray     competing risks, Fine-Gray    Surv(time, ended) ~ x1 with --cause and --event
   km           Kaplan-Meier and log-rank     Surv(time, success) ~ lighting
   roc          AUC and ROC curve             success ~ x1 + x2: larger values speak for 1
   concordance  Harrell's C                   Surv(time, success) ~ x1: larger values, longer times
@@ -34,15 +35,20 @@ cell (N/A, null, -) among them is refused, also in such a comparison. In cox, + 
 rounding are one time; --no-time-rounding keeps them apart. Stamps stay as far apart as they are; one
 among durations is named.
 For competing causes the status is 1 for every cause, and --cause names the column that tells them
-apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends.
+apart: Surv(time_s, ended) ~ 1 with --cause end_reason; time_s > 0 if every row ends. km then gives
+cumulative incidences and Gray's test of groups, finegray the effects on the incidence of --event,
+with the cause-specific model beside them.
 
 Text shows the main tables; json has every number at full precision, the conditions met and how the
 fit ended, named as broom names them; csv has the main table, or that of --table.
 
 Intervals of coefficients: conf.low and conf.high are always Wald's, estimate -+ z SE; profile.low and
 profile.high are the profile likelihood's (broom's conf.low of a glm, R's confint), and profile.open
-says of which end there is none. With --cluster t.low, t.high and t.p.value take Student's t with
-clusters - 1 degrees of freedom. Each has its twin on the ratio's scale: odds.ratio.low,
+says of which end there is none. With --cluster t.low, t.high and t.p.value are made for few
+clusters: of roc, concordance and calibration by Student's t with clusters - 1 degrees of freedom; of
+glm and cox as --inference says, with t.std.error and t.df: jackknife leaves out whole clusters (CV3),
+cr1 is the sandwich times G/(G - 1), both with clusters - 1 degrees of freedom, cr2 that of Bell and
+McCaffrey with Satterthwaite's, wild a bootstrap of the clusters' scores. Each has its twin on the ratio's scale: odds.ratio.low,
 odds.ratio.profile.low, hazard.ratio.t.high. glm makes profiles up to a second or two of work;
 beyond, --profile asks for them.
 
@@ -52,10 +58,14 @@ Example:
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --cluster day
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --firth
   tcert fit glmm --data features.csv --formula 'success ~ tc_early + (1 | day)' --profile --drop1
+  tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --cluster day --left-out
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
   tcert fit calibration --data features.csv --formula 'success ~ tc_early' --cluster day
   tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --times 60,120
   tcert fit km --data features.csv --formula 'Surv(time_s, time_s > 0) ~ 1' --cause end_reason
+  tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --rmst 120 --cluster day
+  tcert fit finegray --data features.csv --formula 'Surv(time_s, time_s > 0) ~ tc_early' \\
+    --cause end_reason --event goal --cluster day
   tcert fit roc --data features.csv --formula 'success ~ tc_early + I(-dwell)' --cluster day
   tcert fit concordance --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --reverse
 

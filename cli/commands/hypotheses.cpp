@@ -26,7 +26,7 @@ those that are usual may be absent or empty. 'column:smaller' after --predictor 
 (tc_landmark, ...) there is one panel, unless --landmark is given, which needs times.
 
 Intervals are expanded percentiles of the bootstrap: with 22 days the paper's BCa covers less than it
-says (--interval bca; the files hold both, and plain percentiles). With fewer than 10 clusters, or 10
+says (--interval bca; the files hold both, and plain percentiles). With fewer than 6 clusters, or 10
 outcomes of a class, p-values and intervals are withheld: NA; the estimates stand.
 
 h3: does gating the speed by the margin recover the lead of the camera baseline without losing

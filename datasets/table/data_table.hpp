@@ -28,6 +28,8 @@ struct DataTable {
   std::vector<DataColumn> columns;  ///< Those that were wanted, in the order of the file.
   std::size_t rows = 0;
   std::vector<std::size_t> lines;  ///< Of the file, one a row; empty if there is no file.
+  std::size_t learned = 0;  ///< What is learned of a column, as its mean for scale(), comes of so
+                            ///< many rows; 0 for all of them.
 
   /// Null if there is no such column.
   [[nodiscard]] const DataColumn* find(std::string_view name) const noexcept;

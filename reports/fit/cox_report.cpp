@@ -15,7 +15,8 @@ struct CoxRow : RowOf<statistics::CoxCoefficient> {
   statistics::ClusterT by_t;
 };
 
-Table coefficient_table(const statistics::CoxFit& fit) {
+Table coefficient_table(const statistics::CoxFit& fit,
+                        const statistics::ClusterInferences& inferences) {
   using Cox = statistics::CoxCoefficient;
   const bool clustered = fit.clusters > 0;
   ColumnsOf<CoxRow> columns;
@@ -27,20 +28,20 @@ Table coefficient_table(const statistics::CoxFit& fit) {
       .p("p.value", "p", &Cox::p_value)
       .ends({"conf.low", "low"}, {"conf.high", "high"}, &Cox::interval);
   if (clustered) {
-    columns.part(t_columns(), [](auto& r) { return &r.by_t; });
+    columns.part(inference_columns(), [](auto& r) { return &r.by_t; });
   }
   columns.part(ratio_columns(hazard_ratio_name(), clustered ? "t" : ""), [](auto& r) {
     return std::optional(LogRatio{r.of.estimate, r.of.interval, limits_of(r.by_t.interval)});
   });
   Table table = columns.table("coefficients", "Cox model: log hazard ratios");
   table.n = static_cast<std::int64_t>(fit.rows);
-  for (const Cox& one : fit.coefficients) {
-    table.add_row(columns.row(
-        {{one},
-         statistics::by_cluster_t(one.estimate, one.robust_se, one.z, fit.clusters, fit.level)}));
+  for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
+    table.add_row(
+        columns.row({{fit.coefficients[k]},
+                     k < inferences.of.size() ? inferences.of[k] : statistics::ClusterT{}}));
   }
   if (clustered) {
-    table.footnotes.push_back(t_footnote(fit.clusters));
+    table.footnotes.push_back(t_footnote(fit.clusters, inferences.by));
   }
   return table;
 }
@@ -107,10 +108,11 @@ Table term_table(const statistics::TermTests& tests, std::string name, std::stri
 }  // namespace
 
 FitReport cox_report(const statistics::CoxFit& fit,
-                     const std::optional<statistics::ConcordanceResult>& concordance) {
+                     const std::optional<statistics::ConcordanceResult>& concordance,
+                     const statistics::ClusterInferences& inferences) {
   FitReport report;
   report.model = "cox";
-  report.tables = {coefficient_table(fit)};
+  report.tables = {coefficient_table(fit, inferences)};
   report.summary = summary_of(fit, concordance);
   const std::vector<std::string> names = names_of(fit.coefficients);
   if (!names.empty() && fit.vcov.rows() == static_cast<Eigen::Index>(names.size())) {

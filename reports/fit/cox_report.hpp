@@ -3,6 +3,7 @@
 /// A Cox model as tables, with broom's column names.
 
 #include <optional>
+#include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/concordance/concordance.hpp>
 #include <statistics/cox/cox.hpp>
 #include <statistics/cox/cox_baseline.hpp>
@@ -16,9 +17,11 @@
 
 namespace tcert {
 
-/// The coefficients, the tests of the whole model, C of the linear predictor if it is there.
+/// The coefficients, the tests of the whole model, C of the linear predictor if it is there;
+/// `inferences` is of every coefficient where there are clusters.
 [[nodiscard]] FitReport cox_report(const statistics::CoxFit& fit,
-                                   const std::optional<statistics::ConcordanceResult>& concordance);
+                                   const std::optional<statistics::ConcordanceResult>& concordance,
+                                   const statistics::ClusterInferences& inferences = {});
 
 /// The test of proportional hazards, by term and by coefficient.
 void add_proportionality(const statistics::ProportionalityTests& by_term,

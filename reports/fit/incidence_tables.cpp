@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "reports/columns_of.hpp"
+#include "reports/fit/interval_columns.hpp"
 #include "reports/fit/shown_times.hpp"
 #include "reports/fit/survival_report.hpp"
 
@@ -98,6 +99,46 @@ void add_incidence(const std::vector<statistics::IncidenceCurves>& curves,
   }
   report.tables.push_back(std::move(shown));
   report.details.push_back(std::move(all));
+}
+
+Table gray_table(const std::vector<statistics::GrayTest>& tests, double rho) {
+  using Test = statistics::GrayTest;
+  Table table = ColumnsOf<Test>()
+                    .text("state", "cause", &Test::cause)
+                    .part(chi_square_columns(), &Test::test)
+                    .table("gray",
+                           "Gray's test of equal cumulative incidence, rho = " +
+                               significant(rho, kShownDigits),
+                           tests);
+  table.footnotes = {"Rows are taken as independent, also those of a cluster."};
+  return table;
+}
+
+Table restricted_mean_table(const std::vector<statistics::RestrictedMeanRow>& rows,
+                            double limit,
+                            bool clustered) {
+  using Row = statistics::RestrictedMeanRow;
+  const auto spread = [](auto& r) { return &r.spread; };
+  Table table = ColumnsOf<Row>()
+                    .text("strata", "group", [](auto& r) { return group_name(r.first); })
+                    .text("less", "less", &Row::second)
+                    .number("estimate", "mean time", &Row::value)
+                    .part(ColumnsOf<statistics::ClusterT>()
+                              .number("std.error", "SE", &statistics::ClusterT::standard_error)
+                              .number("df", "df", &statistics::ClusterT::df)
+                              .p("p.value", "p", &statistics::ClusterT::p_value)
+                              .ends({"conf.low", "low"},
+                                    {"conf.high", "high"},
+                                    &statistics::ClusterT::interval),
+                          spread)
+                    .table("rmst", "Mean times within [0, " + significant(limit, 6) + "]", rows);
+  table.footnotes = {
+      clustered
+          ? "SE by the jackknife of whole clusters, intervals and p by Student's t with clusters - "
+            "1 degrees of freedom."
+          : "SE by Greenwood's formula, groups independent; intervals and p by the normal "
+            "distribution."};
+  return table;
 }
 
 }  // namespace tcert

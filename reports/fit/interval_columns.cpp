@@ -63,6 +63,13 @@ statistics::ProfileLimits limits_of(const std::optional<statistics::Interval>& i
   return limits;
 }
 
+ColumnsOf<statistics::ClusterT> inference_columns() {
+  using ByT = statistics::ClusterT;
+  ColumnsOf<ByT> columns;
+  columns.number("t.std.error", "t SE", &ByT::standard_error).number("t.df", "t df", &ByT::df);
+  return columns.part(t_columns(), [](auto& r) { return &r; });
+}
+
 ColumnsOf<statistics::ClusterT> t_columns(bool with_p) {
   using ByT = statistics::ClusterT;
   ColumnsOf<ByT> columns;
@@ -125,6 +132,36 @@ std::string t_footnote(std::size_t clusters) {
   return "t: by Student's t with clusters - 1 = " + std::to_string(clusters - 1) +
          " degrees of freedom; the other intervals and p are by the normal distribution, as R has "
          "them.";
+}
+
+std::string t_footnote(std::size_t clusters, statistics::ClusterInference by) {
+  if (clusters < 2) {
+    return t_footnote(clusters);
+  }
+  const std::string degrees =
+      "Student's t with clusters - 1 = " + std::to_string(clusters - 1) + " degrees of freedom";
+  std::string words;
+  switch (by) {
+    case statistics::ClusterInference::cr1:
+      words = "the sandwich times G/(G - 1) (CR1), " + degrees;
+      break;
+    case statistics::ClusterInference::cr2:
+      words =
+          "the sandwich of Bell and McCaffrey (CR2), Student's t with Satterthwaite's degrees of "
+          "freedom";
+      break;
+    case statistics::ClusterInference::jackknife:
+      words = "the jackknife of whole clusters (CV3), " + degrees;
+      break;
+    case statistics::ClusterInference::wild:
+      words =
+          "a wild bootstrap of the clusters' scores under the hypothesis, its interval what is not "
+          "rejected; SE by CR1";
+      break;
+  }
+  return "t: by " + words +
+         "; the other intervals and p are by the normal distribution, as R has " +
+         "them, and too sure of themselves with few clusters.";
 }
 
 void point_to_t(statistics::Conditions& conditions) {

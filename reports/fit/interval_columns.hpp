@@ -4,16 +4,17 @@
 ///
 /// `conf.low`, `conf.high`: Wald's, estimate -+ z SE, by the SE that stands beside it; broom's
 /// conf.low of a `glm` is the profile's, here in `profile.low`, `profile.high`.
-/// `t.low`, `t.high`, `t.p.value`: the same by Student's t with clusters - 1 degrees of freedom,
-/// where clusters are named; NA for a single one.
-/// RATIO, RATIO.low, RATIO.high; RATIO.profile.low ...; RATIO.t.low ...: exp of each of them, with
-/// RATIO odds.ratio or hazard.ratio.
+/// `t.low`, `t.high`, `t.p.value`: where clusters are named, by Student's t with clusters - 1
+/// degrees of freedom; of a `glm` or Cox model as --inference says, with `t.std.error` and `t.df`.
+/// NA for a single cluster. RATIO, RATIO.low, RATIO.high; RATIO.profile.low ...; RATIO.t.low ...:
+/// exp of each of them, with RATIO odds.ratio or hazard.ratio.
 
 #include <optional>
 #include <statistics/basics/chi_square.hpp>
 #include <statistics/basics/condition.hpp>
 #include <statistics/basics/interval.hpp>
 #include <statistics/basics/student_t.hpp>
+#include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/logistic/logistic_profile.hpp>
 #include <string>
 #include <vector>
@@ -47,6 +48,9 @@ struct LogRatio {
 [[nodiscard]] statistics::ProfileLimits limits_of(
     const std::optional<statistics::Interval>& interval);
 
+/// t.std.error, t.df, t.p.value, t.low, t.high.
+[[nodiscard]] ColumnsOf<statistics::ClusterT> inference_columns();
+
 /// t.p.value, t.low, t.high; without the p for what has no test.
 [[nodiscard]] ColumnsOf<statistics::ClusterT> t_columns(bool with_p = true);
 
@@ -79,6 +83,7 @@ struct Difference {
 
 /// What the t columns are.
 [[nodiscard]] std::string t_footnote(std::size_t clusters);
+[[nodiscard]] std::string t_footnote(std::size_t clusters, statistics::ClusterInference by);
 
 /// Few clusters are pointed to the t columns.
 void point_to_t(statistics::Conditions& conditions);

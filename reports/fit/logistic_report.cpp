@@ -18,7 +18,8 @@ struct LogisticRow : RowOf<statistics::LogisticCoefficient> {
 };
 
 Table coefficient_table(const statistics::LogisticFit& fit,
-                        const std::vector<statistics::ProfileLimits>& profiles) {
+                        const std::vector<statistics::ProfileLimits>& profiles,
+                        const statistics::ClusterInferences& inferences) {
   using Logistic = statistics::LogisticCoefficient;
   ColumnsOf<LogisticRow> columns;
   columns.text("term", "term", &Logistic::column)
@@ -32,7 +33,7 @@ Table coefficient_table(const statistics::LogisticFit& fit,
     columns.part(profile_columns(), [](auto& r) { return &r.profile; });
     other = "profile";
   } else if (fit.clustered) {
-    columns.part(t_columns(), [](auto& r) { return &r.by_t; });
+    columns.part(inference_columns(), [](auto& r) { return &r.by_t; });
     other = "t";
   }
   columns
@@ -46,11 +47,10 @@ Table coefficient_table(const statistics::LogisticFit& fit,
   table.n = static_cast<std::int64_t>(fit.rows);
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
     const Logistic& one = fit.coefficients[k];
-    table.add_row(columns.row(
-        {{one},
-         k < profiles.size() ? profiles[k] : statistics::ProfileLimits{},
-         statistics::by_cluster_t(
-             one.estimate, one.standard_error, one.z, fit.clusters, fit.options.level)}));
+    table.add_row(
+        columns.row({{one},
+                     k < profiles.size() ? profiles[k] : statistics::ProfileLimits{},
+                     k < inferences.of.size() ? inferences.of[k] : statistics::ClusterT{}}));
   }
   return table;
 }
@@ -66,17 +66,18 @@ std::optional<double> df_null(const statistics::LogisticFit& fit) {
 
 FitReport logistic_report(const statistics::LogisticFit& fit,
                           const std::vector<statistics::ProfileLimits>& profiles,
-                          const std::vector<statistics::DroppedTerm>& dropped) {
+                          const std::vector<statistics::DroppedTerm>& dropped,
+                          const statistics::ClusterInferences& inferences) {
   FitReport report;
   report.model = "glm";
-  report.tables = {coefficient_table(fit, profiles)};
+  report.tables = {coefficient_table(fit, profiles, inferences)};
   if (is_robust(fit)) {
     std::vector<std::string>& notes = report.tables.front().footnotes;
     notes.emplace_back(
         "Robust variance: no profile intervals and no likelihood-ratio tests, which take the rows "
         "to be independent.");
     if (fit.clustered) {
-      notes.push_back(t_footnote(fit.clusters));
+      notes.push_back(t_footnote(fit.clusters, inferences.by));
     }
   } else {
     report.tables.push_back(drop_table(dropped, "deviance without"));

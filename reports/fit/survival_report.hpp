@@ -4,7 +4,9 @@
 
 #include <optional>
 #include <statistics/survival/cumulative_incidence.hpp>
+#include <statistics/survival/gray_test.hpp>
 #include <statistics/survival/log_rank.hpp>
+#include <statistics/survival/restricted_means.hpp>
 #include <statistics/survival/survival_curve.hpp>
 #include <vector>
 
@@ -25,6 +27,12 @@ struct SurvivalReportOptions {
 [[nodiscard]] FitReport survival_report(const std::vector<statistics::SurvivalCurve>& curves,
                                         const std::optional<statistics::LogRankTest>& test,
                                         const SurvivalReportOptions& options);
+
+[[nodiscard]] Table gray_table(const std::vector<statistics::GrayTest>& tests, double rho);
+
+[[nodiscard]] Table restricted_mean_table(const std::vector<statistics::RestrictedMeanRow>& rows,
+                                          double limit,
+                                          bool clustered);
 
 /// Adds the cumulative incidence of each cause at `times`, and every point as a detail.
 void add_incidence(const std::vector<statistics::IncidenceCurves>& curves,

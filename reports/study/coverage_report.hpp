@@ -11,6 +11,7 @@
 #include "analysis/study/coverage/coverage_study.hpp"
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
+#include "analysis/study/coverage/inference_study.hpp"
 #include "analysis/study/coverage/ray_study.hpp"
 #include "analysis/study/h1/hypothesis_h1.hpp"
 #include "reports/fit/fit_report.hpp"
@@ -25,6 +26,9 @@ using ScenarioRates =
 [[nodiscard]] FitReport equivalence_report(const std::vector<ScenarioRates>& rows,
                                            std::size_t data_sets,
                                            std::uint64_t seed);
+
+[[nodiscard]] FitReport inference_report(const std::vector<study::coverage::InferenceRate>& rows,
+                                         const study::coverage::Options& options);
 
 [[nodiscard]] FitReport gate_coverage_report(const study::coverage::GateSummary& summary,
                                              const study::coverage::GateOptions& options);

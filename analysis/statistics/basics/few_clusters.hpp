@@ -13,7 +13,7 @@ namespace tcert::statistics {
 inline constexpr std::size_t kFewClusters = 30;
 
 /// Below so many they are not to be believed: a warning.
-inline constexpr std::size_t kTooFewClusters = 10;
+inline constexpr std::size_t kTooFewClusters = 6;
 
 /// The condition few_clusters where it holds, for 2 clusters and more: a note below kFewClusters; a
 /// warning below kTooFewClusters, and if there are no more clusters than `coefficients`, whose

@@ -23,21 +23,34 @@ double t_p_value(double t, double df, Alternative alternative) {
   return 2.0 * boost::math::cdf(boost::math::complement(student, std::abs(t)));
 }
 
+ClusterT by_student_t(double estimate, double standard_error, double df, double level) {
+  ClusterT result;
+  if (!std::isfinite(estimate) || !(standard_error > 0.0) || !std::isfinite(standard_error) ||
+      !(df > 0.0)) {
+    return result;
+  }
+  const double half = t_factor(level, df) * standard_error;
+  result.standard_error = standard_error;
+  result.df = df;
+  result.p_value = t_p_value(estimate / standard_error, df, Alternative::two_sided);
+  result.interval = Interval{estimate - half, estimate + half, level};
+  return result;
+}
+
 ClusterT by_cluster_t(const std::optional<double>& estimate,
                       const std::optional<double>& standard_error,
                       const std::optional<double>& statistic,
                       std::size_t clusters,
                       double level) {
-  ClusterT result;
-  if (!estimate || !standard_error || !(*standard_error > 0.0) || clusters < 2) {
-    return result;
+  if (!estimate || !standard_error || clusters < 2) {
+    return {};
   }
   const double df = static_cast<double>(clusters) - 1.0;
-  if (statistic && std::isfinite(*statistic)) {
-    result.p_value = t_p_value(*statistic, df, Alternative::two_sided);
-  }
-  const double half = t_factor(level, df) * *standard_error;
-  result.interval = Interval{*estimate - half, *estimate + half, level};
+  ClusterT result = by_student_t(*estimate, *standard_error, df, level);
+  // In other units, where the estimate's own would overflow.
+  result.p_value = result.interval && statistic && std::isfinite(*statistic)
+                       ? std::optional(t_p_value(*statistic, df, Alternative::two_sided))
+                       : std::nullopt;
   return result;
 }
 

@@ -16,15 +16,23 @@ namespace tcert::statistics {
 /// p-value of a t statistic. \pre df > 0.
 [[nodiscard]] double t_p_value(double t, double df, Alternative alternative);
 
-/// What a cluster-robust standard error says by t with clusters - 1 degrees of freedom, which
-/// few clusters need more than the normal distribution that R's robust variances are read by
-/// (Cameron and Miller 2015, section VI).
+/// What clusters say of an estimate, in a way that few of them do not belie (Cameron and Miller
+/// 2015, section VI). Empty where there is none.
 struct ClusterT {
-  std::optional<double> p_value;     ///< Two-sided.
+  std::optional<double> standard_error;
+  std::optional<double> df;          ///< Of Student's t; empty where p is not by it.
+  std::optional<double> p_value;     ///< Two-sided, of 0.
   std::optional<Interval> interval;  ///< estimate -+ t SE.
 };
 
-/// Empty without an estimate, without a standard error above 0, and for fewer than 2 clusters.
+/// Empty without an estimate that is finite, a standard error above 0, and df above 0.
+[[nodiscard]] ClusterT by_student_t(double estimate,
+                                    double standard_error,
+                                    double df,
+                                    double level);
+
+/// With clusters - 1 degrees of freedom, which a cluster-robust standard error has at most. Empty
+/// without an estimate, without a standard error above 0, and for fewer than 2 clusters.
 /// `statistic` is estimate / standard error; without one there is no p.
 [[nodiscard]] ClusterT by_cluster_t(const std::optional<double>& estimate,
                                     const std::optional<double>& standard_error,

@@ -1,5 +1,6 @@
 #include <statistics/basics/wald_chi_squared.hpp>
 
+#include <boost/math/distributions/fisher_f.hpp>
 #include <statistics/basics/linalg.hpp>
 
 namespace tcert::statistics {
@@ -22,6 +23,20 @@ std::optional<ChiSquareTest> wald_test(const Eigen::VectorXd& estimates,
   }
   const Eigen::VectorXd z = cholesky.whiten(inverse.cwiseProduct(estimates).eval());
   return chi_square_test(z.squaredNorm(), static_cast<std::size_t>(estimates.size()));
+}
+
+std::optional<ChiSquareTest> hotelling_test(const Eigen::VectorXd& estimates,
+                                            const Eigen::MatrixXd& covariance,
+                                            std::size_t clusters) {
+  std::optional<ChiSquareTest> test = wald_test(estimates, covariance);
+  if (!test || clusters <= test->df) {
+    return std::nullopt;
+  }
+  const auto k = static_cast<double>(test->df);
+  const auto groups = static_cast<double>(clusters);
+  test->p_value = boost::math::cdf(boost::math::complement(
+      boost::math::fisher_f(k, groups - k), test->statistic * (groups - k) / (k * (groups - 1.0))));
+  return test;
 }
 
 }  // namespace tcert::statistics

@@ -1,14 +1,13 @@
 #include <statistics/clusters/cluster_inference.hpp>
 
 #include <cmath>
-#include <statistics/basics/student_t.hpp>
 #include <statistics/clusters/cluster_variance.hpp>
 
 namespace tcert::statistics {
 namespace {
 
 struct Spread {
-  Eigen::VectorXd variance;
+  Eigen::MatrixXd covariance;
   Eigen::VectorXd df;
 };
 
@@ -19,20 +18,15 @@ Spread spread_of(const ClusteredFit& fit, ClusterInference inference) {
   switch (inference) {
     case ClusterInference::cr1:
     case ClusterInference::wild:
-      spread.variance = groups / (groups - 1.0) * sandwich_cr0(fit.parts).diagonal();
+      spread.covariance = groups / (groups - 1.0) * sandwich_cr0(fit.parts);
       break;
     case ClusterInference::cr2:
-      spread.variance = sandwich_cr2(fit.parts).diagonal();
+      spread.covariance = sandwich_cr2(fit.parts);
       spread.df = satterthwaite_df(fit.parts);
       break;
-    case ClusterInference::jackknife: {
-      const Eigen::MatrixXd left_out = fit.left_out();
-      spread.variance.resize(p);
-      for (Eigen::Index j = 0; j < p; ++j) {
-        spread.variance(j) = jackknife_variance(fit.parts.estimates(j), left_out.row(j));
-      }
+    case ClusterInference::jackknife:
+      spread.covariance = jackknife_covariance(fit.parts.estimates, fit.left_out());
       break;
-    }
   }
   return spread;
 }
@@ -40,7 +34,7 @@ Spread spread_of(const ClusteredFit& fit, ClusterInference inference) {
 void by_wild_bootstrap(const ClusteredFit& fit,
                        std::size_t k,
                        const WildOptions& options,
-                       ClusterEstimate& estimate) {
+                       ClusterT& estimate) {
   estimate.df.reset();
   estimate.p_value.reset();
   estimate.interval.reset();
@@ -71,42 +65,63 @@ std::string_view to_string(ClusterInference inference) noexcept {
   return "";
 }
 
-ClusterEstimate by_t(double estimate, double standard_error, double df, double level) {
-  ClusterEstimate result;
-  if (!std::isfinite(estimate) || !(standard_error > 0.0) || !std::isfinite(standard_error) ||
-      !(df > 0.0)) {
-    return result;
-  }
-  const double half = t_factor(level, df) * standard_error;
-  result.standard_error = standard_error;
-  result.df = df;
-  result.p_value = t_p_value(estimate / standard_error, df, Alternative::two_sided);
-  result.interval = Interval{estimate - half, estimate + half, level};
-  return result;
-}
-
 double jackknife_variance(double estimate, const Eigen::VectorXd& left_out) {
   const auto groups = static_cast<double>(left_out.size());
   return (groups - 1.0) / groups * (left_out.array() - estimate).square().sum();
 }
 
-std::vector<ClusterEstimate> cluster_estimates(const ClusteredFit& fit,
-                                               ClusterInference inference,
-                                               const WildOptions& options) {
-  std::vector<ClusterEstimate> estimates(static_cast<std::size_t>(fit.parts.estimates.size()));
-  if (fit.parts.clusters() < 2) {
-    return estimates;
+Eigen::MatrixXd jackknife_covariance(const Eigen::VectorXd& estimates,
+                                     const Eigen::MatrixXd& left_out) {
+  const auto groups = static_cast<double>(left_out.cols());
+  const Eigen::MatrixXd changes = left_out.colwise() - estimates;
+  return (groups - 1.0) / groups * changes * changes.transpose();
+}
+
+ClusterT jackknife_estimate(double estimate, std::span<const double> left_out, double level) {
+  const Eigen::Map<const Eigen::VectorXd> values(left_out.data(),
+                                                 static_cast<Eigen::Index>(left_out.size()));
+  return by_student_t(estimate,
+                      std::sqrt(jackknife_variance(estimate, values)),
+                      static_cast<double>(left_out.size()) - 1.0,
+                      level);
+}
+
+ClusterT cr1_estimate(const std::optional<double>& estimate,
+                      const std::optional<double>& robust_error,
+                      std::size_t clusters,
+                      double level) {
+  if (!estimate || !robust_error || clusters < 2) {
+    return {};
   }
-  const Spread spread = spread_of(fit, inference);
-  for (std::size_t k = 0; k < estimates.size(); ++k) {
+  const auto groups = static_cast<double>(clusters);
+  return by_student_t(
+      *estimate, *robust_error * std::sqrt(groups / (groups - 1.0)), groups - 1.0, level);
+}
+
+ClusterInference default_inference(std::size_t clusters) noexcept {
+  return clusters > kMostJackknifeClusters ? ClusterInference::cr1 : ClusterInference::jackknife;
+}
+
+ClusterInferences cluster_inferences(const ClusteredFit& fit,
+                                     std::optional<ClusterInference> inference,
+                                     const WildOptions& options) {
+  ClusterInferences all;
+  all.by = inference.value_or(default_inference(fit.parts.clusters()));
+  all.of.resize(static_cast<std::size_t>(fit.parts.estimates.size()));
+  if (fit.parts.clusters() < 2) {
+    return all;
+  }
+  const Spread spread = spread_of(fit, all.by);
+  all.covariance = spread.covariance;
+  for (std::size_t k = 0; k < all.of.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
-    estimates[k] =
-        by_t(fit.parts.estimates(at), std::sqrt(spread.variance(at)), spread.df(at), options.level);
-    if (inference == ClusterInference::wild && std::isfinite(fit.parts.estimates(at))) {
-      by_wild_bootstrap(fit, k, options, estimates[k]);
+    all.of[k] = by_student_t(
+        fit.parts.estimates(at), std::sqrt(all.covariance(at, at)), spread.df(at), options.level);
+    if (all.by == ClusterInference::wild && std::isfinite(fit.parts.estimates(at))) {
+      by_wild_bootstrap(fit, k, options, all.of[k]);
     }
   }
-  return estimates;
+  return all;
 }
 
 }  // namespace tcert::statistics

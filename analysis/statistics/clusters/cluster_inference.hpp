@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <statistics/basics/interval.hpp>
+#include <span>
+#include <statistics/basics/student_t.hpp>
 #include <statistics/clusters/sandwich_parts.hpp>
 #include <statistics/clusters/wild_bootstrap.hpp>
 #include <string_view>
@@ -20,20 +21,8 @@ enum class ClusterInference : std::uint8_t {
   jackknife,  ///< Whole clusters left out (CV3), t with G - 1 degrees of freedom.
   wild,       ///< Wild bootstrap of the clusters' scores; the interval inverts the test.
 };
-constexpr ClusterInference row_last(ClusterInference /*any*/) noexcept {
-  return ClusterInference::wild;
-}
-
 /// "cr1", "cr2", "jackknife", "wild".
 [[nodiscard]] std::string_view to_string(ClusterInference inference) noexcept;
-
-/// Of one coefficient; empty where there is none.
-struct ClusterEstimate {
-  std::optional<double> standard_error;  ///< Of wild: that of CR1, which scales its search.
-  std::optional<double> df;              ///< Empty for wild.
-  std::optional<double> p_value;         ///< Two-sided, of 0.
-  std::optional<Interval> interval;
-};
 
 /// A fit as inference asks for it.
 struct ClusteredFit {
@@ -43,17 +32,44 @@ struct ClusteredFit {
   std::function<Eigen::MatrixXd()> left_out;
 };
 
-/// t with `df` degrees of freedom; empty without an estimate, a standard error above 0 and df above
-/// 0.
-[[nodiscard]] ClusterEstimate by_t(double estimate, double standard_error, double df, double level);
-
 /// (G - 1) / G times the sum of squared distances of `left_out` from `estimate`: CV3 (MacKinnon,
 /// Nielsen and Webb 2023). NaN if one is.
 [[nodiscard]] double jackknife_variance(double estimate, const Eigen::VectorXd& left_out);
 
-/// One for each coefficient; all empty with fewer than 2 clusters.
-[[nodiscard]] std::vector<ClusterEstimate> cluster_estimates(const ClusteredFit& fit,
-                                                             ClusterInference inference,
-                                                             const WildOptions& options);
+/// The same of several numbers jointly: `left_out` p x G.
+[[nodiscard]] Eigen::MatrixXd jackknife_covariance(const Eigen::VectorXd& estimates,
+                                                   const Eigen::MatrixXd& left_out);
+
+/// Of any number by its values without each cluster, t with G - 1 degrees of freedom. Empty with
+/// fewer than 2 clusters, or where a value is NaN.
+[[nodiscard]] ClusterT jackknife_estimate(double estimate,
+                                          std::span<const double> left_out,
+                                          double level);
+
+/// From an uncorrected robust standard error; empty without one and with fewer than 2 clusters.
+[[nodiscard]] ClusterT cr1_estimate(const std::optional<double>& estimate,
+                                    const std::optional<double>& robust_error,
+                                    std::size_t clusters,
+                                    double level);
+
+/// By which way, and what it says of each coefficient.
+struct ClusterInferences {
+  ClusterInference by = ClusterInference::jackknife;
+  std::vector<ClusterT> of;
+  Eigen::MatrixXd covariance;  ///< p x p, of the coefficients; NaN as they; of wild that of CR1.
+};
+
+/// Up to so many clusters the jackknife is what is taken by default: of those that were tried it
+/// alone keeps its level with 6 clusters that are unlike (analysis/README.md). Beyond, CR1, which
+/// then says the same and refits nothing.
+inline constexpr std::size_t kMostJackknifeClusters = 100;
+
+[[nodiscard]] ClusterInference default_inference(std::size_t clusters) noexcept;
+
+/// One for each coefficient; all empty with fewer than 2 clusters. The standard error of wild is
+/// that of CR1, which scales its search for the ends.
+[[nodiscard]] ClusterInferences cluster_inferences(const ClusteredFit& fit,
+                                                   std::optional<ClusterInference> inference,
+                                                   const WildOptions& options);
 
 }  // namespace tcert::statistics

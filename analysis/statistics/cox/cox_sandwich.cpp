@@ -195,4 +195,23 @@ std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit
   return clustered;
 }
 
+ClusterInferences cluster_inferences(const CoxData& data,
+                                     const CoxFit& fit,
+                                     std::optional<ClusterInference> inference,
+                                     const WildOptions& options) {
+  if (const auto clustered = clustered_fit(data, fit)) {
+    return cluster_inferences(*clustered, inference, options);
+  }
+  ClusterInferences uncorrected{ClusterInference::cr1, {}, fit.vcov};
+  if (fit.clusters > 1) {
+    uncorrected.covariance *=
+        static_cast<double>(fit.clusters) / (static_cast<double>(fit.clusters) - 1.0);
+  }
+  for (const CoxCoefficient& one : fit.coefficients) {
+    uncorrected.of.push_back(
+        cr1_estimate(one.estimate, one.robust_se, fit.clusters, options.level));
+  }
+  return uncorrected;
+}
+
 }  // namespace tcert::statistics

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A clustered Cox model as `cluster_estimates` asks for it.
+/// A clustered Cox model as `cluster_inferences` asks for it.
 
 #include <optional>
 #include <statistics/clusters/cluster_inference.hpp>
@@ -15,5 +15,11 @@ namespace tcert::statistics {
 /// fit, with exact ties, and where the parts would be too large. The functions refer to `data`,
 /// which must outlive them. `left_out` has O(G) refits.
 [[nodiscard]] std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit);
+
+/// Of every coefficient. By CR1 of the fit's own standard errors where it is no `clustered_fit`.
+[[nodiscard]] ClusterInferences cluster_inferences(const CoxData& data,
+                                                   const CoxFit& fit,
+                                                   std::optional<ClusterInference> inference,
+                                                   const WildOptions& options);
 
 }  // namespace tcert::statistics

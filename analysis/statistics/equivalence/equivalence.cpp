@@ -5,6 +5,7 @@
 #include <cmath>
 #include <statistics/basics/binomial_interval.hpp>
 #include <statistics/basics/normal.hpp>
+#include <statistics/basics/student_t.hpp>
 #include <statistics/basics/wald_chi_squared.hpp>
 #include <stdexcept>
 
@@ -20,7 +21,7 @@ void check_alpha(double alpha) {
 void check(const GroupEstimates& groups, const EquivalenceOptions& options) {
   const Eigen::Index k = groups.values.size();
   if (groups.covariance.rows() != k || groups.covariance.cols() != k ||
-      groups.names.size() != static_cast<std::size_t>(k)) {
+      groups.names.size() != static_cast<std::size_t>(k) || groups.clusters == 1) {
     throw std::invalid_argument("equivalence: sizes differ");
   }
   if (!groups.values.allFinite() || !groups.covariance.allFinite()) {
@@ -30,6 +31,17 @@ void check(const GroupEstimates& groups, const EquivalenceOptions& options) {
   if (!(options.margin > 0.0) || !(options.power > 0.0 && options.power < 1.0)) {
     throw std::invalid_argument("equivalence: margin must be above 0, power in (0, 1)");
   }
+}
+
+/// Of Student's t with clusters - 1 degrees of freedom; normal without clusters.
+double quantile_of(double p, std::size_t clusters) {
+  return clusters == 0 ? normal_quantile(p)
+                       : t_factor(2.0 * p - 1.0, static_cast<double>(clusters) - 1.0);
+}
+
+double lower_tail(double z, std::size_t clusters) {
+  return clusters == 0 ? normal_cdf(z)
+                       : t_p_value(z, static_cast<double>(clusters) - 1.0, Alternative::less);
 }
 
 EquivalencePair pair_of(const GroupEstimates& groups,
@@ -43,13 +55,14 @@ EquivalencePair pair_of(const GroupEstimates& groups,
   const double variance = groups.covariance(first, first) + groups.covariance(second, second) -
                           2.0 * groups.covariance(first, second);
   pair.standard_error = std::sqrt(std::max(0.0, variance));
-  const double half = normal_quantile(1.0 - options.alpha) * pair.standard_error;
+  const double half = quantile_of(1.0 - options.alpha, groups.clusters) * pair.standard_error;
   pair.interval = {pair.difference - half, pair.difference + half, 1.0 - 2.0 * options.alpha};
   pair.smallest_margin = std::abs(pair.difference) + half;
   pair.equivalent = pair.smallest_margin < options.margin;
   const double room = options.margin - std::abs(pair.difference);
-  pair.p_value = pair.standard_error > 0.0 ? normal_cdf(-room / pair.standard_error)
-                                           : (room > 0.0 ? 0.0 : 1.0);
+  pair.p_value = pair.standard_error > 0.0
+                     ? lower_tail(-room / pair.standard_error, groups.clusters)
+                     : (room > 0.0 ? 0.0 : 1.0);
   return pair;
 }
 
@@ -66,16 +79,20 @@ std::optional<ChiSquareTest> equality_test(const GroupEstimates& groups) {
   contrasts.col(k - 1).setConstant(-1.0);
   const Eigen::VectorXd differences = contrasts * groups.values;
   const Eigen::MatrixXd covariance = contrasts * groups.covariance * contrasts.transpose();
-  return wald_test(differences, covariance);
+  return groups.clusters == 0 ? wald_test(differences, covariance)
+                              : hotelling_test(differences, covariance, groups.clusters);
 }
 
-double margin_with_power(const std::vector<EquivalencePair>& pairs, double alpha, double power) {
+double margin_with_power(const std::vector<EquivalencePair>& pairs,
+                         double alpha,
+                         double power,
+                         std::size_t clusters) {
   double widest = 0.0;
   for (const EquivalencePair& pair : pairs) {
     widest = std::max(widest, pair.standard_error);
   }
   const double miss = (1.0 - power) / static_cast<double>(std::max<std::size_t>(1, pairs.size()));
-  return widest * (normal_quantile(1.0 - alpha) + normal_quantile(1.0 - 0.5 * miss));
+  return widest * (quantile_of(1.0 - alpha, clusters) + quantile_of(1.0 - 0.5 * miss, clusters));
 }
 
 double equivalence_power(double truth, double error, double margin, double alpha) {
@@ -107,7 +124,8 @@ Equivalence equivalence(const GroupEstimates& groups, const EquivalenceOptions& 
       result.pairs.push_back(pair);
     }
   }
-  result.margin_with_power = margin_with_power(result.pairs, options.alpha, options.power);
+  result.margin_with_power =
+      margin_with_power(result.pairs, options.alpha, options.power, groups.clusters);
   result.range = groups.values.maxCoeff() - groups.values.minCoeff();
   result.heterogeneity = equality_test(groups);
   if (!result.heterogeneity) {

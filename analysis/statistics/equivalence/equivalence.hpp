@@ -19,6 +19,7 @@ struct GroupEstimates {
   std::vector<std::string> names;
   Eigen::VectorXd values;      ///< k.
   Eigen::MatrixXd covariance;  ///< k x k, of the estimates.
+  std::size_t clusters = 0;    ///< That the covariance is made of; 0: as if of ever more.
 };
 
 struct EquivalenceOptions {
@@ -33,7 +34,7 @@ struct EquivalencePair {
   std::size_t second = 0;
   double difference = 0.0;
   double standard_error = 0.0;
-  Interval interval;             ///< difference -+ z_(1 - alpha) SE.
+  Interval interval;             ///< difference -+ SE times the quantile of 1 - alpha.
   double p_value = 1.0;          ///< Of two one-sided tests: the larger.
   bool equivalent = false;       ///< The interval lies within (-margin, margin): p < alpha.
   double smallest_margin = 0.0;  ///< At which it would just be: the interval's farther end.
@@ -52,9 +53,10 @@ struct Equivalence {
   Conditions conditions;  ///< one_group, singular_covariance.
 };
 
-/// Normal approximations throughout. Numbers are empty for fewer than two groups; a pair without
-/// variance is an error of the caller. \throws std::invalid_argument if sizes differ, an entry is
-/// not finite, or margin, alpha (0, 0.5) or power (0, 1) is out of range. O(k^3).
+/// By Student's t with clusters - 1 degrees of freedom and Hotelling's T^2, by the normal and
+/// chi-squared distributions without clusters. Numbers are empty for fewer than two groups; a pair
+/// without variance is an error of the caller. \throws std::invalid_argument if sizes differ, an
+/// entry is not finite, or margin, alpha (0, 0.5) or power (0, 1) is out of range. O(k^3).
 [[nodiscard]] Equivalence equivalence(const GroupEstimates& groups,
                                       const EquivalenceOptions& options = {});
 
@@ -63,12 +65,13 @@ struct Equivalence {
 [[nodiscard]] std::optional<ChiSquareTest> equality_test(const GroupEstimates& groups);
 
 /// The margin at which all pairs would be found equivalent with probability `power` at least, if
-/// all groups were truly equal: the largest over pairs of SE (z_(1 - alpha) + z_(1 - b / 2)), b =
+/// all groups were truly equal: the largest over pairs of SE (q_(1 - alpha) + q_(1 - b / 2)), b =
 /// (1 - power) / pairs. For one pair that is exact under normality; for more the probabilities to
 /// miss are added (Bonferroni), so the power is a little more.
 [[nodiscard]] double margin_with_power(const std::vector<EquivalencePair>& pairs,
                                        double alpha,
-                                       double power);
+                                       double power,
+                                       std::size_t clusters = 0);
 
 /// Probability that one pair is found equivalent: difference `truth`, standard error `error`.
 [[nodiscard]] double equivalence_power(double truth, double error, double margin, double alpha);

@@ -1,5 +1,8 @@
 #include <statistics/equivalence/statistic_by_group.hpp>
 
+#include <statistics/clusters/cluster_inference.hpp>
+#include <statistics/resampling/jackknife.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,6 +64,32 @@ std::function<RangeKernel()> range_of(const Statistic& whole,
       return high - low;
     };
   };
+}
+
+std::optional<GroupEstimates> jackknife_by_group(const Statistic& whole,
+                                                 std::size_t value,
+                                                 const table::Factor& group,
+                                                 std::span<const std::uint32_t> cluster) {
+  const Statistic each = by_group(whole, group);
+  const ResamplingPlan plan = ResamplingPlan::of_clusters(cluster);
+  std::vector<double> values(each.values);
+  each.make_kernel()(std::vector<std::uint32_t>(whole.rows, 1), values);
+  const std::vector<std::vector<double>> without = leave_one_out(each, plan);
+  GroupEstimates estimates;
+  estimates.names = group.levels;
+  estimates.clusters = plan.units();
+  const auto groups = static_cast<Eigen::Index>(group.levels.size());
+  estimates.values.resize(groups);
+  Eigen::MatrixXd left_out(groups, static_cast<Eigen::Index>(plan.units()));
+  for (Eigen::Index g = 0; g < groups; ++g) {
+    const std::size_t at = static_cast<std::size_t>(g) * whole.values + value;
+    estimates.values(g) = values[at];
+    left_out.row(g) = Eigen::Map<const Eigen::RowVectorXd>(without[at].data(), left_out.cols());
+  }
+  estimates.covariance = jackknife_covariance(estimates.values, left_out);
+  const bool known = estimates.values.allFinite() && estimates.covariance.allFinite() &&
+                     estimates.covariance.diagonal().minCoeff() > 0.0;
+  return known && plan.units() > 1 ? std::optional(std::move(estimates)) : std::nullopt;
 }
 
 }  // namespace tcert::statistics

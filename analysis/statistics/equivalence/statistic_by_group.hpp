@@ -2,6 +2,9 @@
 /// \file
 /// A statistic of each group of rows by itself, and how far apart they lie.
 
+#include <optional>
+#include <span>
+#include <statistics/equivalence/equivalence.hpp>
 #include <statistics/equivalence/range_permutation.hpp>
 #include <statistics/resampling/statistic.hpp>
 #include <table/factor.hpp>
@@ -17,5 +20,13 @@ namespace tcert::statistics {
 [[nodiscard]] std::function<RangeKernel()> range_of(const Statistic& whole,
                                                     std::size_t value,
                                                     std::size_t groups);
+
+/// Value `value` of `whole` in every group, with the covariance of the jackknife of whole clusters;
+/// empty where a group has none, with all clusters or without one of them. G kernels.
+[[nodiscard]] std::optional<GroupEstimates> jackknife_by_group(
+    const Statistic& whole,
+    std::size_t value,
+    const table::Factor& group,
+    std::span<const std::uint32_t> cluster);
 
 }  // namespace tcert::statistics

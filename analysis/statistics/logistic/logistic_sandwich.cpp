@@ -153,4 +153,23 @@ std::optional<ClusteredFit> clustered_fit(const LogisticInput& input, const Logi
   return clustered;
 }
 
+ClusterInferences cluster_inferences(const LogisticInput& input,
+                                     const LogisticFit& fit,
+                                     std::optional<ClusterInference> inference,
+                                     const WildOptions& options) {
+  if (const auto clustered = clustered_fit(input, fit)) {
+    return cluster_inferences(*clustered, inference, options);
+  }
+  ClusterInferences uncorrected{ClusterInference::cr1, {}, fit.covariance};
+  if (fit.clusters > 1) {
+    uncorrected.covariance *=
+        static_cast<double>(fit.clusters) / (static_cast<double>(fit.clusters) - 1.0);
+  }
+  for (const LogisticCoefficient& one : fit.coefficients) {
+    uncorrected.of.push_back(
+        cr1_estimate(one.estimate, one.standard_error, fit.clusters, options.level));
+  }
+  return uncorrected;
+}
+
 }  // namespace tcert::statistics

@@ -1,3 +1,4 @@
+#include <span>
 #include <statistics/model/variable.hpp>
 
 #include <algorithm>
@@ -197,15 +198,16 @@ class Evaluation {
 
   Variable scaled(const Expression& call) {
     std::vector<double> x = numbers(call.arguments.front(), call);
+    const std::span<const double> learned(x.data(), table_.learned > 0 ? table_.learned : x.size());
     double sum = 0.0;
     double known = 0.0;
-    for (const double one : x) {
+    for (const double one : learned) {
       sum += std::isnan(one) ? 0.0 : one;
       known += std::isnan(one) ? 0.0 : 1.0;
     }
     const double mean = sum / known;
     double squares = 0.0;
-    for (const double one : x) {
+    for (const double one : learned) {
       squares += std::isnan(one) ? 0.0 : (one - mean) * (one - mean);
     }
     const double sd = std::sqrt(squares / (known - 1.0));

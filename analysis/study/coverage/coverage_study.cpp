@@ -1,29 +1,33 @@
 #include "analysis/study/coverage/coverage_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <statistics/basics/normal.hpp>
+#include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/concordance/concordance.hpp>
 #include <statistics/concordance/concordance_statistic.hpp>
 #include <statistics/resampling/bootstrap.hpp>
+#include <statistics/resampling/jackknife.hpp>
 #include <statistics/roc/auc_statistic.hpp>
 #include <statistics/roc/roc.hpp>
 #include <table/random.hpp>
 #include <utility>
+
+#include "analysis/study/h1/withhold.hpp"
 
 namespace tcert::study::coverage {
 namespace {
 
 constexpr std::array<const char*, kMethods> kMethodNames{"analytic_plain",
                                                          "analytic_clustered",
-                                                         "percentile_trials",
-                                                         "expanded_trials",
-                                                         "bca_trials",
                                                          "percentile_days",
                                                          "expanded_days",
-                                                         "bca_days"};
+                                                         "bca_days",
+                                                         "jackknife_days"};
 constexpr std::array<const char*, kQuantities> kQuantityNames{"auc", "delta_auc", "c", "delta_c"};
 /// Where the quantities are among the values of the joined statistic: each of its parts has the
 /// first predictor, the second, the difference.
@@ -55,21 +59,26 @@ void add_analytic(const Study& study,
   result.by_quantity[3][method] = c.differences[0].interval;
 }
 
+constexpr std::size_t kBootstrap = 2;  // Percentile, expanded, BCa.
+constexpr std::size_t kJackknife = 5;
+
 void add_bootstrap(const statistics::Statistic& statistic,
                    const statistics::ResamplingPlan& plan,
                    const statistics::BootstrapOptions& options,
                    double level,
-                   std::size_t method,
                    Intervals& result) {
   const statistics::BootstrapResult boot = statistics::bootstrap(statistic, plan, options);
+  const auto left_out = statistics::leave_one_out(statistic, plan);
   for (std::size_t quantity = 0; quantity < kQuantities; ++quantity) {
     const std::size_t value = kValueOf[quantity];
     result.estimate[quantity] = boot.observed[value];
     const statistics::BootstrapIntervals intervals =
         statistics::bootstrap_intervals(boot, value, level);
-    result.by_quantity[quantity][method] = intervals.percentile;
-    result.by_quantity[quantity][method + 1] = intervals.expanded;
-    result.by_quantity[quantity][method + 2] = intervals.bca;
+    result.by_quantity[quantity][kBootstrap] = intervals.percentile;
+    result.by_quantity[quantity][kBootstrap + 1] = intervals.expanded;
+    result.by_quantity[quantity][kBootstrap + 2] = intervals.bca;
+    result.by_quantity[quantity][kJackknife] =
+        statistics::jackknife_estimate(boot.observed[value], left_out[value], level).interval;
   }
 }
 
@@ -151,36 +160,40 @@ double true_c(double correlation) {
   return mean_over_pairs(correlation, [](double higher, double) { return higher; });
 }
 
+bool is_withheld(const Study& study) {
+  const auto successes =
+      static_cast<std::size_t>(std::count(study.success.begin(), study.success.end(), 1));
+  return std::min(successes, study.success.size() - successes) < kTooFewOutcomes;
+}
+
 Intervals intervals_of(const Scenario& scenario,
                        std::uint32_t stream,
                        const Options& options,
                        std::uint64_t index) {
   const Study study = simulate(scenario, options.seed, stream, index);
+  Intervals result;
+  result.withheld = is_withheld(study);
+  if (result.withheld) {
+    return result;
+  }
   const std::vector<statistics::Score> scores{{study.first, statistics::HigherMeans::success},
                                               {study.second, statistics::HigherMeans::success}};
   const std::vector<statistics::Predictor> predictors{
       {"first", study.first, statistics::LargerMeans::shorter_time},
       {"second", study.second, statistics::LargerMeans::shorter_time}};
   const statistics::SurvivalOutcome outcome{{}, study.time, study.success};
-  Intervals result;
   for (const bool clustered : {false, true}) {
     add_analytic(study, scores, outcome, predictors, options.level, clustered, result);
   }
   const statistics::Statistic statistic =
       statistics::joined({statistics::auc_statistic(scores, study.success, {{0, 1}}),
                           statistics::concordance_statistic(outcome, predictors, {{0, 1}})});
-  for (const bool clustered : {false, true}) {
-    const statistics::ResamplingPlan plan =
-        clustered ? statistics::ResamplingPlan::of_clusters(study.day)
-                  : statistics::ResamplingPlan::of_rows(study.success.size());
-    // Every data set resamples by its own stream.
-    add_bootstrap(statistic,
-                  plan,
-                  {options.replicates, options.seed + index, clustered ? 101U : 100U},
-                  options.level,
-                  clustered ? 5 : 2,
-                  result);
-  }
+  // Every data set resamples by its own stream.
+  add_bootstrap(statistic,
+                statistics::ResamplingPlan::of_clusters(study.day),
+                {options.replicates, options.seed + index, 101U},
+                options.level,
+                result);
   return result;
 }
 
@@ -201,6 +214,10 @@ CoverageTally::CoverageTally(const std::string& scenario) {
 void CoverageTally::add(const Intervals& set) {
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     Coverage& sum = sums_[i];
+    if (set.withheld) {
+      ++sum.withheld;
+      continue;
+    }
     sum.mean_estimate += set.estimate[i / kMethods];
     const auto& interval = set.by_quantity[i / kMethods][i % kMethods];
     if (!interval) {
@@ -226,10 +243,13 @@ std::vector<Coverage> CoverageTally::rows() const {
 }
 
 std::vector<Scenario> coverage_scenarios() {
-  return {{"independent", 22, 30, 0.0},
-          {"icc_0.2", 22, 30, 0.2},
-          {"icc_0.5", 22, 30, 0.5},
-          {"icc_0.8", 22, 30, 0.8}};
+  std::vector<Scenario> scenarios;
+  for (const std::size_t days : {6U, 12U, 22U, 40U}) {
+    for (const double icc : {0.0, 0.2, 0.5}) {
+      scenarios.push_back({fmt::format("{} days, icc {:g}", days, icc), days, 30, icc});
+    }
+  }
+  return scenarios;
 }
 
 }  // namespace tcert::study::coverage

@@ -66,21 +66,27 @@ struct Coverage {
   double mean_estimate = 0.0;  ///< Over the data sets: its distance to the truth is a bias.
   std::size_t intervals = 0;   ///< Data sets that had one.
   std::size_t missing = 0;
+  std::size_t withheld = 0;     ///< Data sets with too few of an outcome for intervals.
   double covered = 0.0;         ///< Share of the intervals that cover the truth.
   double monte_carlo_se = 0.0;  ///< Of that share.
   double mean_width = 0.0;
 };
 
-inline constexpr std::size_t kMethods = 8;
+inline constexpr std::size_t kMethods = 6;
 inline constexpr std::size_t kQuantities = 4;
+
+/// Fewer than `kTooFewOutcomes` of an outcome: the tables of hypotheses then print no interval.
+[[nodiscard]] bool is_withheld(const Study& study);
 
 /// Of one data set: the estimate of every quantity, and its intervals by every method.
 struct Intervals {
+  bool withheld = false;  ///< The rest is then empty.
   std::array<std::array<std::optional<statistics::Interval>, kMethods>, kQuantities> by_quantity;
   std::array<double, kQuantities> estimate{};
 };
 
 void row_cells(auto& row, table::Is<Intervals> auto& set) {
+  row(set.withheld);
   for (std::size_t quantity = 0; quantity < kQuantities; ++quantity) {
     row(set.estimate[quantity]);
     for (auto& interval : set.by_quantity[quantity]) {
@@ -109,7 +115,7 @@ class CoverageTally {
   std::vector<Coverage> sums_;  ///< Of what the rows have means of.
 };
 
-/// 22 days of 30 trials with a within-day correlation of 0, 0.2, 0.5 and 0.8.
+/// 6, 12, 22 and 40 days of 30 trials with within-day correlations of 0, 0.2 and 0.5.
 [[nodiscard]] std::vector<Scenario> coverage_scenarios();
 
 }  // namespace tcert::study::coverage

@@ -5,7 +5,8 @@
 #include <optional>
 #include <statistics/basics/normal.hpp>
 #include <statistics/equivalence/equivalence.hpp>
-#include <statistics/equivalence/scores_by_group.hpp>
+#include <statistics/equivalence/statistic_by_group.hpp>
+#include <statistics/roc/auc_statistic.hpp>
 #include <table/random.hpp>
 #include <utility>
 
@@ -17,17 +18,15 @@ namespace {
 constexpr double kBetterAuc = 0.76;
 
 std::optional<statistics::Equivalence> tested(const LightingStudy& study, double margin) {
-  const statistics::ScoresByGroup scores =
-      statistics::auc_by_group({study.predictor, statistics::HigherMeans::success},
-                               study.success,
-                               study.lighting,
-                               study.day);
-  if (!scores.joint) {
+  const statistics::Score score{study.predictor, statistics::HigherMeans::success};
+  const auto groups = statistics::jackknife_by_group(
+      statistics::auc_statistic({&score, 1}, study.success), 0, study.lighting, study.day);
+  if (!groups) {
     return std::nullopt;
   }
   statistics::EquivalenceOptions options;
   options.margin = margin;
-  return statistics::equivalence(*scores.joint, options);
+  return statistics::equivalence(*groups, options);
 }
 
 }  // namespace
@@ -142,6 +141,13 @@ std::vector<LightingScenario> equivalence_scenarios() {
         scenario.difference = share * margin;
         scenarios.push_back(scenario);
       }
+    }
+    for (const std::size_t days : {6U, 12U, 40U}) {
+      LightingScenario alike;
+      alike.days = days;
+      alike.icc = icc;
+      alike.margin = 0.22;
+      scenarios.push_back(alike);
     }
   }
   return scenarios;

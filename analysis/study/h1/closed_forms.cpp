@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <statistics/basics/standard_deviation.hpp>
+#include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/concordance/concordance.hpp>
+#include <statistics/concordance/concordance_statistic.hpp>
 #include <statistics/cox/cox.hpp>
 #include <statistics/model/variable.hpp>
+#include <statistics/resampling/jackknife.hpp>
 #include <statistics/roc/roc.hpp>
 
 #include "analysis/study/h1/hazard_ratio.hpp"
@@ -62,7 +65,6 @@ void add_clustered(const H1Data& data, const H1Options& options, H1Panel& panel)
       const statistics::AucDifference gain = statistics::auc_contrast(joint, 0, k);
       row.auc_gain.closed_form = gain.interval;
       row.auc_gain.std_error = root(gain.variance);
-      row.auc_p = gain.p_value;
     }
   }
   if (!data.censored) {
@@ -76,7 +78,6 @@ void add_clustered(const H1Data& data, const H1Options& options, H1Panel& panel)
     if (k > 0) {
       row.c_gain.closed_form = gain_of(result, k).interval;
       row.c_gain.std_error = gain_of(result, k).std_error;
-      row.c_p = gain_of(result, k).p_value;
     }
   }
 }
@@ -90,14 +91,18 @@ void add_case_level(const H1Data& data, const H1Options& options, H1Panel& panel
   for (std::size_t k = 0; k < data.predictors.size(); ++k) {
     H1CaseRow row;
     row.name = data.names[k];
-    row.auc = {
-        joint.markers[k].auc, {}, {}, joint.markers[k].interval, root(joint.markers[k].variance)};
+    row.auc = {joint.markers[k].auc,
+               {},
+               {},
+               joint.markers[k].interval,
+               root(joint.markers[k].variance),
+               {}};
     if (k > 0) {
       row.auc_gain_p = statistics::auc_contrast(joint, 0, k).p_value;
     }
     if (result) {
       const statistics::ConcordanceEstimate& c = result->estimates[k];
-      row.c = {c.c, {}, {}, c.interval, c.std_error};
+      row.c = {c.c, {}, {}, c.interval, c.std_error, {}};
       if (k > 0) {
         row.c_gain_p = gain_of(*result, k).p_value;
       }
@@ -165,6 +170,34 @@ void add_hazard_ratios(const H1Data& data, const H1Options& options, H1Panel& pa
   }
 }
 
+/// Failures take longer than everyone who arrives, as they do to the trial limit.
+void add_c_at_limit(const H1Data& data, double level, H1Panel& panel) {
+  if (!data.at_limit) {
+    return;
+  }
+  std::vector<statistics::Predictor> predictors;
+  for (std::size_t k = 0; k < data.predictors.size(); ++k) {
+    predictors.push_back(data.timed(k));
+  }
+  const statistics::Statistic c = statistics::concordance_statistic(*data.at_limit, predictors);
+  std::vector<double> values(c.values);
+  c.make_kernel()(std::vector<std::uint32_t>(data.rows(), 1), values);
+  const auto left_out =
+      statistics::leave_one_out(c, statistics::ResamplingPlan::of_clusters(data.cluster.codes));
+  for (std::size_t k = 0; k < predictors.size(); ++k) {
+    const statistics::ClusterT spread =
+        statistics::jackknife_estimate(values[k], left_out[k], level);
+    H1Score& score = panel.rows[k].c_at_limit;
+    score.value = std::isnan(values[k]) ? std::nullopt : std::optional(values[k]);
+    score.std_error = spread.standard_error;
+    score.interval = spread.interval;
+    if (score.interval) {
+      score.interval->low = std::max(0.0, score.interval->low);
+      score.interval->high = std::min(1.0, score.interval->high);
+    }
+  }
+}
+
 }  // namespace
 
 void add_closed_forms(const H1Data& data,
@@ -175,6 +208,7 @@ void add_closed_forms(const H1Data& data,
   add_case_level(data, options, panel);
   add_spreads(data, panel);
   add_hazard_ratios(data, options, panel);
+  add_c_at_limit(data, options.level, panel);
   add_nested_tests(data, models, panel);
 }
 

@@ -1,6 +1,7 @@
 #include "analysis/study/h1/h1_score.hpp"
 
 #include <cmath>
+#include <statistics/clusters/cluster_inference.hpp>
 #include <utility>
 
 namespace tcert::study {
@@ -19,6 +20,9 @@ void take_score(const statistics::BootstrapResult& result,
   }
   score.intervals = statistics::bootstrap_intervals(result, value, options.level, units);
   score.interval = estimate.interval;
+  score.p_value =
+      statistics::jackknife_estimate(estimate.observed, result.left_out[value], options.level)
+          .p_value;
   for (statistics::Condition condition : estimate.conditions) {
     condition.detail = quantity + (condition.detail.empty() ? "" : ": " + condition.detail);
     conditions.push_back(std::move(condition));

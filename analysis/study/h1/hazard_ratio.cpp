@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <statistics/basics/standard_deviation.hpp>
+#include <statistics/cox/cox_sandwich.hpp>
 #include <string>
 
 namespace tcert::study {
@@ -42,6 +43,17 @@ Eigen::VectorXd per_sd(const H1Data& data, std::size_t k) {
   return x * (sd > 0.0 ? sign / sd : sign);
 }
 
+void take_ratio(const std::optional<double>& ratio,
+                const statistics::ClusterT& by_clusters,
+                H1HazardRatio& result) {
+  result.ratio = ratio;
+  result.p_value = by_clusters.p_value;
+  if (const auto& log_ratio = by_clusters.interval) {
+    result.interval =
+        statistics::Interval{std::exp(log_ratio->low), std::exp(log_ratio->high), log_ratio->level};
+  }
+}
+
 H1HazardRatio hazard_ratio(statistics::CoxData cox,
                            const H1Data& data,
                            double level,
@@ -56,12 +68,11 @@ H1HazardRatio hazard_ratio(statistics::CoxData cox,
   const statistics::CoxFit fit = statistics::fit_cox(cox, cox_options);
   H1HazardRatio result;
   const statistics::CoxCoefficient& coefficient = fit.coefficients.front();
-  result.ratio = coefficient.hazard_ratio;
-  result.p_value = coefficient.p_value;
-  if (coefficient.interval) {
-    result.interval = statistics::Interval{
-        std::exp(coefficient.interval->low), std::exp(coefficient.interval->high), level};
-  }
+  statistics::WildOptions wild;
+  wild.level = level;
+  take_ratio(coefficient.hazard_ratio,
+             statistics::cluster_inferences(cox, fit, {}, wild).of.front(),
+             result);
   for (const statistics::Condition& condition : fit.conditions) {
     const bool known =
         std::find(conditions.begin(), conditions.end(), condition) != conditions.end();

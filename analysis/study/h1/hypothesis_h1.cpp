@@ -81,11 +81,16 @@ class RowScores {
                  const std::string& quantity,
                  std::size_t row,
                  H1Score& score) {
-    take_of(statistics::paired_difference(result_, plan_, better, than),
-            0,
-            "gain of " + quantity,
-            row,
-            score);
+    take_difference({better}, {than}, "gain of " + quantity, row, score);
+  }
+
+  /// The values `added` less those `taken`.
+  void take_difference(const std::vector<std::size_t>& added,
+                       const std::vector<std::size_t>& taken,
+                       const std::string& quantity,
+                       std::size_t row,
+                       H1Score& score) {
+    take_of(statistics::paired_difference(result_, plan_, added, taken), 0, quantity, row, score);
   }
 
  private:
@@ -118,10 +123,46 @@ void take_within(const H1Layout& layout, RowScores& scores, H1Panel& panel) {
     if (r > 0) {
       scores.take_gain(
           layout.auc_within(0), layout.auc_within(r), "AUC within strata", r, within.auc_gain);
+      scores.take_difference({H1Layout::auc(0), layout.auc_within(r)},
+                             {H1Layout::auc(r), layout.auc_within(0)},
+                             "gain of AUC between strata",
+                             r,
+                             within.auc_gain_between);
       if (layout.has_time) {
         scores.take_gain(
             layout.c_within(0), layout.c_within(r), "C within strata", r, within.c_gain);
+        scores.take_difference({layout.c(0), layout.c_within(r)},
+                               {layout.c(r), layout.c_within(0)},
+                               "gain of C between strata",
+                               r,
+                               within.c_gain_between);
       }
+    }
+  }
+}
+
+/// What the jackknife went through on its way.
+void take_left_out(const H1Data& data,
+                   const H1Layout& layout,
+                   const statistics::BootstrapResult& result,
+                   H1Panel& panel) {
+  for (std::size_t g = 0; panel.has_clusters && g < result.units; ++g) {
+    for (std::size_t r = 0; r < panel.rows.size(); ++r) {
+      const auto value = [&](bool timed, std::size_t row) {
+        return timed && !layout.has_time
+                   ? std::nan("")
+                   : result.left_out[timed ? layout.c(row) : H1Layout::auc(row)][g];
+      };
+      const auto pair = comparison_of(panel, r);
+      const auto gain = [&](bool timed) {
+        return pair ? value(timed, pair->better) - value(timed, pair->than) : std::nan("");
+      };
+      panel.left_out.push_back({data.cluster.levels[g],
+                                panel.rows[r].name,
+                                value(false, r),
+                                gain(false),
+                                value(true, r),
+                                gain(true)});
     }
   }
 }
@@ -165,13 +206,16 @@ void bootstrap_rows(const H1Data& data,
   if (layout.has_strata) {
     take_within(layout, scores, panel);
   }
+  take_left_out(data, layout, result, panel);
 }
 
 /// The family: gains over each rival in AUC and in C.
 void adjust(H1Panel& panel) {
   std::vector<std::optional<double>> p;
-  for (const H1Row& row : panel.rows) {
+  for (H1Row& row : panel.rows) {
     if (row.kind == H1RowKind::rival) {
+      row.auc_p = row.auc_gain.p_value;
+      row.c_p = row.c_gain.p_value;
       p.push_back(row.auc_p);
       p.push_back(row.c_p);
     }

@@ -112,6 +112,7 @@ struct H1Score {
   statistics::BootstrapIntervals intervals;         ///< All of them, of the same resamples.
   std::optional<statistics::Interval> closed_form;  ///< Clustered DeLong; clustered jackknife of C.
   std::optional<double> std_error;                  ///< Of the closed form.
+  std::optional<double> p_value;  ///< Of 0, by the jackknife of whole clusters and t.
 };
 
 /// AUC and C over pairs of trials of one stratum alone, and the gain over a rival. What differs
@@ -119,9 +120,11 @@ struct H1Score {
 struct H1WithinScores {
   H1Score auc;  ///< Closed form: clustered jackknife, as of C.
   H1Score auc_gain;
+  H1Score auc_gain_between;  ///< The pooled gain less that within: what strata add to it.
   std::optional<double> auc_gain_p;
   H1Score c;
   H1Score c_gain;
+  H1Score c_gain_between;
   std::optional<double> c_gain_p;
 };
 
@@ -146,17 +149,19 @@ struct H1Row {
 
   H1Score auc;
   H1Score auc_gain;
-  std::optional<double> auc_p;     ///< Clustered DeLong; for `added` see `nested_test`.
+  std::optional<double> auc_p;     ///< Of the gain over a rival; for `added` see `nested_test`.
   std::optional<double> auc_lr_p;  ///< Row `added`: likelihood ratio, trials independent.
   std::optional<double> auc_holm;  ///< Of the family of gains over the rivals.
-  std::optional<double> auc_out_of_fold;
+  std::optional<double> auc_within_folds;
 
   H1Score c;
   H1Score c_gain;
   std::optional<double> c_p;
   std::optional<double> c_lr_p;
   std::optional<double> c_holm;
-  std::optional<double> c_out_of_fold;
+  std::optional<double> c_within_folds;
+  H1Score c_at_limit;  ///< Failures at risk to the limit; interval by the jackknife of clusters and
+                       ///< t. Of predictors alone.
 
   H1WithinScores within;  ///< Empty for rows of models, and where there are no strata.
 
@@ -201,6 +206,16 @@ struct H1Calibration {
   statistics::ModelCalibration calibration;  ///< Out of fold.
 };
 
+/// AUC and C of a row without one cluster, and its gains; NaN where there is none.
+struct H1LeftOut {
+  std::string cluster;
+  std::string row;
+  double auc = 0.0;
+  double auc_gain = 0.0;
+  double c = 0.0;
+  double c_gain = 0.0;
+};
+
 struct H1Panel {
   H1PanelKind kind = H1PanelKind::paper;
   std::size_t trials = 0;     ///< With a known outcome, after the exclusions below.
@@ -230,6 +245,7 @@ struct H1Panel {
 
   std::vector<H1Row> rows;  ///< The predictor, its rivals, together, added.
   std::vector<H1CaseRow> case_level;
+  std::vector<H1LeftOut> left_out;  ///< By cluster, then by row; empty where trials are clusters.
   std::vector<TcDistribution> distribution;            ///< Successes, failures.
   std::vector<statistics::IncidenceCurves> incidence;  ///< By quartile of the predictor under test.
   std::vector<H1Roc> roc;                              ///< One a row that has scores.

@@ -68,12 +68,12 @@ void add_out_of_fold(const H1Data& data,
   const std::size_t predictors = data.predictors.size();
   for (std::size_t k = 0; k < predictors; ++k) {
     H1Row& row = panel.rows[k];
-    row.auc_out_of_fold = value_of(
+    row.auc_within_folds = value_of(
         statistics::out_of_fold_auc(folds, data.predictors[k], data.success, data.higher[k]),
         "out-of-fold AUC",
         row);
     if (data.censored) {
-      row.c_out_of_fold =
+      row.c_within_folds =
           value_of(statistics::out_of_fold_c(
                        folds, data.predictors[k], *data.censored, data.timed(k).larger),
                    "out-of-fold C",
@@ -89,7 +89,7 @@ void add_out_of_fold(const H1Data& data,
             return model.logistic_scores(train);
           });
         });
-    row.auc_out_of_fold = value_of(
+    row.auc_within_folds = value_of(
         statistics::out_of_fold_auc(folds, logistic, data.success), "out-of-fold AUC", row);
     if (data.censored) {
       const std::vector<double> cox =
@@ -98,7 +98,7 @@ void add_out_of_fold(const H1Data& data,
               return model.cox_scores(train);
             });
           });
-      row.c_out_of_fold =
+      row.c_within_folds =
           value_of(statistics::out_of_fold_c(folds, cox, *data.censored), "out-of-fold C", row);
     }
   }

@@ -7,7 +7,7 @@
 
 namespace tcert::study {
 
-/// Fills `auc_out_of_fold` and `c_out_of_fold` of every row and the folds of the panel. A single
+/// Fills `auc_within_folds` and `c_within_folds` of every row and the folds of the panel. A single
 /// predictor needs no fit: its raw values are scored within the same folds.
 void add_out_of_fold(const H1Data& data,
                      const H1Models& models,

@@ -23,10 +23,13 @@ void withhold(H1Row& row) {
                                &row.auc_gain,
                                &row.c,
                                &row.c_gain,
+                               &row.c_at_limit,
                                &row.within.auc,
                                &row.within.auc_gain,
+                               &row.within.auc_gain_between,
                                &row.within.c,
-                               &row.within.c_gain}) {
+                               &row.within.c_gain,
+                               &row.within.c_gain_between}) {
     withhold(*score);
   }
   for (std::optional<double>* const p : {&row.auc_p,
@@ -101,6 +104,7 @@ void withhold(H1Score& score) {
   score.intervals = {};
   score.closed_form.reset();
   score.std_error.reset();
+  score.p_value.reset();
 }
 
 void withhold(H1HazardRatio& ratio) {

@@ -1,12 +1,15 @@
 #include "analysis/study/h2/group_models.hpp"
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <statistics/basics/chi_square.hpp>
 #include <statistics/basics/wald_chi_squared.hpp>
 #include <statistics/cox/cox.hpp>
+#include <statistics/cox/cox_sandwich.hpp>
 #include <statistics/equivalence/scores_by_group.hpp>
 #include <statistics/logistic/logistic.hpp>
+#include <statistics/logistic/logistic_sandwich.hpp>
 #include <statistics/model/factor_levels.hpp>
 #include <utility>
 
@@ -77,14 +80,11 @@ H1HazardRatio odds_ratio(const H1Data& part,
   add_conditions(fit.conditions, conditions);
   const statistics::LogisticCoefficient& one = fit.coefficients[1];
   H1HazardRatio result;
-  if (one.estimate) {
-    result.ratio = std::exp(*one.estimate);
-    result.p_value = one.p_value;
-  }
-  if (one.interval) {
-    result.interval =
-        statistics::Interval{std::exp(one.interval->low), std::exp(one.interval->high), level};
-  }
+  statistics::WildOptions wild;
+  wild.level = level;
+  take_ratio(one.estimate ? std::optional(std::exp(*one.estimate)) : std::nullopt,
+             statistics::cluster_inferences(input, fit, {}, wild).of[1],
+             result);
   return result;
 }
 
@@ -147,21 +147,17 @@ Interaction interaction_of(const H1Data& data) {
   return result;
 }
 
-/// Wald's test of the last coefficients.
-template <class Coefficient>
-std::optional<statistics::ChiSquareTest> test_of_last(const std::vector<Coefficient>& coefficients,
-                                                      const Eigen::MatrixXd& covariance,
-                                                      Eigen::Index count) {
-  Eigen::VectorXd estimates(count);
-  const std::size_t first = coefficients.size() - static_cast<std::size_t>(count);
-  for (Eigen::Index j = 0; j < count; ++j) {
-    const auto& estimate = coefficients[first + static_cast<std::size_t>(j)].estimate;
-    if (!estimate) {
-      return std::nullopt;
-    }
-    estimates[j] = *estimate;
+/// Hotelling's test of the last coefficients by the jackknife of whole clusters.
+std::optional<statistics::ChiSquareTest> test_of_last(
+    const std::optional<statistics::ClusteredFit>& fit, Eigen::Index count) {
+  if (!fit) {
+    return std::nullopt;
   }
-  return statistics::wald_test(estimates, covariance.bottomRightCorner(count, count));
+  const Eigen::VectorXd estimates = fit->parts.estimates.tail(count);
+  return statistics::hotelling_test(
+      estimates,
+      statistics::jackknife_covariance(estimates, fit->left_out().bottomRows(count)),
+      fit->parts.clusters());
 }
 
 H2Interaction logistic_interaction(const H1Data& data, const Interaction& terms) {
@@ -184,7 +180,7 @@ H2Interaction logistic_interaction(const H1Data& data, const Interaction& terms)
   options.variance = statistics::CoefficientVariance::robust;
   const statistics::LogisticFit fit = statistics::fit_logistic(input, options);
   H2Interaction result{
-      "logistic", test_of_last(fit.coefficients, fit.covariance, terms.products), {}};
+      "logistic", test_of_last(statistics::clustered_fit(input, fit), terms.products), {}};
   add_conditions(fit.conditions, result.conditions);
   return result;
 }
@@ -199,7 +195,7 @@ H2Interaction cox_interaction(const H1Data& data, const Interaction& terms, bool
   }
   const statistics::CoxFit fit = statistics::fit_cox(cox);
   H2Interaction result{stratified ? "Cox, stratified" : "Cox",
-                       test_of_last(fit.coefficients, fit.vcov, terms.products),
+                       test_of_last(statistics::clustered_fit(cox, fit), terms.products),
                        {}};
   add_conditions(fit.conditions, result.conditions);
   return result;

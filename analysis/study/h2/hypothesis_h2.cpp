@@ -103,18 +103,18 @@ void bootstrap_levels(const H1Data& data,
   }
 }
 
-std::optional<H2Equality> equality(const statistics::ScoresByGroup& by_level,
+std::optional<H2Equality> equality(std::optional<statistics::GroupEstimates> by_level,
                                    const H1Data& data,
                                    const statistics::Statistic& scores,
                                    std::size_t value,
                                    const H2Options& options,
                                    const Watch& watch,
                                    H2Panel& panel) {
-  if (!by_level.joint) {
+  if (!by_level) {
     return std::nullopt;
   }
   H2Equality result;
-  result.groups = *by_level.joint;
+  result.groups = std::move(*by_level);
   statistics::EquivalenceOptions equivalence_options;
   equivalence_options.margin = options.margin;
   result.tests = statistics::equivalence(result.groups, equivalence_options);
@@ -171,14 +171,17 @@ void score_levels(const H1Data& data,
   for (std::size_t g = 0; g < panel.levels.size(); ++g) {
     take(auc.groups[g], "AUC", panel.levels[g].auc, panel.levels[g]);
   }
-  panel.auc = equality(auc, data, scores, 0, options, watch, panel);
+  const auto jointly = [&](std::size_t value) {
+    return statistics::jackknife_by_group(scores, value, *data.group, data.cluster.codes);
+  };
+  panel.auc = equality(jointly(0), data, scores, 0, options, watch, panel);
   if (data.censored) {
     const statistics::ScoresByGroup c = statistics::concordance_by_group(
         *data.censored, data.timed(0), *data.group, data.cluster, level);
     for (std::size_t g = 0; g < panel.levels.size(); ++g) {
       take(c.groups[g], "C", panel.levels[g].c, panel.levels[g]);
     }
-    panel.c = equality(c, data, scores, 1, options, watch, panel);
+    panel.c = equality(jointly(1), data, scores, 1, options, watch, panel);
   }
   score_within_strata(data, level, panel);
   bootstrap_levels(data, scores, options, watch, panel);

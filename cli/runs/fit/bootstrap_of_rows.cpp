@@ -47,7 +47,8 @@ void add_bootstrap(const FitInput& from,
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = i + 1; j < names.size(); ++j) {
-      table.add(names[i] + " - " + names[j], statistics::paired_difference(result, plan, i, j), 0);
+      table.add(
+          names[i] + " - " + names[j], statistics::paired_difference(result, plan, {i}, {j}), 0);
     }
   }
   table.append_to(report);

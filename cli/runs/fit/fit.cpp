@@ -28,11 +28,12 @@ struct Kind {
   bool has_coefficients;
 };
 
-constexpr std::array<Kind, 7> kKinds{
+constexpr std::array<Kind, 8> kKinds{
     {{"glm", fit_glm, statistics::RightSide::design, false, true},
      {"glmm", fit_mixed_model, statistics::RightSide::design, false, true},
      {"calibration", fit_calibration, statistics::RightSide::design, false, false},
      {"cox", fit_cox_model, statistics::RightSide::design, false, true},
+     {"finegray", fit_fine_gray, statistics::RightSide::design, false, true},
      {"km", fit_km, statistics::RightSide::groups, false, false},
      {"roc", fit_roc, statistics::RightSide::design, true, false},
      {"concordance", fit_concordance, statistics::RightSide::design, true, false}}};
@@ -44,7 +45,7 @@ const Kind& kind_of(const std::string& name) {
     }
   }
   throw UsageError("unknown kind '" + name +
-                   "', expected glm, glmm, calibration, cox, km, roc or concordance" +
+                   "', expected glm, glmm, calibration, cox, finegray, km, roc or concordance" +
                    did_you_mean(name, kind_names()));
 }
 
@@ -131,7 +132,7 @@ FitReport report_of(const FitRequest& request,
   statistics::ModelFrame frame = statistics::model_frame(formula, file.table, frame_option);
   FitReport report = statistics::has_error(frame.conditions)
                          ? without_estimate(request)
-                         : kind.fit({request, formula, file.table, frame, progress});
+                         : kind.fit({request, formula, file.table, frame, progress, frame_option});
   for (const statistics::Condition& condition : frame.conditions) {
     const bool known = std::find(report.conditions.begin(), report.conditions.end(), condition) !=
                        report.conditions.end();

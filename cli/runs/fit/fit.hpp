@@ -26,6 +26,10 @@ struct FitRequest {  // NOLINT(clang-analyzer-optin.performance.Padding)
   std::string transform = "km";
   std::string residuals;
   std::string curves;
+  // glm and cox
+  std::string predict;
+  std::string inference;  ///< Empty: by the number of clusters.
+  bool left_out = false;
   // glm
   bool no_profile = false;
   bool firth = false;
@@ -40,7 +44,10 @@ struct FitRequest {  // NOLINT(clang-analyzer-optin.performance.Padding)
   std::string interval = "log";
   std::string times;
   double rho = 0.0;
+  std::string rmst;
+  // km and finegray
   std::string cause;
+  std::string event;
   // concordance
   std::string pair_weight = "n";
   bool reverse = false;

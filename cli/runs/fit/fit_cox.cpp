@@ -5,12 +5,15 @@
 #include <statistics/cox/cox.hpp>
 #include <statistics/cox/cox_baseline.hpp>
 #include <statistics/cox/cox_residuals.hpp>
+#include <statistics/cox/cox_sandwich.hpp>
 #include <statistics/cox/cox_terms.hpp>
 #include <statistics/cox/cox_zph.hpp>
 
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/fit/cluster_options.hpp"
 #include "cli/runs/fit/fit_input.hpp"
+#include "cli/runs/fit/predictions.hpp"
 #include "reports/fit/cox_report.hpp"
 
 namespace tcert::cli {
@@ -144,8 +147,16 @@ FitReport fit_cox_model(const FitInput& from) {
   }
   const statistics::TimeTransform transform =
       kTransforms[choice("transform", from.request.transform, {"km", "rank", "identity", "log"})];
+  const auto inference = inference_of(from, data.cluster.has_value());
   const statistics::CoxFit fit = statistics::fit_cox(data, options);
-  FitReport report = cox_report(fit, concordance_of(data, fit));
+  statistics::ClusterInferences inferences;
+  if (data.cluster) {
+    inferences = statistics::cluster_inferences(data, fit, inference, wild_options(from.request));
+  }
+  FitReport report = cox_report(fit, concordance_of(data, fit), inferences);
+  if (data.cluster) {
+    add_left_out(from, statistics::clustered_fit(data, fit), data.columns, *data.cluster, report);
+  }
   if (statistics::has_error(fit.conditions)) {
     return report;
   }
@@ -172,6 +183,8 @@ FitReport fit_cox_model(const FitInput& from) {
   report.details.push_back(baseline_table(baseline));
   add_residuals(from, data, fit, report);
   add_curves(from, data, fit, report);
+  add_time_scores(from, data, fit, report);
+  add_predictions(from, data, fit, report);
   return report;
 }
 

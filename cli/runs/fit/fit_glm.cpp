@@ -4,8 +4,11 @@
 #include <statistics/logistic/logistic.hpp>
 #include <statistics/logistic/logistic_drop.hpp>
 #include <statistics/logistic/logistic_profile.hpp>
+#include <statistics/logistic/logistic_sandwich.hpp>
 
+#include "cli/runs/fit/cluster_options.hpp"
 #include "cli/runs/fit/fit_input.hpp"
+#include "cli/runs/fit/predictions.hpp"
 #include "reports/fit/firth_report.hpp"
 #include "reports/fit/logistic_report.hpp"
 
@@ -108,6 +111,7 @@ FitReport fit_glm(const FitInput& from) {
           "independent");
     }
   }
+  const auto inference = inference_of(from, input.cluster.has_value());
   statistics::LogisticFit fit = statistics::fit_logistic(input, options);
   point_to_firth(input, robust, fit.conditions);
   std::vector<statistics::ProfileLimits> profiles;
@@ -116,7 +120,17 @@ FitReport fit_glm(const FitInput& from) {
     Stage stage(from.progress, kProgress, input.columns.size());
     profiles = statistics::profile_limits(input, options, [&] { stage.advance(); });
   }
-  return logistic_report(fit, profiles, statistics::drop_terms(input));
+  statistics::ClusterInferences inferences;
+  if (input.cluster) {
+    inferences = statistics::cluster_inferences(input, fit, inference, wild_options(from.request));
+  }
+  FitReport report = logistic_report(fit, profiles, statistics::drop_terms(input), inferences);
+  if (input.cluster) {
+    add_left_out(
+        from, statistics::clustered_fit(input, fit), input.columns, *input.cluster, report);
+  }
+  add_predictions(from, fit, inferences, report);
+  return report;
 }
 
 }  // namespace tcert::cli

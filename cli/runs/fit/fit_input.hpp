@@ -19,12 +19,14 @@ struct FitInput {
   const table::DataTable& table;
   statistics::ModelFrame& frame;
   Progress& progress;
+  const statistics::FrameOptions& options;  ///< Of the frame.
 };
 
 [[nodiscard]] FitReport fit_glm(const FitInput& from);
 [[nodiscard]] FitReport fit_calibration(const FitInput& from);
 [[nodiscard]] FitReport fit_mixed_model(const FitInput& from);
 [[nodiscard]] FitReport fit_cox_model(const FitInput& from);
+[[nodiscard]] FitReport fit_fine_gray(const FitInput& from);
 [[nodiscard]] FitReport fit_km(const FitInput& from);
 [[nodiscard]] FitReport fit_roc(const FitInput& from);
 [[nodiscard]] FitReport fit_concordance(const FitInput& from);

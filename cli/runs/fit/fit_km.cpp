@@ -1,14 +1,14 @@
 #include <array>
 
-#include <statistics/model/factor_levels.hpp>
-#include <statistics/model/stray_text.hpp>
-#include <statistics/model/variable.hpp>
 #include <statistics/survival/cumulative_incidence.hpp>
+#include <statistics/survival/gray_test.hpp>
 #include <statistics/survival/log_rank.hpp>
+#include <statistics/survival/restricted_means.hpp>
 #include <statistics/survival/survival_curve.hpp>
 
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/fit/competing_causes.hpp"
 #include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/survival_report.hpp"
 
@@ -21,97 +21,35 @@ constexpr std::array kScales{statistics::IntervalScale::log,
                              statistics::IntervalScale::logit,
                              statistics::IntervalScale::arcsin};
 
-template <class Value>
-void keep(const std::vector<std::size_t>& rows, std::vector<Value>& values) {
-  std::vector<Value> kept;
-  for (const std::size_t row : rows) {
-    if (!values.empty()) {
-      kept.push_back(values[row]);
-    }
+/// \throws UsageError unless it is a time above 0, and for case weights or late entry.
+std::optional<double> rmst_limit(const FitRequest& request) {
+  if (request.rmst.empty()) {
+    return std::nullopt;
   }
-  values = std::move(kept);
+  const std::vector<double> numbers = numbers_of("rmst", request.rmst);
+  if (numbers.size() != 1 || !(numbers[0] > 0.0)) {
+    throw UsageError("--rmst: found '" + request.rmst + "', expected one time above 0");
+  }
+  if (!request.weights.empty()) {
+    throw UsageError("--rmst goes without --weights");
+  }
+  return numbers[0];
 }
 
-/// Leaves only these rows of the frame.
-void keep(const std::vector<std::size_t>& rows, statistics::ModelFrame& frame) {
-  auto& survival = std::get<statistics::SurvivalOutcome>(frame.outcome);
-  keep(rows, survival.start);
-  keep(rows, survival.stop);
-  keep(rows, survival.event);
-  keep(rows, frame.rows);
-  keep(rows, frame.lines);
-  for (std::optional<table::Factor>* const factor :
-       {&frame.groups, &frame.strata, &frame.cluster}) {
-    if (*factor) {
-      *factor = statistics::on_rows(**factor, rows);
-    }
+/// One for each cause, of groups that rows enter from the beginning.
+void add_gray_tests(const FitInput& from,
+                    const statistics::CompetingOutcome& outcome,
+                    FitReport& report) {
+  const statistics::ModelFrame& frame = from.frame;
+  if (frame.terms.empty() || frame.weights || !outcome.start.empty()) {
+    return;
   }
-  if (frame.weights) {
-    Eigen::VectorXd weights(static_cast<Eigen::Index>(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      weights[static_cast<Eigen::Index>(i)] = (*frame.weights)[static_cast<Eigen::Index>(rows[i])];
-    }
-    frame.weights = std::move(weights);
+  std::vector<statistics::GrayTest> tests;
+  for (std::size_t cause = 0; cause < outcome.causes.size(); ++cause) {
+    tests.push_back(statistics::gray_test(
+        outcome, cause, *frame.groups, frame.strata ? &*frame.strata : nullptr, from.request.rho));
   }
-}
-
-/// The cause of each row, 0 if it is censored. Events without a cause are no censored rows: they
-/// leave the frame, counted.
-statistics::CompetingOutcome competing_outcome(const FitInput& from,
-                                               statistics::Conditions& conditions) {
-  const std::string& column = from.request.cause;
-  statistics::refuse_missing_words(from.table, from.table.find(column));
-  const table::Factor all = statistics::evaluate_factor(
-      {statistics::Expression::Kind::column, 0.0, column, {}}, from.table);
-  statistics::ModelFrame& frame = from.frame;
-  auto& survival = std::get<statistics::SurvivalOutcome>(frame.outcome);
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < frame.size(); ++row) {
-    if (survival.event[row] == 0 || all.codes[frame.rows[row]] != table::Factor::kMissing) {
-      rows.push_back(row);
-    }
-  }
-  const std::size_t left_out = frame.size() - rows.size();
-  if (left_out > 0) {
-    conditions.push_back({statistics::ConditionKind::missing_rows,
-                          statistics::ConditionSeverity::warning,
-                          column,
-                          std::to_string(left_out) + " of " + std::to_string(frame.size()) +
-                              " (events without a cause)"});
-    frame.dropped += left_out;
-    keep(rows, frame);
-  }
-  std::vector<std::uint32_t> number(all.levels.size(),
-                                    0);  // of each level, from 1; 0 unless an event
-  for (std::size_t row = 0; row < frame.size(); ++row) {
-    if (survival.event[row] != 0) {
-      number[all.codes[frame.rows[row]]] = 1;
-    }
-  }
-  statistics::CompetingOutcome outcome;
-  std::vector<bool> occurs(all.levels.size(), false);
-  for (const std::size_t row : frame.rows) {
-    if (all.codes[row] != table::Factor::kMissing) {
-      occurs[all.codes[row]] = true;
-    }
-  }
-  for (std::size_t level = 0; level < number.size(); ++level) {
-    if (number[level] != 0) {
-      outcome.causes.push_back(all.levels[level]);
-      number[level] = static_cast<std::uint32_t>(outcome.causes.size());
-    } else if (occurs[level]) {
-      conditions.push_back({statistics::ConditionKind::no_such_event,
-                            statistics::ConditionSeverity::note,
-                            column,
-                            "'" + all.levels[level] + "'"});
-    }
-  }
-  outcome.start = survival.start;
-  outcome.stop = survival.stop;
-  for (std::size_t row = 0; row < frame.size(); ++row) {
-    outcome.cause.push_back(survival.event[row] == 0 ? 0 : number[all.codes[frame.rows[row]]]);
-  }
-  return outcome;
+  report.tables.push_back(gray_table(tests, from.request.rho));
 }
 
 }  // namespace
@@ -156,7 +94,14 @@ FitReport fit_km(const FitInput& from) {
   FitReport report =
       survival_report(statistics::survival_curves(*survival, curve_options), test, shown);
   report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
+  if (const auto limit = rmst_limit(from.request)) {
+    report.tables.push_back(restricted_mean_table(
+        statistics::restricted_means(*survival, groups, cluster, *limit, shown.level),
+        *limit,
+        cluster != nullptr));
+  }
   if (competing) {
+    add_gray_tests(from, *competing, report);
     statistics::IncidenceOptions incidence;
     incidence.weights = weights;
     incidence.groups = groups;

@@ -42,6 +42,19 @@ OptionTable options_of(FitRequest& request) {
             "cox: predicted survival of these rows of the table, counted from 1, comma between; "
             "in json, or by --table curves");
   add_time_rounding_option(table, request.no_time_rounding);
+  table.add_input("predict",
+                  request.predict,
+                  "FILE",
+                  "glm, cox: predictions for the rows of this table; cox at --times");
+  table.add(
+      "inference",
+      request.inference,
+      "WORD",
+      "glm, cox with clusters: jackknife, cr1, cr2 or wild; jackknife up to 100 clusters, then "
+      "cr1");
+  table.add("left-out",
+            request.left_out,
+            "glm, cox with clusters: a table of the coefficients without each cluster in turn");
   table.add("no-profile", request.no_profile, "glm: leave out the profile limits");
   table.add("firth",
             request.firth,
@@ -62,14 +75,27 @@ OptionTable options_of(FitRequest& request) {
   table.add("drop1", request.drop1, "glmm: likelihood-ratio test of each fixed term");
   table.add("interval", request.interval, "WORD", "km: log, log-log, plain, logit or arcsin");
   table.add(
-      "times", request.times, "LIST", "km: times at which the curves are shown, comma between");
+      "times",
+      request.times,
+      "LIST",
+      "km: times at which the curves are shown; cox, calibration: at which risks are predicted and "
+      "scored; comma between");
   table.add("rho", request.rho, "X", "km: weight S^rho of the log-rank test; 1 is Peto's");
+  table.add("rmst",
+            request.rmst,
+            "T",
+            "km: mean times within [0, T] and their differences between groups");
+  table.add("cause",
+            request.cause,
+            "COLUMN",
+            "km, finegray: a column that names the end of each row, where the status is 1 for "
+            "every cause; gives "
+            "cumulative incidences");
   table.add(
-      "cause",
-      request.cause,
-      "COLUMN",
-      "km: a column that names the end of each row, where the status is 1 for every cause; gives "
-      "cumulative incidences");
+      "event",
+      request.event,
+      "CAUSE",
+      "finegray: the cause whose cumulative incidence is modelled; the others compete with it");
   table.add("pair-weight",
             request.pair_weight,
             "WORD",

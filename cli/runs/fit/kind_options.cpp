@@ -19,31 +19,45 @@ struct KindTakes {
 
 constexpr std::array kTakes{
     KindTakes{"glm",
-              "cluster weights ref robust profile no-profile firth",
+              "cluster weights ref robust inference left-out predict profile no-profile firth",
               true,
               false,
-              "summary, coefficients, drop1 (not with robust variances), vcov"},
+              "summary, coefficients, drop1 (not with robust variances), left_out (with "
+              "--left-out), predictions (with --predict), vcov"},
     KindTakes{"glmm",
               "weights ref quadrature profile drop1",
               true,
               false,
               "summary, coefficients, random, drop1 (with --drop1), ran_vals, vcov"},
     KindTakes{"calibration",
-              "cluster ref folds predicted",
+              "cluster strata ref folds predicted times no-time-rounding",
               true,
               false,
-              "summary, calibration, bins, predictions"},
+              "summary, calibration, bins, predictions; of Surv(): scores, calibration, bins"},
     KindTakes{"cox",
-              "cluster strata weights ref ties robust transform residuals curves no-time-rounding",
+              "cluster strata weights ref ties robust inference left-out predict times transform "
+              "residuals curves "
+              "no-time-rounding",
               true,
               true,
               "summary, coefficients, zph, zph_columns, drop1 and anova (not with robust "
-              "variances), vcov, model_vcov, basehaz, curves, the names of --residuals"},
-    KindTakes{"km",
-              "cluster strata weights interval times rho cause no-time-rounding",
-              false,
-              true,
-              "summary, groups, times, curve, logrank, logrank_vcov, incidence, incidence_curve"},
+              "variances), left_out (with --left-out), predictions (with --predict), scores (with "
+              "--times), "
+              "vcov, model_vcov, basehaz, curves, the names of "
+              "--residuals"},
+    KindTakes{
+        "finegray",
+        "cluster strata ref ties inference left-out cause event no-time-rounding",
+        true,
+        true,
+        "summary, coefficients, cause_specific, left_out (with --left-out), vcov, model_vcov"},
+    KindTakes{
+        "km",
+        "cluster strata weights interval times rho rmst cause no-time-rounding",
+        false,
+        true,
+        "summary, groups, times, curve, logrank, logrank_vcov, rmst (with --rmst), gray, incidence "
+        "and incidence_curve (with --cause)"},
     KindTakes{"roc",
               "cluster ref partial bootstrap",
               false,

@@ -3,6 +3,7 @@
 #include "analysis/study/coverage/coverage_study.hpp"
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
+#include "analysis/study/coverage/inference_study.hpp"
 #include "analysis/study/coverage/ray_study.hpp"
 #include "cli/runs/study/studies.hpp"
 #include "reports/study/coverage_report.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 /// Of each scenario its own stream of random numbers.
 constexpr std::uint32_t kCoverageStream = 10;
+constexpr std::uint32_t kInferenceStream = 600;
 constexpr std::uint32_t kEquivalenceStream = 200;
 constexpr std::uint32_t kRayStream = 400;
 
@@ -56,6 +58,39 @@ StudyItems coverage_study(const StudyRequest& request, Progress& /*progress*/) {
       rows.insert(rows.end(), some.begin(), some.end());
     }
     return coverage_report(rows, options);
+  };
+  return items;
+}
+
+StudyItems inference_study(const StudyRequest& request, Progress& /*progress*/) {
+  using study::coverage::TruthTests;
+  study::coverage::Options options;
+  options.data_sets = number(request.data_sets, 1000);
+  options.replicates = number(request.replicates, 399);
+  options.seed = static_cast<std::uint64_t>(request.seed);
+  const auto scenarios = study::coverage::coverage_scenarios();
+  const auto made = std::make_shared<std::vector<std::vector<TruthTests>>>(scenarios.size());
+  StudyItems items;
+  std::uint32_t stream = kInferenceStream;
+  for (const study::coverage::Scenario& scenario : scenarios) {
+    items.sets.push_back(independent_items("data sets of " + scenario.name,
+                                           options.data_sets,
+                                           [scenario, options, stream](std::uint64_t set) {
+                                             return table::row_text(study::coverage::truth_tests_of(
+                                                 scenario, stream, options, set));
+                                           }));
+    stream += 2;
+  }
+  items.take = [made](std::size_t scenario, std::uint64_t /*set*/, std::string_view line) {
+    made->at(scenario).push_back(table::from_row<TruthTests>(line));
+  };
+  items.report = [made, scenarios, options] {
+    std::vector<study::coverage::InferenceRate> rows;
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+      const auto some = study::coverage::inference_rates(scenarios[i], (*made)[i], options.level);
+      rows.insert(rows.end(), some.begin(), some.end());
+    }
+    return inference_report(rows, options);
   };
   return items;
 }

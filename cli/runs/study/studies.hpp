@@ -21,6 +21,7 @@ struct StudyItems {
 
 [[nodiscard]] StudyItems soundness_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems coverage_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems inference_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems equivalence_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems gate_coverage_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems ray_study(const StudyRequest& request, Progress& progress);

@@ -29,6 +29,7 @@ constexpr std::array kStudies{
           "worlds hard u-turns driven witness methods readings reading-bound",
           soundness_study},
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
+    Study{"inference", "inference", "data-sets replicates", inference_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
     Study{"rays", "ray_coverage", "data-sets", ray_study},
@@ -64,7 +65,7 @@ const Study& study_of(const StudyRequest& request) {
   if (found == kStudies.end()) {
     throw UsageError(
         "unknown study '" + request.study +
-        "', expected soundness, coverage, equivalence, gate, rays, null, price or terrain" +
+        "', expected soundness, coverage, inference, equivalence, gate, rays, null, price or terrain" +
         did_you_mean(request.study, study_names()));
   }
   const Study& one = request.study == "terrain" && !request.terrain.empty() ? kScenarios : *found;

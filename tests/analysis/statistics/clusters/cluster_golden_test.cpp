@@ -2,37 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <statistics/clusters/cluster_variance.hpp>
 #include <statistics/cox/cox_sandwich.hpp>
 #include <statistics/logistic/logistic_sandwich.hpp>
 #include <statistics/model/factor_levels.hpp>
+
+#include "analysis/statistics/golden_table.hpp"
 
 namespace tcert::statistics {
 namespace {
 
 using nlohmann::json;
 
-json golden() {
-  std::ifstream file(std::string(TCERT_GOLDEN) + "/clusters.json");
-  return json::parse(file);
-}
+json golden() { return golden_json("clusters.json"); }
 
-/// The table's columns day, x, z, y, time, event.
 std::vector<std::vector<double>> columns_of(const json& all) {
-  std::istringstream lines(all["csv"].get<std::string>());
-  std::vector<std::vector<double>> columns(6);
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::istringstream cells(line);
-    std::string cell;
-    for (std::vector<double>& column : columns) {
-      std::getline(cells, cell, ',');
-      column.push_back(std::stod(cell));
-    }
+  std::vector<std::vector<double>> columns;
+  for (const char* const name : {"day", "x", "z", "y", "time", "event"}) {
+    columns.push_back(golden_numbers(all, name));
   }
   return columns;
 }
@@ -119,11 +106,11 @@ TEST(ClusterGolden, LogisticRegressionEqualsClubSandwich) {
   expect_close(satterthwaite_df(clustered->parts), r["df"], 1e-8, "df");
   expect_left_out(clustered->left_out(), by_cluster(r["left_out"]));
   expect_wild(*clustered, all, r);
-  const auto cr2 = cluster_estimates(*clustered, ClusterInference::cr2, {});
+  const auto cr2 = cluster_inferences(*clustered, ClusterInference::cr2, {}).of;
   for (std::size_t j = 0; j < cr2.size(); ++j) {
     EXPECT_NEAR(*cr2[j].p_value, r["p"][j].get<double>(), 1e-8);
   }
-  const auto cr1 = cluster_estimates(*clustered, ClusterInference::cr1, {});
+  const auto cr1 = cluster_inferences(*clustered, ClusterInference::cr1, {}).of;
   for (std::size_t j = 0; j < cr1.size(); ++j) {
     const auto variance = r["cr1"][j].get<double>();
     EXPECT_NEAR(*cr1[j].standard_error, std::sqrt(variance), 1e-9);
@@ -159,7 +146,7 @@ TEST(WildBootstrap, TheIntervalInvertsTheTest) {
   ASSERT_TRUE(fit);
   WildOptions options;
   options.replicates = 399;
-  const auto estimates = cluster_estimates(*fit, ClusterInference::wild, options);
+  const auto estimates = cluster_inferences(*fit, ClusterInference::wild, options).of;
   ASSERT_TRUE(estimates[0].interval);
   const double step = 0.01 * *estimates[0].standard_error;
   const auto p_at = [&](double value) {
@@ -184,7 +171,7 @@ TEST(ClusterInference, AColumnOfOneClusterHasNoEstimateOfItsSpread) {
   options.variance = CoefficientVariance::robust;
   const auto fit = clustered_fit(input, fit_logistic(input, options));
   ASSERT_TRUE(fit);
-  const auto left_out = cluster_estimates(*fit, ClusterInference::jackknife, {});
+  const auto left_out = cluster_inferences(*fit, ClusterInference::jackknife, {}).of;
   EXPECT_FALSE(left_out[2].p_value);
   EXPECT_TRUE(left_out[1].p_value);
 }

@@ -211,9 +211,9 @@ TEST(HypothesisH1, AFitThatFailsCostsItsOwnNumbers) {
   const H1Panel panel = hypothesis_h1(table_of(separated), options_for()).panels[0];
   EXPECT_TRUE(
       statistics::has(panel.rows[2].conditions, statistics::ConditionKind::fold_without_fit));
-  EXPECT_FALSE(panel.rows[2].auc_out_of_fold.has_value());
-  EXPECT_TRUE(panel.rows[0].auc_out_of_fold.has_value());
-  EXPECT_EQ(panel.rows[1].auc_out_of_fold, 0.0);  // in its a-priori direction
+  EXPECT_FALSE(panel.rows[2].auc_within_folds.has_value());
+  EXPECT_TRUE(panel.rows[0].auc_within_folds.has_value());
+  EXPECT_EQ(panel.rows[1].auc_within_folds, 0.0);  // in its a-priori direction
   for (const H1Row& row : panel.rows) {
     EXPECT_FALSE(statistics::has_error(row.conditions));
   }
@@ -223,8 +223,8 @@ TEST(HypothesisH1, AFitThatFailsCostsItsOwnNumbers) {
   const H1Panel timed = hypothesis_h1(table_of(monotone), options_for()).panels[0];
   EXPECT_TRUE(
       statistics::has(timed.rows[2].conditions, statistics::ConditionKind::fold_without_fit));
-  EXPECT_FALSE(timed.rows[2].c_out_of_fold.has_value());
-  EXPECT_TRUE(timed.rows[0].c_out_of_fold.has_value());
+  EXPECT_FALSE(timed.rows[2].c_within_folds.has_value());
+  EXPECT_TRUE(timed.rows[0].c_within_folds.has_value());
   EXPECT_FALSE(timed.rows[1].censored.ratio.has_value());
 }
 

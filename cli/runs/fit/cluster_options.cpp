@@ -1,0 +1,46 @@
+#include "cli/runs/fit/cluster_options.hpp"
+
+#include "cli/runs/errors.hpp"
+#include "reports/fit/left_out_table.hpp"
+
+namespace tcert::cli {
+
+std::optional<statistics::ClusterInference> inference_of(const FitInput& from, bool has_clusters) {
+  using statistics::ClusterInference;
+  const FitRequest& request = from.request;
+  if (!has_clusters && (request.left_out || !request.inference.empty())) {
+    throw UsageError(std::string(request.left_out ? "--left-out" : "--inference") +
+                     ": needs clusters; name their column by --cluster");
+  }
+  if (request.inference.empty()) {
+    return std::nullopt;
+  }
+  constexpr ClusterInference all[]{ClusterInference::jackknife,
+                                   ClusterInference::cr1,
+                                   ClusterInference::cr2,
+                                   ClusterInference::wild};
+  std::vector<std::string> words;
+  for (const ClusterInference one : all) {
+    words.emplace_back(to_string(one));
+  }
+  return all[choice("inference", request.inference, words)];
+}
+
+statistics::WildOptions wild_options(const FitRequest& request) {
+  statistics::WildOptions options;
+  options.seed = static_cast<std::uint64_t>(request.seed);
+  options.level = request.level;
+  return options;
+}
+
+void add_left_out(const FitInput& from,
+                  const std::optional<statistics::ClusteredFit>& fit,
+                  const std::vector<std::string>& names,
+                  const table::Factor& cluster,
+                  FitReport& report) {
+  if (from.request.left_out && fit) {
+    report.tables.push_back(left_out_table(names, cluster, fit->parts.estimates, fit->left_out()));
+  }
+}
+
+}  // namespace tcert::cli

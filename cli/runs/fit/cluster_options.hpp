@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// What --inference and --left-out ask of a model with clusters.
+
+#include <optional>
+#include <statistics/clusters/cluster_inference.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/runs/fit/fit_input.hpp"
+
+namespace tcert::cli {
+
+/// \throws UsageError for another word, and for either option without clusters.
+[[nodiscard]] std::optional<statistics::ClusterInference> inference_of(const FitInput& from,
+                                                                       bool has_clusters);
+
+[[nodiscard]] statistics::WildOptions wild_options(const FitRequest& request);
+
+/// Adds the table left_out, if it is asked for and there is what it is made of.
+void add_left_out(const FitInput& from,
+                  const std::optional<statistics::ClusteredFit>& fit,
+                  const std::vector<std::string>& names,
+                  const table::Factor& cluster,
+                  FitReport& report);
+
+}  // namespace tcert::cli

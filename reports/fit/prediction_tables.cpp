@@ -1,0 +1,75 @@
+#include "reports/fit/prediction_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/columns_of.hpp"
+
+namespace tcert {
+
+Table probability_table(const std::vector<ProbabilityRow>& rows) {
+  using Row = ProbabilityRow;
+  return ColumnsOf<Row>()
+      .integer("row", "row", &Row::row)
+      .number("estimate", "probability", &Row::probability)
+      .ends({"conf.low", "low"}, {"conf.high", "high"}, &Row::interval)
+      .number("log.odds", "log odds", &Row::log_odds)
+      .number("std.error", "SE", &Row::std_error)
+      .table("predictions", "Predicted probabilities", rows);
+}
+
+SurvivalRow survival_at(const statistics::CoxCurve& curve, std::size_t row, double time) {
+  SurvivalRow result{row, curve.stratum, time, 1.0, {}, {}};
+  const auto next = std::upper_bound(curve.time.begin(), curve.time.end(), time);
+  if (next != curve.time.begin()) {
+    const auto at = static_cast<std::size_t>(next - curve.time.begin()) - 1;
+    result.survival = curve.survival[at];
+    if (!std::isnan(curve.std_err[at])) {
+      result.std_error = curve.std_err[at];
+    }
+    if (!std::isnan(curve.lower[at]) && !std::isnan(curve.upper[at])) {
+      result.interval = statistics::Interval{curve.lower[at], curve.upper[at]};
+    }
+  }
+  return result;
+}
+
+Table survival_prediction_table(const std::vector<SurvivalRow>& rows) {
+  using Row = SurvivalRow;
+  return ColumnsOf<Row>()
+      .integer("row", "row", &Row::row)
+      .text("strata", "stratum", &Row::stratum)
+      .time("time", "time", &Row::time)
+      .number("estimate", "survival", &Row::survival)
+      .number("std.error", "SE", &Row::std_error)
+      .ends({"conf.low", "low"}, {"conf.high", "high"}, &Row::interval)
+      .number("risk", "risk", [](const Row& r) { return 1.0 - r.survival; })
+      .table("predictions", "Predicted survival and risk", rows);
+}
+
+Table time_score_table(const std::vector<statistics::TimeScores>& scores) {
+  using Scores = statistics::TimeScores;
+  Table table =
+      ColumnsOf<Scores>()
+          .time("time", "time", &Scores::time)
+          .integer("cases", "events by then", &Scores::cases)
+          .integer("controls", "later", &Scores::controls)
+          .number("auc", "AUC(t)", [](auto& r) { return r.auc.value; })
+          .ends({"auc.low", "low"},
+                {"auc.high", "high"},
+                [](auto& r) { return r.auc.spread.interval; })
+          .number("brier", "Brier(t)", [](auto& r) { return r.brier.value; })
+          .ends({"brier.low", "low"},
+                {"brier.high", "high"},
+                [](auto& r) { return r.brier.spread.interval; })
+          .number("brier.null", "without the model", &Scores::brier_null)
+          .number("ipa", "gain", [](auto& r) { return 1.0 - r.brier.value / r.brier_null; })
+          .table("scores", "Predicted risks at times, weighted for censoring", scores);
+  table.footnotes = {
+      "Gain: 1 - Brier(t) / that of the same risk for all. Intervals: jackknife of whole clusters "
+      "and "
+      "t, risks held; none without clusters."};
+  return table;
+}
+
+}  // namespace tcert

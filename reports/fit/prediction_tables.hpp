@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// Predictions of fits for other rows, and scores of predicted risks.
+
+#include <cstddef>
+#include <optional>
+#include <statistics/basics/interval.hpp>
+#include <statistics/cox/cox_baseline.hpp>
+#include <statistics/survival/time_scores.hpp>
+#include <string>
+#include <vector>
+
+#include "reports/table.hpp"
+
+namespace tcert {
+
+struct ProbabilityRow {
+  std::size_t row = 0;  ///< Of its table, from 1.
+  std::optional<double> probability;
+  std::optional<statistics::Interval> interval;
+  std::optional<double> log_odds;
+  std::optional<double> std_error;  ///< Of the log odds.
+};
+
+[[nodiscard]] Table probability_table(const std::vector<ProbabilityRow>& rows);
+
+struct SurvivalRow {
+  std::size_t row = 0;
+  std::string stratum;
+  double time = 0.0;
+  double survival = 1.0;
+  std::optional<double> std_error;
+  std::optional<statistics::Interval> interval;  ///< Of the survival.
+};
+
+/// The curve at the last of its times that is not later; 1 before the first.
+[[nodiscard]] SurvivalRow survival_at(const statistics::CoxCurve& curve,
+                                      std::size_t row,
+                                      double time);
+
+[[nodiscard]] Table survival_prediction_table(const std::vector<SurvivalRow>& rows);
+
+[[nodiscard]] Table time_score_table(const std::vector<statistics::TimeScores>& scores);
+
+}  // namespace tcert
