@@ -14,7 +14,8 @@ constexpr std::string_view kFitText =
 KIND is one of
   glm          logistic regression           success ~ x1 + lighting, cbind(k, n - k) ~ x
   glmm         logistic mixed model          success ~ x1 + (1 | day), (1 + x1 | day), (1 | day/run)
-  calibration  agreement of probabilities    success ~ x1 + lighting: fitted out of fold
+  calibration  agreement of probabilities    success ~ x1 + lighting: fitted out of fold; with
+                                             Surv() and --times of the risks of a Cox model
   cox          proportional hazards          Surv(time, success) ~ x1 + strata(algorithm)
   finegray     competing risks, Fine-Gray    Surv(time, ended) ~ x1 with --cause and --event
   km           Kaplan-Meier and log-rank     Surv(time, success) ~ lighting
@@ -52,6 +53,10 @@ McCaffrey with Satterthwaite's, wild a bootstrap of the clusters' scores. Each h
 odds.ratio.profile.low, hazard.ratio.t.high. glm makes profiles up to a second or two of work;
 beyond, --profile asks for them.
 
+--predict FILE gives probabilities (glm) or survival and risks (cox, at --times) for the rows of another
+table, by the levels and means of the table of the fit. cox and calibration score risks at --times: AUC(t)
+and Brier(t), weighted for censoring.
+
 Usage: tcert fit KIND --data FILE --formula FORMULA [options]
 
 Example:
@@ -60,7 +65,9 @@ Example:
   tcert fit glmm --data features.csv --formula 'success ~ tc_early + (1 | day)' --profile --drop1
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --cluster day --left-out
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
+  tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --times 60 --predict new.csv
   tcert fit calibration --data features.csv --formula 'success ~ tc_early' --cluster day
+  tcert fit calibration --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --times 60,90
   tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --times 60,120
   tcert fit km --data features.csv --formula 'Surv(time_s, time_s > 0) ~ 1' --cause end_reason
   tcert fit km --data features.csv --formula 'Surv(time_s, success) ~ lighting' --rmst 120 --cluster day

@@ -72,4 +72,56 @@ Table time_score_table(const std::vector<statistics::TimeScores>& scores) {
   return table;
 }
 
+FitReport time_calibration_report(const std::vector<TimeCalibration>& times,
+                                  std::size_t missing,
+                                  std::size_t folds) {
+  using Calibration = TimeCalibration;
+  struct BinRow {
+    double time = 0.0;
+    statistics::RiskBin bin;
+  };
+  FitReport report;
+  report.model = "calibration";
+  std::vector<statistics::TimeScores> scores;
+  std::vector<BinRow> bins;
+  std::size_t rows = 0;
+  for (const Calibration& one : times) {
+    scores.push_back(one.scores);
+    rows = one.whole.rows;
+    for (const statistics::RiskBin& bin : one.bins) {
+      bins.push_back({one.scores.time, bin});
+    }
+  }
+  Record summary("summary", "Calibration at times");
+  summary.integer("nobs", "rows", rows)
+      .integer("missing", "without prediction", missing)
+      .integer("folds", "folds", folds)
+      .text("predicted", "predicted", "out of fold");
+  report.summary = std::move(summary).table();
+  Table calibration =
+      ColumnsOf<Calibration>()
+          .time("time", "time", [](auto& r) { return r.scores.time; })
+          .number("expected", "mean risk", [](auto& r) { return r.whole.predicted; })
+          .number("estimate", "observed", [](auto& r) { return r.whole.observed; })
+          .ends(
+              {"conf.low", "low"}, {"conf.high", "high"}, [](auto& r) { return r.whole.interval; })
+          .number("slope", "slope", &Calibration::slope)
+          .ends({"slope.low", "low"}, {"slope.high", "high"}, &Calibration::slope_interval)
+          .table("calibration", "Predicted and observed risks at times, out of fold", times);
+  calibration.footnotes = {
+      "Observed: 1 - Kaplan-Meier, clustered where clusters are named. Slope: of log(-log(1 - "
+      "risk)) "
+      "in a Cox model; below 1 the risks lie too far apart."};
+  report.tables = {std::move(calibration), time_score_table(scores)};
+  report.tables.push_back(
+      ColumnsOf<BinRow>()
+          .time("time", "time", &BinRow::time)
+          .integer("rows", "rows", [](auto& r) { return r.bin.rows; })
+          .number("predicted", "mean risk", [](auto& r) { return r.bin.predicted; })
+          .number("observed", "observed", [](auto& r) { return r.bin.observed; })
+          .ends({"conf.low", "low"}, {"conf.high", "high"}, [](auto& r) { return r.bin.interval; })
+          .table("bins", "Observed by predicted: bins of about equal size", bins));
+  return report;
+}
+
 }  // namespace tcert

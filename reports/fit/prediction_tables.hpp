@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/table.hpp"
+#include "reports/fit/fit_report.hpp"
 
 namespace tcert {
 
@@ -41,5 +41,19 @@ struct SurvivalRow {
 [[nodiscard]] Table survival_prediction_table(const std::vector<SurvivalRow>& rows);
 
 [[nodiscard]] Table time_score_table(const std::vector<statistics::TimeScores>& scores);
+
+/// Risks by one time, out of fold.
+struct TimeCalibration {
+  statistics::TimeScores scores;
+  statistics::RiskBin whole;  ///< All rows.
+  std::vector<statistics::RiskBin> bins;
+  std::optional<double> slope;
+  std::optional<statistics::Interval> slope_interval;
+};
+
+/// Tables scores, calibration, bins. `missing` rows have no risk.
+[[nodiscard]] FitReport time_calibration_report(const std::vector<TimeCalibration>& times,
+                                                std::size_t missing,
+                                                std::size_t folds);
 
 }  // namespace tcert

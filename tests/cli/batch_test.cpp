@@ -48,6 +48,7 @@ TEST(BatchCommand, StudiesComeToWhatOneProcessComesTo) {
   const std::vector<std::string> studies{kWorlds,
                                          "soundness --witness --worlds 4 --hard 2 --u-turns 1",
                                          "coverage --data-sets 6 --replicates 19",
+                                         "inference --data-sets 2 --replicates 19",
                                          "gate --data-sets 6 --replicates 19",
                                          "rays --data-sets 30",
                                          "terrain --terrains 5"};

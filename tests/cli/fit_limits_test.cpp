@@ -133,7 +133,7 @@ TEST_F(FitLimits, FewClustersAreWarnedOfAndReadByT) {
                                                      {"cox", "Surv(t, y) ~ x + z", "hazard.ratio"}};
   for (const auto& [kind, formula, ratio] : fits) {
     SCOPED_TRACE(kind);
-    const json two = document(kind, formula, {"--cluster", "day"});
+    const json two = document(kind, formula, {"--cluster", "day", "--inference", "cr1"});
     const json& row = two["coefficients"].back();
     const double z = row["statistic"].get<double>();
     const double se = row[kind == "cox" ? "robust.se" : "std.error"].get<double>();
@@ -141,11 +141,14 @@ TEST_F(FitLimits, FewClustersAreWarnedOfAndReadByT) {
     // R's numbers stay: by the normal distribution.
     EXPECT_NEAR(row["p.value"].get<double>(), std::erfc(std::abs(z) / std::numbers::sqrt2), 1e-12);
     // t with one degree of freedom is Cauchy's distribution; R: qt(0.975, 1) = 12.7062047361747.
+    const double corrected = se * std::numbers::sqrt2;  // G / (G - 1) = 2.
+    EXPECT_NEAR(row["t.std.error"].get<double>(), corrected, 1e-9);
+    EXPECT_EQ(row["t.df"], 1.0);
     EXPECT_NEAR(row["t.p.value"].get<double>(),
-                1.0 - 2.0 / std::numbers::pi * std::atan(std::abs(z)),
-                1e-10);
-    EXPECT_NEAR(row["t.low"].get<double>(), estimate - 12.7062047361747 * se, 1e-9);
-    EXPECT_NEAR(row["t.high"].get<double>(), estimate + 12.7062047361747 * se, 1e-9);
+                1.0 - 2.0 / std::numbers::pi * std::atan(std::abs(z) / std::numbers::sqrt2),
+                1e-9);
+    EXPECT_NEAR(row["t.low"].get<double>(), estimate - 12.7062047361747 * corrected, 1e-8);
+    EXPECT_NEAR(row["t.high"].get<double>(), estimate + 12.7062047361747 * corrected, 1e-8);
     EXPECT_NEAR(row[ratio + ".low"].get<double>(), std::exp(row["conf.low"].get<double>()), 1e-12);
     EXPECT_NEAR(
         row[ratio + ".t.high"].get<double>() / std::exp(row["t.high"].get<double>()), 1.0, 1e-12);
@@ -158,11 +161,47 @@ TEST_F(FitLimits, FewClustersAreWarnedOfAndReadByT) {
   const json twelve = document("glm", "y ~ x + z", {"--cluster", "day"});
   EXPECT_EQ((*condition(twelve, "few_clusters"))["severity"], "note");
   EXPECT_TRUE(twelve["coefficients"][1]["t.p.value"].is_number());
-  work_.write("t.csv", days(9));
-  const json nine = document("glm", "y ~ x + z", {"--cluster", "day"});
-  EXPECT_EQ((*condition(nine, "few_clusters"))["severity"], "warning");
+  work_.write("t.csv", days(5));
+  const json five = document("glm", "y ~ x + z", {"--cluster", "day"});
+  EXPECT_EQ((*condition(five, "few_clusters"))["severity"], "warning");
   EXPECT_FALSE(document("glm", "y ~ x + z")["coefficients"][1].contains("t.p.value"));
   EXPECT_FALSE(document("glm", "y ~ x + z", {"--robust"})["coefficients"][1].contains("t.p.value"));
+}
+
+/// The default is the jackknife, of which the table of left-out clusters is what it is made of.
+TEST_F(FitLimits, InferenceIsTheJackknifeOfTheClustersLeftOut) {
+  work_.write("t.csv", days(8));
+  for (const auto& [kind, formula] : std::vector<std::pair<std::string, std::string>>{
+           {"glm", "y ~ x + z"}, {"cox", "Surv(t, y) ~ x + z"}}) {
+    SCOPED_TRACE(kind);
+    const json run = document(kind, formula, {"--cluster", "day", "--left-out"});
+    const json& row = run["coefficients"].back();
+    double squares = 0.0;
+    int clusters = 0;
+    for (const json& left : run["left_out"]) {
+      if (left["term"] == row["term"]) {
+        const double change = left["estimate"].get<double>() - row["estimate"].get<double>();
+        EXPECT_NEAR(left["change"].get<double>(), change, 1e-12);
+        EXPECT_EQ(left["rows"], 5);
+        squares += change * change;
+        ++clusters;
+      }
+    }
+    EXPECT_EQ(clusters, 8);
+    EXPECT_NEAR(row["t.std.error"].get<double>(), std::sqrt(7.0 / 8.0 * squares), 1e-9);
+    EXPECT_EQ(row["t.df"], 7.0);
+    const json cr2 = document(kind, formula, {"--cluster", "day", "--inference", "cr2"});
+    EXPECT_LE(cr2["coefficients"].back()["t.df"].get<double>(), 7.0);
+    const json wild = document(kind, formula, {"--cluster", "day", "--inference", "wild"});
+    const json& by_wild = wild["coefficients"].back();
+    EXPECT_TRUE(by_wild["t.df"].is_null());
+    EXPECT_GT(by_wild["t.p.value"].get<double>(), 0.0);
+    EXPECT_LT(by_wild["t.low"].get<double>(), by_wild["estimate"].get<double>());
+    EXPECT_GT(by_wild["t.high"].get<double>(), by_wild["estimate"].get<double>());
+  }
+  expect_said(fit("glm", "y ~ x", {"--inference", "cr2"}), 2, "needs clusters");
+  expect_said(
+      fit("glm", "y ~ x", {"--cluster", "day", "--inference", "hc3"}), 2, "jackknife, cr1");
 }
 
 TEST_F(FitLimits, ASingleClusterHasNoT) {

@@ -26,7 +26,8 @@ json rows_of(Workdir& work, std::vector<std::string> arguments, const std::strin
 
 TEST(StudyCommand, TheSweptReadingIsSoundAndFreeSpaceForUnknownIsNot) {
   Workdir work(TCERT_BINARY);
-  const json rows = rows_of(work, {"soundness", "--worlds", "200", "--hard", "70", "--u-turns", "50"}, "soundness");
+  const json rows = rows_of(
+      work, {"soundness", "--worlds", "200", "--hard", "70", "--u-turns", "50"}, "soundness");
   int swept = 0;
   int free = 0;
   for (const json& row : rows) {
@@ -65,13 +66,26 @@ TEST(StudyCommand, IntervalsCoverMoreThanHalfTheTruthAndWidthsArePositive) {
   EXPECT_GT(covered / static_cast<double>(rows.size()), 0.7);
 }
 
+TEST(StudyCommand, TestsOfTheTruthRejectSeldom) {
+  Workdir work(TCERT_BINARY);
+  const json rows =
+      rows_of(work, {"inference", "--data-sets", "6", "--replicates", "39"}, "inference");
+  ASSERT_EQ(rows.size(), 12U * 4U * 5U);
+  double rejected = 0.0;
+  for (const json& row : rows) {
+    EXPECT_EQ(row["tests"].get<int>() + row["missing"].get<int>() + row["withheld"].get<int>(), 6);
+    rejected += row["method"] == "jackknife" ? row["rejected"].get<double>() : 0.0;
+  }
+  EXPECT_LT(rejected / 48.0, 0.2);
+}
+
 /// True of a share, and of a missing one.
 bool is_share(const json& cell) { return cell.is_null() || (cell >= 0.0 && cell <= 1.0); }
 
 TEST(StudyCommand, EquivalenceIsFoundLessOftenTheFurtherLightingsLieApart) {
   Workdir work(TCERT_BINARY);
   const json rows = rows_of(work, {"equivalence", "--data-sets", "12"}, "equivalence");
-  ASSERT_EQ(rows.size(), 27U);
+  ASSERT_EQ(rows.size(), 36U);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const json& row = rows[i];
     EXPECT_TRUE(is_share(row["equivalent"]) && is_share(row["different"])) << row;
@@ -128,7 +142,8 @@ TEST(StudyCommand, NothingIsFoundWhereThereIsNothing) {
 
 TEST(StudyCommand, SaysThatAPathWithoutASlashIsOneFile) {
   Workdir work(TCERT_BINARY);
-  const std::vector<std::string> asked{"study", "soundness", "--worlds", "2", "--hard", "0", "--u-turns", "1"};
+  const std::vector<std::string> asked{
+      "study", "soundness", "--worlds", "2", "--hard", "0", "--u-turns", "1"};
   std::vector<std::string> file = asked;
   file.insert(file.end(), {"--output", "x"});
   const ProcessResult run = work.run(file);
@@ -147,7 +162,8 @@ TEST(StudyCommand, SaysThatAPathWithoutASlashIsOneFile) {
 
 TEST(StudyCommand, IsTheSameForAnyThreadsAndIsMadeAgain) {
   Workdir work(TCERT_BINARY);
-  const std::vector<std::string> asked{"study", "soundness", "--worlds", "40", "--hard", "21", "--u-turns", "9"};
+  const std::vector<std::string> asked{
+      "study", "soundness", "--worlds", "40", "--hard", "21", "--u-turns", "9"};
   for (const std::string threads : {"1", "2"}) {
     std::vector<std::string> all = asked;
     all.insert(all.end(), {"--threads", threads, "--output", "of" + threads + "/", "--quiet"});
@@ -166,8 +182,8 @@ TEST(StudyCommand, SoundnessBeginsWithWhatItFound) {
   const ProcessResult run = work.run(
       {"study", "soundness", "--worlds", "40", "--hard", "0", "--u-turns", "9", "--quiet"});
   ASSERT_EQ(run.exit_code, 0) << to_string(run);
-  const json rows = rows_of(
-      work, {"soundness", "--worlds", "40", "--hard", "0", "--u-turns", "9"}, "soundness");
+  const json rows =
+      rows_of(work, {"soundness", "--worlds", "40", "--hard", "0", "--u-turns", "9"}, "soundness");
   std::string counts;
   for (const json& row : rows) {
     if (row["worlds_of"] == "mixed" && row["noise"] == "no") {
@@ -185,7 +201,8 @@ TEST(StudyCommand, SoundnessBeginsWithWhatItFound) {
   }
   EXPECT_NE(run.out.find("T_t above the truth, mixed: of 40 worlds " + counts + ".\n"),
             std::string::npos)
-      << counts << '\n' << run.out;
+      << counts << '\n'
+      << run.out;
 }
 
 TEST(StudyCommand, RefusesWhatDoesNothing) {

@@ -11,13 +11,28 @@
 #include <utility>
 
 #include "analysis/study/coverage/coverage_study.hpp"
+#include "analysis/study/h1/withhold.hpp"
 
 namespace tcert::study::coverage {
 namespace {
 
 constexpr double kBetterAuc = 0.76;
 
+/// Too few of an outcome in a lighting for `hypotheses h2` to test it.
+bool is_withheld(const LightingStudy& study) {
+  std::array<std::array<std::size_t, 2>, kLightings> count{};
+  for (std::size_t i = 0; i < study.success.size(); ++i) {
+    ++count[study.lighting.codes[i]][study.success[i]];
+  }
+  return std::any_of(count.begin(), count.end(), [](const auto& one) {
+    return std::min(one[0], one[1]) < kTooFewOutcomes;
+  });
+}
+
 std::optional<statistics::Equivalence> tested(const LightingStudy& study, double margin) {
+  if (is_withheld(study)) {
+    return std::nullopt;
+  }
   const statistics::Score score{study.predictor, statistics::HigherMeans::success};
   const auto groups = statistics::jackknife_by_group(
       statistics::auc_statistic({&score, 1}, study.success), 0, study.lighting, study.day);

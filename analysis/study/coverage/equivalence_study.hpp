@@ -64,7 +64,8 @@ void row_cells(auto& row, table::Is<EquivalenceFound> auto& found) {
 
 struct EquivalenceRates {
   std::string scenario;
-  std::size_t tested = 0;          ///< Data sets with an AUC and a variance in every lighting.
+  std::size_t tested =
+      0;  ///< Data sets with an AUC, a variance and enough outcomes in every lighting.
   double equivalent = 0.0;         ///< Share whose pairs all pass the two one-sided tests at 5 %.
   double one_pair = 0.0;           ///< Share where the pair first, third passes.
   double different = 0.0;          ///< Share where the Wald test of equality has p < 0.05.

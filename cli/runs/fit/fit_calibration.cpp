@@ -79,6 +79,12 @@ void predict(const statistics::LogisticInput& input,
 }  // namespace
 
 FitReport fit_calibration(const FitInput& from) {
+  if (std::holds_alternative<statistics::SurvivalOutcome>(from.frame.outcome)) {
+    return fit_time_calibration(from);
+  }
+  if (!from.request.times.empty()) {
+    throw UsageError("--times: calibration takes them with Surv()");
+  }
   const statistics::LogisticInput input = statistics::logistic_input(from.frame);
   if (input.trials.size() > 0 || input.weights.size() > 0) {
     throw UsageError("calibration takes one trial a row: no cbind() and no --weights");

@@ -24,6 +24,8 @@ struct FitInput {
 
 [[nodiscard]] FitReport fit_glm(const FitInput& from);
 [[nodiscard]] FitReport fit_calibration(const FitInput& from);
+/// Of Surv(): risks of a Cox model, out of fold.
+[[nodiscard]] FitReport fit_time_calibration(const FitInput& from);
 [[nodiscard]] FitReport fit_mixed_model(const FitInput& from);
 [[nodiscard]] FitReport fit_cox_model(const FitInput& from);
 [[nodiscard]] FitReport fit_fine_gray(const FitInput& from);

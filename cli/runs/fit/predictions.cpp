@@ -33,6 +33,8 @@ void name_dropped(const statistics::NewRows& rows, const std::string& file, FitR
   }
 }
 
+}  // namespace
+
 std::vector<double> times_of(const FitRequest& request) {
   std::vector<double> times = numbers_of("times", request.times);
   for (const double time : times) {
@@ -42,8 +44,6 @@ std::vector<double> times_of(const FitRequest& request) {
   }
   return times;
 }
-
-}  // namespace
 
 void add_predictions(const FitInput& from,
                      const statistics::LogisticFit& fit,

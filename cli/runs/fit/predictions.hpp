@@ -10,6 +10,9 @@
 
 namespace tcert::cli {
 
+/// Of --times. \throws UsageError unless they are above 0.
+[[nodiscard]] std::vector<double> times_of(const FitRequest& request);
+
 /// Adds the table predictions if --predict is given. \throws UsageError, NoInput, BadData,
 /// statistics::FormulaError.
 void add_predictions(const FitInput& from,
