@@ -200,8 +200,7 @@ TEST_F(FitLimits, InferenceIsTheJackknifeOfTheClustersLeftOut) {
     EXPECT_GT(by_wild["t.high"].get<double>(), by_wild["estimate"].get<double>());
   }
   expect_said(fit("glm", "y ~ x", {"--inference", "cr2"}), 2, "needs clusters");
-  expect_said(
-      fit("glm", "y ~ x", {"--cluster", "day", "--inference", "hc3"}), 2, "jackknife, cr1");
+  expect_said(fit("glm", "y ~ x", {"--cluster", "day", "--inference", "hc3"}), 2, "jackknife, cr1");
 }
 
 TEST_F(FitLimits, ASingleClusterHasNoT) {

@@ -57,7 +57,8 @@ TEST_F(FitOptions, OfAnotherKindAreRefused) {
 TEST_F(FitOptions, PartsOfAFormulaThatDoNothingAreRefused) {
   for (const char* kind : {"glm", "roc"}) {
     expect_refused(fit(kind, "y ~ x + (1 | g)"), "'(... | g)'");
-    expect_refused(fit(kind, "y ~ x + strata(f)"), "strata() is for cox, km and concordance");
+    expect_refused(fit(kind, "y ~ x + strata(f)"),
+                   "strata() is for calibration, cox, finegray, km and concordance");
   }
   expect_refused(fit("cox", "Surv(t, s) ~ x + (1 | g)"), "use --cluster");
   expect_refused(fit("roc", "y ~ x + offset(w)"), "offset() is for glm");

@@ -23,6 +23,19 @@ Block number_block(const NamedVariable& variable) {
           {to_string(variable.expression)}};
 }
 
+/// Numbered as R numbers the columns of a matrix, of which a single one has none.
+Block basis_block(const NamedVariable& variable) {
+  Block block;
+  const std::string name = to_string(variable.expression);
+  for (const std::vector<double>& x : variable.value.basis) {
+    block.columns.emplace_back(
+        Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+    block.names.push_back(
+        variable.value.basis.size() == 1 ? name : name + std::to_string(block.names.size() + 1));
+  }
+  return block;
+}
+
 /// A factor of the levels FALSE and TRUE, whether both occur or not.
 Block truth_block(const NamedVariable& variable, bool all_levels) {
   const std::vector<double>& x = variable.value.numbers;
@@ -100,6 +113,10 @@ DesignMatrix design_matrix(const Formula& formula,
       const NamedVariable& variable = find(variables, expression);
       if (variable.value.kind == Variable::Kind::number) {
         block = product(block, number_block(variable));
+        continue;
+      }
+      if (variable.value.kind == Variable::Kind::basis) {
+        block = product(block, basis_block(variable));
         continue;
       }
       const bool all = needs_all_levels || !margin_is_in_model(formula, term, expression);

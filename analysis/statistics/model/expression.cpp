@@ -14,22 +14,25 @@ struct Operator {
   int strength;
 };
 
-constexpr std::array<Operator, 15> kOperators{{{"==", 3},
-                                               {"!=", 3},
-                                               {"<=", 3},
-                                               {">=", 3},
-                                               {"<", 3},
-                                               {">", 3},
+constexpr std::array<Operator, 17> kOperators{{{"==", 5},
+                                               {"!=", 5},
+                                               {"<=", 5},
+                                               {">=", 5},
+                                               {"<", 5},
+                                               {">", 5},
                                                {"~", 1},
                                                {"||", 2},
                                                {"|", 2},
-                                               {"+", 4},
-                                               {"-", 4},
-                                               {"*", 5},
-                                               {"/", 5},
-                                               {":", 6},
-                                               {"^", 8}}};
-constexpr int kUnaryStrength = 7;
+                                               {"&", 3},
+                                               {"+", 6},
+                                               {"-", 6},
+                                               {"*", 7},
+                                               {"/", 7},
+                                               {"%in%", 8},
+                                               {":", 9},
+                                               {"^", 11}}};
+constexpr int kNotStrength = 4;
+constexpr int kUnaryStrength = 10;
 constexpr int kDeepest = 200;
 
 bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
@@ -98,10 +101,11 @@ class Parser {
 
   Expression unary() {
     const char c = peek();
-    if (c == '-' || c == '+' || c == '~') {
+    const bool is_not = c == '!' && text_.substr(at_, 2) != "!=";
+    if (c == '-' || c == '+' || c == '~' || is_not) {
       ++at_;
       Expression call{Expression::Kind::call, 0.0, std::string(1, c), {}};
-      call.arguments.push_back(binary(c == '~' ? 1 : kUnaryStrength));
+      call.arguments.push_back(binary(c == '~' ? 1 : is_not ? kNotStrength : kUnaryStrength));
       return call;
     }
     return primary();
@@ -156,6 +160,20 @@ class Parser {
     return inside;
   }
 
+  /// A value, or NAME = value: a call of "=" with the name, which is no column.
+  Expression argument() {
+    Expression value = binary(0);
+    if (peek() != '=') {
+      return value;
+    }
+    if (value.kind != Expression::Kind::column) {
+      fail("a named argument is NAME = value");
+    }
+    ++at_;
+    value.kind = Expression::Kind::text;
+    return {Expression::Kind::call, 0.0, "=", {std::move(value), binary(0)}};
+  }
+
   std::vector<Expression> arguments() {
     std::vector<Expression> list;
     ++at_;
@@ -163,7 +181,7 @@ class Parser {
       fail("expected an argument");
     }
     while (true) {
-      list.push_back(binary(0));
+      list.push_back(argument());
       const char c = peek();
       if (c != ',' && c != ')') {
         fail("expected ',' or ')'");
@@ -191,8 +209,20 @@ bool is_operator(std::string_view name) {
       kOperators.begin(), kOperators.end(), [&](const Operator& one) { return one.sign == name; });
 }
 
+/// R writes a name in backticks that could not stand without.
+std::string column_text(const std::string& name) {
+  const bool dotted_digit = name.size() > 1 && name[0] == '.' && is_digit(name[1]);
+  const bool plain =
+      !name.empty() && starts_name(name.front()) && name.front() != '_' && !dotted_digit &&
+      std::all_of(name.begin(), name.end(), [](char c) { return starts_name(c) || is_digit(c); });
+  return plain ? name : '`' + name + '`';
+}
+
 std::string call_text(const Expression& call) {
-  const bool is_sign = is_operator(call.name);
+  if (call.name == "=" && call.arguments.size() == 2) {
+    return call.arguments[0].name + " = " + to_string(call.arguments[1]);
+  }
+  const bool is_sign = is_operator(call.name) || call.name == "!";
   if (is_sign && call.arguments.size() == 1) {
     return call.name + to_string(call.arguments[0]);
   }
@@ -217,7 +247,7 @@ std::string to_string(const Expression& expression) {
     case Expression::Kind::text:
       return '"' + expression.name + '"';
     case Expression::Kind::column:
-      return expression.name;
+      return column_text(expression.name);
     case Expression::Kind::call:
       return call_text(expression);
   }

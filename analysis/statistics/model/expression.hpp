@@ -25,7 +25,7 @@ struct Expression {
   }
 };
 
-/// As R prints it: "I(x^2)", "log(x)", "status == 2", "n - k".
+/// As R prints it: "I(x^2)", "log(x, base = 2)", "status == 2", "`a name`".
 [[nodiscard]] std::string to_string(const Expression& expression);
 
 /// Appends the names of the columns that it uses, each once, in order of appearance.
@@ -37,8 +37,9 @@ class FormulaError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Parses with R's precedence: ^, unary -, :, * /, + -, comparison, | and ||, ~. Names that are not
-/// syntactic stand between backticks, texts between quotes. \throws FormulaError.
+/// Parses with R's precedence: ^, unary -, :, %in%, * /, + -, comparison, !, &, | and ||, ~. A
+/// named argument is a call of "=" with the name as a text. Names that are not syntactic stand
+/// between backticks, texts between quotes. \throws FormulaError.
 [[nodiscard]] Expression parse_expression(std::string_view text);
 
 }  // namespace tcert::statistics

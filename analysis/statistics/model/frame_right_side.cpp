@@ -19,6 +19,9 @@ void keep_rows(std::vector<NamedVariable>& variables, bool allow_infinite, Model
       continue;
     }
     value.numbers = on_rows(value.numbers, frame.rows);
+    for (std::vector<double>& column : value.basis) {
+      column = on_rows(column, frame.rows);
+    }
     const std::string name = to_string(variable.expression);
     const bool said = std::any_of(frame.conditions.begin(),
                                   frame.conditions.end(),

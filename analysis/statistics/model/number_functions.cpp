@@ -7,13 +7,16 @@
 namespace tcert::statistics {
 namespace {
 
-constexpr std::array<NumberFunction, 9> kNumberFunctions{{
+constexpr std::array<NumberFunction, 12> kNumberFunctions{{
     {"log", [](double x) { return std::log(x); }},
     {"log2", [](double x) { return std::log2(x); }},
     {"log10", [](double x) { return std::log10(x); }},
     {"log1p", [](double x) { return std::log1p(x); }},
     {"exp", [](double x) { return std::exp(x); }},
     {"sqrt", [](double x) { return std::sqrt(x); }},
+    {"sin", [](double x) { return std::sin(x); }},
+    {"cos", [](double x) { return std::cos(x); }},
+    {"tan", [](double x) { return std::tan(x); }},
     {"abs", [](double x) { return std::abs(x); }},
     {"I", [](double x) { return x; }},
     {"as.numeric", [](double x) { return x; }},

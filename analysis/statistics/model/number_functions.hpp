@@ -6,7 +6,7 @@
 
 namespace tcert::statistics {
 
-/// log, log2, log10, log1p, exp, sqrt, abs, I, as.numeric.
+/// log, log2, log10, log1p, exp, sqrt, sin, cos, tan, abs, I, as.numeric.
 struct NumberFunction {
   std::string_view name;
   double (*value)(double);

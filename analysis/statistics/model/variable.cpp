@@ -1,9 +1,13 @@
-#include <span>
 #include <statistics/model/variable.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <span>
+#include <statistics/model/basis_functions.hpp>
+#include <statistics/model/call_arguments.hpp>
+#include <statistics/model/cut_into.hpp>
 #include <statistics/model/factor_levels.hpp>
 #include <statistics/model/number_functions.hpp>
 #include <statistics/model/stray_text.hpp>
@@ -84,6 +88,10 @@ class Evaluation {
     if (variable.kind == Variable::Kind::factor) {
       refuse_text(expression, of);
     }
+    if (variable.kind == Variable::Kind::basis) {
+      throw FormulaError("'" + to_string(expression) +
+                         "' has several columns; it stands by itself");
+    }
     return std::move(variable.numbers);
   }
 
@@ -108,6 +116,30 @@ class Evaluation {
     if (call.name == "strata") {
       return stratum(call);
     }
+    if (call.name == "ns" || call.name == "poly") {
+      return basis(call);
+    }
+    if (call.name == "cut") {
+      return cut_factor(call);
+    }
+    if (call.name == "ifelse") {
+      return chosen(call);
+    }
+    if (call.name == "pmin" || call.name == "pmax") {
+      return extreme(call);
+    }
+    if (call.name == "%in%") {
+      return contained(call);
+    }
+    if ((call.name == "&" || call.name == "|") && call.arguments.size() == 2) {
+      return joined_truth(call);
+    }
+    if (call.name == "!" && call.arguments.size() == 1) {
+      return negated(call);
+    }
+    if (call.name == "log" && call.arguments.size() == 2) {
+      return log_to_base(call);
+    }
     if (call.arguments.size() == 1) {
       return call_of_one(call, call.arguments.front());
     }
@@ -121,6 +153,160 @@ class Evaluation {
               crossed({factor(call.arguments[0]).factor, factor(call.arguments[1]).factor}, ":")};
     }
     refuse_call(call);
+  }
+
+  /// What only the rows of the fit may teach, and known ones alone.
+  [[nodiscard]] std::vector<double> learned(const std::vector<double>& x) const {
+    std::vector<double> known;
+    for (std::size_t row = 0; row < (table_.learned > 0 ? table_.learned : x.size()); ++row) {
+      if (!std::isnan(x[row])) {
+        known.push_back(x[row]);
+      }
+    }
+    return known;
+  }
+
+  Variable basis(const Expression& call) {
+    const CallArguments arguments(call,
+                                  call.name == "ns"
+                                      ? std::vector<std::string>{"x", "df", "knots"}
+                                      : std::vector<std::string>{"x", "degree", "coefs", "raw"});
+    const std::vector<double> x = numbers(arguments.required("x"), call);
+    const std::vector<double> known = learned(x);
+    std::vector<std::vector<double>> columns;
+    if (call.name == "ns") {
+      const NaturalSpline spline(
+          known, arguments.whole("df"), arguments.numbers("knots"), to_string(call));
+      columns = spline.columns(x);
+    } else {
+      const auto degree = arguments.whole("degree").value_or(1);
+      columns = arguments.truth("raw", false)
+                    ? powers(x, degree, to_string(call))
+                    : orthogonal_powers(known, x, degree, to_string(call));
+    }
+    Variable variable{Variable::Kind::basis, columns.front(), {}};
+    variable.basis = std::move(columns);
+    return variable;
+  }
+
+  Variable cut_factor(const Expression& call) {
+    const CallArguments arguments(call,
+                                  {"x", "breaks", "labels", "include.lowest", "right", "dig.lab"});
+    const std::vector<double> x = numbers(arguments.required("x"), call);
+    return {Variable::Kind::factor,
+            {},
+            cut_into(x,
+                     learned(x),
+                     arguments.numbers("breaks"),
+                     arguments.texts("labels"),
+                     arguments.truth("include.lowest", false),
+                     arguments.truth("right", true),
+                     to_string(call))};
+  }
+
+  Variable chosen(const Expression& call) {
+    const CallArguments arguments(call, {"test", "yes", "no"});
+    const std::vector<double> test = numbers(arguments.required("test"), call);
+    const Expression& yes = arguments.required("yes");
+    const Expression& no = arguments.required("no");
+    if (yes.kind == Expression::Kind::text && no.kind == Expression::Kind::text) {
+      table::Factor factor;
+      const std::string& first = std::min(yes.name, no.name);
+      const std::string& last = std::max(yes.name, no.name);
+      for (const double one : test) {
+        factor.codes.push_back(std::isnan(one) ? table::Factor::kMissing
+                               : (one != 0.0 ? yes.name : no.name) == first ? 0U
+                                                                            : 1U);
+      }
+      factor.levels =
+          first == last ? std::vector<std::string>{first} : std::vector<std::string>{first, last};
+      return {Variable::Kind::factor, {}, std::move(factor)};
+    }
+    std::vector<double> x = numbers(yes, call);
+    const std::vector<double> other = numbers(no, call);
+    for (std::size_t row = 0; row < x.size(); ++row) {
+      x[row] = std::isnan(test[row]) ? table::kNaN : test[row] != 0.0 ? x[row] : other[row];
+    }
+    return {Variable::Kind::number, std::move(x), {}};
+  }
+
+  Variable extreme(const Expression& call) {
+    if (call.arguments.size() < 2) {
+      throw FormulaError("'" + to_string(call) + "': " + call.name +
+                         "() takes two arguments or more");
+    }
+    std::vector<double> x = numbers(call.arguments.front(), call);
+    for (std::size_t k = 1; k < call.arguments.size(); ++k) {
+      const std::vector<double> other = numbers(call.arguments[k], call);
+      for (std::size_t row = 0; row < x.size(); ++row) {
+        const bool missing = std::isnan(x[row]) || std::isnan(other[row]);
+        const bool takes = call.name == "pmin" ? other[row] < x[row] : other[row] > x[row];
+        x[row] = missing ? table::kNaN : takes ? other[row] : x[row];
+      }
+    }
+    return {Variable::Kind::number, std::move(x), {}};
+  }
+
+  /// Missing is in no list, as in R.
+  Variable contained(const Expression& call) {
+    const Expression& list = call.arguments[1];
+    const std::vector<Expression> members =
+        list.is_call("c") ? list.arguments : std::vector<Expression>{list};
+    const Variable what = Evaluation(table_, {}).value(call.arguments[0]);
+    std::vector<double> x(table_.rows, 0.0);
+    for (const Expression& member : members) {
+      const bool is_text = member.kind == Expression::Kind::text;
+      if (is_text != (what.kind == Variable::Kind::factor) || (!is_text && !constant_of(member))) {
+        throw FormulaError("'" + to_string(call) + "': %in% takes c() of " +
+                           (what.kind == Variable::Kind::factor ? "texts" : "numbers"));
+      }
+      for (std::size_t row = 0; row < x.size(); ++row) {
+        const bool same = is_text ? what.factor.codes[row] != table::Factor::kMissing &&
+                                        what.factor.levels[what.factor.codes[row]] == member.name
+                                  : what.numbers[row] == *constant_of(member);
+        x[row] = same ? 1.0 : x[row];
+      }
+    }
+    return {Variable::Kind::truth, std::move(x), {}};
+  }
+
+  /// R's three values: FALSE & NA is FALSE, TRUE | NA is TRUE.
+  Variable joined_truth(const Expression& call) {
+    const double decides = call.name == "&" ? 0.0 : 1.0;
+    std::vector<double> a = numbers(call.arguments[0], call);
+    const std::vector<double> b = numbers(call.arguments[1], call);
+    for (std::size_t row = 0; row < a.size(); ++row) {
+      const auto truth = [](double x) { return std::isnan(x) ? x : x != 0.0 ? 1.0 : 0.0; };
+      const double left = truth(a[row]);
+      const double right = truth(b[row]);
+      a[row] = left == decides || right == decides     ? decides
+               : std::isnan(left) || std::isnan(right) ? table::kNaN
+                                                       : 1.0 - decides;
+    }
+    return {Variable::Kind::truth, std::move(a), {}};
+  }
+
+  Variable negated(const Expression& call) {
+    std::vector<double> x = numbers(call.arguments.front(), call);
+    for (double& one : x) {
+      one = std::isnan(one) ? one : one == 0.0 ? 1.0 : 0.0;
+    }
+    return {Variable::Kind::truth, std::move(x), {}};
+  }
+
+  Variable log_to_base(const Expression& call) {
+    const CallArguments arguments(call, {"x", "base"});
+    const std::optional<double> base = constant_of(arguments.required("base"));
+    if (!base || !(*base > 0.0) || *base == 1.0) {
+      throw FormulaError("'" + to_string(call) + "': the base is a number above 0, and not 1");
+    }
+    std::vector<double> x = numbers(arguments.required("x"), call);
+    for (double& one : x) {
+      one = *base == 2.0    ? std::log2(one)
+            : *base == 10.0 ? std::log10(one)
+                            : std::log(one) / std::log(*base);
+    }
+    return {Variable::Kind::number, std::move(x), {}};
   }
 
   Variable call_of_one(const Expression& call, const Expression& only) {
@@ -151,11 +337,13 @@ class Evaluation {
         call.name == "factor") {
       throw FormulaError("'" + to_string(call) + "': " + call.name +
                          "() takes one argument, found " + std::to_string(call.arguments.size()) +
-                         (call.name == "log" ? "; log2(x), log10(x) or log(x) / log(b)" : ""));
+                         (call.name == "log" ? ", or log(x, base = 2)" : ""));
     }
-    throw FormulaError("'" + to_string(call) +
-                       "' is not known here; known: log, log2, log10, log1p, exp, sqrt, abs, I, "
-                       "scale, factor, as.numeric and arithmetic");
+    throw FormulaError(
+        "'" + to_string(call) +
+        "' is not known here; known: log, log2, log10, log1p, exp, sqrt, sin, cos, tan, abs, "
+        "pmin, pmax, ifelse, cut, ns, poly, I, scale, factor, as.numeric, arithmetic, "
+        "comparisons, & | ! and %in%");
   }
 
   Variable factor(const Expression& argument) {

@@ -20,11 +20,13 @@ std::vector<double> given(const FitInput& from) {
   const statistics::ModelFrame& frame = from.frame;
   std::vector<double> values;
   std::size_t others = 0;
+  const std::string given_name = statistics::to_string(statistics::Expression{
+      statistics::Expression::Kind::column, 0.0, from.request.predicted, {}});
   for (std::size_t k = 0; k < frame.columns.size(); ++k) {
     if (frame.term_of[k] == 0) {
       continue;
     }
-    if (frame.columns[k] == from.request.predicted) {
+    if (frame.columns[k] == given_name) {
       values = as_vector(frame.design.col(static_cast<Eigen::Index>(k)));
     } else {
       ++others;
@@ -81,6 +83,9 @@ void predict(const statistics::LogisticInput& input,
 FitReport fit_calibration(const FitInput& from) {
   if (std::holds_alternative<statistics::SurvivalOutcome>(from.frame.outcome)) {
     return fit_time_calibration(from);
+  }
+  if (from.frame.strata) {
+    throw UsageError("strata: calibration takes them with Surv()");
   }
   if (!from.request.times.empty()) {
     throw UsageError("--times: calibration takes them with Surv()");

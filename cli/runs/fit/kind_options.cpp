@@ -32,7 +32,7 @@ constexpr std::array kTakes{
     KindTakes{"calibration",
               "cluster strata ref folds predicted times no-time-rounding",
               true,
-              false,
+              true,
               "summary, calibration, bins, predictions; of Surv(): scores, calibration, bins"},
     KindTakes{"cox",
               "cluster strata weights ref ties robust inference left-out predict times transform "

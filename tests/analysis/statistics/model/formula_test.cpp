@@ -45,7 +45,7 @@ TEST(Formula, KeepsCallsAsVariables) {
   EXPECT_EQ(to_string(parse_formula("Surv(time,status==2)~ph.ecog").response),
             "Surv(time, status == 2)");
   EXPECT_EQ(to_string(parse_formula("cbind(k, n-k) ~ `odd name`").response), "cbind(k, n - k)");
-  EXPECT_EQ(terms_of("y ~ `odd name`"), (Names{"odd name"}));
+  EXPECT_EQ(terms_of("y ~ `odd name`"), (Names{"`odd name`"}));
 }
 
 TEST(Formula, InterceptGoesAndComes) {

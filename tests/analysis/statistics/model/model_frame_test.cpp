@@ -1,5 +1,5 @@
-#include <table/read_data_table.hpp>
 #include <statistics/model/model_frame.hpp>
+#include <table/read_data_table.hpp>
 
 #include <gtest/gtest.h>
 
