@@ -38,7 +38,7 @@ standardised_rate <- function(won, led) {
 too_few_clusters <- function(won, led, options) {
   clusters <- if (nzchar(options$cluster)) c(won[[options$cluster]], led[[options$cluster]])
               else c(won$trial_id, led$trial_id)
-  length(unique(clusters)) < 6
+  length(unique(clusters)) < 10
 }
 
 check_baseline <- function(found, rows, options) {

@@ -116,7 +116,7 @@ TEST_F(FitOptions, HelpOfAKindShowsItsOptionsAndTables) {
 
 TEST_F(FitOptions, FormulaMistakesAreNamed) {
   expect_refused(fit("glm", "y ~ ."), "name the columns");
-  expect_refused(fit("glm", "y ~ log(x, 2)"), "log() takes one argument, found 2");
+  expect_refused(fit("glm", "y ~ log(x, 2, 3)"), "log() takes one argument, found 3");
   work_.write("t.csv", "x,y\n1,goal\n2,wedged\n3,goal\n");
   expect_refused(fit("glm", "y == goal ~ x"), "write y == \"goal\"");
 }

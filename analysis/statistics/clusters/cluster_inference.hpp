@@ -61,7 +61,7 @@ struct ClusterInferences {
 
 /// Up to so many clusters the jackknife is what is taken by default: of those that were tried it
 /// alone keeps its level with 6 clusters that are unlike (analysis/README.md). Beyond, CR1, which
-/// then says the same and refits nothing.
+/// refits nothing.
 inline constexpr std::size_t kMostJackknifeClusters = 100;
 
 [[nodiscard]] ClusterInference default_inference(std::size_t clusters) noexcept;

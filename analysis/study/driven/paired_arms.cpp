@@ -264,7 +264,7 @@ PairedArms compare_arms(const std::vector<TrialRow>& trials,
     found.own = totals_of(pairs, &Pair::own);
     const std::vector<std::uint32_t> clusters = clusters_of(pairs);
     const std::size_t days = *std::ranges::max_element(clusters) + std::size_t{1};
-    const std::string few = too_few("day", days, kTooFewOutcomes, kTooFewOutcomes);
+    const std::string few = too_few("day", days, kTooFewOutcomes, kTooFewOutcomes, kTooFewUntried);
     if (!few.empty() && compared.withheld.empty()) {
       compared.withheld = few;
       compared.conditions.push_back(withheld(few));

@@ -77,7 +77,8 @@ AucByDay auc_by_day(const EarlyTrials& trials) {
   found.pooled =
       statistics::auc(all.tc_early, all.success, statistics::HigherMeans::success, by_day);
   add_within_days(found);
-  if (!too_few("day", days.size(), found.pooled.successes, found.pooled.failures).empty()) {
+  if (!too_few("day", days.size(), found.pooled.successes, found.pooled.failures, kTooFewUntried)
+           .empty()) {
     found.pooled.interval.reset();
     found.within_interval.reset();
   }

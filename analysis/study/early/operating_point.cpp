@@ -120,8 +120,10 @@ std::optional<OperatingPoint> operating_point(const EarlyTrials& trials, double 
   point.threshold_m = weighted.threshold(once, retention);
   point.kept.value = 1.0 - weighted.below(once, true, point.threshold_m);
   point.stopped.value = weighted.below(once, false, point.threshold_m);
-  point.by_days = trials.has_days &&
-                  too_few("day", trials.day.levels.size(), point.successes, point.failures).empty();
+  point.by_days =
+      trials.has_days &&
+      too_few("day", trials.day.levels.size(), point.successes, point.failures, kTooFewUntried)
+          .empty();
   if (point.by_days) {
     resample_threshold(trials, weighted, retention, point);
   } else {

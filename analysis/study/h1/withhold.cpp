@@ -72,11 +72,11 @@ void withhold(statistics::IncidenceCurves& curves) {
 std::string too_few(const std::string& cluster,
                     std::size_t clusters,
                     std::size_t successes,
-                    std::size_t failures) {
-  if (clusters < statistics::kTooFewClusters) {
-    return fewer_than(clusters,
-                      cluster.empty() ? "trials" : "clusters of '" + cluster + "'",
-                      statistics::kTooFewClusters);
+                    std::size_t failures,
+                    std::size_t least_clusters) {
+  if (clusters < least_clusters) {
+    return fewer_than(
+        clusters, cluster.empty() ? "trials" : "clusters of '" + cluster + "'", least_clusters);
   }
   if (std::min(successes, failures) < kTooFewOutcomes) {
     return failures < successes ? fewer_than(failures, "failures", kTooFewOutcomes)

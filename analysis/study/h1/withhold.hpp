@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <string>
 
+#include <statistics/basics/few_clusters.hpp>
+
 #include "analysis/study/h1/hypothesis_h1.hpp"
 
 namespace tcert::study {
@@ -13,12 +15,17 @@ namespace tcert::study {
 /// With fewer outcomes of a class neither the bootstrap nor a normal test keeps its level.
 inline constexpr std::size_t kTooFewOutcomes = 10;
 
+/// Below so many clusters inference is withheld where none was tried with fewer: of rates of
+/// advance (H3), pairs of arms, and early warnings.
+inline constexpr std::size_t kTooFewUntried = 10;
+
 /// "7 clusters of 'day', fewer than 10", "4 failures, fewer than 10"; empty if there are enough.
 /// `cluster` is empty where every trial is its own.
 [[nodiscard]] std::string too_few(const std::string& cluster,
                                   std::size_t clusters,
                                   std::size_t successes,
-                                  std::size_t failures);
+                                  std::size_t failures,
+                                  std::size_t least_clusters = statistics::kTooFewClusters);
 
 /// The condition that says so. \pre `reason` is not empty.
 [[nodiscard]] statistics::Condition withheld(const std::string& reason);

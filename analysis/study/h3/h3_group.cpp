@@ -138,7 +138,7 @@ class Group {
   /// has.
   void look_for_few() {
     const std::size_t enough = kTooFewOutcomes;
-    group_.withheld = too_few(options_.cluster, group_.clusters, enough, enough);
+    group_.withheld = too_few(options_.cluster, group_.clusters, enough, enough, kTooFewUntried);
     if (!group_.withheld.empty()) {
       few_gated_ = few_baseline_ = true;
       group_.conditions.push_back(withheld(group_.withheld));

@@ -93,7 +93,7 @@ struct H3Table {
   statistics::Conditions conditions;  ///< Of the table as a whole; an error leaves no groups.
 };
 
-/// With fewer than kTooFewClusters clusters among the successes no interval, bound or verdict is
+/// With fewer than kTooFewUntried clusters among the successes no interval, bound or verdict is
 /// given; with fewer than kTooFewOutcomes successes of an algorithm none of its rates. \throws
 /// std::invalid_argument if a column is not there or an option is out of range. `watch` hears of
 /// the resamples of each group.

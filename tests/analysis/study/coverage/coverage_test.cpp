@@ -55,7 +55,7 @@ TEST(CoverageStudy, SeesThatTrialsOfADayAreNotIndependent) {
     tally.add(found);
   }
   const std::vector<coverage::Coverage> rows = tally.rows();
-  ASSERT_EQ(rows.size(), 32U);
+  ASSERT_EQ(rows.size(), 24U);
   for (const coverage::Coverage& row : rows) {
     EXPECT_EQ(row.intervals + row.missing, 60U);
     EXPECT_EQ(row.missing, 0U) << row.method;
