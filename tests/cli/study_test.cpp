@@ -84,8 +84,15 @@ bool is_share(const json& cell) { return cell.is_null() || (cell >= 0.0 && cell 
 
 TEST(StudyCommand, EquivalenceIsFoundLessOftenTheFurtherLightingsLieApart) {
   Workdir work(TCERT_BINARY);
-  const json rows = rows_of(work, {"equivalence", "--data-sets", "12"}, "equivalence");
-  ASSERT_EQ(rows.size(), 36U);
+  const json all = rows_of(work, {"equivalence", "--data-sets", "12"}, "equivalence");
+  ASSERT_EQ(all.size(), 36U);
+  json rows = json::array();
+  for (const json& row : all) {
+    if (row["days"] == 22) {
+      rows.push_back(row);
+    }
+  }
+  ASSERT_EQ(rows.size(), 27U);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const json& row = rows[i];
     EXPECT_TRUE(is_share(row["equivalent"]) && is_share(row["different"])) << row;
