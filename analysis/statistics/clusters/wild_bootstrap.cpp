@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <table/random.hpp>
 
@@ -72,51 +73,62 @@ std::optional<double> wild_p_value(const SandwichParts& parts,
   return (1.0 + static_cast<double>(as_large)) / (1.0 + static_cast<double>(options.replicates));
 }
 
+namespace {
+
+/// The first value on a side, in standard errors from the estimate, that `rejected` holds of;
+/// infinite if none within reach does. Empty where it has no answer on the way.
+std::optional<double> first_rejected(
+    const std::function<std::optional<bool>(double distance)>& rejected) {
+  constexpr double kReach = 30.0;
+  constexpr double kExactness = 1e-3;
+  double inside = 0.0;
+  double outside = 2.0;
+  for (std::optional<bool> out = rejected(outside); !out || !*out; out = rejected(outside)) {
+    if (!out) {
+      return std::nullopt;
+    }
+    inside = outside;
+    outside *= 1.5;
+    if (outside > kReach) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  while (outside - inside > kExactness) {
+    const double middle = 0.5 * (inside + outside);
+    const std::optional<bool> out = rejected(middle);
+    if (!out) {
+      return std::nullopt;
+    }
+    (*out ? outside : inside) = middle;
+  }
+  return 0.5 * (inside + outside);
+}
+
+}  // namespace
+
 std::optional<Interval> wild_interval(const PartsAt& parts_at,
                                       std::size_t k,
                                       double estimate,
                                       double standard_error,
                                       const WildOptions& options) {
-  constexpr double kReach = 30.0;
-  constexpr double kExactness = 1e-3;
   if (!(standard_error > 0.0)) {
     return std::nullopt;
   }
-  const auto rejected = [&](double value) -> std::optional<bool> {
-    const std::optional<SandwichParts> parts = parts_at(k, value);
-    const auto p = parts ? wild_p_value(*parts, k, options) : std::nullopt;
-    return p ? std::optional(*p <= 1.0 - options.level) : std::nullopt;
+  const auto distance_to = [&](double side) {
+    return first_rejected([&](double distance) -> std::optional<bool> {
+      const std::optional<SandwichParts> parts =
+          parts_at(k, estimate + side * distance * standard_error);
+      const auto p = parts ? wild_p_value(*parts, k, options) : std::nullopt;
+      return p ? std::optional(*p <= 1.0 - options.level) : std::nullopt;
+    });
   };
-  const auto end = [&](double side) -> std::optional<double> {
-    double inside = 0.0;
-    double outside = 2.0;
-    for (;;) {
-      const auto out = rejected(estimate + side * outside * standard_error);
-      if (!out) {
-        return std::nullopt;
-      }
-      if (*out) {
-        break;
-      }
-      inside = outside;
-      outside *= 1.5;
-      if (outside > kReach) {
-        return side * std::numeric_limits<double>::infinity();
-      }
-    }
-    while (outside - inside > kExactness) {
-      const double middle = 0.5 * (inside + outside);
-      const auto out = rejected(estimate + side * middle * standard_error);
-      if (!out) {
-        return std::nullopt;
-      }
-      (*out ? outside : inside) = middle;
-    }
-    return estimate + side * 0.5 * (inside + outside) * standard_error;
-  };
-  const auto low = end(-1.0);
-  const auto high = end(1.0);
-  return low && high ? std::optional(Interval{*low, *high, options.level}) : std::nullopt;
+  const std::optional<double> down = distance_to(-1.0);
+  const std::optional<double> up = distance_to(1.0);
+  if (!down || !up) {
+    return std::nullopt;
+  }
+  return Interval{
+      estimate - *down * standard_error, estimate + *up * standard_error, options.level};
 }
 
 }  // namespace tcert::statistics

@@ -38,6 +38,35 @@ struct GrayTime {
   }
 };
 
+/// What the groups come to at the time; all events of it.
+double sum_up(GrayTime& now, double rho) {
+  double all = 0.0;
+  now.events = now.exposure = 0.0;
+  for (GroupAt& group : now.groups) {
+    now.events += group.events;
+    all += group.events + group.competing;
+    now.exposure += group.exposure();
+    if (group.at_risk > 0.0) {
+      group.after = group.before * (group.at_risk - group.events - group.competing) / group.at_risk;
+    }
+  }
+  now.weight = std::pow(1.0 - now.before, rho);
+  now.after = now.before + (now.events > 0.0 ? now.events / now.exposure : 0.0);
+  return all;
+}
+
+/// From just before the time to just after it.
+void pass(GrayTime& now) {
+  now.before = now.after;
+  for (GroupAt& group : now.groups) {
+    if (group.at_risk > 0.0) {
+      group.incidence += group.before * group.events / group.at_risk;
+    }
+    group.before = group.after;
+    group.events = group.competing = 0.0;
+  }
+}
+
 /// The event times of the rows of one stratum, in order.
 std::vector<GrayTime> times_of(const CompetingOutcome& outcome,
                                std::uint32_t cause,
@@ -60,30 +89,10 @@ std::vector<GrayTime> times_of(const CompetingOutcome& outcome,
       const std::uint32_t end = outcome.cause[rows[last]];
       (end == cause ? group.events : group.competing) += end == 0 ? 0.0 : 1.0;
     }
-    double all = 0.0;
-    now.events = now.exposure = 0.0;
-    for (GroupAt& group : now.groups) {
-      now.events += group.events;
-      all += group.events + group.competing;
-      now.exposure += group.exposure();
-      if (group.at_risk > 0.0) {
-        group.after =
-            group.before * (group.at_risk - group.events - group.competing) / group.at_risk;
-      }
-    }
-    now.weight = std::pow(1.0 - now.before, rho);
-    now.after = now.before + (now.events > 0.0 ? now.events / now.exposure : 0.0);
-    if (all > 0.0) {
+    if (sum_up(now, rho) > 0.0) {
       times.push_back(now);
     }
-    now.before = now.after;
-    for (GroupAt& group : now.groups) {
-      if (group.at_risk > 0.0) {
-        group.incidence += group.before * group.events / group.at_risk;
-      }
-      group.before = group.after;
-      group.events = group.competing = 0.0;
-    }
+    pass(now);
     for (; first < last; ++first) {
       now.groups[groups.codes[rows[first]]].at_risk -= 1.0;
     }

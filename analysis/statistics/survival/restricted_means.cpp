@@ -91,6 +91,7 @@ std::vector<RestrictedMeanRow> restricted_means(const SurvivalOutcome& outcome,
     RestrictedMeanRow row{name(first), second ? name(*second) : "", of(means), {}};
     if (cluster != nullptr) {
       std::vector<double> left_out;
+      left_out.reserve(without.size());
       for (const std::vector<MeanOf>& one : without) {
         left_out.push_back(of(one));
       }

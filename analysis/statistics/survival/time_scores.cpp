@@ -39,7 +39,7 @@ CensoringCurve censoring_of(const SurvivalOutcome& outcome, const std::vector<st
   for (const std::uint8_t event : outcome.event) {
     censored.push_back(event == 0 ? 1 : 0);
   }
-  return CensoringCurve(outcome.stop, censored, rows);
+  return {outcome.stop, censored, rows};
 }
 
 Scored scored(const SurvivalOutcome& outcome,
