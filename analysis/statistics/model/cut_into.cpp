@@ -22,8 +22,9 @@ std::vector<double> even_breaks(const std::vector<double>& known,
   const auto [low, high] = std::minmax_element(known.begin(), known.end());
   const double width = *high - *low;
   std::vector<double> breaks;
-  for (double k = 0.0; k <= count; k += 1.0) {
-    breaks.push_back(*low + k * width / count);
+  const auto intervals = static_cast<std::size_t>(count);
+  for (std::size_t k = 0; k <= intervals; ++k) {
+    breaks.push_back(*low + static_cast<double>(k) * width / count);
   }
   breaks.front() = *low - width / 1000.0;
   breaks.back() = *high + width / 1000.0;

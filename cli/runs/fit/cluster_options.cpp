@@ -1,5 +1,7 @@
 #include "cli/runs/fit/cluster_options.hpp"
 
+#include <array>
+
 #include "cli/runs/errors.hpp"
 #include "reports/fit/left_out_table.hpp"
 
@@ -15,15 +17,15 @@ std::optional<statistics::ClusterInference> inference_of(const FitInput& from, b
   if (request.inference.empty()) {
     return std::nullopt;
   }
-  constexpr ClusterInference all[]{ClusterInference::jackknife,
-                                   ClusterInference::cr1,
-                                   ClusterInference::cr2,
-                                   ClusterInference::wild};
+  constexpr std::array kAll{ClusterInference::jackknife,
+                            ClusterInference::cr1,
+                            ClusterInference::cr2,
+                            ClusterInference::wild};
   std::vector<std::string> words;
-  for (const ClusterInference one : all) {
+  for (const ClusterInference one : kAll) {
     words.emplace_back(to_string(one));
   }
-  return all[choice("inference", request.inference, words)];
+  return kAll[choice("inference", request.inference, words)];
 }
 
 statistics::WildOptions wild_options(const FitRequest& request) {

@@ -127,6 +127,7 @@ FitReport fit_time_calibration(const FitInput& from) {
   const statistics::CoxData scored = statistics::on_rows(data, known);
   for (std::size_t t = 0; t < times.size() && !known.empty(); ++t) {
     std::vector<double> risk;
+    risk.reserve(known.size());
     for (const std::size_t row : known) {
       risk.push_back(risks(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(t)));
     }
