@@ -17,7 +17,8 @@ in DIR/gates, unless they are there already. Then it runs the other commands, ea
   DIR/gate          tcert gate        DIR/sensitivity  tcert sweep --sensitivity, if asked for
 
   DIR/driven        the same of trials that policies drive in closed loop (tcert drive): bundle,
-                    certificates, h1, h2, and h3 of arms that drive the same worlds in pairs
+                    certificates, h1, h2, h3 of arms that drive the same worlds in pairs, and of
+                    watched trials what rules and guards are worth
 
 and prints the tables; DIR/report.html (tcert report) shows all of it. A step that the data do not
 allow (no lighting, no baseline) is left out and named. What an earlier run left in DIR and this one
