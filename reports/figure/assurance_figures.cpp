@@ -115,7 +115,6 @@ std::optional<Figure> guards_figure(const Table& guard_choices,
   progress.add(1.0);
   unsafe.add(unguarded);
   Panel one;
-  one.name = "guards";
   one.x = axis("progress (share of the unguarded)");
   one.y = axis("unsafe dwell", "s per 100 m");
   progress.apply(one.x, 0.08);
