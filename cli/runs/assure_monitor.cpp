@@ -38,10 +38,10 @@ OptionTable options_of(AssureMonitorRequest& request) {
   OptionTable table(request.given);
   table.argument({"KIND", &request.kind, true, OptionRole::shapes, {"monitor"}});
   table.argument({"BUNDLE", &request.bundle, true, OptionRole::input});
-  table.add_input("monitor",
+  table.add_input("rules",
                   request.rules,
                   "FILE",
-                  "rules that are watched at every tick ('tcert help rules'), or default");
+                  "watch those of a file in place of the default ones ('tcert help rules')");
   table.add("risk",
             request.risk,
             "hold what the risk field states of the way ahead against the truth, too");
@@ -58,7 +58,7 @@ OptionTable options_of(AssureMonitorRequest& request) {
 }
 
 ExitCode assure_monitor(const AssureMonitorRequest& request, Progress& progress) {
-  const MonitorOptions monitor{request.rules, false};
+  const MonitorOptions monitor{true, request.rules, false};
   const OpenedBundle opened = open_for(request.bundle, request.logs, progress);
   const std::string& output_path = request.output.path;
   if (!output_path.empty()) {

@@ -13,7 +13,7 @@ namespace tcert::cli {
 struct AssureMonitorRequest {
   std::string kind;  ///< "monitor".
   std::string bundle;
-  std::string rules = "default";
+  std::string rules;  ///< A file of them; empty: the default ones.
   bool risk = false;
   std::string tracking_error;
   double claim = 0.9;

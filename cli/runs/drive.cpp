@@ -77,7 +77,7 @@ Driving experiment_of(const DriveRequest& request) {
   if (is_crossed && is_given(request.given, "trials")) {
     throw UsageError("--trials and --worlds: expected one of them");
   }
-  experiment.rules = rules_of({request.rules, false});
+  experiment.rules = rules_of({true, request.rules, false});
   try {
     experiment.arms = request.policies.empty()
                           ? study::paper_arms()
@@ -163,7 +163,7 @@ Manifest manifest_of(const DriveRequest& request) {
   manifest.seed = static_cast<std::uint64_t>(request.seed);
   manifest.synthetic = SyntheticLabel{static_cast<std::uint64_t>(request.seed)};
   record(written(request), manifest);
-  if (const auto input = rules_input({request.rules, false})) {
+  if (const auto input = rules_input({true, request.rules, false})) {
     manifest.inputs.push_back(*input);
   }
   return manifest;
@@ -194,10 +194,11 @@ OptionTable options_of(DriveRequest& request) {
       "with --worlds: M1, M2, M3, TVFH, TD*Lite, CB-V, each as it is or with a law in the loop "
       "(+squash[BETA], +clip[BETA], +barrier[GAIN], +profile[BETA]), +guards, +monitor (rules back "
       "it out), +risk[WEIGHT] (a risk field), +A1 (no memory): M3,M3+squash20+monitor,CB-V");
-  table.add_input("rules",
-                  request.rules,
-                  "FILE",
-                  "that policies with +monitor watch ('tcert help rules'), or default");
+  table.add_input(
+      "rules",
+      request.rules,
+      "FILE",
+      "that policies with +monitor watch, in place of the default ones ('tcert help rules')");
   table.add("lightings",
             request.lightings,
             "LIST",

@@ -19,11 +19,11 @@ struct DriveRequest {
   std::int64_t trials = 660;
   std::int64_t from = 0;
   bool native_rates = false;
-  bool truth = false;  ///< Also write truth.csv.
-  bool stdio = false;             ///< One trial, whose policy is another process.
-  std::string listen;             ///< The same over a Unix socket.
-  std::string name = "stdio";     ///< Of that policy.
-  std::string rules = "default";  ///< That arms with +monitor watch: a file, or "default".
+  bool truth = false;          ///< Also write truth.csv.
+  bool stdio = false;          ///< One trial, whose policy is another process.
+  std::string listen;          ///< The same over a Unix socket.
+  std::string name = "stdio";  ///< Of that policy.
+  std::string rules;  ///< A file, of rules that arms with +monitor watch; empty: the default ones.
   ParameterChanges parameters;
   OutputPath output;
   std::int64_t seed = 1;

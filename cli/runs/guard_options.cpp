@@ -14,10 +14,6 @@ namespace tcert::cli {
 
 namespace {
 
-constexpr std::string_view kDefaultRules = "default";
-
-bool is_file(const std::string& rules) { return !rules.empty() && rules != kDefaultRules; }
-
 std::optional<ManifestFile> input_of_file(const std::string& path) {
   if (path.empty()) {
     return std::nullopt;
@@ -38,18 +34,17 @@ void add_tracking_error_option(OptionTable& table, std::string& path) {
 }
 
 void add_monitor_options(OptionTable& table, MonitorOptions& options) {
-  table.add_input("monitor",
-                  options.rules,
-                  "FILE",
-                  "rules that are watched at every tick ('tcert help rules'), or default");
+  table.add(
+      "monitor", options.watch, "watch rules at every tick: the default ones, 'tcert help rules'");
+  table.add_input("rules", options.rules, "FILE", "likewise, those of a file");
   table.add("risk",
             options.risk,
             "keep the risk field of what was touched; states the chance of a collision ahead");
 }
 
 std::vector<Rule> rules_of(const MonitorOptions& options) {
-  if (!is_file(options.rules)) {
-    return options.rules.empty() ? std::vector<Rule>{} : parse_rules(default_rules());
+  if (options.rules.empty()) {
+    return options.watch ? parse_rules(default_rules()) : std::vector<Rule>{};
   }
   const table::BytesResult file = table::read_text_file(options.rules);
   if (!file.bytes) {
@@ -87,11 +82,11 @@ std::optional<ManifestFile> tracking_error_input(const std::string& path) {
 }
 
 std::optional<ManifestFile> rules_input(const MonitorOptions& options) {
-  return input_of_file(is_file(options.rules) ? options.rules : std::string());
+  return input_of_file(options.rules);
 }
 
 void require_apart(const MonitorOptions& options, const std::string& output) {
-  if (is_file(options.rules)) {
+  if (!options.rules.empty()) {
     require_apart(options.rules, output);
   }
 }

@@ -21,11 +21,12 @@ void add_tracking_error_option(OptionTable& table, std::string& path);
 
 /// What else acts on ticks.
 struct MonitorOptions {
-  std::string rules;  ///< A file of them, or "default"; empty: none.
+  bool watch = false;  ///< The default rules, unless `rules` names a file.
+  std::string rules;   ///< A file of them; watches them.
   bool risk = false;
 };
 
-/// Adds --monitor and --risk.
+/// Adds --monitor, --rules and --risk.
 void add_monitor_options(OptionTable& table, MonitorOptions& options);
 
 /// The rules of a file, or the default ones; none if none are asked for. \throws NoInput, BadData.
