@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kNugget = 1e-6;         // of the field's variance
 constexpr double kLeastVariance = 1e-4;  // of the field's: what joins the skeleton
+constexpr double kRounding = 1e-12;      // of the largest value: differences below it are none
 
 /// P(gamma with shape a and scale 1 <= x): the series below a + 1, the continued fraction above
 /// (Press et al., Numerical Recipes, section 6.2, after Lentz).
@@ -99,6 +100,7 @@ void FieldScale::add(const Measurement& m) {
   if (n == 0) {
     origin_ = m.value;
   }
+  largest_ = std::max(largest_, std::abs(m.value));
   positions_.push_back(m.at);
   values_.push_back(m.value - origin_);
   cholesky_.push_back(std::move(row));
@@ -127,32 +129,68 @@ double FieldScale::quadratic_form(double variance) const {
   return std::max(y.squaredNorm() - cross * cross / one.squaredNorm(), 0.0);
 }
 
-bool FieldScale::renew() {
-  const std::size_t innovations = values_.empty() ? 0 : values_.size() - 1;
-  if (innovations < next_) {
-    return false;
-  }
-  next_ = std::max(innovations + 1, (3 * innovations + 1) / 2);
-  ++bounds_;
+double FieldScale::freedom() const noexcept {
+  return static_cast<double>(values_.size()) - 1.0 + assumptions_.gradient.places;
+}
+
+double FieldScale::squares() const {
+  const double least = static_cast<double>(values_.size()) * std::pow(kRounding * largest_, 2.0);
+  const double squares = values_by_values_ - values_by_ones_ * values_by_ones_ / ones_by_ones_;
+  return squares > least ? squares : 0.0;
+}
+
+double FieldScale::squares_of_prior() const {
   const GradientPrior& prior = assumptions_.gradient;
-  const double half_risk = 0.5 * (1.0 - assumptions_.confidence);
-  const double quantile = chi_square_quantile(static_cast<double>(innovations) + prior.places,
-                                              std::ldexp(half_risk, -bounds_));
-  const double by_prior = prior.places * std::pow(prior.sd * assumptions_.length_scale, 2.0);
+  return prior.places * std::pow(prior.sd * assumptions_.length_scale, 2.0);
+}
+
+double FieldScale::form(double variance) const {
+  return assumptions_.noise_sd > 0.0 ? quadratic_form(variance) + squares_of_prior() / variance
+                                     : (squares() + squares_of_prior()) / variance;
+}
+
+double FieldScale::bound_at(double quantile) const {
   // Without noise the form is exactly inverse in the variance; with noise that is too large.
-  const double squares =
-      values_by_values_ - values_by_ones_ * values_by_ones_ / ones_by_ones_ + by_prior;
-  double high = std::max(squares, 0.0) / quantile;
-  if (assumptions_.noise_sd > 0.0 && high > 0.0) {
-    double low = 1e-12 * high;
+  double high = (squares() + squares_of_prior()) / quantile;
+  double low = 1e-12 * high;
+  if (!(low > 0.0) || !std::isfinite(high)) {
+    return kUnbounded;
+  }
+  if (assumptions_.noise_sd > 0.0) {
+    if (form(low) < quantile) {
+      return kUnbounded;  // Noise alone explains them: they say nothing of the field.
+    }
     for (int i = 0; i < 40 && high > 1.01 * low; ++i) {
       const double middle = std::sqrt(low * high);
-      (quadratic_form(middle) + by_prior / middle < quantile ? high : low) = middle;
+      (form(middle) < quantile ? high : low) = middle;
     }
   }
-  const bool falls = high < bound_;
-  bound_ = std::min(bound_, high);
-  return falls;
+  return high;
+}
+
+bool FieldScale::renew() {
+  const std::size_t innovations = values_.empty() ? 0 : values_.size() - 1;
+  if (innovations == looked_) {
+    return false;
+  }
+  looked_ = innovations;
+  const double half_risk = 0.5 * (1.0 - assumptions_.confidence);
+  const bool is_contradicted =
+      bound_ < kUnbounded && form(bound_) > chi_square_quantile(freedom(), 1.0 - half_risk);
+  const bool is_due = innovations >= next_;
+  if (!is_contradicted && !is_due) {
+    return false;
+  }
+  // A contradicted bound is replaced at the share that it had.
+  const int share = bounds_ + (is_due ? 1 : 0);
+  const double bound = bound_at(chi_square_quantile(freedom(), std::ldexp(half_risk, -share)));
+  if (is_due && bound < kUnbounded) {
+    next_ = std::max(innovations + 1, (3 * innovations + 1) / 2);
+    bounds_ = share;
+  }
+  const double earlier = bound_;
+  bound_ = is_contradicted ? bound : std::min(bound_, bound);
+  return bound_ != earlier;
 }
 
 double FieldScale::lipschitz_bound(const Grid& grid) const {

@@ -31,8 +31,11 @@ struct FieldAssumptions {
 /// 1e-6) and n places, Q(v) = min over m of (y - m)' (v K + noise)^-1 (y - m) is chi-square with
 /// n - 1 degrees of freedom at the true v, and falls with v: the k-th bound is the v at which Q,
 /// and what the gradient prior adds to it, equals the quantile of a k-th share 2^-k of half the
-/// risk. The least of them counts. That the choice of places does not depend on the values is an
-/// approximation: how often the bound holds is measured (README), not proven.
+/// risk. The least of them counts, until what is measured later contradicts it: Q there above the
+/// quantile of 1 less half the risk. Measurements that are all equal, or that noise alone explains,
+/// bound nothing. That the choice of places does not depend on the values is an approximation: how
+/// often the bound holds is measured (README), not proven. `noise_sd` must not be overstated: what
+/// is put down to noise is missing in the bound.
 class FieldScale {
  public:
   /// \throws std::invalid_argument for assumptions that are not within their Limit.
@@ -41,11 +44,11 @@ class FieldScale {
   /// O(n^2) for n places of the skeleton.
   void add(const Measurement& measurement);
 
-  /// Bounds anew if the innovations have grown by half since it last did; true if the bound fell.
-  /// O(n^3) with noise, else O(1).
+  /// Bounds anew if the innovations have grown by half since it last did, or contradict the bound;
+  /// true if it changed. O(n^3) with noise, else O(1).
   bool renew();
 
-  /// Infinite before the first bound.
+  /// Above 0; infinite before the first bound.
   [[nodiscard]] double variance_bound() const noexcept { return bound_; }
   /// Of the largest gradient anywhere on the grid, with the other half of the risk. Infinite before
   /// the first bound.
@@ -58,6 +61,16 @@ class FieldScale {
   [[nodiscard]] double correlation(const Position& a, const Position& b) const;
   /// Q(v), with noise.
   [[nodiscard]] double quadratic_form(double variance) const;
+  /// v Q(v) without noise; 0 for values that are equal up to rounding.
+  [[nodiscard]] double squares() const;
+  /// What the prior adds to them.
+  [[nodiscard]] double squares_of_prior() const;
+  /// Q(v), and what the prior adds to it.
+  [[nodiscard]] double form(double variance) const;
+  /// n - 1, and the prior's.
+  [[nodiscard]] double freedom() const noexcept;
+  /// The v at which the form equals `quantile`; infinite if the measurements do not say.
+  [[nodiscard]] double bound_at(double quantile) const;
 
   FieldAssumptions assumptions_;
   std::vector<Position> positions_;
@@ -69,7 +82,9 @@ class FieldScale {
   double values_by_values_ = 0.0;
   double values_by_ones_ = 0.0;
   double ones_by_ones_ = 0.0;
-  std::size_t next_ = 1;  // innovations at which it is bounded next
+  double largest_ = 0.0;    // of all values, either way
+  std::size_t next_ = 1;    // innovations at which it is bounded next
+  std::size_t looked_ = 0;  // innovations when it was last asked
   int bounds_ = 0;
   double bound_;
 };

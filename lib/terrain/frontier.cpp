@@ -48,10 +48,13 @@ void extend(const FrontierView& view,
             const Sequence& from,
             std::optional<Cell> goal,
             std::vector<Sequence>& longer) {
+  // Beyond the grid there is nothing, however steady the ground.
+  const double radius =
+      std::min(from.radius, static_cast<double>(view.grid.rows) + view.grid.columns);
   for (int k = 0; k < kDirections; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / kDirections;
-    const Cell c{from.last.x + static_cast<int>(from.radius * std::cos(angle)),
-                 from.last.y + static_cast<int>(from.radius * std::sin(angle))};
+    const Cell c{from.last.x + static_cast<int>(radius * std::cos(angle)),
+                 from.last.y + static_cast<int>(radius * std::sin(angle))};
     if (!may_be_ground(view, c) || view.safe[view.grid.index(c)] != 0) {
       continue;
     }

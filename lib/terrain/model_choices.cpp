@@ -45,7 +45,7 @@ void ModelChoices::renew(Planner& planner) {
 void ModelChoices::apply_scale(Planner& planner) const {
   if (setup_.rules.kind == RuleSet::band) {
     planner.set_field_variance(scale_->variance_bound());
-  } else if (scale_->variance_bound() > 0.0) {
+  } else if (scale_->variance_bound() < kUnbounded) {
     planner.set_lipschitz(scale_->lipschitz_bound(planner.grid()));
     if (setup_.prior_follows_lipschitz) {
       GpPrior prior = planner.model().prior();
@@ -90,6 +90,9 @@ void ModelChoices::choose_length_scale(Planner& planner) {
   if (scale_) {
     scale_.emplace(assumptions_of(setup_, best.length_scale));
     taken_ = 0;
+  }
+  if (is_band) {
+    planner.set_field_variance(kUnbounded);  // The bound was of another length scale.
   }
 }
 

@@ -1,17 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <terrain/limits.hpp>
 #include <terrain/planner.hpp>
 #include <utility>
 
 namespace tcert::terrain {
-namespace {
-
-/// Slopes this much above the Lipschitz constant are rounding.
-constexpr double kSlopeSlack = 1e-9;
-
-}  // namespace
-
 Planner::Planner(const Grid& grid,
                  const Rules& rules,
                  const GpPrior& prior,
@@ -110,7 +104,8 @@ void Planner::set_field_variance(double variance) {
   if (rules_.noise_sd > 0.0) {
     GpPrior prior = model_->prior();
     prior.noise_variance =
-        prior.variance * (kBandNugget + rules_.noise_sd * rules_.noise_sd / variance);
+        std::min(prior.variance * (kBandNugget + rules_.noise_sd * rules_.noise_sd / variance),
+                 limit_of("noise-variance").high);
     change_prior(prior);
   }
 }

@@ -89,6 +89,44 @@ TEST(Band, HoldsNoUnsafeGroundSafeOnTheFieldThatItAssumes) {
   EXPECT_GT(reached, 35) << "it is of use as well";
 }
 
+/// A plateau of 11 x 11 cells and a slope beyond it: equal values say nothing of the slope.
+TEST(Band, DoesNotBeginOnGroundThatIsEqualEverywhere) {
+  Terrain terrain{{60, 60}, std::vector<double>(3600)};
+  for (std::size_t i = 0; i < terrain.values.size(); ++i) {
+    const Cell c = terrain.grid.cell(i);
+    const int off = std::max({0, std::abs(c.x - 30) - 5, std::abs(c.y - 30) - 5});
+    terrain.values[i] = 1.0 - 0.4 * off;
+  }
+  for (const double noise_sd : {0.0, 0.01}) {
+    ExploreSetup setup;
+    setup.rules.kind = RuleSet::band;
+    setup.rules.threshold = 0.0;
+    setup.rules.beta = kTrustedBeta;
+    setup.rules.noise_sd = setup.noise_sd = noise_sd;
+    setup.confidence = 0.95;
+    setup.prior.length_scale = 8.0;
+    setup.start = {30, 30};
+    for (const int radius : {2, 5, 9}) {
+      std::vector<Measurement> first;
+      setup.first_cells.clear();
+      for (const Cell c : cells_round(terrain.grid, {}, setup.start, radius)) {
+        if (terrain.at(c) >= 0.0) {
+          setup.first_cells.push_back(c);
+          first.push_back({position(c), terrain.at(c)});
+        }
+      }
+      first.push_back({position(setup.start), 1.0});
+      ExploreSetup settled = setup;
+      if (radius < 9) {
+        EXPECT_THROW(settle(settled, terrain.grid, first, {}), std::invalid_argument);
+        continue;
+      }
+      settle(settled, terrain.grid, first, {});
+      EXPECT_EQ(0U, explore(terrain, settled).most_unsafe_certified);
+    }
+  }
+}
+
 class Frontiers : public testing::Test {
  protected:
   Frontiers() {
@@ -162,6 +200,13 @@ TEST_F(Frontiers, AHorizonOfOneLooksAhead) {
     EXPECT_EQ(look_ahead(view(), candidates, goal, {0, 4}),
               best_sequence(view(), candidates, goal, {0, 4}));
   }
+}
+
+TEST_F(Frontiers, SteadyGroundReachesNoFartherThanTheGrid) {
+  rules.lipschitz = 1e-30;
+  rules.horizon = 3;
+  const std::vector<std::size_t> candidates{grid.index({4, 1}), grid.index({4, 8})};
+  EXPECT_TRUE(best_sequence(view(), candidates, Cell{19, 4}, {2, 4}));
 }
 
 TEST_F(Frontiers, AHorizonSeesWhereAWayGoesOn) {

@@ -154,6 +154,42 @@ TEST(FieldScale, CoversTheLipschitzConstantAtAllTimesAndFalls) {
   EXPECT_GT(fell, 50);
 }
 
+TEST(FieldScale, EqualValuesBoundNothingAndLaterOnesDo) {
+  for (const double noise_sd : {0.0, 2.0}) {
+    FieldScale scale({kLengthScale, noise_sd, 0.95, {}});
+    for (int k = 0; k < 6; ++k) {
+      scale.add({position({0, 4 * k}), 1000.1});
+      EXPECT_FALSE(scale.renew());
+      EXPECT_EQ(kUnbounded, scale.variance_bound());
+      EXPECT_EQ(kUnbounded, scale.lipschitz_bound({60, 48}));
+    }
+    for (int k = 6; k < 12; ++k) {
+      scale.add({position({0, 4 * k}), 1000.1 + 50.0 * (k - 5)});
+      (void)scale.renew();
+    }
+    EXPECT_LT(scale.variance_bound(), kUnbounded);
+    EXPECT_GT(scale.variance_bound(), 100.0);
+  }
+}
+
+TEST(FieldScale, WhatContradictsABoundReplacesIt) {
+  for (const double noise_sd : {0.0, 0.001}) {
+    FieldScale scale({kLengthScale, noise_sd, 0.95, {}});
+    // All but flat.
+    for (int k = 0; k < 6; ++k) {
+      scale.add({position({0, 4 * k}), k % 2 == 0 ? 10.0 : 10.01});
+      (void)scale.renew();
+    }
+    const double flat = scale.variance_bound();
+    ASSERT_LT(flat, 1.0);
+    const int bounds = scale.bounds();
+    scale.add({position({0, 24}), 30.0});
+    EXPECT_TRUE(scale.renew());
+    EXPECT_GT(scale.variance_bound(), 100.0 * flat);
+    EXPECT_LE(scale.bounds(), bounds + 1);
+  }
+}
+
 TEST(FieldScale, RefusesAssumptionsThatAreNone) {
   EXPECT_THROW(FieldScale({0.0, 0.0, 0.95, {}}), std::invalid_argument);
   EXPECT_THROW(FieldScale({8.0, -1.0, 0.95, {}}), std::invalid_argument);
