@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -50,7 +51,18 @@ using terrain::Terrain;
   for (const terrain::Measurement& m : setup.known) {
     taken.push_back({m, false});
   }
+  const bool certifies =
+      setup.rules.kind == terrain::RuleSet::certified || setup.rules.kind == terrain::RuleSet::band;
+  const auto is_known = [&](terrain::Cell c) {
+    return certifies &&
+           std::any_of(setup.known.begin(), setup.known.end(), [&](const terrain::Measurement& m) {
+             return m.at == terrain::position(c);
+           });
+  };
   for (const terrain::Cell c : setup.first_cells) {
+    if (is_known(c)) {
+      continue;  // It was not measured again.
+    }
     taken.push_back({{terrain::position(c), ground.at(c)}, false});
   }
   for (const terrain::ExploreStep& step : result.steps) {
@@ -209,6 +221,8 @@ ExitCode explore(const ExploreRequest& request, Progress& progress) {
   std::vector<ManifestFile> inputs = inputs_of(options);
   TerrainGrid file = read_terrain_or_throw(options.terrain, reading, progress);
   options = in_cells(options, file);
+  check_limits(options);
+  require_writable(raster_formats_of(options.rasters), file);
   const terrain::Grid grid{file.rows, file.columns};
   const Places places = places_of(options, grid);
   terrain::CellSet blocked = blocked_cells(file, options.obstacles, reading, progress);

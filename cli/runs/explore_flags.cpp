@@ -132,6 +132,8 @@ void require_limit(std::string_view option, double value) {
   require_range(option, value, limit.low, limit.high);
 }
 
+}  // namespace
+
 void check_limits(const ExploreRequest& o) {
   require_limit("threshold", o.threshold);
   require_limit("beta", o.beta);
@@ -162,8 +164,6 @@ void check_limits(const ExploreRequest& o) {
     (void)lipschitz_of(o);
   }
 }
-
-}  // namespace
 
 double lipschitz_of(const ExploreRequest& o) {
   const std::string& text = o.lipschitz;

@@ -12,6 +12,9 @@ namespace tcert::cli {
 /// or the motion would not look at: naming both. Says on stderr which flags change nothing here.
 void check(const ExploreRequest& options, Progress& progress);
 
+/// \throws UsageError for numbers that are not within their limits: again once they are in cells.
+void check_limits(const ExploreRequest& options);
+
 /// The largest slope. \throws UsageError for what is no number within its limit.
 [[nodiscard]] double lipschitz_of(const ExploreRequest& options);
 

@@ -42,8 +42,9 @@ void add_explore_options(OptionTable& table, ExploreRequest& request) {
       "noise-sd",
       request.noise_sd,
       "SD",
-      "of a measurement's Gaussian error, for these bounds and the band; certified rules take "
-      "from it the --noise-bound that all measurements keep at --confidence");
+      "of a measurement's Gaussian error, for these bounds and the band, which are too low if it "
+      "is overstated; certified rules take from it the --noise-bound that all measurements keep "
+      "at --confidence");
   table.add("gradient-prior",
             request.gradient_prior,
             "SD,PLACES",
@@ -122,8 +123,8 @@ void add_explore_options(OptionTable& table, ExploreRequest& request) {
       request.selection,
       "HOW",
       "of the next cell (certified rules, band): horizon, a sequence of expected measurements "
-      "(certified rules, unless given), look-ahead, one, pareto, growth against cost, or "
-      "thesis, the widest interval (band, unless given)");
+      "(certified rules, unless given), look-ahead, one, pareto, growth against cost (band, "
+      "unless given), or thesis, the widest interval");
   table.add("look-ahead", request.look_ahead, "the same as --selection look-ahead");
   table.add("horizon", request.horizon, "N", "measurements that --selection horizon looks ahead");
   table.add("travel-weight",

@@ -1,5 +1,7 @@
 #include "cli/runs/explore_rasters.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -33,6 +35,16 @@ RasterFormats raster_formats_of(const std::string& text) {
     at = end + 1;
   }
   return formats;
+}
+
+void require_writable(const RasterFormats& formats, const TerrainGrid& place) {
+  if (formats.esri && !place.frame.is_square()) {
+    throw UsageError(
+        fmt::format("--rasters asc: the cells are {:g} x {:g}, and an ESRI ASCII grid has square "
+                    "ones; take csv or png",
+                    place.frame.x_step,
+                    place.frame.y_step));
+  }
 }
 
 void write_rasters(const ResultFolder& folder,

@@ -22,6 +22,9 @@ struct RasterFormats {
 /// "asc,csv,png", any of them; none of an empty text. \throws UsageError.
 [[nodiscard]] RasterFormats raster_formats_of(const std::string& text);
 
+/// \throws UsageError for an ESRI ASCII grid of cells that are not square.
+void require_writable(const RasterFormats& formats, const TerrainGrid& place);
+
 /// rasters/safe, standing (with a body), lower, upper, mean, sd and certificate, and of PNG also
 /// the terrain itself with the start and the goals. `place` is a terrain without values: size and
 /// frame.

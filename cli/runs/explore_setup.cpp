@@ -89,59 +89,28 @@ using terrain::Terrain;
   return first;
 }
 
-/// Lipschitz constant and prior of the certified rules, from what was measured round the start.
-void set_certified(terrain::ExploreSetup& setup,
-                   const ExploreRequest& o,
-                   Progress& progress,
-                   const Terrain& terrain) {
-  settle_noise(setup, o, progress);
-  const std::vector<Measurement> first = safe_start(setup, terrain);
-  const double steepest = terrain::steepest_measured(first, setup.rules.noise_bound);
-  terrain::Told told = told_of(o);
-  if (told.lipschitz) {
+/// What the certified rules and band take from what was measured round the start.
+void set_by_measurements(terrain::ExploreSetup& setup,
+                         const ExploreRequest& o,
+                         Progress& progress,
+                         const Terrain& terrain) {
+  if (told_of(o).lipschitz) {
     setup.rules.lipschitz = lipschitz_of(o);
-    if (steepest > setup.rules.lipschitz * (1.0 + 1e-9)) {
-      told.lipschitz = false;
-      progress.say(fmt::format(
-          "warning: the Lipschitz constant {} is contradicted by the first measurements "
-          "({:.3g} per cell); it is estimated instead. Give the terrain's own with "
-          "--lipschitz.",
-          setup.rules.lipschitz,
-          steepest));
-    }
   }
-  setup.confidence = told.lipschitz ? 0.0 : o.confidence;
   try {
-    terrain::settle(setup, terrain.grid, first, told);
+    terrain::settle_noise(setup, setup.known.size() + setup.first_cells.size() + 1);
+    const std::vector<Measurement> first = safe_start(setup, terrain);
+    terrain::settle(setup, terrain.grid, first, told_of(o));
+    const double variance = setup.rules.kind == RuleSet::band
+                                ? terrain::first_scale(setup, first).variance_bound()
+                                : 0.0;
+    say_settled(setup, o, variance, progress);
   } catch (const std::invalid_argument& error) {
-    throw BadData(std::string(error.what()) + " (--lipschitz, --start-radius)");
+    const char* const ways_out = setup.rules.kind == RuleSet::band
+                                     ? " (--start-radius, --gradient-prior, --kernel-length-scale)"
+                                     : " (--lipschitz, --start-radius)";
+    throw BadData(error.what() + std::string(ways_out));
   }
-  if (!told.lipschitz) {
-    progress.say(
-        fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence, from {} "
-                    "measurements; it falls as more is measured. That takes the terrain for a "
-                    "Gaussian field of length scale {:g} cells (--kernel-length-scale), everywhere "
-                    "like here: on ground that is rougher elsewhere it is too low, and unsafe "
-                    "cells are held safe (--gradient-prior).",
-                    setup.rules.lipschitz,
-                    100.0 * setup.confidence,
-                    first.size(),
-                    setup.prior.length_scale));
-  }
-}
-
-/// A field of unit variance, whose scale the exploration bounds.
-void set_band(terrain::ExploreSetup& setup, Progress& progress, const Terrain& terrain) {
-  const std::vector<Measurement> first = safe_start(setup, terrain);
-  terrain::settle(setup, terrain.grid, first, {});
-  progress.say(fmt::format(
-      "band of {:.3g} sd, sd at most {:.4g} at {:g} % confidence. It takes the terrain for a "
-      "Gaussian field with a squared-exponential covariance of length scale {:g} cells or more: "
-      "on rougher ground it holds unsafe cells safe (see --help).",
-      setup.rules.band(),
-      std::sqrt(terrain::first_scale(setup, first).variance_bound()),
-      100.0 * setup.confidence,
-      setup.prior.length_scale));
 }
 
 /// S_0 is what was measured round the start and found safe.
@@ -238,26 +207,55 @@ terrain::ExploreSetup unsettled_setup(const ExploreRequest& o,
   setup.body = body_of(o.body);
   setup.adaptive.on = o.adaptive;
   setup.known = known_of(o.known, grid, setup.blocked);
-  if (setup.rules.kind == RuleSet::band) {
+  if (setup.rules.kind == RuleSet::certified || setup.rules.kind == RuleSet::band) {
     setup.confidence = o.confidence;
+  }
+  if (setup.rules.kind == RuleSet::band) {
     setup.prior.length_scale = o.least_length_scale.value_or(0.5 * o.kernel_length_scale);
   }
   return setup;
 }
 
-void settle_noise(terrain::ExploreSetup& setup, const ExploreRequest& o, Progress& progress) {
-  if (setup.rules.kind == RuleSet::certified && o.noise_sd > 0.0 &&
-      !is_given(o.given, "noise-bound")) {
-    const auto most = static_cast<std::size_t>(setup.max_steps) + setup.first_cells.size() + 1;
-    setup.rules.noise_bound = terrain::gaussian_noise_bound(o.noise_sd, o.confidence, most);
+void say_settled(const terrain::ExploreSetup& setup,
+                 const ExploreRequest& o,
+                 double variance,
+                 Progress& progress) {
+  if (setup.rules.kind == RuleSet::band) {
     progress.say(fmt::format(
-        "noise bound {:.4g}: with --noise-sd {:g} all of {} measurements keep it at {:g} % "
-        "confidence.",
-        setup.rules.noise_bound,
-        o.noise_sd,
-        most,
-        100.0 * o.confidence));
+        "band of {:.3g} sd, sd at most {:.4g} at {:g} % confidence. It takes the terrain for a "
+        "Gaussian field with a squared-exponential covariance of length scale {:g} cells or more: "
+        "on rougher ground it holds unsafe cells safe (see --help).",
+        setup.rules.band(),
+        std::sqrt(variance),
+        100.0 * setup.confidence,
+        setup.prior.length_scale));
+    return;
   }
+  if (setup.noise_sd > 0.0 && !is_given(o.given, "noise-bound")) {
+    progress.say(
+        fmt::format("noise bound {:.4g}: with --noise-sd {:g} all measurements of the run keep it "
+                    "at {:g} % confidence.",
+                    setup.rules.noise_bound,
+                    setup.noise_sd,
+                    100.0 * o.confidence));
+  }
+  if (!(setup.confidence > 0.0)) {
+    return;
+  }
+  if (told_of(o).lipschitz) {
+    progress.say(
+        fmt::format("warning: the Lipschitz constant {} is contradicted by the first measurements; "
+                    "it is estimated instead. Give the terrain's own with --lipschitz.",
+                    lipschitz_of(o)));
+  }
+  progress.say(
+      fmt::format("Lipschitz constant {:.4g} per cell at {:g} % confidence; it changes as more is "
+                  "measured. That takes the terrain for a Gaussian field of length scale {:g} "
+                  "cells (--kernel-length-scale), everywhere like here: on ground that is rougher "
+                  "elsewhere it is too low, and unsafe cells are held safe (--gradient-prior).",
+                  setup.rules.lipschitz,
+                  100.0 * setup.confidence,
+                  setup.prior.length_scale));
 }
 
 terrain::ExploreSetup explore_setup(const ExploreRequest& o,
@@ -270,12 +268,8 @@ terrain::ExploreSetup explore_setup(const ExploreRequest& o,
           ? published_batch(terrain, setup.blocked, setup.start, o.threshold, o.seed)
           : terrain::cells_round(
                 terrain.grid, setup.blocked, setup.start, static_cast<int>(o.start_radius));
-  if (setup.rules.kind == RuleSet::certified) {
-    set_certified(setup, o, progress, terrain);
-    return setup;
-  }
-  if (setup.rules.kind == RuleSet::band) {
-    set_band(setup, progress, terrain);
+  if (setup.rules.kind == RuleSet::certified || setup.rules.kind == RuleSet::band) {
+    set_by_measurements(setup, o, progress, terrain);
     return setup;
   }
   if (!o.lipschitz.empty()) {

@@ -30,8 +30,12 @@ struct Places {
                                                     const terrain::Grid& grid,
                                                     terrain::CellSet blocked);
 
-/// `certified` with --noise-sd alone: the noise bound, which is said on stderr.
-void settle_noise(terrain::ExploreSetup& setup, const ExploreRequest& options, Progress& progress);
+/// What terrain::settle() made of the first measurements, on stderr; of `band` the field's
+/// variance bound. \pre certified or band
+void say_settled(const terrain::ExploreSetup& setup,
+                 const ExploreRequest& options,
+                 double variance,
+                 Progress& progress);
 
 /// The setup for a terrain; says on stderr what of the options could not be used, and why.
 /// `blocked` cells are not measured. \throws UsageError; BadData if the start is not on safe

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <table/diagnostic.hpp>
+#include <table/trimmed.hpp>
 #include <vector>
 
 namespace tcert {
@@ -19,13 +20,7 @@ constexpr std::string_view kExpected =
   return fmt::format("found '{}', {}", table::shortened(line), kExpected);
 }
 
-[[nodiscard]] std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  return first == std::string_view::npos
-             ? std::string_view{}
-             : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
+using table::trimmed;
 
 [[nodiscard]] std::optional<double> number_of(std::string_view text) {
   double value = 0.0;
@@ -50,15 +45,15 @@ constexpr std::string_view kExpected =
   const auto json = nlohmann::json::parse(line, nullptr, false);
   std::vector<double> v;
   for (const char* const name : {"x", "y", "value"}) {
-    if (json.is_object() && json.contains(name) && json[name].is_number()) {
-      v.push_back(json[name].get<double>());
+    if (!json.is_object() || !json.contains(name) || !json[name].is_number()) {
+      return {std::nullopt, found(line)};
     }
+    v.push_back(json[name].get<double>());
   }
-  if (json.is_object() && json.contains("plan")) {
+  if (json.contains("plan")) {
     v.push_back(json["plan"].is_boolean() ? (json["plan"].get<bool>() ? 1.0 : 0.0) : -1.0);
   }
-  const bool known = json.is_object() && json.size() == v.size();
-  const auto measurement = known ? measurement_of(v) : std::nullopt;
+  const auto measurement = json.size() == v.size() ? measurement_of(v) : std::nullopt;
   return {measurement, measurement ? std::string() : found(line)};
 }
 
@@ -86,7 +81,7 @@ MeasurementReading read_measurement(std::string_view line) {
     rest.remove_prefix(comma + 1);
   }
   if (v.empty()) {
-    return {};  // A header.
+    return {std::nullopt, {}, true};
   }
   const auto measurement = v.size() == cells ? measurement_of(v) : std::nullopt;
   return {measurement, measurement ? std::string() : found(line)};

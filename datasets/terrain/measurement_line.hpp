@@ -18,11 +18,12 @@ struct MeasurementLine {
 /// What a line is. Neither a measurement nor a problem: a header, a comment, an empty line.
 struct MeasurementReading {
   std::optional<MeasurementLine> measurement;
-  std::string problem;  ///< "found ..., expected ..."; or empty.
+  std::string problem;     ///< "found ..., expected ..."; or empty.
+  bool is_header = false;  ///< Which may stand before the first measurement alone.
 };
 
-/// "230,220,1359.4", "230,220,1359.4,0", {"x": 230, "y": 220, "value": 1359.4, "plan": false}. A
-/// CSV line of which no cell is a number is a header.
+/// "230,220,1359.4", "230,220,1359.4,0", {"x": 230, "y": 220, "value": 1359.4, "plan": false}, of
+/// which all but plan is needed. A CSV line of which no cell is a number is a header.
 [[nodiscard]] MeasurementReading read_measurement(std::string_view line);
 
 }  // namespace tcert

@@ -38,6 +38,9 @@ inline constexpr double kTrustedBeta = 25.0;
 /// Of the model of `band`, as a share of the field's variance.
 inline constexpr double kBandNugget = 1e-6;
 
+/// Slopes this much above the Lipschitz constant, as a share of it, are rounding.
+inline constexpr double kSlopeSlack = 1e-9;
+
 struct Rules {
   RuleSet kind = RuleSet::certified;
   double threshold = 1000.0;  ///< h: ground is safe at f >= h.

@@ -30,6 +30,20 @@ Session::Session(const Grid& grid, ExploreSetup setup, const Told& told)
   setup_.first_cells.clear();
   require_valid(grid_, setup_);
   require_valid(setup_.rules);
+  require_within("kernel-length-scale", setup_.prior.length_scale);
+  require_within("noise-sd", setup_.noise_sd);
+  require_within("gradient-prior", setup_.gradient.sd);
+  require_within("gradient-prior", setup_.gradient.places);
+  if (setup_.confidence != 0.0 || setup_.rules.kind == RuleSet::band || !told_.lipschitz) {
+    require_within("confidence", setup_.confidence);
+  }
+  (void)Footprint(setup_.body);
+  ExploreSetup noise = setup_;
+  settle_noise(noise, 1);
+  for (const Measurement& m : setup_.known) {
+    require(nearest_cell(m.at), m.value);
+    values_.emplace(grid_.index(nearest_cell(m.at)), m.value);
+  }
 }
 
 std::vector<Cell> Session::first_cells(int radius) const {
@@ -53,55 +67,93 @@ void Session::require(Cell c, double value) const {
   }
 }
 
+void Session::require_same(const ExploreSetup& setup, Cell c, double value) const {
+  const auto earlier = values_.find(grid_.index(c));
+  const double error = setup.rules.kind == RuleSet::band ? std::sqrt(kTrustedBeta) * setup.noise_sd
+                                                         : setup.rules.noise_bound;
+  if (earlier != values_.end() && std::abs(value - earlier->second) > 2.0 * error) {
+    throw std::invalid_argument("the value " + std::to_string(value) + " at (" +
+                                std::to_string(c.x) + ", " + std::to_string(c.y) +
+                                ") differs from the earlier " + std::to_string(earlier->second) +
+                                " by more than the noise");
+  }
+}
+
 void Session::take(Cell c, double value) {
   require(c, value);
   const Measurement m{position(c), value};
   if (explorer_ == nullptr) {
-    first_.push_back(m);
-  } else if (explorer_->asks_for(c)) {
+    ExploreSetup noise = setup_;
+    settle_noise(noise, setup_.known.size() + first_.size() + 1);
+    require_same(noise, c, value);
+    if (!values_.contains(grid_.index(c))) {
+      if (static_cast<double>(first_.size()) >= limit_of("max-steps").high) {
+        throw std::invalid_argument("there are too many measurements before the first plan");
+      }
+      first_.push_back(m);
+    }
+  } else {
+    require_same(*settled_, c, value);
+    if (!explorer_->asks_for(c)) {
+      return;
+    }
+    if (step_ + beside_ >= settled_->max_steps) {
+      throw std::invalid_argument("all measurements that the limit allows were taken");
+    }
     explorer_->add(m);
+    ++beside_;
   }
+  values_.emplace(grid_.index(c), value);
 }
 
 void Session::begin(const Measurement& at_start) {
-  first_.push_back(at_start);
-  for (const Measurement& m : first_) {
-    if (m.value - setup_.rules.noise_bound < setup_.rules.threshold) {
+  std::vector<Measurement> first = first_;
+  first.push_back(at_start);
+  auto settled = std::make_unique<ExploreSetup>(setup_);
+  settle_noise(*settled, settled->known.size() + first.size());
+  require_same(*settled, nearest_cell(at_start.at), at_start.value);
+  for (const Measurement& m : first) {
+    if (m.value - settled->rules.noise_bound < settled->rules.threshold) {
       const Cell c = nearest_cell(m.at);
       throw std::invalid_argument(
           "the ground round the start is not safe: " + std::to_string(m.value) + " at (" +
           std::to_string(c.x) + ", " + std::to_string(c.y) +
           ") less the noise bound is below the "
           "threshold " +
-          std::to_string(setup_.rules.threshold));
+          std::to_string(settled->rules.threshold));
     }
   }
-  std::vector<Measurement> all = setup_.known;
-  all.insert(all.end(), first_.begin(), first_.end());
-  setup_.start = nearest_cell(at_start.at);
-  settle(setup_, grid_, all, told_);
-  explorer_ = std::make_unique<Explorer>(grid_, setup_);
-  for (const Measurement& m : first_) {
-    if (setup_.known.empty() || explorer_->asks_for(nearest_cell(m.at))) {
-      explorer_->add(m);
+  std::vector<Measurement> all = settled->known;
+  all.insert(all.end(), first.begin(), first.end());
+  settled->start = nearest_cell(at_start.at);
+  settle(*settled, grid_, all, told_);
+  auto explorer = std::make_unique<Explorer>(grid_, *settled);
+  for (const Measurement& m : first) {
+    if (explorer->asks_for(nearest_cell(m.at))) {
+      explorer->add(m);
     }
   }
+  settled_ = std::move(settled);
+  explorer_ = std::move(explorer);
 }
 
 const Decision& Session::plan(Cell c, double value) {
   require(c, value);
-  last_ = {position(c), value};
+  const Measurement m{position(c), value};
   if (explorer_ == nullptr) {
-    begin(last_);
+    begin(m);
   } else {
+    require_same(*settled_, c, value);
     if (explorer_->asks_for(c)) {
-      explorer_->add(last_);
+      explorer_->add(m);
     }
-    if (explorer_->robot() != last_.at) {
-      explorer_->place(last_.at);
+    if (explorer_->robot() != m.at) {
+      explorer_->place(m.at);
     }
     ++step_;
   }
+  values_.emplace(grid_.index(c), value);
+  last_ = m;
   decide();
   return decision_;
 }
@@ -110,7 +162,7 @@ void Session::decide() {
   decision_.way.clear();
   decision_.row = explorer_->plan(step_, last_);
   for (;;) {
-    decision_.end = explorer_->end(step_);
+    decision_.end = explorer_->end(step_ + beside_);
     const bool reached = decision_.end == End::reached;
     if (decision_.end && !reached) {
       return;

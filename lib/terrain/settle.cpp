@@ -57,11 +57,33 @@ double gaussian_noise_bound(double sd, double confidence, std::size_t measuremen
   return sd * high;
 }
 
+void settle_noise(ExploreSetup& setup, std::size_t first) {
+  if (setup.rules.kind != RuleSet::certified || !(setup.noise_sd > 0.0) ||
+      setup.rules.noise_bound > 0.0) {
+    return;
+  }
+  if (!(setup.confidence > 0.0)) {
+    throw std::invalid_argument(
+        "noise-sd: without a noise bound, or a confidence to derive it at, nothing allows for the "
+        "noise");
+  }
+  setup.rules.noise_bound =
+      gaussian_noise_bound(setup.noise_sd,
+                           setup.confidence,
+                           static_cast<std::size_t>(std::max(setup.max_steps, 0)) + first);
+}
+
 void settle(ExploreSetup& setup,
             const Grid& grid,
             std::span<const Measurement> first,
             const Told& told) {
   if (setup.rules.kind == RuleSet::band) {
+    if (first_scale(setup, first).variance_bound() == kUnbounded) {
+      throw std::invalid_argument("the variance of the terrain cannot be bounded from " +
+                                  std::to_string(first.size()) +
+                                  " measurements that are too few, equal, or within their noise: "
+                                  "measure more round the start, or tell of earlier ground");
+    }
     setup.prior = {
         first.empty() ? 0.0 : first.back().value, 1.0, setup.prior.length_scale, kBandNugget, true};
     return;
@@ -69,13 +91,20 @@ void settle(ExploreSetup& setup,
   if (setup.rules.kind != RuleSet::certified) {
     return;
   }
-  if (!told.lipschitz) {
+  settle_noise(setup, first.size());
+  const bool is_contradicted =
+      setup.confidence > 0.0 && steepest_measured(first, setup.rules.noise_bound) >
+                                    setup.rules.lipschitz * (1.0 + kSlopeSlack);
+  const bool is_told = told.lipschitz && !is_contradicted;
+  if (is_told) {
+    setup.confidence = 0.0;
+  } else {
     setup.rules.lipschitz = bounded_lipschitz(setup, grid, first);
   }
   // The prior's scale is that of the data: a field whose steepest gradient is the constant.
   if (!told.variance) {
     setup.prior.variance = variance_of(grid, setup.rules.lipschitz, setup.prior.length_scale);
-    setup.prior_follows_lipschitz = !told.lipschitz;
+    setup.prior_follows_lipschitz = !is_told;
   }
   if (!told.mean && !first.empty()) {
     setup.prior.mean = first.back().value;

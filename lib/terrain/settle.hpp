@@ -9,15 +9,23 @@ namespace tcert::terrain {
 
 /// What is not decided because it was told.
 struct Told {
-  bool lipschitz = false;  ///< rules.lipschitz; else it is bounded at setup.confidence.
-  bool variance = false;   ///< prior.variance (`certified`).
-  bool mean = false;       ///< prior.mean (`certified`).
+  /// rules.lipschitz, unless `first` contradicts it; else it is bounded at setup.confidence.
+  bool lipschitz = false;
+  bool variance = false;  ///< prior.variance (`certified`).
+  bool mean = false;      ///< prior.mean (`certified`).
 };
 
-/// `certified`: the Lipschitz constant if it was not told, the prior's variance from it, its mean
-/// from the last measurement, that of the start. `band`: a field of unit variance with an unknown
-/// mean, the length scale as it is. Nothing under other rules.
-/// \throws std::invalid_argument if `first` bounds no Lipschitz constant, or one below its Limit.
+/// `certified` with a noise_sd and no noise bound: the bound that all measurements of a run keep at
+/// setup.confidence, `first` of them and max_steps. \throws std::invalid_argument without a
+/// confidence: nothing would allow for the noise.
+void settle_noise(ExploreSetup& setup, std::size_t first);
+
+/// `certified`: settle_noise(); the Lipschitz constant if it was not told, or is contradicted by
+/// `first` and there is a confidence, which is 0 afterwards if nothing is to be bounded; the
+/// prior's variance from it, its mean from the last measurement, that of the start. `band`: a field
+/// of unit variance with an unknown mean, the length scale as it is. Nothing under other rules.
+/// \throws std::invalid_argument if `first` bounds no Lipschitz constant, or one below its Limit,
+/// or (`band`) no variance: too few, or all equal.
 void settle(ExploreSetup& setup,
             const Grid& grid,
             std::span<const Measurement> first,

@@ -54,15 +54,17 @@ template <class Work>
   tcert_terrain_setup setup{};
   setup.struct_size = sizeof setup;
   setup.rules = TCERT_TERRAIN_CERTIFIED;
-  setup.selection = TCERT_TERRAIN_HORIZON;
+  setup.selection = TCERT_TERRAIN_BY_RULES;
   setup.max_steps = 2000;
   setup.length_scale = 30.0;
   setup.confidence = 0.95;
   return setup;
 }
 
-[[nodiscard]] Selection selection_of(std::int32_t word) {
+[[nodiscard]] Selection selection_of(std::int32_t word, RuleSet rules) {
   switch (word) {
+    case TCERT_TERRAIN_BY_RULES:
+      return rules == RuleSet::band ? Selection::pareto : Selection::horizon;
     case TCERT_TERRAIN_THESIS:
       return Selection::thesis;
     case TCERT_TERRAIN_LOOK_AHEAD:
@@ -79,10 +81,14 @@ template <class Work>
 
 [[nodiscard]] Body body_of(const tcert_terrain_setup& s) {
   Body body;
+  const bool is_box = s.body_length != 0.0 || s.body_width != 0.0;
+  if (s.body_radius != 0.0 && is_box) {
+    throw std::invalid_argument("a body is a disc or a box: a radius, or a length and a width");
+  }
   if (s.body_radius != 0.0) {
     body.kind = Body::Kind::disc;
     body.radius = s.body_radius;
-  } else if (s.body_length != 0.0) {
+  } else if (is_box) {
     body.kind = Body::Kind::box;
     body.length = s.body_length;
     body.width = s.body_width;
@@ -107,7 +113,7 @@ template <class Work>
   setup.rules.lipschitz = s.lipschitz != 0.0 ? s.lipschitz : setup.rules.lipschitz;
   setup.rules.noise_bound = s.noise_bound;
   setup.rules.noise_sd = s.noise_sd;
-  setup.rules.selection = selection_of(s.selection);
+  setup.rules.selection = selection_of(s.selection, setup.rules.kind);
   if (setup.rules.kind == RuleSet::band) {
     setup.rules.beta = kTrustedBeta;
   }
@@ -128,8 +134,7 @@ template <class Work>
   setup.body = body_of(s);
   setup.noise_sd = s.noise_sd;
   setup.gradient = {s.prior_gradient_sd, s.prior_places};
-  const bool bounds = setup.rules.kind == RuleSet::band || s.lipschitz == 0.0;
-  setup.confidence = bounds ? s.confidence : 0.0;
+  setup.confidence = s.confidence;
   return setup;
 }
 
@@ -157,8 +162,9 @@ template <class Work>
   now.step = decision.row.step;
   now.end = end_of(decision.end);
   now.next_x = now.next_y = -1;
-  if (!decision.way.empty()) {
-    const Cell last = nearest_cell(decision.way.back());
+  if (!decision.end || decision.end == End::reached) {
+    // Without a way the robot is there already.
+    const Cell last = nearest_cell(decision.way.empty() ? decision.row.at : decision.way.back());
     now.next_x = last.x;
     now.next_y = last.y;
   }

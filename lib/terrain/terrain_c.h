@@ -1,3 +1,4 @@
+/* clang-format off */
 /**
  * \file
  * The planner of granular terrain for C, and for every language that calls C.
@@ -8,11 +9,15 @@
  *     setup.start_x = 230; setup.start_y = 220; setup.has_goal = 1; setup.goal_x = 104; ...
  *     tcert_terrain* ground;
  *     if (tcert_terrain_create(&setup, &ground, why, sizeof why) != TCERT_TERRAIN_OK) ...
- *     for (each cell round the start) tcert_terrain_take(ground, x, y, feel(x, y), why, sizeof
- * why); tcert_terrain_decision now = {.struct_size = sizeof now}; x = start_x; y = start_y; for
- * (;;) { tcert_terrain_plan(ground, x, y, feel(x, y), &now, why, sizeof why); if (now.end !=
- * TCERT_TERRAIN_GOES_ON) break; walk(tcert_terrain_way(ground, ...)); x = now.next_x; y =
- * now.next_y;
+ *     for (each cell round the start)
+ *       tcert_terrain_take(ground, x, y, feel(x, y), why, sizeof why);
+ *     tcert_terrain_decision now = {.struct_size = sizeof now};
+ *     x = start_x; y = start_y;
+ *     for (;;) {
+ *       tcert_terrain_plan(ground, x, y, feel(x, y), &now, why, sizeof why);
+ *       if (now.end != TCERT_TERRAIN_GOES_ON) break;
+ *       walk(tcert_terrain_way(ground, ...));
+ *       x = now.next_x; y = now.next_y;
  *     }
  *     tcert_terrain_destroy(ground);
  *
@@ -27,6 +32,7 @@
  * - A struct begins with its size where the caller was compiled; members are only appended. A
  *   larger one, of a newer caller, is refused.
  */
+/* clang-format on */
 #ifndef TCERT_TERRAIN_C_H
 #define TCERT_TERRAIN_C_H
 
@@ -59,6 +65,7 @@ typedef enum tcert_terrain_status {
 
 enum tcert_terrain_rules { TCERT_TERRAIN_CERTIFIED = 0, TCERT_TERRAIN_BAND = 1 };
 enum tcert_terrain_selection {
+  TCERT_TERRAIN_BY_RULES = -1, /**< horizon under certified, pareto under band. */
   TCERT_TERRAIN_THESIS = 0,
   TCERT_TERRAIN_LOOK_AHEAD = 1,
   TCERT_TERRAIN_HORIZON = 2,
@@ -89,23 +96,26 @@ typedef struct tcert_terrain_setup {
   int32_t rows;
   int32_t columns;
   int32_t rules;     /**< tcert_terrain_rules; certified. */
-  int32_t selection; /**< tcert_terrain_selection; horizon. */
+  int32_t selection; /**< tcert_terrain_selection; by rules. */
   int32_t start_x;   /**< Where the robot stands at the first plan. */
   int32_t start_y;
   int32_t has_goal; /**< 0: explore. */
   int32_t goal_x;
   int32_t goal_y;
-  int32_t max_steps;        /**< 2000. */
-  double threshold;         /**< Ground is safe at values of at least this. */
-  double lipschitz;         /**< Per cell; 0: bounded from what is measured (certified). */
-  double length_scale;      /**< Cells; band: no longer than the terrain's. 30. */
-  double confidence;        /**< Of all bounds of a run. 0.95. */
-  double noise_bound;       /**< Largest error of a measurement (certified). 0. */
-  double noise_sd;          /**< Of its Gaussian error. 0. */
+  int32_t max_steps; /**< Measurements after the first plan. 2000. */
+  double threshold;  /**< Ground is safe at values of at least this. */
+  /** Per cell; 0, or contradicted by the first measurements: bounded from them (certified). */
+  double lipschitz;
+  double length_scale; /**< Cells; band: no longer than the terrain's. 30. */
+  double confidence;   /**< Of all bounds of a run. 0.95. */
+  /** Largest error of a measurement (certified). 0: none, or with noise_sd what all measurements of
+   *  the run keep at `confidence`. */
+  double noise_bound;
+  double noise_sd;          /**< Of a measurement's Gaussian error, not overstated. 0. */
   double prior_gradient_sd; /**< Of earlier ground, with prior_places. 0: none. */
   double prior_places;
   double body_radius; /**< Of a disc; 0: a point, or the box. */
-  double body_length; /**< Of a box; 0: none. */
+  double body_length; /**< Of a box, with its width; both 0: none. */
   double body_width;
   double body_yaw_rad; /**< From +x towards +y; the robot keeps it. */
 } tcert_terrain_setup;
@@ -114,7 +124,7 @@ typedef struct tcert_terrain_decision {
   size_t struct_size;
   int32_t step;
   int32_t end;    /**< tcert_terrain_end. */
-  int32_t next_x; /**< Where to measure next, or the goal once it is reached; else -1. */
+  int32_t next_x; /**< Where to measure next, or the goal reached; else -1. */
   int32_t next_y;
   uint64_t safe_cells;
   uint64_t way_points; /**< Of tcert_terrain_way. */

@@ -108,6 +108,104 @@ TEST(Session, RefusesWhatCannotBeAndGoesOn) {
   EXPECT_THROW(Session(terrain.grid, thesis, {}), std::invalid_argument);
 }
 
+/// Noise and a constant that the first measurements contradict are settled as explore() has them.
+TEST(Session, SettlesWhatWasToldAsASimulationDoes) {
+  const Terrain terrain = field_of(2);
+  for (const bool is_noisy : {false, true}) {
+    ExploreSetup setup = setup_of(RuleSet::certified, terrain);
+    setup.more_goals.clear();
+    setup.rules.lipschitz = is_noisy ? 18.0 : 0.1;
+    setup.noise_sd = setup.rules.noise_sd = is_noisy ? 0.5 : 0.0;
+    setup.rules.threshold = -1000.0;
+    Session session(terrain.grid, setup, {true, false, false});
+    std::vector<Measurement> first;
+    for (const Cell c : session.first_cells(2)) {
+      first.push_back({position(c), terrain.at(c)});
+      if (!(c == setup.start)) {
+        session.take(c, terrain.at(c));
+      }
+    }
+    (void)session.plan(setup.start, terrain.at(setup.start));
+    ExploreSetup settled = setup;
+    settle(settled, terrain.grid, first, {true, false, false});
+    EXPECT_EQ(settled.rules.lipschitz, session.setup().rules.lipschitz);
+    EXPECT_EQ(settled.rules.noise_bound, session.setup().rules.noise_bound);
+    if (is_noisy) {
+      EXPECT_EQ(18.0, settled.rules.lipschitz);
+      EXPECT_EQ(0.0, settled.confidence) << "nothing is bounded";
+      EXPECT_DOUBLE_EQ(gaussian_noise_bound(0.5, 0.95, 60 + first.size()),
+                       settled.rules.noise_bound);
+    } else {
+      EXPECT_GT(settled.rules.lipschitz, 0.1);
+      EXPECT_EQ(0.95, settled.confidence);
+    }
+  }
+  ExploreSetup unbounded = setup_of(RuleSet::certified, terrain);
+  unbounded.noise_sd = unbounded.rules.noise_sd = 0.5;
+  unbounded.confidence = 0.0;
+  EXPECT_THROW(Session(terrain.grid, unbounded, {true, false, false}), std::invalid_argument);
+}
+
+TEST(Session, WhatIsRefusedChangesNothing) {
+  const Terrain terrain = field_of(1);
+  const ExploreSetup setup = setup_of(RuleSet::certified, terrain);
+  const Cell start = setup.start;
+  const Cell beside{start.x > 0 ? start.x - 1 : 1, start.y};
+  Session refused(terrain.grid, setup, {true, false, false});
+  Session plain(terrain.grid, setup, {true, false, false});
+  EXPECT_THROW((void)refused.plan(start, -1.0), std::invalid_argument) << "unsafe";
+  EXPECT_EQ(nullptr, refused.explorer());
+  for (Session* const session : {&refused, &plain}) {
+    session->take(beside, terrain.at(beside));
+  }
+  refused.take(beside, terrain.at(beside));  // Twice the same is once.
+  EXPECT_THROW(refused.take(beside, terrain.at(beside) + 1.0), std::invalid_argument);
+  EXPECT_THROW((void)refused.plan(beside, terrain.at(beside) + 1.0), std::invalid_argument);
+  EXPECT_EQ(nullptr, refused.explorer());
+  for (Session* const session : {&refused, &plain}) {
+    (void)session->plan(start, terrain.at(start));
+  }
+  EXPECT_EQ(plain.explorer()->planner().measurements().size(),
+            refused.explorer()->planner().measurements().size());
+  EXPECT_EQ(plain.explorer()->planner().safe(), refused.explorer()->planner().safe());
+  EXPECT_THROW(refused.take(start, terrain.at(start) + 1.0), std::invalid_argument);
+  EXPECT_THROW((void)refused.plan(start, terrain.at(start) + 1.0), std::invalid_argument);
+  EXPECT_EQ(plain.explorer()->planner().measurements().size(),
+            refused.explorer()->planner().measurements().size());
+}
+
+TEST(Session, MeasurementsBesideTheWayCountTowardsTheLimit) {
+  const Terrain terrain = field_of(1);
+  ExploreSetup setup = setup_of(RuleSet::certified, terrain);
+  setup.max_steps = 3;
+  Session session(terrain.grid, setup, {true, false, false});
+  (void)session.plan(setup.start, terrain.at(setup.start));
+  for (int k = 0; k < 3; ++k) {
+    session.take({k, 0}, terrain.at({k, 0}));
+    session.take({k, 0}, terrain.at({k, 0}));
+  }
+  EXPECT_THROW(session.take({3, 0}, terrain.at({3, 0})), std::invalid_argument);
+  EXPECT_EQ(End::step_limit, session.plan(setup.start, terrain.at(setup.start)).end);
+}
+
+TEST(Session, RefusesASetupThatCannotBe) {
+  const Terrain terrain = field_of(1);
+  const auto refused = [&](const auto& change) {
+    ExploreSetup setup = setup_of(RuleSet::certified, terrain);
+    change(setup);
+    EXPECT_THROW(Session(terrain.grid, setup, {}), std::invalid_argument);
+  };
+  refused([](ExploreSetup& s) {
+    s.body.kind = Body::Kind::disc;
+    s.body.radius = -1.0;
+  });
+  refused([](ExploreSetup& s) { s.prior.length_scale = 0.0; });
+  refused([](ExploreSetup& s) { s.confidence = 1.0; });
+  refused([](ExploreSetup& s) { s.confidence = 0.0; });
+  refused([](ExploreSetup& s) { s.noise_sd = -1.0; });
+  refused([](ExploreSetup& s) { s.known = {{position({99, 0}), 1.0}}; });
+}
+
 TEST(Session, BeginsOnSafeGroundAlone) {
   const Terrain terrain = field_of(1);
   Session session(terrain.grid, setup_of(RuleSet::certified, terrain), {true, false, false});
@@ -175,6 +273,60 @@ TEST(TerrainInC, TellsWhatTheSessionDoes) {
   EXPECT_EQ(TCERT_TERRAIN_ERROR_INPUT,
             tcert_terrain_create(&in_c, nullptr, &ground, why, sizeof why));
   EXPECT_EQ(nullptr, ground);
+}
+
+TEST(TerrainInC, RefusesBodiesThatAreNoneAndAllowsForNoise) {
+  tcert_terrain_setup setup;
+  tcert_terrain_setup_init(&setup);
+  setup.rows = setup.columns = 20;
+  setup.threshold = 0.0;
+  setup.lipschitz = 1.0;
+  setup.start_x = setup.start_y = 10;
+  tcert_terrain* ground = nullptr;
+  char why[200] = "";
+  const auto create = [&](const tcert_terrain_setup& s) {
+    return tcert_terrain_create(&s, nullptr, &ground, why, sizeof why);
+  };
+  for (const auto field : {&tcert_terrain_setup::body_radius,
+                           &tcert_terrain_setup::body_length,
+                           &tcert_terrain_setup::body_width}) {
+    tcert_terrain_setup s = setup;
+    s.*field = -1.0;
+    EXPECT_EQ(TCERT_TERRAIN_ERROR_INPUT, create(s));
+    s.*field = 2.0;
+    EXPECT_EQ(field == &tcert_terrain_setup::body_radius, create(s) == TCERT_TERRAIN_OK) << why;
+    tcert_terrain_destroy(ground);
+  }
+  const auto safe_with = [&](double noise_sd) {
+    tcert_terrain_setup s = setup;
+    s.noise_sd = noise_sd;
+    EXPECT_EQ(TCERT_TERRAIN_OK, create(s)) << why;
+    tcert_terrain_decision now{};
+    now.struct_size = sizeof now;
+    EXPECT_EQ(TCERT_TERRAIN_OK, tcert_terrain_plan(ground, 10, 10, 5.0, &now, why, sizeof why))
+        << why;
+    tcert_terrain_destroy(ground);
+    return now.safe_cells;
+  };
+  EXPECT_GT(safe_with(0.0), safe_with(0.3));
+}
+
+TEST(TerrainInC, ARobotThatIsThereAlreadyIsToldSo) {
+  tcert_terrain_setup setup;
+  tcert_terrain_setup_init(&setup);
+  setup.rows = setup.columns = 20;
+  setup.lipschitz = 1.0;
+  setup.start_x = setup.start_y = setup.goal_x = setup.goal_y = 10;
+  setup.has_goal = 1;
+  tcert_terrain* ground = nullptr;
+  ASSERT_EQ(TCERT_TERRAIN_OK, tcert_terrain_create(&setup, nullptr, &ground, nullptr, 0));
+  tcert_terrain_decision now{};
+  now.struct_size = sizeof now;
+  ASSERT_EQ(TCERT_TERRAIN_OK, tcert_terrain_plan(ground, 10, 10, 5.0, &now, nullptr, 0));
+  EXPECT_EQ(TCERT_TERRAIN_REACHED, now.end);
+  EXPECT_EQ(10, now.next_x);
+  EXPECT_EQ(10, now.next_y);
+  tcert_terrain_destroy(ground);
 }
 
 }  // namespace

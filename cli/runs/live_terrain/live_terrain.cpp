@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <stdexcept>
 #include <string_view>
 #include <terrain/limits.hpp>
 #include <terrain/session.hpp>
 
+#include "cli/runs/explore_config.hpp"
 #include "cli/runs/explore_flags.hpp"
 #include "cli/runs/explore_rasters.hpp"
 #include "cli/runs/explore_setup.hpp"
@@ -26,13 +28,14 @@ namespace {
 
 /// Options of `explore` that are of no use without a terrain.
 [[nodiscard]] bool is_for_a_robot(const std::string& name) {
-  constexpr std::array<std::string_view, 10> kOthers{"config",
+  constexpr std::array<std::string_view, 11> kOthers{"config",
                                                      "header",
                                                      "mode",
                                                      "expanders",
                                                      "noise-variance",
                                                      "kernel-mean",
                                                      "baseline",
+                                                     "start-radius",
                                                      "frames",
                                                      "seed",
                                                      "output"};
@@ -107,8 +110,12 @@ void write_record(const LiveTerrainRequest& request,
 /// The robot's lines, one after the other.
 class Loop {
  public:
-  Loop(terrain::Session& session, RobotLines& robot, Progress& progress)
-      : session_(session), robot_(robot), progress_(progress) {
+  /// `settled` is called with the first plan.
+  Loop(terrain::Session& session,
+       RobotLines& robot,
+       Progress& progress,
+       std::function<void(const terrain::ExploreSetup&)> settled)
+      : session_(session), robot_(robot), progress_(progress), settled_(std::move(settled)) {
     for (const terrain::Measurement& m : session.setup().known) {
       log_.taken.push_back({m, false});
     }
@@ -125,7 +132,10 @@ class Loop {
       ++number_;
       const MeasurementReading reading = read_measurement(*line);
       if (reading.measurement) {
+        has_begun_ = true;
         take(*reading.measurement);
+      } else if (reading.is_header && has_begun_) {
+        skip("a header in the midst of measurements");
       } else if (!reading.problem.empty()) {
         skip(reading.problem);
       }
@@ -141,7 +151,11 @@ class Loop {
     const bool is_first = session_.explorer() == nullptr;
     try {
       if (m.plan) {
-        tell(session_.plan({m.x, m.y}, m.value), {m.x, m.y}, is_first);
+        const terrain::Decision& decision = session_.plan({m.x, m.y}, m.value);
+        if (is_first) {
+          settled_(session_.setup());
+        }
+        tell(decision, {m.x, m.y}, is_first);
       } else {
         session_.take({m.x, m.y}, m.value);
       }
@@ -174,7 +188,9 @@ class Loop {
   terrain::Session& session_;
   RobotLines& robot_;
   Progress& progress_;
+  std::function<void(const terrain::ExploreSetup&)> settled_;
   Log log_;
+  bool has_begun_ = false;
   std::optional<terrain::End> end_;
   bool is_read_ = true;
   std::size_t number_ = 0;
@@ -186,13 +202,12 @@ class Loop {
                                               TerrainGrid& layout,
                                               Progress& progress) {
   ExploreRequest o = request.explore;
-  if (o.rules == "band" && !is_given(o.given, "beta")) {
-    o.beta = terrain::kTrustedBeta;
-  }
+  settle_beta(o, progress);
   o = in_cells(o, layout);
   o.output.path = request.record;  // Where rasters go.
   o.terrain = o.terrain.empty() ? "-" : o.terrain;
   check(o, progress);
+  require_writable(raster_formats_of(o.rasters), layout);
   return o;
 }
 
@@ -205,11 +220,8 @@ class Loop {
       layout, o.obstacles, terrain_file_options("auto", o.format, o.nodata), progress);
   require_free(grid, layout, blocked, places.start, places.goals);
   terrain::ExploreSetup setup = unsettled_setup(o, grid, std::move(blocked));
-  settle_noise(setup, o, progress);
   if (told_of(o).lipschitz) {
     setup.rules.lipschitz = lipschitz_of(o);
-  } else {
-    setup.confidence = o.confidence;
   }
   return setup;
 }
@@ -239,6 +251,9 @@ ExitCode live_terrain(const LiveTerrainRequest& request, Progress& progress) {
   if (request.explore.rules != "certified" && request.explore.rules != "band") {
     throw UsageError("--rules: found '" + request.explore.rules + "', expected certified or band");
   }
+  if (motion_of(request.explore) == "jump") {
+    throw UsageError("--motion jump: a robot goes its way; take pursuit, route or reactive");
+  }
   TerrainGrid layout = layout_of(request, progress);
   const ExploreRequest o = options_in_cells(request, layout, progress);
   if (!request.record.empty()) {
@@ -247,7 +262,9 @@ ExitCode live_terrain(const LiveTerrainRequest& request, Progress& progress) {
   terrain::Session session(
       {layout.rows, layout.columns}, setup_of(o, layout, progress), told_of(o));
   RobotLines robot(request.listen, progress);
-  Loop loop(session, robot, progress);
+  Loop loop(session, robot, progress, [&](const terrain::ExploreSetup& settled) {
+    say_settled(settled, o, session.explorer()->planner().field_variance(), progress);
+  });
   loop.run();
   if (!request.record.empty()) {
     write_record(request, loop.log(), session, layout);
