@@ -2,6 +2,8 @@
 
 #include <png.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace tcert {
@@ -37,6 +39,29 @@ class PngControl {
   }
 }
 
+/// Without the chunks that declare gamma or colour, by which libpng would change the numbers; what
+/// is no PNG as it is.
+[[nodiscard]] std::string without_colour_spaces(std::string_view bytes) {
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kAround = 12;  // Length, type and checksum of a chunk.
+  constexpr std::array<std::string_view, 4> kSpaces{"gAMA", "cHRM", "sRGB", "iCCP"};
+  std::string kept(bytes.substr(0, kSignature));
+  std::size_t at = std::min(kSignature, bytes.size());
+  while (bytes.size() - at >= kAround) {
+    std::size_t length = kAround;
+    for (std::size_t k = 0; k < 4; ++k) {
+      length += static_cast<std::size_t>(static_cast<unsigned char>(bytes[at + k])) << (24 - 8 * k);
+    }
+    const std::string_view chunk = bytes.substr(at, length);
+    if (std::find(kSpaces.begin(), kSpaces.end(), chunk.substr(4, 4)) == kSpaces.end()) {
+      kept += chunk;
+    }
+    at += chunk.size();
+  }
+  kept += bytes.substr(at);
+  return kept;
+}
+
 }  // namespace
 
 std::string png_bytes(const PngImage& image) {
@@ -55,10 +80,11 @@ std::string png_bytes(const PngImage& image) {
   return bytes;
 }
 
-PngResult read_grey_png(std::string_view bytes, std::size_t most) {
+PngResult read_png(std::string_view bytes, std::size_t most) {
   PngResult result;
   PngControl png;
-  if (png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size()) == 0) {
+  const std::string plain = without_colour_spaces(bytes);
+  if (png_image_begin_read_from_memory(png.get(), plain.data(), plain.size()) == 0) {
     result.problem = std::string("a PNG image that is whole: ") + png->message;
     return result;
   }
@@ -66,16 +92,13 @@ PngResult read_grey_png(std::string_view bytes, std::size_t most) {
     result.problem = "at most " + std::to_string(most) + " pixels";
     return result;
   }
-  png->format = PNG_FORMAT_GA;
-  std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(*png.get()));
-  if (png_image_finish_read(png.get(), nullptr, pixels.data(), 0, nullptr) == 0) {
+  png->flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // Not linear, as libpng takes 16 bits to be.
+  png->format = PNG_FORMAT_RGBA;
+  result.image = {png->width, png->height, 4, {}};
+  result.image.pixels.resize(PNG_IMAGE_SIZE(*png.get()));
+  if (png_image_finish_read(png.get(), nullptr, result.image.pixels.data(), 0, nullptr) == 0) {
     result.problem = std::string("a PNG image that is whole: ") + png->message;
-    return result;
-  }
-  result.image = {png->width, png->height, 1, {}};
-  result.image.pixels.reserve(pixels.size() / 2);
-  for (std::size_t i = 0; i < pixels.size(); i += 2) {
-    result.image.pixels.push_back(pixels[i]);
+    result.image = {};
   }
   return result;
 }

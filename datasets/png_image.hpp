@@ -27,8 +27,8 @@ struct PngResult {
   std::string problem;  ///< Fit to follow "expected "; empty iff the image was read.
 };
 
-/// Any PNG as grey, colours weighted by their luminance; what is transparent keeps its grey.
+/// Any PNG as colour and alpha of 8 bits; the numbers of the file, whatever gamma it declares.
 /// Refuses images of more than `most` pixels before they are taken into memory.
-[[nodiscard]] PngResult read_grey_png(std::string_view bytes, std::size_t most);
+[[nodiscard]] PngResult read_png(std::string_view bytes, std::size_t most);
 
 }  // namespace tcert

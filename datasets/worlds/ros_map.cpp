@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 #include <table/file_kind.hpp>
+#include <table/trimmed.hpp>
 #include <tcert/elementary.hpp>
 
 #include "datasets/png_image.hpp"
@@ -12,13 +13,7 @@
 namespace tcert {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
+using table::trimmed;
 
 std::string_view unquoted(std::string_view text) {
   if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
@@ -140,7 +135,22 @@ struct Pgm {
   std::size_t rows = 0;
   std::size_t most = 0;
   std::vector<std::uint16_t> pixels;
+  std::vector<std::uint8_t> unknown;  // of a PNG, not 0 where it is transparent; or empty
 };
+
+/// Colours are averaged, as map_server does it. Empty iff the image was read.
+std::string read_png_pixels(std::string_view bytes, Pgm& image) {
+  const PngResult png = read_png(bytes, kMostRasterCells);
+  image.columns = png.image.columns;
+  image.rows = png.image.rows;
+  image.most = 3 * 255;
+  const std::vector<std::uint8_t>& rgba = png.image.pixels;
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    image.pixels.push_back(static_cast<std::uint16_t>(rgba[i] + rgba[i + 1] + rgba[i + 2]));
+    image.unknown.push_back(rgba[i + 3] == 0 ? 1 : 0);
+  }
+  return png.problem;
+}
 
 /// Empty iff the pixels were read; else what was expected: `wanted`, and what is wrong.
 std::string read_plain(PgmText& fields, const std::string& wanted, Pgm& image) {
@@ -182,12 +192,7 @@ std::string read_raw(std::string_view raw, const std::string& wanted, Pgm& image
 std::string read_image(std::string_view text, const std::string& file, Pgm& image) {
   const auto kind = table::kind_of_binary(text, file);
   if (kind && kind->name == "a PNG image") {
-    PngResult png = read_grey_png(text, kMostRasterCells);
-    image.columns = png.image.columns;
-    image.rows = png.image.rows;
-    image.most = 255;
-    image.pixels.assign(png.image.pixels.begin(), png.image.pixels.end());
-    return png.problem;
+    return read_png_pixels(text, image);
   }
   const bool plain = text.substr(0, 2) == "P2";
   if (!plain && text.substr(0, 2) != "P5") {
@@ -312,10 +317,11 @@ WorldsResult world_from_image(const table::Bytes& bytes,
     return result;
   }
   Raster raster{image.columns, image.rows, {}};
-  for (const std::uint16_t pixel : image.pixels) {
-    const double share = static_cast<double>(pixel) / static_cast<double>(image.most);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const double share = static_cast<double>(image.pixels[i]) / static_cast<double>(image.most);
     const double occupancy = map.negate ? share : 1.0 - share;
-    raster.occupied.push_back(occupancy < map.free_threshold ? 0 : 1);
+    const bool is_known = image.unknown.empty() || image.unknown[i] == 0;
+    raster.occupied.push_back(is_known && occupancy < map.free_threshold ? 0 : 1);
   }
   World world = raster_world(raster, map.origin, map.resolution_m);
   world.start = turned_back(frame.start, map);

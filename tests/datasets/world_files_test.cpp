@@ -2,6 +2,7 @@
 #include "datasets/png_image.hpp"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "datasets/worlds/region_distance.hpp"
 #include "datasets/worlds/world_problems.hpp"
@@ -223,6 +224,65 @@ TEST(WorldFiles, PngMapsAreThoseOfTheSamePgm) {
       EXPECT_EQ(to_json(part.worlds[0]), to_json(b.worlds[0]));
     }
   }
+}
+
+std::string png_chunk(const std::string& type, const std::string& data) {
+  const auto four = [](std::uint64_t v) {
+    std::string text;
+    for (int shift = 24; shift >= 0; shift -= 8) {
+      text += static_cast<char>((v >> shift) & 0xffU);
+    }
+    return text;
+  };
+  const std::string body = type + data;
+  return four(data.size()) + body +
+         four(
+             crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size())));
+}
+
+/// One row of pixels, each line of bytes with its filter 0 in front.
+std::string png_row(int width, int depth, int kind, const std::string& bytes, bool linear) {
+  const std::string raw = std::string(1, '\0') + bytes;
+  std::string packed(compressBound(static_cast<uLong>(raw.size())), '\0');
+  auto size = static_cast<uLongf>(packed.size());
+  compress(reinterpret_cast<Bytef*>(packed.data()),
+           &size,
+           reinterpret_cast<const Bytef*>(raw.data()),
+           static_cast<uLong>(raw.size()));
+  packed.resize(size);
+  std::string header(13, '\0');
+  header[3] = static_cast<char>(width);
+  header[7] = 1;
+  header[8] = static_cast<char>(depth);
+  header[9] = static_cast<char>(kind);
+  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) +
+         (linear ? png_chunk("gAMA", std::string("\0\1\x86\xa0", 4)) : std::string()) +
+         png_chunk("IDAT", packed) + png_chunk("IEND", "");
+}
+
+/// The numbers of the file decide, whatever gamma they have; transparent is unknown.
+TEST(WorldFiles, PngMapsOfOtherKindsKeepTheirNumbers) {
+  using namespace std::string_literals;
+  const auto pixels = [](const std::string& png) { return read_png(png, 100).image.pixels; };
+  const std::vector<std::uint8_t> grey{100, 100, 100, 255, 220, 220, 220, 255};
+  EXPECT_EQ(grey, pixels(png_row(2, 8, 0, "\x64\xdc", false)));
+  EXPECT_EQ(grey, pixels(png_row(2, 8, 0, "\x64\xdc", true)));
+  EXPECT_EQ(grey, pixels(png_row(2, 16, 0, "\x64\x64\xdc\xdc", false)));
+  EXPECT_EQ(grey, pixels(png_row(2, 16, 0, "\x64\x64\xdc\xdc", true)));
+  const auto world_of = [](const std::string& image, const std::string& name) {
+    const WorldsResult read =
+        world_from_image(table::Bytes::copy_of(image), name, ros_map(), frame());
+    EXPECT_EQ(1U, read.worlds.size());
+    return read.worlds.empty() ? std::string() : to_json(read.worlds[0]);
+  };
+  // 170 on average is occupied, though its luminance is 236; white that is transparent is no floor.
+  EXPECT_EQ(
+      world_of(png_row(3, 8, 6, "\xff\xff\0\xff\xff\xff\xff\0\xfe\xfe\xfe\xff"s, false), "m.png"),
+      world_of("P2 3 1 255 170 0 254", "m.pgm"));
+  std::string broken = png_row(2, 8, 0, "\x64\xdc", true);
+  broken[8] = '\xff';  // A first chunk of 4 GB.
+  EXPECT_NE("", read_png(broken, 100).problem);
+  EXPECT_NE("", read_png("\x89PNG", 100).problem);
 }
 
 TEST(WorldFiles, ImagesThatAreNoPgmAreNamed) {
