@@ -95,14 +95,14 @@ class FixedDecimals {
   bool is_whole_ = false;
 };
 
-/// A value that no cell has, for cells without one.
+/// A value that no cell has, nor is rounded to, for cells without one.
 [[nodiscard]] double nodata_of(std::span<const double> values) {
   double low = 0.0;
   for (const double v : values) {
     low = std::isfinite(v) ? std::min(low, v) : low;
   }
   double nodata = -9999.0;
-  while (nodata >= low) {
+  while (nodata >= low - 1.0) {
     nodata = nodata * 10.0 - 9.0;
   }
   return nodata;

@@ -28,10 +28,10 @@ struct CraterFieldOptions {
 /// Craters lie anywhere, their diameters D by a power law of exponent -2, as of a surface in
 /// equilibrium; each is a bowl of revolution, z = -d + (d + h) (r / R)^2 within its rim and h (R /
 /// r)^3 outside, with depth d = D / 5 and rim h = D / 25 when it is fresh (Pike 1977) and a share
-/// of that, evenly drawn from 0.1 to 1, as it wears down. Heights add up, are taken over three
-/// cells each way, and the slope is that of central differences: what a robot of three cells stands
-/// on. O(cells x (craters + reach^2)). \throws std::invalid_argument for a size below 3 x 3 or a
-/// law that is none.
+/// of that, evenly drawn from 0.1 to 1, as it wears down. Heights add up,
+/// and the slope is that of the plane that fits those of `reach` cells each way best: what a robot
+/// of so many stands on. O(cells x (craters + reach^2)). \throws std::invalid_argument for a size
+/// below 3 x 3 or a law that is none.
 [[nodiscard]] TerrainGrid crater_slopes(const CraterFieldOptions& options);
 
 }  // namespace tcert

@@ -310,6 +310,68 @@ TEST_F(ExploreGround, ARobotIsToldWhatASimulatedOneDoes) {
   }
 }
 
+/// What is told takes the same band, constant and noise bound in both.
+TEST_F(ExploreGround, ARobotIsToldByTheSameOptions) {
+  const std::vector<std::vector<std::string>> all{
+      {"--trust-model", "--lipschitz", "18"}, {"--lipschitz", "0.5"}, {"--noise-sd", "0.1"}};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::string name = "same_" + std::to_string(k);
+    std::vector<std::string> simulated{
+        "--start", "45,35", "--goal", "70,50", "--max-steps", "8", "--output", name};
+    simulated.insert(simulated.end(), all[k].begin(), all[k].end());
+    const ProcessResult run = explore(simulated);
+    std::vector<std::string> told{"live", "terrain", "--rows", "90", "--columns", "70"};
+    for (const char* const word : {"--threshold",
+                                   "940",
+                                   "--kernel-length-scale",
+                                   "20",
+                                   "--start",
+                                   "45,35",
+                                   "--goal",
+                                   "70,50",
+                                   "--max-steps",
+                                   "8"}) {
+      told.emplace_back(word);
+    }
+    told.insert(told.end(), all[k].begin(), all[k].end());
+    const ProcessResult live = work.run(told, work.read(name + "/measurements.csv"));
+    EXPECT_EQ(first_columns(work.read(name + "/series.csv"), 12), first_columns(live.out, 12))
+        << to_string(run) << to_string(live);
+  }
+}
+
+TEST_F(ExploreGround, WhatARobotCannotDoIsRefused) {
+  const auto live = [&](std::vector<std::string> more, const std::string& lines) {
+    std::vector<std::string> words{"live",
+                                   "terrain",
+                                   "--rows",
+                                   "90",
+                                   "--columns",
+                                   "70",
+                                   "--start",
+                                   "45,35",
+                                   "--threshold",
+                                   "940",
+                                   "--lipschitz",
+                                   "18"};
+    words.insert(words.end(), more.begin(), more.end());
+    return work.run(words, lines);
+  };
+  const ProcessResult jump = live({"--motion", "jump"}, "");
+  EXPECT_EQ(2, jump.exit_code);
+  expect_part(jump.err, "--motion jump");
+  EXPECT_EQ(2, live({"--start-radius", "3"}, "").exit_code);
+  const ProcessResult header = live({}, "x,y,value\n45,35,990\na,b,c\n");
+  EXPECT_EQ(3, header.exit_code);
+  expect_part(header.err, "line 3: a header in the midst of measurements");
+  const ProcessResult other = live({}, "45,35,990\n45,35,980\n");
+  EXPECT_EQ(3, other.exit_code);
+  expect_part(other.err, "differs from the earlier");
+  const ProcessResult narrow =
+      explore({"--start", "45,35", "--rules", "band", "--least-length-scale", "0.001"});
+  EXPECT_NE(70, narrow.exit_code) << to_string(narrow);
+}
+
 /// Another process, which knows the terrain and is told where to go over a socket.
 TEST_F(ExploreGround, ARobotOverASocketIsToldTheSame) {
   const ProcessResult run =

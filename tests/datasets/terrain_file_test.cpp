@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "datasets/terrain/measurement_line.hpp"
+#include "datasets/terrain/raster_text.hpp"
+
 namespace tcert {
 namespace {
 
@@ -332,6 +335,33 @@ TEST(TerrainFile, NamesBinaryFilesAndTheWayOut) {
               "iconv");
   // Bytes that are no text within what is: escaped.
   expect_part(refused("1,2\n3,\x9b\xff\n"sv), "found '\\x9b\\xff'");
+}
+
+TEST(MeasurementLine, NeedsItsFieldsByName) {
+  const MeasurementReading good =
+      read_measurement(R"({"x": 3, "y": 4, "value": 5.5, "plan": false})");
+  ASSERT_TRUE(good.measurement) << good.problem;
+  EXPECT_EQ(3, good.measurement->x);
+  EXPECT_FALSE(good.measurement->plan);
+  for (const char* const line : {R"({"y": 3, "value": 4, "plan": true})",
+                                 R"({"x": 3, "y": 4, "plan": true})",
+                                 R"({"x": 3, "value": 4, "plan": false})",
+                                 R"({"x": 3, "y": 4, "value": 5, "plan": 1})",
+                                 R"({"x": 3, "y": 4, "value": 5, "z": 1})",
+                                 R"([3, 4, 5])",
+                                 R"({"x": 3)"}) {
+    const MeasurementReading bad = read_measurement(line);
+    EXPECT_FALSE(bad.measurement) << line;
+    EXPECT_FALSE(bad.problem.empty() && !bad.is_header) << line;
+  }
+  EXPECT_TRUE(read_measurement("x,y,value").is_header);
+}
+
+TEST(RasterText, NoValueIsRoundedToThatOfGaps) {
+  const TerrainGrid layer{1, 3, {-9998.996, 0.25, std::nan("")}, {}};
+  const std::string text = esri_raster(layer, RasterRounding::down);
+  expect_part(text, "NODATA_value -99999\n");
+  expect_part(text, "-9999.000 0.250 -99999");
 }
 
 TEST(TerrainFile, WritesWhatReadsBack) {

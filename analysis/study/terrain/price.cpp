@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <table/random.hpp>
 #include <terrain/components.hpp>
 #include <terrain/lipschitz.hpp>
@@ -144,6 +145,9 @@ PriceOutcome explore_at_price(const PriceCell& cell, std::uint64_t seed, std::ui
           terrain.grid.cell(random.below(static_cast<std::uint32_t>(terrain.grid.size())));
       // Ground that has no such place is begun on with what there is.
       const auto around = cells_round(terrain.grid, {}, c, tries < 10000 ? radius : 0);
+      if (tries > 1000000) {
+        throw std::domain_error("a terrain of the study has no safe cell to begin on");
+      }
       if (is_safe(c) && std::all_of(around.begin(), around.end(), is_safe)) {
         return c;
       }

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cerrno>
+#include <climits>
+#include <string_view>
 #include <system_error>
 #include <table/atomic_file.hpp>
 
@@ -15,12 +17,32 @@
 namespace tcert::cli {
 namespace {
 
-/// False if nobody reads. \throws table::WriteError.
-[[nodiscard]] bool write_whole(int descriptor, const std::string& text) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const ssize_t written = ::write(descriptor, text.data() + at, text.size() - at);
-    if (written < 0 && errno == EINTR) {
+/// \throws std::system_error for what is no signal.
+void wait_for(std::array<pollfd, 2>& wait) {
+  while (::poll(wait.data(), wait.size(), -1) < 0) {
+    if (errno != EINTR) {
+      throw std::system_error(errno, std::generic_category(), "cannot wait for the robot");
+    }
+  }
+}
+
+/// Once there is room a pipe takes so many bytes without waiting; a socket is told not to.
+[[nodiscard]] ssize_t write_some(int descriptor, std::string_view bytes) {
+  bytes = bytes.substr(0, PIPE_BUF);
+  const ssize_t sent = ::send(descriptor, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+  return sent < 0 && errno == ENOTSOCK ? ::write(descriptor, bytes.data(), bytes.size()) : sent;
+}
+
+/// False if nobody reads, or if it is interrupted while nobody does. \throws table::WriteError.
+[[nodiscard]] bool write_whole(int descriptor, std::string_view text, int interrupt) {
+  while (!text.empty()) {
+    std::array<pollfd, 2> wait{{{interrupt, POLLIN, 0}, {descriptor, POLLOUT, 0}}};
+    wait_for(wait);
+    if (wait[1].revents == 0) {
+      return false;
+    }
+    const ssize_t written = write_some(descriptor, text);
+    if (written < 0 && (errno == EINTR || errno == EAGAIN)) {
       continue;
     }
     if (written < 0) {
@@ -29,7 +51,7 @@ namespace {
       }
       throw table::WriteError("cannot write a row: " + std::generic_category().message(errno));
     }
-    at += static_cast<std::size_t>(written);
+    text.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
 }
@@ -47,8 +69,7 @@ RobotLines::RobotLines(const std::string& listen, Progress& progress)
   const UnixListener listener(listen.substr(5));
   progress.say("tcert live terrain: listening on " + listener.name());
   std::array<pollfd, 2> wait{{{interrupt_, POLLIN, 0}, {listener.descriptor(), POLLIN, 0}}};
-  while (::poll(wait.data(), wait.size(), -1) < 0 && errno == EINTR) {
-  }
+  wait_for(wait);
   if (wait[0].revents != 0) {
     ended_ = true;
     return;
@@ -68,9 +89,7 @@ std::optional<std::string> RobotLines::next() {
       return std::nullopt;
     }
     std::array<pollfd, 2> wait{{{interrupt_, POLLIN, 0}, {input, POLLIN, 0}}};
-    if (::poll(wait.data(), wait.size(), -1) < 0) {
-      continue;  // By a signal.
-    }
+    wait_for(wait);
     if (wait[0].revents != 0) {
       ended_ = true;
       return std::nullopt;
@@ -88,8 +107,8 @@ std::optional<std::string> RobotLines::next() {
 }
 
 bool RobotLines::answer(const std::string& row) {
-  const bool shown = write_whole(STDOUT_FILENO, row);
-  return connection_.get() >= 0 ? write_whole(connection_.get(), row) : shown;
+  const bool shown = write_whole(STDOUT_FILENO, row, interrupt_);
+  return connection_.get() >= 0 ? write_whole(connection_.get(), row, interrupt_) : shown;
 }
 
 }  // namespace tcert::cli
