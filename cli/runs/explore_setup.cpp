@@ -105,6 +105,11 @@ void set_by_measurements(terrain::ExploreSetup& setup,
                                 ? terrain::first_scale(setup, first).variance_bound()
                                 : 0.0;
     say_settled(setup, o, variance, progress);
+    if (o.noise_sd > 0.0) {
+      progress.say(
+          "note: the terrain is felt as the file has it: unless its values carry that noise, a "
+          "bound of the terrain that is made with --noise-sd is too low.");
+    }
   } catch (const std::invalid_argument& error) {
     const char* const ways_out = setup.rules.kind == RuleSet::band
                                      ? " (--start-radius, --gradient-prior, --kernel-length-scale)"

@@ -87,9 +87,9 @@ class Conversion {
     const double y = std::round(frame.rows_run_south ? first : second);
     if (!(x >= 0.0 && x < terrain_.rows && y >= 0.0 && y < terrain_.columns)) {
       const auto [west, east] = std::minmax(
-          frame.first_of(0, 0), frame.first_of(terrain_.rows - 1, terrain_.columns - 1));
+          {frame.first_of(0, 0), frame.first_of(terrain_.rows - 1, terrain_.columns - 1)});
       const auto [south, north] = std::minmax(
-          frame.second_of(0, 0), frame.second_of(terrain_.rows - 1, terrain_.columns - 1));
+          {frame.second_of(0, 0), frame.second_of(terrain_.rows - 1, terrain_.columns - 1)});
       throw UsageError(fmt::format(
           "--{}: found '{}', expected a place on the map, from {:.10g},{:.10g} to {:.10g},{:.10g}",
           option,

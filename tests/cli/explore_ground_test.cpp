@@ -249,7 +249,7 @@ TEST_F(ExploreGround, MetresOfAMapAreCells) {
   const ProcessResult off = work.run(
       {"explore", "map.asc", "--threshold", "940", "--units", "metres", "--start", "45,35"});
   EXPECT_EQ(2, off.exit_code);
-  expect_part(off.err, "expected a place on the map");
+  expect_part(off.err, "expected a place on the map, from 400000.25,");
   const ProcessResult unknown = explore({"--units", "metres", "--start", "45,35"});
   EXPECT_EQ(2, unknown.exit_code);
   expect_part(unknown.err, "--cell-size M");
