@@ -149,13 +149,22 @@ void add_point(const RowHazard& row,
 
 }  // namespace
 
-std::vector<BaselineHazard> cox_baseline(const CoxData& data, const CoxFit& fit) {
+std::vector<BaselineHazard> cox_baseline(const CoxData& data,
+                                         const CoxFit& fit,
+                                         const Eigen::VectorXd& x,
+                                         double offset) {
   check_fit(data, fit);
+  if (x.size() != 0 && x.size() != data.design.cols()) {
+    throw std::invalid_argument("Cox baseline: the row does not fit the model");
+  }
   const CoxRows rows = cox_rows(data);
   const HazardSteps steps = hazard_increments(rows, fit.beta.cwiseProduct(rows.scale), fit.ties);
   const Limit limit(rows, fit);
-  const Eigen::VectorXd x = -rows.centre.cwiseQuotient(rows.scale);
-  const double risk = std::exp(-rows.centre.dot(fit.beta) - rows.offset_centre - steps.risks.shift);
+  const Eigen::VectorXd centred =
+      x.size() == 0 ? Eigen::VectorXd(-rows.centre) : Eigen::VectorXd(x - rows.centre);
+  const Eigen::VectorXd scaled = centred.cwiseQuotient(rows.scale);
+  const double risk =
+      std::exp(centred.dot(fit.beta) + offset - rows.offset_centre - steps.risks.shift);
   std::vector<BaselineHazard> result;
   const std::vector<TimeGrid> grids = time_grids(data, rows.sets);
   for (std::size_t s = 0; s < grids.size(); ++s) {
@@ -165,7 +174,7 @@ std::vector<BaselineHazard> cox_baseline(const CoxData& data, const CoxFit& fit)
     BaselineHazard baseline;
     baseline.stratum = level_of(data, s);
     baseline.time = grids[s].time;
-    follow(steps, limit, grids[s], rows.sets.stratum_begin[s], x, [&](const RowHazard& row) {
+    follow(steps, limit, grids[s], rows.sets.stratum_begin[s], scaled, [&](const RowHazard& row) {
       baseline.hazard.push_back(risk * row.hazard);
     });
     result.push_back(std::move(baseline));

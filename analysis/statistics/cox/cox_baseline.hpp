@@ -15,15 +15,20 @@ namespace tcert::statistics {
 struct BaselineHazard {
   std::string stratum;  ///< Its level; empty without strata.
   std::vector<double> time;
-  std::vector<double> hazard;  ///< Cumulative, of a row with x = 0 and offset 0; infinity where it
-                               ///< runs there with a coefficient.
+  std::vector<double> hazard;  ///< Cumulative, of the row asked for; infinity where it runs there
+                               ///< with a coefficient.
 };
 
 /// One a stratum that has rows. \pre `fit` is the fit to `data`, with inference, without an error.
 /// Where coefficients run to infinity it is the limit: an event at which rows of a larger risk in
 /// their direction are at risk adds nothing, one at which all are of a smaller risk adds infinity.
-/// O(n (log n + p)).
-[[nodiscard]] std::vector<BaselineHazard> cox_baseline(const CoxData& data, const CoxFit& fit);
+/// Of a row `x` (p) with `offset`; by default all 0, where the hazard may under- or overflow if the
+/// rows of the fit lie far from it. O(n (log n + p)). \throws std::invalid_argument if `x` has
+/// another size.
+[[nodiscard]] std::vector<BaselineHazard> cox_baseline(const CoxData& data,
+                                                       const CoxFit& fit,
+                                                       const Eigen::VectorXd& x = {},
+                                                       double offset = 0.0);
 
 /// The curve of one new row in one stratum, at the times of its baseline hazard.
 struct CoxCurve {

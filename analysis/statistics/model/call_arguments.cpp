@@ -41,7 +41,11 @@ CallArguments::CallArguments(const Expression& call, std::vector<std::string> na
     if (found == names_.end()) {
       fail("no argument '" + argument.arguments[0].name + "'");
     }
-    values_[static_cast<std::size_t>(found - names_.begin())] = &argument.arguments[1];
+    const Expression*& value = values_[static_cast<std::size_t>(found - names_.begin())];
+    if (value != nullptr) {
+      fail("'" + *found + "' stands twice");
+    }
+    value = &argument.arguments[1];
   }
   auto place = values_.begin();
   for (const Expression* const one : unnamed) {

@@ -34,6 +34,7 @@ constexpr std::array<Operator, 17> kOperators{{{"==", 5},
 constexpr int kNotStrength = 4;
 constexpr int kUnaryStrength = 10;
 constexpr int kDeepest = 200;
+constexpr int kMostOperators = 1000;  // A chain of them is as deep a tree.
 
 bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 bool starts_name(char c) noexcept {
@@ -87,6 +88,9 @@ class Parser {
     Expression left = unary();
     for (const Operator* op = operator_here(); op != nullptr && op->strength > weakest;
          op = operator_here()) {
+      if (++operators_ > kMostOperators) {
+        fail("more than " + std::to_string(kMostOperators) + " operators");
+      }
       at_ += op->sign.size();
       const bool to_the_right = op->sign == "^";
       Expression right = binary(to_the_right ? op->strength - 1 : op->strength);
@@ -196,6 +200,7 @@ class Parser {
   std::string_view text_;
   std::size_t at_ = 0;
   int depth_ = 0;
+  int operators_ = 0;
 };
 
 std::string number_text(double value) {

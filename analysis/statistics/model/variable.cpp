@@ -170,7 +170,7 @@ class Evaluation {
     const CallArguments arguments(call,
                                   call.name == "ns"
                                       ? std::vector<std::string>{"x", "df", "knots"}
-                                      : std::vector<std::string>{"x", "degree", "coefs", "raw"});
+                                      : std::vector<std::string>{"x", "degree", "raw"});
     const std::vector<double> x = numbers(arguments.required("x"), call);
     const std::vector<double> known = learned(x);
     std::vector<std::vector<double>> columns;
@@ -190,8 +190,7 @@ class Evaluation {
   }
 
   Variable cut_factor(const Expression& call) {
-    const CallArguments arguments(call,
-                                  {"x", "breaks", "labels", "include.lowest", "right", "dig.lab"});
+    const CallArguments arguments(call, {"x", "breaks", "labels", "include.lowest", "right"});
     const std::vector<double> x = numbers(arguments.required("x"), call);
     return {Variable::Kind::factor,
             {},

@@ -16,7 +16,7 @@ struct MeanOf {
   double std_error = table::kNaN;
 };
 
-/// Of each group; NaN where it has no row.
+/// Of each group; NaN where it has no row, or its curve ends above 0 before the limit.
 std::vector<MeanOf> means_of(const SurvivalOutcome& outcome,
                              const table::Factor* groups,
                              double limit) {
@@ -24,8 +24,13 @@ std::vector<MeanOf> means_of(const SurvivalOutcome& outcome,
   options.groups = groups;
   std::vector<MeanOf> means;
   for (const SurvivalCurve& curve : survival_curves(outcome, options)) {
+    if (curve.points.empty() ||
+        (curve.time_near(limit) > curve.points.back().time && curve.points.back().survival > 0.0)) {
+      means.emplace_back();  // Nothing is known of the curve up to the limit.
+      continue;
+    }
     const RestrictedMean one = restricted_mean(curve, limit);
-    means.push_back(curve.rows == 0 ? MeanOf{} : MeanOf{one.mean, one.std_error});
+    means.push_back({one.mean, one.std_error});
   }
   return means;
 }

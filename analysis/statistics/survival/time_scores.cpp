@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
 #include <statistics/basics/compact_codes.hpp>
 #include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/model/factor_levels.hpp>
@@ -50,6 +50,9 @@ Scored scored(const SurvivalOutcome& outcome,
   std::sort(
       rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return risk[a] < risk[b]; });
   const double late = censoring.at(time);
+  if (!(late > 0.0)) {
+    return {};  // Nobody is known to be later, and censored rows cannot be weighted for.
+  }
   double cases = 0.0;
   double controls = 0.0;  // So far: of lower risk.
   double pairs = 0.0;
@@ -79,10 +82,22 @@ Scored scored(const SurvivalOutcome& outcome,
           rows.empty() ? table::kNaN : squares / static_cast<double>(rows.size())};
 }
 
-std::vector<std::size_t> all_rows(std::size_t count) {
-  std::vector<std::size_t> rows(count);
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
+std::vector<std::size_t> rows_with_risk(std::span<const double> risk) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < risk.size(); ++row) {
+    if (std::isfinite(risk[row])) {
+      rows.push_back(row);
+    }
+  }
   return rows;
+}
+
+/// Within what such a number can be.
+void clip(std::optional<Interval>& interval) {
+  if (interval) {
+    interval->low = std::clamp(interval->low, 0.0, 1.0);
+    interval->high = std::clamp(interval->high, 0.0, 1.0);
+  }
 }
 
 /// 1 - Kaplan-Meier of these rows, with its interval if there are rows.
@@ -121,7 +136,7 @@ TimeScores time_scores(const SurvivalOutcome& outcome,
                        const table::Factor* cluster,
                        double level) {
   check(outcome, risk.size(), cluster);
-  const std::vector<std::size_t> rows = all_rows(risk.size());
+  const std::vector<std::size_t> rows = rows_with_risk(risk);
   const Scored all = scored(outcome, risk, time, rows);
   TimeScores scores;
   scores.time = time;
@@ -131,6 +146,10 @@ TimeScores time_scores(const SurvivalOutcome& outcome,
   }
   scores.auc.value = all.auc;
   scores.brier.value = all.brier;
+  if (std::isnan(all.brier)) {
+    scores.brier_null = table::kNaN;
+    return scores;
+  }
   const double share = observed_of(outcome, rows, time, nullptr, level).observed;
   const std::vector<double> same(risk.size(), share);
   scores.brier_null = scored(outcome, same, time, rows).brier;
@@ -153,6 +172,8 @@ TimeScores time_scores(const SurvivalOutcome& outcome,
   }
   scores.auc.spread = jackknife_estimate(all.auc, aucs, level);
   scores.brier.spread = jackknife_estimate(all.brier, briers, level);
+  clip(scores.auc.spread.interval);
+  clip(scores.brier.spread.interval);
   return scores;
 }
 
@@ -166,13 +187,16 @@ std::vector<RiskBin> risk_bins(const SurvivalOutcome& outcome,
   if (bins == 0) {
     throw std::invalid_argument("risk bins: none");
   }
-  std::vector<std::size_t> rows = all_rows(risk.size());
+  std::vector<std::size_t> rows = rows_with_risk(risk);
   std::stable_sort(
       rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return risk[a] < risk[b]; });
   std::vector<RiskBin> result;
   std::size_t first = 0;
   for (std::size_t bin = 0; bin < bins && first < rows.size(); ++bin) {
-    std::size_t last = std::max(first + 1, rows.size() * (bin + 1) / bins);
+    std::size_t last = rows.size() * (bin + 1) / bins;
+    if (last <= first) {
+      continue;  // A tie before it holds its rows.
+    }
     while (last < rows.size() && risk[rows[last]] == risk[rows[last - 1]]) {
       ++last;
     }

@@ -123,13 +123,20 @@ void add_predictions(const FitInput& from,
         rows.offset ? Eigen::VectorXd::Constant(1, (*rows.offset)[at]) : Eigen::VectorXd();
     const std::string stratum =
         rows.strata ? rows.strata->levels[rows.strata->codes[i]] : std::string();
+    bool known = false;
     for (const statistics::CoxCurve& curve : statistics::cox_curves(data, fit, own, offset)) {
       if (curve.stratum != stratum) {
         continue;
       }
+      known = true;
       for (const double time : times) {
         shown.push_back(survival_at(curve, rows.rows[i] + 1, time));
       }
+    }
+    if (!known) {
+      throw statistics::FormulaError("row " + std::to_string(rows.rows[i] + 1) + " of " +
+                                     from.request.predict + ": the fit has not seen stratum '" +
+                                     stratum + "'");
     }
   }
   report.tables.push_back(survival_prediction_table(shown));

@@ -132,5 +132,22 @@ TEST(Formula, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(problem_of(std::string(5000, '(')), "no problem");
 }
 
+/// Each operator of a chain is a level of the tree, and walking it takes stack.
+TEST(Expression, AChainOfManyOperatorsIsRefused) {
+  for (const std::string sign : {" & ", " + ", " - ", " * ", " | "}) {
+    std::string chain = "x";
+    for (int k = 0; k < 1000; ++k) {
+      chain += sign + "x";
+    }
+    EXPECT_NO_THROW(static_cast<void>(parse_expression(chain)));
+    EXPECT_THROW(static_cast<void>(parse_expression(chain + sign + "x")), FormulaError);
+  }
+  std::string endless = "x";
+  for (int k = 0; k < 100'000; ++k) {
+    endless += " & x";
+  }
+  EXPECT_THROW(static_cast<void>(parse_expression("I(" + endless + ")")), FormulaError);
+}
+
 }  // namespace
 }  // namespace tcert::statistics

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <statistics/cox/cox_predict.hpp>
 #include <statistics/model/factor_levels.hpp>
+#include <statistics/survival/restricted_means.hpp>
 #include <statistics/survival/time_scores.hpp>
+#include <table/not_a_number.hpp>
 
 #include "analysis/statistics/golden_table.hpp"
 
@@ -86,6 +88,104 @@ TEST(TimeScores, WithoutCensoringTheyAreThoseOfTheOutcome) {
   EXPECT_DOUBLE_EQ(scores.brier.value, (0.01 + 0.64 + 0.16 + 0.04) / 4.0);
   EXPECT_DOUBLE_EQ(scores.brier_null, 0.25);
   EXPECT_FALSE(scores.auc.spread.interval);
+}
+
+SurvivalOutcome outcome_of(std::vector<double> stop, std::vector<std::uint8_t> event) {
+  SurvivalOutcome outcome;
+  outcome.stop = std::move(stop);
+  outcome.event = std::move(event);
+  return outcome;
+}
+
+/// Of years and of years since 2000 the risks are the same: a hazard at x = 0 would underflow.
+TEST(CoxRisks, DoNotDependOnWhereAColumnBegins) {
+  CoxData data;
+  data.outcome = outcome_of({1, 2, 3, 4, 5, 6, 7, 8}, {1, 1, 1, 0, 1, 1, 1, 0});
+  data.columns = data.terms = {"year"};
+  data.term_of = {0};
+  data.design.resize(8, 1);
+  data.design.col(0) << 1, 2, 0, 3, 2, 4, 3, 5;
+  CoxData shifted = data;
+  shifted.design.array() += 2000.0;
+  const std::vector<double> times{0.5, 3.0, 8.0};
+  const Eigen::MatrixXd near = cox_risks(data, fit_cox(data), data, times);
+  const Eigen::MatrixXd far = cox_risks(shifted, fit_cox(shifted), shifted, times);
+  ASSERT_TRUE(far.allFinite());
+  EXPECT_LT((near - far).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_EQ(far.col(0).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(TimeScores, ARiskThatIsNoNumberIsLeftOut) {
+  const SurvivalOutcome outcome = outcome_of({1, 2, 3, 4, 5}, {1, 1, 1, 1, 1});
+  const std::vector<double> risk{0.9, table::kNaN, 0.5, 0.2, 0.1};
+  const TimeScores all = time_scores(outcome, risk, 3.0, nullptr, 0.95);
+  const std::vector<double> known{0.9, 0.5, 0.2, 0.1};
+  const TimeScores without =
+      time_scores(outcome_of({1, 3, 4, 5}, {1, 1, 1, 1}), known, 3.0, nullptr, 0.95);
+  EXPECT_DOUBLE_EQ(all.auc.value, without.auc.value);
+  EXPECT_DOUBLE_EQ(all.brier.value, without.brier.value);
+  EXPECT_EQ(all.cases, 2U);
+  EXPECT_EQ(risk_bins(outcome, risk, 3.0, 1, nullptr, 0.95).front().rows, 4U);
+}
+
+TEST(TimeScores, BeyondAllThatIsKnownThereIsNone) {
+  const SurvivalOutcome outcome = outcome_of({1, 2, 3, 4, 5}, {1, 0, 1, 1, 0});
+  const std::vector<double> risk{0.9, 0.7, 0.5, 0.2, 0.1};
+  EXPECT_TRUE(std::isfinite(time_scores(outcome, risk, 4.0, nullptr, 0.95).brier.value));
+  for (const double time : {5.0, 50.0}) {
+    const TimeScores scores = time_scores(outcome, risk, time, nullptr, 0.95);
+    EXPECT_TRUE(std::isnan(scores.auc.value));
+    EXPECT_TRUE(std::isnan(scores.brier.value));
+    EXPECT_TRUE(std::isnan(scores.brier_null));
+  }
+}
+
+TEST(TimeScores, IntervalsLieWithinWhatAScoreCanBe) {
+  const SurvivalOutcome outcome = outcome_of({1, 2, 3, 4, 5, 6}, {1, 1, 1, 1, 1, 1});
+  const std::vector<double> risk{0.9, 0.4, 0.5, 0.45, 0.2, 0.1};
+  table::Factor cluster;
+  cluster.levels = {"a", "b", "c"};
+  cluster.codes = {0, 1, 2, 0, 1, 2};
+  const TimeScores scores = time_scores(outcome, risk, 3.0, &cluster, 0.95);
+  ASSERT_TRUE(scores.auc.spread.interval && scores.brier.spread.interval);
+  for (const Interval& one : {*scores.auc.spread.interval, *scores.brier.spread.interval}) {
+    EXPECT_GE(one.low, 0.0);
+    EXPECT_LE(one.high, 1.0);
+  }
+}
+
+/// Half of the rows tie at the least risk: the bins they fill are not followed by bins of one row.
+TEST(RiskBins, ALargeTieIsOneBinAndLeavesTheOthersTheirSize) {
+  std::vector<double> risk(50, 0.1);
+  for (int k = 0; k < 50; ++k) {
+    risk.push_back(0.2 + 0.01 * k);
+  }
+  std::vector<double> stop;
+  for (int k = 0; k < 100; ++k) {
+    stop.push_back(1.0 + k);
+  }
+  const auto bins =
+      risk_bins(outcome_of(stop, std::vector<std::uint8_t>(100, 1)), risk, 60.0, 10, nullptr, 0.95);
+  ASSERT_EQ(bins.size(), 6U);
+  EXPECT_EQ(bins.front().rows, 50U);
+  for (std::size_t b = 1; b < 6; ++b) {
+    EXPECT_EQ(bins[b].rows, 10U);
+  }
+}
+
+TEST(RestrictedMeans, BeyondACurveThatEndsAboveZeroThereIsNone) {
+  const SurvivalOutcome outcome = outcome_of({1, 2, 3, 2, 4, 9}, {1, 1, 1, 1, 0, 0});
+  table::Factor group;
+  group.levels = {"all end", "one is left"};
+  group.codes = {0, 0, 0, 1, 1, 1};
+  const auto within = restricted_means(outcome, &group, nullptr, 9.0, 0.95);
+  EXPECT_DOUBLE_EQ(within[0].value, 2.0);
+  EXPECT_TRUE(std::isfinite(within[1].value));
+  const auto beyond = restricted_means(outcome, &group, nullptr, 10.0, 0.95);
+  EXPECT_DOUBLE_EQ(beyond[0].value, 2.0) << "a curve at 0 is known for ever";
+  EXPECT_TRUE(std::isnan(beyond[1].value));
+  EXPECT_TRUE(std::isnan(beyond[2].value));
+  EXPECT_FALSE(beyond[1].spread.interval);
 }
 
 }  // namespace
