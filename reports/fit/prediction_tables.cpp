@@ -7,6 +7,24 @@
 
 namespace tcert {
 
+std::string prediction_footnote(std::size_t clusters, statistics::ClusterInference by) {
+  if (clusters < 2) {
+    return "There is a single cluster: no standard errors and intervals by clusters.";
+  }
+  std::string words = by == statistics::ClusterInference::jackknife ? "jackknife of whole clusters"
+                      : by == statistics::ClusterInference::cr2     ? "CR2"
+                                                                    : "CR1";
+  words = "Intervals: coefficients' covariance by " + words +
+          ", Student's t with clusters - 1 = " + std::to_string(clusters - 1) +
+          " degrees of freedom";
+  if (by == statistics::ClusterInference::cr2) {
+    return words + "; Satterthwaite's are of a coefficient, a row has none.";
+  }
+  return words + (by == statistics::ClusterInference::wild
+                      ? "; the wild bootstrap is of a coefficient, a row has none."
+                      : ".");
+}
+
 Table probability_table(const std::vector<ProbabilityRow>& rows) {
   using Row = ProbabilityRow;
   return ColumnsOf<Row>()

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <statistics/basics/interval.hpp>
+#include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/cox/cox_baseline.hpp>
 #include <statistics/survival/time_scores.hpp>
 #include <string>
@@ -21,6 +22,10 @@ struct ProbabilityRow {
   std::optional<double> log_odds;
   std::optional<double> std_error;  ///< Of the log odds.
 };
+
+/// By what the intervals of predictions are where there are clusters.
+[[nodiscard]] std::string prediction_footnote(std::size_t clusters,
+                                              statistics::ClusterInference by);
 
 [[nodiscard]] Table probability_table(const std::vector<ProbabilityRow>& rows);
 

@@ -114,6 +114,95 @@ TEST_F(FitPredict, WhatTheFitHasNotSeenIsRefusedByName) {
   EXPECT_EQ(gap["predictions"][0]["row"], 1);
 }
 
+TEST_F(FitPredict, OneClusterHasPredictionsWithoutIntervals) {
+  take(golden("predictions.json"));
+  work_.write("one.csv",
+              "y,x,day,time\n1,1,a,3\n0,2,a,4\n1,3,a,1\n0,1,a,7\n1,2,a,2\n0,4,a,9\n1,4,a,5\n");
+  work_.write("x.csv", "x\n1\n2\n");
+  for (const std::string model : {"glm:y ~ x", "cox:Surv(time, y) ~ x"}) {
+    const auto colon = model.find(':');
+    const ProcessResult run = work_.run({"fit",
+                                         model.substr(0, colon),
+                                         "--data",
+                                         "one.csv",
+                                         "--formula",
+                                         model.substr(colon + 1),
+                                         "--cluster",
+                                         "day",
+                                         "--predict",
+                                         "x.csv",
+                                         "--times",
+                                         "3",
+                                         "--format",
+                                         "json"});
+    ASSERT_EQ(run.exit_code, 0) << to_string(run);
+    const json rows = json::parse(run.out)["predictions"];
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_TRUE(rows[0]["estimate"].is_number());
+    EXPECT_TRUE(rows[0]["conf.low"].is_null()) << rows.dump();
+  }
+}
+
+/// With clusters intervals are Student's, by the covariance that --inference names.
+TEST_F(FitPredict, IntervalsOfClustersAreByWhatIsAskedFor) {
+  take(golden("predictions.json"));
+  const std::string formula = "Surv(time, event) ~ x + z + light";
+  const auto width = [&](const std::string& inference) {
+    const json row = document("cox",
+                              formula,
+                              {"--times",
+                               "8",
+                               "--predict",
+                               "new.csv",
+                               "--cluster",
+                               "day",
+                               "--inference",
+                               inference})["predictions"][0];
+    const double low = std::log(row["conf.low"].get<double>());
+    const double log_se = row["std.error"].get<double>() / row["estimate"].get<double>();
+    EXPECT_NEAR((std::log(row["estimate"].get<double>()) - low) / log_se, 2.1447866879, 1e-6)
+        << "qt(0.975, 14)";
+    return log_se;
+  };
+  EXPECT_NE(width("jackknife"), width("cr1"));
+  EXPECT_NE(width("cr2"), width("cr1"));
+  EXPECT_EQ(width("wild"), width("cr1"));
+  const ProcessResult table = fit(
+      "glm", "y ~ x + light", {"--predict", "new.csv", "--cluster", "day", "--inference", "cr2"});
+  EXPECT_NE(table.out.find("Satterthwaite's are of a coefficient"), std::string::npos)
+      << to_string(table);
+}
+
+TEST_F(FitPredict, AStratumThatTheFitHasNotSeenIsRefused) {
+  work_.write(
+      "s.csv",
+      "time,y,x,s\n1,1,1,1\n2,1,3,1\n3,0,2,1\n4,1,1,1\n1,1,2,2\n2,0,1,2\n3,1,3,2\n5,1,2,2\n");
+  work_.write("new.csv", "x,s\n1,1\n2,3\n");
+  const ProcessResult run = work_.run({"fit",
+                                       "cox",
+                                       "--data",
+                                       "s.csv",
+                                       "--formula",
+                                       "Surv(time, y) ~ x + strata(s)",
+                                       "--predict",
+                                       "new.csv",
+                                       "--times",
+                                       "2"});
+  expect_said(run, 2, "row 2 of new.csv: the fit has not seen stratum");
+}
+
+/// A hazard at year 0 underflows: no run may hang or have no risks for that.
+TEST_F(FitPredict, YearsAreColumnsAsAnyOther) {
+  std::string csv = "t,e,year\n";
+  for (int k = 0; k < 40; ++k) {
+    csv += std::to_string(1 + (k * 7) % 11) + "," + (k % 4 == 0 ? "0" : "1") + "," +
+           std::to_string(2000 + (k * 5) % 9) + "\n";
+  }
+  work_.write("t.csv", csv);
+  const json run = document("cox", "Surv(t, e) ~ year", {"--times", "5"});
+  EXPECT_TRUE(run["scores"][0]["auc"].is_number()) << run["scores"].dump();
+}
+
 TEST_F(FitPredict, ACoxModelIsCalibratedOutOfFold) {
   take(golden("predictions.json"));
   const json run = document(

@@ -25,8 +25,7 @@ Spread spread_of(const ClusteredFit& fit, ClusterInference inference) {
       spread.df = satterthwaite_df(fit.parts);
       break;
     case ClusterInference::jackknife:
-      spread.covariance = jackknife_covariance(fit.parts.estimates, fit.left_out());
-      break;
+      break;  // See by_jackknife().
   }
   return spread;
 }
@@ -49,7 +48,36 @@ void by_wild_bootstrap(const ClusteredFit& fit,
   }
 }
 
+std::string causes_of(const Eigen::VectorXd& estimates,
+                      const LeftOut& left_out,
+                      std::span<const std::string> names) {
+  constexpr std::size_t kNamed = 3;
+  std::string words;
+  std::size_t lacking = 0;
+  for (std::size_t g = 0; g < names.size(); ++g) {
+    const auto column = left_out.values.col(static_cast<Eigen::Index>(g)).array();
+    if ((column.isFinite() || !estimates.array().isFinite()).all()) {
+      continue;
+    }
+    if (++lacking <= kNamed) {
+      words += (lacking == 1 ? "without '" : "; without '") + names[g] +
+               "': " + (left_out.causes[g].empty() ? "no estimate" : left_out.causes[g]);
+    }
+  }
+  return lacking > kNamed ? words + "; and " + std::to_string(lacking - kNamed) + " more" : words;
+}
+
 }  // namespace
+
+std::vector<std::string> cluster_names(const table::Factor& cluster,
+                                       std::span<const std::uint32_t> codes,
+                                       const CompactCodes& compact) {
+  std::vector<std::string> names(compact.count);
+  for (std::size_t row = 0; row < codes.size(); ++row) {
+    names[compact.codes[row]] = cluster.levels.at(codes[row]);
+  }
+  return names;
+}
 
 std::string_view to_string(ClusterInference inference) noexcept {
   switch (inference) {
@@ -102,11 +130,59 @@ ClusterInference default_inference(std::size_t clusters) noexcept {
   return clusters > kMostJackknifeClusters ? ClusterInference::cr1 : ClusterInference::jackknife;
 }
 
+ClusterInferences by_jackknife(const Eigen::VectorXd& estimates,
+                               LeftOut left_out,
+                               std::span<const std::string> names,
+                               double level) {
+  ClusterInferences all;
+  all.by = ClusterInference::jackknife;
+  all.of.resize(static_cast<std::size_t>(estimates.size()));
+  if (names.size() < 2) {
+    return all;
+  }
+  all.covariance = jackknife_covariance(estimates, left_out.values);
+  for (std::size_t k = 0; k < all.of.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    all.of[k] = by_student_t(estimates(at),
+                             std::sqrt(all.covariance(at, at)),
+                             static_cast<double>(names.size()) - 1.0,
+                             level);
+  }
+  if (std::string causes = causes_of(estimates, left_out, names); !causes.empty()) {
+    all.conditions.push_back(
+        {ConditionKind::no_jackknife,
+         ConditionSeverity::warning,
+         "",
+         std::move(causes),
+         "the coefficients that it lacks have no t columns; take --inference cr1 or cr2, or fewer "
+         "terms"});
+  }
+  all.left_out = std::move(left_out);
+  return all;
+}
+
+ClusterInferences not_to_be_had(ClusterInference asked,
+                                std::size_t coefficients,
+                                const std::string& why) {
+  ClusterInferences none;
+  none.by = asked;
+  none.of.resize(coefficients);
+  none.conditions.push_back({ConditionKind::no_robust_variance,
+                             ConditionSeverity::warning,
+                             "",
+                             std::string(to_string(asked)) + ": " + why,
+                             "the t columns are NA; take another --inference"});
+  return none;
+}
+
 ClusterInferences cluster_inferences(const ClusteredFit& fit,
                                      std::optional<ClusterInference> inference,
                                      const WildOptions& options) {
   ClusterInferences all;
   all.by = inference.value_or(default_inference(fit.parts.clusters()));
+  if (all.by == ClusterInference::jackknife && fit.parts.clusters() > 1) {
+    return by_jackknife(fit.parts.estimates, fit.left_out(), fit.names, options.level);
+  }
   all.of.resize(static_cast<std::size_t>(fit.parts.estimates.size()));
   if (fit.parts.clusters() < 2) {
     return all;

@@ -7,10 +7,14 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <statistics/basics/compact_codes.hpp>
+#include <statistics/basics/condition.hpp>
 #include <statistics/basics/student_t.hpp>
 #include <statistics/clusters/sandwich_parts.hpp>
 #include <statistics/clusters/wild_bootstrap.hpp>
+#include <string>
 #include <string_view>
+#include <table/factor.hpp>
 #include <vector>
 
 namespace tcert::statistics {
@@ -24,13 +28,25 @@ enum class ClusterInference : std::uint8_t {
 /// "cr1", "cr2", "jackknife", "wild".
 [[nodiscard]] std::string_view to_string(ClusterInference inference) noexcept;
 
+/// The coefficients without each cluster in turn.
+struct LeftOut {
+  Eigen::MatrixXd values;           ///< p x G; NaN where there is none.
+  std::vector<std::string> causes;  ///< G: why a coefficient is missing; empty where none is.
+};
+
 /// A fit as inference asks for it.
 struct ClusteredFit {
   SandwichParts parts;  ///< At the estimates.
   PartsAt parts_at;
-  /// The coefficients (p) without each cluster in turn, NaN where there is none: p x G.
-  std::function<Eigen::MatrixXd()> left_out;
+  std::function<LeftOut()> left_out;
+  std::vector<std::string> names;  ///< G: the clusters'.
 };
+
+/// Of clusters in the order of their codes: those of `codes`, by their levels. \pre `codes` are of
+/// `cluster`, `compact` of `codes`.
+[[nodiscard]] std::vector<std::string> cluster_names(const table::Factor& cluster,
+                                                     std::span<const std::uint32_t> codes,
+                                                     const CompactCodes& compact);
 
 /// (G - 1) / G times the sum of squared distances of `left_out` from `estimate`: CV3 (MacKinnon,
 /// Nielsen and Webb 2023). NaN if one is.
@@ -57,6 +73,9 @@ struct ClusterInferences {
   ClusterInference by = ClusterInference::jackknife;
   std::vector<ClusterT> of;
   Eigen::MatrixXd covariance;  ///< p x p, of the coefficients; NaN as they; of wild that of CR1.
+                               ///< Empty with fewer than 2 clusters.
+  std::optional<LeftOut> left_out{};  ///< Of the jackknife.
+  Conditions conditions{};            ///< no_jackknife, no_robust_variance.
 };
 
 /// Up to so many clusters the jackknife is what is taken by default: of those that were tried it
@@ -65,6 +84,18 @@ struct ClusterInferences {
 inline constexpr std::size_t kMostJackknifeClusters = 100;
 
 [[nodiscard]] ClusterInference default_inference(std::size_t clusters) noexcept;
+
+/// By the jackknife, whatever the size of the parts: a coefficient that a refit lacks has no
+/// spread, and the condition no_jackknife names the cluster and the cause.
+[[nodiscard]] ClusterInferences by_jackknife(const Eigen::VectorXd& estimates,
+                                             LeftOut left_out,
+                                             std::span<const std::string> names,
+                                             double level);
+
+/// Nothing of any of `coefficients` by the way that was asked for, and why: no_robust_variance.
+[[nodiscard]] ClusterInferences not_to_be_had(ClusterInference asked,
+                                              std::size_t coefficients,
+                                              const std::string& why);
 
 /// One for each coefficient; all empty with fewer than 2 clusters. The standard error of wild is
 /// that of CR1, which scales its search for the ends.

@@ -1,5 +1,6 @@
 #include <statistics/cox/cox_sandwich.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <statistics/basics/compact_codes.hpp>
@@ -16,9 +17,11 @@ struct CoxClusters {
   CoxRows rows;
   table::Factor cluster;  ///< Compact: n codes.
   std::size_t count = 0;
+  std::vector<std::string> names;
   Ties ties = Ties::efron;
   std::vector<Eigen::Index> ranked;  ///< Columns with an estimate in the likelihood.
   Eigen::MatrixXd functionals;       ///< r x p.
+  Eigen::VectorXd estimates;         ///< p.
 };
 
 /// Cumulative sums over event times of the hazard, and of it times the mean and its square.
@@ -118,9 +121,20 @@ std::optional<Eigen::VectorXd> held_at(const CoxData& data,
   return beta;
 }
 
-Eigen::MatrixXd without_clusters(const CoxData& data, const CoxClusters& clusters) {
-  Eigen::MatrixXd left_out = Eigen::MatrixXd::Constant(
-      data.design.cols(), static_cast<Eigen::Index>(clusters.count), table::kNaN);
+/// Why a refit has not all coefficients; empty if it has.
+std::string lack_of(const CoxFit& fit) {
+  if (fit.summary.termination != CoxTermination::converged) {
+    return std::string(to_string(fit.summary.termination));
+  }
+  const bool whole = std::all_of(
+      fit.estimated.begin(), fit.estimated.end(), [](bool estimated) { return estimated; });
+  return whole ? "" : "a constant or collinear column";
+}
+
+LeftOut without_clusters(const CoxData& data, const CoxClusters& clusters) {
+  LeftOut left_out{Eigen::MatrixXd::Constant(
+                       data.design.cols(), static_cast<Eigen::Index>(clusters.count), table::kNaN),
+                   {}};
   for (std::size_t group = 0; group < clusters.count; ++group) {
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < data.rows(); ++row) {
@@ -131,38 +145,34 @@ Eigen::MatrixXd without_clusters(const CoxData& data, const CoxClusters& cluster
     CoxData others = on_rows(data, rows);
     others.cluster.reset();
     const CoxFit fit = fit_cox(others, of_refits(clusters.ties));
-    if (fit.summary.termination != CoxTermination::converged) {
-      continue;
-    }
-    for (Eigen::Index j = 0; j < fit.beta.size(); ++j) {
+    left_out.causes.push_back(lack_of(fit));
+    // Beside a coefficient that runs to infinity the others have their limits.
+    const bool has_numbers = fit.summary.termination == CoxTermination::converged ||
+                             (fit.summary.termination == CoxTermination::monotone && fit.at_limit);
+    for (Eigen::Index j = 0; has_numbers && j < fit.beta.size(); ++j) {
       if (fit.estimated[static_cast<std::size_t>(j)]) {
-        left_out(j, static_cast<Eigen::Index>(group)) = fit.beta(j);
+        left_out.values(j, static_cast<Eigen::Index>(group)) = fit.beta(j);
       }
     }
   }
   return left_out;
 }
 
-}  // namespace
-
-std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit) {
+/// Null unless the fit has what is corrected.
+std::shared_ptr<CoxClusters> clusters_of(const CoxData& data, const CoxFit& fit) {
   if (!data.cluster || fit.ties == Ties::exact ||
       fit.summary.termination != CoxTermination::converged || fit.coefficients.empty()) {
-    return std::nullopt;
+    return nullptr;
   }
   auto clusters = std::make_shared<CoxClusters>();
   CompactCodes codes = compact_codes(data.cluster->codes);
   clusters->count = codes.count;
+  clusters->names = cluster_names(*data.cluster, data.cluster->codes, codes);
   clusters->cluster.codes = std::move(codes.codes);
   clusters->cluster.levels.resize(clusters->count);
   clusters->rows = cox_rows(data);
   clusters->ties = fit.ties;
   const Eigen::Index p = data.design.cols();
-  const double numbers = static_cast<double>(clusters->count + clusters->rows.sets.times()) *
-                         static_cast<double>(p) * static_cast<double>(p);
-  if (numbers > kMostShareNumbers) {
-    return std::nullopt;
-  }
   for (Eigen::Index j = 0; j < p; ++j) {
     if (fit.estimated[static_cast<std::size_t>(j)]) {
       clusters->ranked.push_back(j);
@@ -170,14 +180,28 @@ std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit
   }
   const auto r = static_cast<Eigen::Index>(clusters->ranked.size());
   clusters->functionals = Eigen::MatrixXd::Constant(r, p, table::kNaN);
-  Eigen::VectorXd estimates = Eigen::VectorXd::Constant(p, table::kNaN);
+  clusters->estimates = Eigen::VectorXd::Constant(p, table::kNaN);
   for (Eigen::Index j = 0; j < r; ++j) {
     const Eigen::Index column = clusters->ranked[static_cast<std::size_t>(j)];
     if (const auto estimate = fit.coefficients[static_cast<std::size_t>(column)].estimate) {
-      estimates(column) = *estimate;
+      clusters->estimates(column) = *estimate;
       clusters->functionals.col(column).setZero();
       clusters->functionals(j, column) = 1.0 / clusters->rows.scale(column);
     }
+  }
+  return clusters;
+}
+
+std::optional<ClusteredFit> with_parts(const CoxData& data,
+                                       const CoxFit& fit,
+                                       const std::shared_ptr<CoxClusters>& clusters) {
+  if (!clusters) {
+    return std::nullopt;
+  }
+  const auto p = static_cast<double>(data.design.cols());
+  if (static_cast<double>(clusters->count + clusters->rows.sets.times()) * p * p >
+      kMostShareNumbers) {
+    return std::nullopt;
   }
   auto parts = parts_of(*clusters, fit.beta.cwiseProduct(clusters->rows.scale));
   if (!parts) {
@@ -185,7 +209,8 @@ std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit
   }
   ClusteredFit clustered;
   clustered.parts = std::move(*parts);
-  clustered.parts.estimates = std::move(estimates);
+  clustered.parts.estimates = clusters->estimates;
+  clustered.names = clusters->names;
   clustered.parts_at = [&data, clusters](std::size_t k,
                                          double value) -> std::optional<SandwichParts> {
     const auto held = held_at(data, *clusters, static_cast<Eigen::Index>(k), value);
@@ -195,12 +220,30 @@ std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit
   return clustered;
 }
 
+}  // namespace
+
+std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit) {
+  return with_parts(data, fit, clusters_of(data, fit));
+}
+
 ClusterInferences cluster_inferences(const CoxData& data,
                                      const CoxFit& fit,
                                      std::optional<ClusterInference> inference,
                                      const WildOptions& options) {
-  if (const auto clustered = clustered_fit(data, fit)) {
+  const auto clusters = clusters_of(data, fit);
+  if (const auto clustered = with_parts(data, fit, clusters)) {
     return cluster_inferences(*clustered, inference, options);
+  }
+  const auto by = inference.value_or(default_inference(fit.clusters));
+  if (by == ClusterInference::jackknife && clusters) {
+    return by_jackknife(
+        clusters->estimates, without_clusters(data, *clusters), clusters->names, options.level);
+  }
+  if (inference && by != ClusterInference::cr1 && !fit.coefficients.empty()) {
+    return not_to_be_had(by,
+                         fit.coefficients.size(),
+                         clusters ? "too many times, clusters and columns at once"
+                                  : "the fit has no finite maximum");
   }
   ClusterInferences uncorrected{ClusterInference::cr1, {}, fit.vcov};
   if (fit.clusters > 1) {

@@ -16,7 +16,9 @@ namespace tcert::statistics {
 /// which must outlive them. `left_out` has O(G) refits.
 [[nodiscard]] std::optional<ClusteredFit> clustered_fit(const CoxData& data, const CoxFit& fit);
 
-/// Of every coefficient. By CR1 of the fit's own standard errors where it is no `clustered_fit`.
+/// Of every coefficient. Where the parts would be too large the jackknife refits without them; what
+/// else is no `clustered_fit` has by default CR1 of the fit's own standard errors, and nothing,
+/// with the condition no_robust_variance, by another way that was asked for.
 [[nodiscard]] ClusterInferences cluster_inferences(const CoxData& data,
                                                    const CoxFit& fit,
                                                    std::optional<ClusterInference> inference,

@@ -1,5 +1,6 @@
 #include <statistics/logistic/logistic_sandwich.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <statistics/basics/compact_codes.hpp>
@@ -15,6 +16,8 @@ struct LogisticClusters {
   LogisticProblem problem;
   CompactCodes cluster;
   Eigen::MatrixXd functionals;  ///< r x p; NaN without an estimate.
+  Eigen::VectorXd estimates;    ///< p; NaN likewise.
+  std::vector<std::string> names;
 };
 
 /// What the clusters' scores and information are at coefficients along the basis.
@@ -87,14 +90,35 @@ std::optional<Eigen::VectorXd> held_at(const LogisticInput& input,
   return problem.space.triangle.triangularView<Eigen::Upper>() * columns;
 }
 
-Eigen::MatrixXd without_clusters(const LogisticInput& input, const LogisticClusters& data) {
+/// The same where the maximum lies at infinity: coefficients that stay finite beside those that do
+/// not. `cause` says why any is missing.
+Eigen::VectorXd finite_coefficients(const LogisticInput& input, std::string& cause) {
+  const LogisticFit fit = fit_logistic(input);
+  Eigen::VectorXd all = Eigen::VectorXd::Constant(input.design.cols(), table::kNaN);
+  for (std::size_t j = 0; j < fit.coefficients.size(); ++j) {
+    all[static_cast<Eigen::Index>(j)] = fit.coefficients[j].estimate.value_or(table::kNaN);
+  }
+  const auto worst = std::max_element(
+      fit.conditions.begin(), fit.conditions.end(), [](const Condition& a, const Condition& b) {
+        return a.severity < b.severity;
+      });
+  cause = worst == fit.conditions.end() ? "" : std::string(words(worst->kind));
+  return all;
+}
+
+LeftOut without_clusters(const LogisticInput& input, const LogisticClusters& data) {
   const Eigen::Index rows = input.design.rows();
-  Eigen::MatrixXd left_out(input.design.cols(), static_cast<Eigen::Index>(data.cluster.count));
+  LeftOut left_out;
+  left_out.values.resize(input.design.cols(), static_cast<Eigen::Index>(data.cluster.count));
+  left_out.causes.resize(data.cluster.count);
   LogisticInput others;
   others.design = input.design;
   others.successes = input.successes;
   others.trials = input.trials;
   others.offset = input.offset;
+  others.columns = input.columns;
+  others.term_of = input.term_of;
+  others.terms = input.terms;
   for (std::size_t group = 0; group < data.cluster.count; ++group) {
     others.weights = input.weights.size() > 0 ? input.weights : Eigen::VectorXd::Ones(rows);
     for (std::size_t i = 0; i < data.problem.used.size(); ++i) {
@@ -102,16 +126,19 @@ Eigen::MatrixXd without_clusters(const LogisticInput& input, const LogisticClust
         others.weights[data.problem.used[i]] = 0.0;  // Which leaves the row out.
       }
     }
-    left_out.col(static_cast<Eigen::Index>(group)) = column_coefficients(others);
+    Eigen::VectorXd refit = column_coefficients(others);
+    if (!refit.allFinite()) {
+      refit = finite_coefficients(others, left_out.causes[group]);
+    }
+    left_out.values.col(static_cast<Eigen::Index>(group)) = refit;
   }
   return left_out;
 }
 
-}  // namespace
-
-std::optional<ClusteredFit> clustered_fit(const LogisticInput& input, const LogisticFit& fit) {
+/// Null unless the fit has what is corrected.
+std::shared_ptr<LogisticClusters> clusters_of(const LogisticInput& input, const LogisticFit& fit) {
   if (!input.cluster || !fit.log_likelihood || fit.separation != Separation::none) {
-    return std::nullopt;
+    return nullptr;
   }
   auto data = std::make_shared<LogisticClusters>();
   data->problem = logistic_problem(input);
@@ -121,30 +148,41 @@ std::optional<ClusteredFit> clustered_fit(const LogisticInput& input, const Logi
     codes.push_back(input.cluster->codes[static_cast<std::size_t>(row)]);
   }
   data->cluster = compact_codes(codes);
-  const auto r = static_cast<double>(problem.space.rank());
-  if (static_cast<double>(data->cluster.count) * r * r > kMostShareNumbers) {
-    return std::nullopt;
-  }
+  data->names = cluster_names(*input.cluster, codes, data->cluster);
   const Eigen::MatrixXd back = inverse_triangle(problem.space);
   data->functionals =
       Eigen::MatrixXd::Constant(problem.space.rank(), input.design.cols(), table::kNaN);
-  Eigen::VectorXd estimates = Eigen::VectorXd::Constant(input.design.cols(), table::kNaN);
+  data->estimates = Eigen::VectorXd::Constant(input.design.cols(), table::kNaN);
   for (std::size_t j = 0; j < problem.space.kept.size(); ++j) {
     const std::size_t column = problem.space.kept[j];
     if (fit.coefficients[column].estimate) {
-      estimates[static_cast<Eigen::Index>(column)] = *fit.coefficients[column].estimate;
+      data->estimates[static_cast<Eigen::Index>(column)] = *fit.coefficients[column].estimate;
       data->functionals.col(static_cast<Eigen::Index>(column)) =
           back.row(static_cast<Eigen::Index>(j)).transpose();
     }
   }
-  const LogisticMaximum maximum = maximum_of(input, problem, fit.options.newton);
+  return data;
+}
+
+std::optional<ClusteredFit> with_parts(const LogisticInput& input,
+                                       const LogisticFit& fit,
+                                       const std::shared_ptr<LogisticClusters>& data) {
+  if (!data) {
+    return std::nullopt;
+  }
+  const auto r = static_cast<double>(data->problem.space.rank());
+  if (static_cast<double>(data->cluster.count) * r * r > kMostShareNumbers) {
+    return std::nullopt;
+  }
+  const LogisticMaximum maximum = maximum_of(input, data->problem, fit.options.newton);
   auto parts = parts_of(*data, maximum.newton.coefficients);
   if (!parts) {
     return std::nullopt;
   }
   ClusteredFit clustered;
   clustered.parts = std::move(*parts);
-  clustered.parts.estimates = std::move(estimates);
+  clustered.parts.estimates = data->estimates;
+  clustered.names = data->names;
   clustered.parts_at = [&input, data](std::size_t k, double value) -> std::optional<SandwichParts> {
     const auto held = held_at(input, data->problem, k, value);
     return held ? parts_of(*data, *held) : std::nullopt;
@@ -153,12 +191,30 @@ std::optional<ClusteredFit> clustered_fit(const LogisticInput& input, const Logi
   return clustered;
 }
 
+}  // namespace
+
+std::optional<ClusteredFit> clustered_fit(const LogisticInput& input, const LogisticFit& fit) {
+  return with_parts(input, fit, clusters_of(input, fit));
+}
+
 ClusterInferences cluster_inferences(const LogisticInput& input,
                                      const LogisticFit& fit,
                                      std::optional<ClusterInference> inference,
                                      const WildOptions& options) {
-  if (const auto clustered = clustered_fit(input, fit)) {
+  const auto clusters = clusters_of(input, fit);
+  if (const auto clustered = with_parts(input, fit, clusters)) {
     return cluster_inferences(*clustered, inference, options);
+  }
+  const auto by = inference.value_or(default_inference(fit.clusters));
+  if (by == ClusterInference::jackknife && clusters) {
+    return by_jackknife(
+        clusters->estimates, without_clusters(input, *clusters), clusters->names, options.level);
+  }
+  if (inference && by != ClusterInference::cr1 && fit.log_likelihood) {
+    return not_to_be_had(
+        by,
+        fit.coefficients.size(),
+        clusters ? "too many clusters and columns at once" : "the fit has no finite maximum");
   }
   ClusterInferences uncorrected{ClusterInference::cr1, {}, fit.covariance};
   if (fit.clusters > 1) {

@@ -13,7 +13,9 @@ namespace tcert::statistics {
 [[nodiscard]] std::optional<ClusteredFit> clustered_fit(const LogisticInput& input,
                                                         const LogisticFit& fit);
 
-/// Of every coefficient. By CR1 of the fit's own standard errors where it is no `clustered_fit`.
+/// Of every coefficient. Where the parts would be too large the jackknife refits without them; what
+/// else is no `clustered_fit` has by default CR1 of the fit's own standard errors, and nothing,
+/// with the condition no_robust_variance, by another way that was asked for.
 [[nodiscard]] ClusterInferences cluster_inferences(const LogisticInput& input,
                                                    const LogisticFit& fit,
                                                    std::optional<ClusterInference> inference,

@@ -92,7 +92,7 @@ void test_last(const std::optional<statistics::ClusteredFit>& fit,
   p[1] = by_t(cr0 * groups / (groups - 1.0), groups - 1.0);
   p[2] = by_t(sandwich_cr2(fit->parts)(last, last), satterthwaite_df(fit->parts)(last));
   p[3] = by_t(statistics::jackknife_variance(fit->parts.estimates(last),
-                                             fit->left_out().row(last).transpose()),
+                                             fit->left_out().values.row(last).transpose()),
               groups - 1.0);
   const auto k = static_cast<std::size_t>(last);
   if (const auto null = fit->parts_at(k, truth)) {

@@ -156,7 +156,7 @@ std::optional<statistics::ChiSquareTest> test_of_last(
   const Eigen::VectorXd estimates = fit->parts.estimates.tail(count);
   return statistics::hotelling_test(
       estimates,
-      statistics::jackknife_covariance(estimates, fit->left_out().bottomRows(count)),
+      statistics::jackknife_covariance(estimates, fit->left_out().values.bottomRows(count)),
       fit->parts.clusters());
 }
 

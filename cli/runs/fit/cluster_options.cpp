@@ -35,13 +35,20 @@ statistics::WildOptions wild_options(const FitRequest& request) {
   return options;
 }
 
-void add_left_out(const FitInput& from,
-                  const std::optional<statistics::ClusteredFit>& fit,
-                  const std::vector<std::string>& names,
-                  const table::Factor& cluster,
-                  FitReport& report) {
+void add_cluster_tables(const FitInput& from,
+                        const statistics::ClusterInferences& inferences,
+                        const std::optional<statistics::ClusteredFit>& fit,
+                        const std::vector<std::string>& names,
+                        const table::Factor& cluster,
+                        FitReport& report) {
+  report.conditions.insert(
+      report.conditions.end(), inferences.conditions.begin(), inferences.conditions.end());
   if (from.request.left_out && fit) {
-    report.tables.push_back(left_out_table(names, cluster, fit->parts.estimates, fit->left_out()));
+    report.tables.push_back(
+        left_out_table(names,
+                       cluster,
+                       fit->parts.estimates,
+                       inferences.left_out ? inferences.left_out->values : fit->left_out().values));
   }
 }
 

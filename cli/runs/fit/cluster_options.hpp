@@ -17,11 +17,13 @@ namespace tcert::cli {
 
 [[nodiscard]] statistics::WildOptions wild_options(const FitRequest& request);
 
-/// Adds the table left_out, if it is asked for and there is what it is made of.
-void add_left_out(const FitInput& from,
-                  const std::optional<statistics::ClusteredFit>& fit,
-                  const std::vector<std::string>& names,
-                  const table::Factor& cluster,
-                  FitReport& report);
+/// Adds the conditions of the inferences, and the table left_out, if it is asked for and there is
+/// what it is made of: the refits of the jackknife, if that was by what is inferred.
+void add_cluster_tables(const FitInput& from,
+                        const statistics::ClusterInferences& inferences,
+                        const std::optional<statistics::ClusteredFit>& fit,
+                        const std::vector<std::string>& names,
+                        const table::Factor& cluster,
+                        FitReport& report);
 
 }  // namespace tcert::cli

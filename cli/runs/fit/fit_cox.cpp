@@ -155,7 +155,12 @@ FitReport fit_cox_model(const FitInput& from) {
   }
   FitReport report = cox_report(fit, concordance_of(data, fit), inferences);
   if (data.cluster) {
-    add_left_out(from, statistics::clustered_fit(data, fit), data.columns, *data.cluster, report);
+    add_cluster_tables(from,
+                       inferences,
+                       statistics::clustered_fit(data, fit),
+                       data.columns,
+                       *data.cluster,
+                       report);
   }
   if (statistics::has_error(fit.conditions)) {
     return report;
@@ -184,7 +189,7 @@ FitReport fit_cox_model(const FitInput& from) {
   add_residuals(from, data, fit, report);
   add_curves(from, data, fit, report);
   add_time_scores(from, data, fit, report);
-  add_predictions(from, data, fit, report);
+  add_predictions(from, data, fit, inferences, report);
   return report;
 }
 

@@ -74,12 +74,13 @@ FitReport fit_fine_gray(const FitInput& from) {
   table.title = "Cause-specific Cox model of '" + from.request.event +
                 "', other ends censored: log hazard ratios";
   report.tables.push_back(std::move(table));
-  if (from.request.left_out) {
-    add_left_out(from,
-                 statistics::clustered_fit(weighted, model.fit),
-                 weighted.columns,
-                 *weighted.cluster,
-                 report);
+  if (weighted.cluster) {
+    add_cluster_tables(from,
+                       model.inferences,
+                       statistics::clustered_fit(weighted, model.fit),
+                       weighted.columns,
+                       *weighted.cluster,
+                       report);
   }
   report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
   return report;

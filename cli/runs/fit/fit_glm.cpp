@@ -126,8 +126,12 @@ FitReport fit_glm(const FitInput& from) {
   }
   FitReport report = logistic_report(fit, profiles, statistics::drop_terms(input), inferences);
   if (input.cluster) {
-    add_left_out(
-        from, statistics::clustered_fit(input, fit), input.columns, *input.cluster, report);
+    add_cluster_tables(from,
+                       inferences,
+                       statistics::clustered_fit(input, fit),
+                       input.columns,
+                       *input.cluster,
+                       report);
   }
   add_predictions(from, fit, inferences, report);
   return report;

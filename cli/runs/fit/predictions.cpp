@@ -1,5 +1,6 @@
 #include "cli/runs/fit/predictions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <statistics/basics/normal.hpp>
 #include <statistics/cox/cox_baseline.hpp>
@@ -33,6 +34,40 @@ void name_dropped(const statistics::NewRows& rows, const std::string& file, FitR
   }
 }
 
+/// Half width of an interval in standard errors; NaN of a single cluster.
+double half_width_of(double level, bool clustered, std::size_t clusters) {
+  return !clustered     ? statistics::normal_factor(level)
+         : clusters < 2 ? table::kNaN
+                        : statistics::t_factor(level, static_cast<double>(clusters) - 1.0);
+}
+
+/// The fit with its coefficients' covariance as the clusters have it.
+statistics::CoxFit spread_by(const statistics::CoxFit& fit,
+                             const statistics::ClusterInferences& inferences) {
+  statistics::CoxFit spread = fit;
+  if (inferences.covariance.rows() == fit.limit_vcov.rows()) {
+    for (Eigen::Index i = 0; i < fit.limit_vcov.rows(); ++i) {
+      for (Eigen::Index j = 0; j < fit.limit_vcov.cols(); ++j) {
+        const bool counts = fit.limit_vcov(i, i) != 0.0 && fit.limit_vcov(j, j) != 0.0;
+        spread.limit_vcov(i, j) = counts ? inferences.covariance(i, j) : 0.0;
+      }
+    }
+  }
+  return spread;
+}
+
+/// On the log scale.
+std::optional<statistics::Interval> log_interval_of(const SurvivalRow& row,
+                                                    double factor,
+                                                    double level) {
+  if (!row.std_error || !(row.survival > 0.0) || std::isnan(factor)) {
+    return std::nullopt;
+  }
+  const double half = factor * *row.std_error / row.survival;
+  return statistics::Interval{
+      row.survival * std::exp(-half), std::min(1.0, row.survival * std::exp(half)), level};
+}
+
 }  // namespace
 
 std::vector<double> times_of(const FitRequest& request) {
@@ -55,9 +90,7 @@ void add_predictions(const FitInput& from,
   const statistics::NewRows rows = rows_to_predict(from);
   const bool clustered = !inferences.of.empty();
   const Eigen::MatrixXd& covariance = clustered ? inferences.covariance : fit.covariance;
-  const double factor =
-      clustered ? statistics::t_factor(from.request.level, static_cast<double>(fit.clusters) - 1.0)
-                : statistics::normal_factor(from.request.level);
+  const double factor = half_width_of(from.request.level, clustered, fit.clusters);
   std::vector<Eigen::Index> known;
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(rows.design.cols());
   for (std::size_t j = 0; j < fit.coefficients.size(); ++j) {
@@ -77,7 +110,8 @@ void add_predictions(const FitInput& from,
       eta += rows.design(row, j) == 0.0 ? 0.0 : rows.design(row, j) * beta[j];
     }
     const Eigen::VectorXd x = rows.design(row, known);
-    const double error = std::sqrt(x.dot(covariance(known, known) * x));
+    const double error = covariance.size() == 0 ? table::kNaN  // A single cluster has no spread.
+                                                : std::sqrt(x.dot(covariance(known, known) * x));
     ProbabilityRow one;
     one.row = rows.rows[static_cast<std::size_t>(row)] + 1;
     if (std::isfinite(eta)) {
@@ -93,12 +127,16 @@ void add_predictions(const FitInput& from,
     shown.push_back(one);
   }
   report.tables.push_back(probability_table(shown));
+  if (clustered) {
+    report.tables.back().footnotes.push_back(prediction_footnote(fit.clusters, inferences.by));
+  }
   name_dropped(rows, from.request.predict, report);
 }
 
 void add_predictions(const FitInput& from,
                      const statistics::CoxData& data,
                      const statistics::CoxFit& fit,
+                     const statistics::ClusterInferences& inferences,
                      FitReport& report) {
   if (from.request.predict.empty()) {
     return;
@@ -115,6 +153,9 @@ void add_predictions(const FitInput& from,
       columns.push_back(static_cast<Eigen::Index>(j));
     }
   }
+  const bool clustered = !inferences.of.empty();
+  const statistics::CoxFit spread = clustered ? spread_by(fit, inferences) : fit;
+  const double factor = half_width_of(from.request.level, clustered, fit.clusters);
   std::vector<SurvivalRow> shown;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -124,13 +165,16 @@ void add_predictions(const FitInput& from,
     const std::string stratum =
         rows.strata ? rows.strata->levels[rows.strata->codes[i]] : std::string();
     bool known = false;
-    for (const statistics::CoxCurve& curve : statistics::cox_curves(data, fit, own, offset)) {
+    for (const statistics::CoxCurve& curve : statistics::cox_curves(data, spread, own, offset)) {
       if (curve.stratum != stratum) {
         continue;
       }
       known = true;
       for (const double time : times) {
         shown.push_back(survival_at(curve, rows.rows[i] + 1, time));
+        if (clustered) {
+          shown.back().interval = log_interval_of(shown.back(), factor, from.request.level);
+        }
       }
     }
     if (!known) {
@@ -140,6 +184,10 @@ void add_predictions(const FitInput& from,
     }
   }
   report.tables.push_back(survival_prediction_table(shown));
+  if (clustered) {
+    report.tables.back().footnotes.push_back(prediction_footnote(fit.clusters, inferences.by) +
+                                             " The baseline hazard's own spread is by rows.");
+  }
   name_dropped(rows, from.request.predict, report);
 }
 

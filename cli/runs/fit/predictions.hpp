@@ -22,6 +22,7 @@ void add_predictions(const FitInput& from,
 void add_predictions(const FitInput& from,
                      const statistics::CoxData& data,
                      const statistics::CoxFit& fit,
+                     const statistics::ClusterInferences& inferences,
                      FitReport& report);
 
 /// Adds the table scores if --times are given: of the rows of the fit themselves.

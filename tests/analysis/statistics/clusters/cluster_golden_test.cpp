@@ -104,7 +104,7 @@ TEST(ClusterGolden, LogisticRegressionEqualsClubSandwich) {
   expect_close(sandwich_cr2(clustered->parts).diagonal(), r["cr2"], 1e-8, "CR2");
   expect_close(sandwich_cr2(clustered->parts).diagonal(), r["cr2_glm"], 6e-3, "CR2 by rows");
   expect_close(satterthwaite_df(clustered->parts), r["df"], 1e-8, "df");
-  expect_left_out(clustered->left_out(), by_cluster(r["left_out"]));
+  expect_left_out(clustered->left_out().values, by_cluster(r["left_out"]));
   expect_wild(*clustered, all, r);
   const auto cr2 = cluster_inferences(*clustered, ClusterInference::cr2, {}).of;
   for (std::size_t j = 0; j < cr2.size(); ++j) {
@@ -131,7 +131,7 @@ TEST(ClusterGolden, CoxModelEqualsTheFormulasWrittenOut) {
   expect_close(sandwich_cr0(clustered->parts).diagonal(), r["cr0"], 1e-8, "CR0");
   expect_close(sandwich_cr2(clustered->parts).diagonal(), r["cr2"], 1e-7, "CR2");
   expect_close(satterthwaite_df(clustered->parts), r["df"], 1e-7, "df");
-  expect_left_out(clustered->left_out(), by_cluster(r["left_out"]));
+  expect_left_out(clustered->left_out().values, by_cluster(r["left_out"]));
   expect_wild(*clustered, all, r);
   const CoxFit efron = fit_cox(data);
   const auto of_efron = clustered_fit(data, efron);
@@ -174,6 +174,78 @@ TEST(ClusterInference, AColumnOfOneClusterHasNoEstimateOfItsSpread) {
   const auto left_out = cluster_inferences(*fit, ClusterInference::jackknife, {}).of;
   EXPECT_FALSE(left_out[2].p_value);
   EXPECT_TRUE(left_out[1].p_value);
+}
+
+/// Without cluster "d3" the level it alone holds both outcomes of has no finite estimate.
+TEST(ClusterInference, ARefitThatSeparatesCostsOnlyItsOwnColumn) {
+  LogisticInput input;
+  input.columns = {"(Intercept)", "x", "dark"};
+  input.terms = {"x", "dark"};
+  input.term_of = {0, 1, 2};
+  const Eigen::Index rows = 60;
+  input.design = Eigen::MatrixXd::Ones(rows, 3);
+  input.successes.resize(rows);
+  input.cluster.emplace();
+  input.cluster->levels = {"d1", "d2", "d3", "d4", "d5"};
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const auto day = static_cast<std::uint32_t>(i % 5);
+    input.cluster->codes.push_back(day);
+    input.design(i, 1) = static_cast<double>((i * 7) % 11);
+    const bool dark = i >= 40;
+    input.design(i, 2) = dark ? 1.0 : 0.0;
+    input.successes(i) =
+        dark ? (day == 2 && i >= 50 ? 0.0 : 1.0) : static_cast<double>((i * i) % 3 == 1);
+  }
+  LogisticOptions options;
+  options.variance = CoefficientVariance::robust;
+  const LogisticFit fit = fit_logistic(input, options);
+  ASSERT_EQ(fit.separation, Separation::none);
+  const ClusterInferences all = cluster_inferences(input, fit, ClusterInference::jackknife, {});
+  EXPECT_TRUE(all.of[1].standard_error);
+  EXPECT_FALSE(all.of[2].standard_error);
+  ASSERT_EQ(all.conditions.size(), 1U);
+  EXPECT_EQ(all.conditions.front().kind, ConditionKind::no_jackknife);
+  EXPECT_NE(all.conditions.front().detail.find("without 'd3': quasi-complete separation"),
+            std::string::npos)
+      << all.conditions.front().detail;
+}
+
+/// Parts of 5e7 numbers and more are not made: the jackknife refits without them, what needs them
+/// says that it cannot be had.
+TEST(ClusterInference, WhatIsTooLargeForItsPartsIsSaid) {
+  const Eigen::Index p = 110;
+  const Eigen::Index rows = 4400;
+  CoxData data;
+  data.design.resize(rows, p);
+  data.cluster.emplace();
+  data.cluster->levels = {"a", "b", "c"};
+  std::uint32_t state = 1;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    for (Eigen::Index j = 0; j < p; ++j) {
+      state = state * 1664525U + 1013904223U;
+      data.design(i, j) = static_cast<double>(state >> 16U) / 65536.0;
+    }
+    data.outcome.stop.push_back(1.0 + static_cast<double>((i * 37) % rows));
+    data.outcome.event.push_back(1);
+    data.cluster->codes.push_back(static_cast<std::uint32_t>(i % 3));
+  }
+  for (Eigen::Index j = 0; j < p; ++j) {
+    data.columns.push_back("x" + std::to_string(j));
+    data.terms.push_back(data.columns.back());
+    data.term_of.push_back(static_cast<std::size_t>(j));
+  }
+  const CoxFit fit = fit_cox(data);
+  ASSERT_FALSE(clustered_fit(data, fit));
+  const ClusterInferences jackknife = cluster_inferences(data, fit, {}, {});
+  EXPECT_EQ(jackknife.by, ClusterInference::jackknife);
+  EXPECT_TRUE(jackknife.of.front().standard_error);
+  EXPECT_TRUE(jackknife.conditions.empty());
+  for (const ClusterInference asked : {ClusterInference::cr2, ClusterInference::wild}) {
+    const ClusterInferences other = cluster_inferences(data, fit, asked, {});
+    EXPECT_FALSE(other.of.front().standard_error);
+    ASSERT_EQ(other.conditions.size(), 1U);
+    EXPECT_EQ(other.conditions.front().kind, ConditionKind::no_robust_variance);
+  }
 }
 
 }  // namespace
