@@ -129,7 +129,8 @@ FitReport time_calibration_report(const std::vector<TimeCalibration>& times,
   calibration.footnotes = {
       "Observed: 1 - Kaplan-Meier, clustered where clusters are named. Slope: of log(-log(1 - "
       "risk)) "
-      "in a Cox model; below 1 the risks lie too far apart."};
+      "in a Cox model of the time up to then; below 1 the risks lie too far apart. Knots and means "
+      "of ns(), poly() and scale() are those of all rows."};
   report.tables = {std::move(calibration), time_score_table(scores)};
   report.tables.push_back(
       ColumnsOf<BinRow>()

@@ -74,7 +74,7 @@ TEST_F(FitWords, OneClusterGivesCurvesWithoutAVariance) {
   }
   const json few = document("km", "Surv(t, s) ~ 1", {"--cluster", "g"});
   ASSERT_EQ(conditions(few, "few_clusters").size(), 1U);
-  EXPECT_EQ(conditions(few, "few_clusters")[0]["detail"], "all: 3 clusters, fewer than 6");
+  EXPECT_EQ(conditions(few, "few_clusters")[0]["detail"], "all: 3 clusters, fewer than 10");
 }
 
 TEST_F(FitWords, AnEventWithoutACauseIsLeftOutAndCounted) {

@@ -1,3 +1,4 @@
+#include <statistics/basics/few_clusters.hpp>
 #include <statistics/calibration/calibration.hpp>
 
 #include <algorithm>
@@ -153,6 +154,9 @@ void add_recalibration(const CalibrationRows& rows,
     if (apart) {
       condition.advice =
           "the probabilities tell the outcomes apart, so that no finite slope recalibrates them";
+    }
+    if (condition.kind == ConditionKind::few_clusters) {
+      condition = few_clusters(both.clusters, both.rank).value_or(condition);  // No refits here.
     }
     if (condition.kind == ConditionKind::constant_column) {
       condition.advice = "equal probabilities have no slope";

@@ -114,6 +114,18 @@ ClusterT jackknife_estimate(double estimate, std::span<const double> left_out, d
                       level);
 }
 
+std::optional<Condition> too_much_to_leave_out(std::size_t clusters, std::size_t rows) {
+  if (static_cast<double>(clusters) * static_cast<double>(rows) <= kMostLeftOutRows) {
+    return std::nullopt;
+  }
+  return Condition{ConditionKind::no_jackknife,
+                   ConditionSeverity::warning,
+                   "",
+                   std::to_string(clusters) + " clusters of " + std::to_string(rows) +
+                       " rows: no intervals by leaving them out in turn",
+                   "name fewer and larger clusters"};
+}
+
 ClusterT cr1_estimate(const std::optional<double>& estimate,
                       const std::optional<double>& robust_error,
                       std::size_t clusters,

@@ -62,6 +62,13 @@ struct ClusteredFit {
                                           std::span<const double> left_out,
                                           double level);
 
+/// Rows times clusters above which no number is made anew without each cluster: some 20 s.
+inline constexpr double kMostLeftOutRows = 1e8;
+
+/// no_jackknife where that is so, with the way out; else empty.
+[[nodiscard]] std::optional<Condition> too_much_to_leave_out(std::size_t clusters,
+                                                             std::size_t rows);
+
 /// From an uncorrected robust standard error; empty without one and with fewer than 2 clusters.
 [[nodiscard]] ClusterT cr1_estimate(const std::optional<double>& estimate,
                                     const std::optional<double>& robust_error,

@@ -73,7 +73,7 @@ void add_robust_variance(const CoxData& data,
   const table::Factor* const cluster = data.cluster ? &*data.cluster : nullptr;
   if (cluster != nullptr) {
     fit.clusters = count_codes(cluster->codes);
-    add_cluster_conditions(fit.clusters, "", fit.conditions, fit.df);
+    add_cluster_conditions(fit.clusters, "", fit.conditions, fit.df, "", kTooFewClusters);
     if (fit.clusters < 2) {
       fit.vcov.setConstant(std::nan(""));
       fit.limit_vcov.setConstant(std::nan(""));

@@ -1,5 +1,6 @@
 #include <statistics/equivalence/statistic_by_group.hpp>
 
+#include <statistics/basics/compact_codes.hpp>
 #include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/resampling/jackknife.hpp>
 
@@ -10,6 +11,23 @@
 #include <utility>
 
 namespace tcert::statistics {
+namespace {
+
+/// Of the group that lies on the fewest; where clusters are not named every row is its own.
+std::size_t smallest_clusters(const table::Factor& group, std::span<const std::uint32_t> cluster) {
+  std::vector<std::vector<std::uint32_t>> codes(group.levels.size());
+  for (std::size_t row = 0; row < group.codes.size(); ++row) {
+    codes.at(group.codes[row])
+        .push_back(cluster.empty() ? static_cast<std::uint32_t>(row) : cluster[row]);
+  }
+  std::size_t least = group.codes.size();
+  for (const std::vector<std::uint32_t>& one : codes) {
+    least = std::min(least, count_codes(one));
+  }
+  return least;
+}
+
+}  // namespace
 
 Statistic by_group(const Statistic& whole, const table::Factor& group) {
   if (group.rows() != whole.rows) {
@@ -77,7 +95,7 @@ std::optional<GroupEstimates> jackknife_by_group(const Statistic& whole,
   const std::vector<std::vector<double>> without = leave_one_out(each, plan);
   GroupEstimates estimates;
   estimates.names = group.levels;
-  estimates.clusters = plan.units();
+  estimates.clusters = smallest_clusters(group, cluster);
   const auto groups = static_cast<Eigen::Index>(group.levels.size());
   estimates.values.resize(groups);
   Eigen::MatrixXd left_out(groups, static_cast<Eigen::Index>(plan.units()));
@@ -89,7 +107,7 @@ std::optional<GroupEstimates> jackknife_by_group(const Statistic& whole,
   estimates.covariance = jackknife_covariance(estimates.values, left_out);
   const bool known = estimates.values.allFinite() && estimates.covariance.allFinite() &&
                      estimates.covariance.diagonal().minCoeff() > 0.0;
-  return known && plan.units() > 1 ? std::optional(std::move(estimates)) : std::nullopt;
+  return known && estimates.clusters > 1 ? std::optional(std::move(estimates)) : std::nullopt;
 }
 
 }  // namespace tcert::statistics

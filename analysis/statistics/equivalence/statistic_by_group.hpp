@@ -22,7 +22,9 @@ namespace tcert::statistics {
                                                     std::size_t groups);
 
 /// Value `value` of `whole` in every group, with the covariance of the jackknife of whole clusters;
-/// empty where a group has none, with all clusters or without one of them. G kernels.
+/// empty where a group has none, with all clusters or without one of them. `clusters` are those of
+/// the group that lies on the fewest, for a covariance is no better known than its worst part. G
+/// kernels.
 [[nodiscard]] std::optional<GroupEstimates> jackknife_by_group(
     const Statistic& whole,
     std::size_t value,

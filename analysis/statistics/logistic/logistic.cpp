@@ -158,7 +158,8 @@ void add_solution(const LogisticInput& input, const LogisticProblem& problem, Lo
     add_separation(input, problem, fit);
   }
   if (fit.clustered) {
-    add_cluster_conditions(fit.clusters, "no robust variance", fit.conditions, fit.rank);
+    add_cluster_conditions(
+        fit.clusters, "no robust variance", fit.conditions, fit.rank, "", kTooFewClusters);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <statistics/survival/restricted_means.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <statistics/basics/compact_codes.hpp>
 #include <statistics/basics/normal.hpp>
@@ -62,6 +63,37 @@ std::vector<std::vector<MeanOf>> left_out_means(const SurvivalOutcome& outcome,
   return all;
 }
 
+/// Clusters that each group has rows of.
+std::vector<std::size_t> clusters_of_groups(const table::Factor* groups,
+                                            const table::Factor& cluster) {
+  std::vector<std::vector<std::uint32_t>> codes(groups == nullptr ? 1 : groups->levels.size());
+  for (std::size_t row = 0; row < cluster.codes.size(); ++row) {
+    codes[groups == nullptr ? 0 : groups->codes[row]].push_back(cluster.codes[row]);
+  }
+  std::vector<std::size_t> counts;
+  counts.reserve(codes.size());
+  for (const std::vector<std::uint32_t>& of_group : codes) {
+    counts.push_back(count_codes(of_group));
+  }
+  return counts;
+}
+
+/// Student's t with as many degrees of freedom as the smallest group has clusters, less 1.
+ClusterT by_clusters(double value,
+                     const std::vector<double>& left_out,
+                     std::size_t clusters,
+                     double level) {
+  if (clusters < 2) {
+    return {};
+  }
+  const Eigen::Map<const Eigen::VectorXd> values(left_out.data(),
+                                                 static_cast<Eigen::Index>(left_out.size()));
+  return by_student_t(value,
+                      std::sqrt(jackknife_variance(value, values)),
+                      static_cast<double>(clusters) - 1.0,
+                      level);
+}
+
 ClusterT by_normal(double value, double std_error, double level) {
   ClusterT spread;
   if (std_error > 0.0) {
@@ -82,8 +114,10 @@ std::vector<RestrictedMeanRow> restricted_means(const SurvivalOutcome& outcome,
                                                 double level) {
   const std::vector<MeanOf> means = means_of(outcome, groups, limit);
   std::vector<std::vector<MeanOf>> without;
-  if (cluster != nullptr) {
+  std::vector<std::size_t> in_group(means.size(), 0);
+  if (cluster != nullptr && !too_much_to_leave_out(count_codes(cluster->codes), outcome.rows())) {
     without = left_out_means(outcome, groups, *cluster, limit);
+    in_group = clusters_of_groups(groups, *cluster);
   }
   const auto name = [&](std::size_t g) {
     return groups == nullptr ? std::string() : groups->levels[g];
@@ -100,7 +134,9 @@ std::vector<RestrictedMeanRow> restricted_means(const SurvivalOutcome& outcome,
       for (const std::vector<MeanOf>& one : without) {
         left_out.push_back(of(one));
       }
-      row.spread = jackknife_estimate(row.value, left_out, level);
+      const std::size_t clusters =
+          second ? std::min(in_group[first], in_group[*second]) : in_group[first];
+      row.spread = by_clusters(row.value, left_out, clusters, level);
     } else {
       row.spread =
           by_normal(row.value,

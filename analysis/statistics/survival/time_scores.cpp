@@ -153,7 +153,7 @@ TimeScores time_scores(const SurvivalOutcome& outcome,
   const double share = observed_of(outcome, rows, time, nullptr, level).observed;
   const std::vector<double> same(risk.size(), share);
   scores.brier_null = scored(outcome, same, time, rows).brier;
-  if (cluster == nullptr) {
+  if (cluster == nullptr || too_much_to_leave_out(count_codes(cluster->codes), risk.size())) {
     return scores;
   }
   const CompactCodes compact = compact_codes(cluster->codes);

@@ -30,10 +30,11 @@ struct TimeScores {
 
 /// `risk` is of an event by `time`, one a row. Rows are weighted by 1 / G of when they were last
 /// known, G of all rows (Graf et al. 1999; Blanche et al. 2013). Spreads leave out whole clusters
-/// in turn, risks held, t with clusters - 1 degrees of freedom; `cluster` may be null, and there is
-/// none then. Rows without a finite risk are left out. NaN where no row is known to be later than
-/// `time` and the last are censored (G = 0). Intervals lie within [0, 1]. \throws
-/// std::invalid_argument if lengths differ or rows enter late. O(clusters n log n).
+/// in turn, risks held, t with clusters - 1 degrees of freedom; `cluster` may be null or of
+/// too many levels (too_much_to_leave_out), and there is none then. Rows without a finite risk are
+/// left out. NaN where no row is known to be later than `time` and the last are censored (G = 0).
+/// Intervals lie within [0, 1]. \throws std::invalid_argument if lengths differ or rows enter late.
+/// O(clusters n log n).
 [[nodiscard]] TimeScores time_scores(const SurvivalOutcome& outcome,
                                      std::span<const double> risk,
                                      double time,

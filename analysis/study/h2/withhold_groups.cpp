@@ -7,6 +7,26 @@
 namespace tcert::study {
 namespace {
 
+/// With fewer days the test that groups are equal was seen to reject too often
+/// (analysis/README.md).
+constexpr std::size_t kTooFewForEquality = 12;
+
+void withhold_equality(const std::string& cluster, H2Panel& panel) {
+  bool had = false;
+  for (std::optional<H2Equality>* const equality : {&panel.auc, &panel.c}) {
+    if (*equality) {
+      had = had || (*equality)->tests.heterogeneity.has_value();
+      (*equality)->tests.heterogeneity.reset();
+    }
+  }
+  if (had) {
+    panel.conditions.push_back(withheld(
+        "the test that groups are equal: " +
+        too_few(
+            cluster, panel.trials.clusters, kTooFewOutcomes, kTooFewOutcomes, kTooFewForEquality)));
+  }
+}
+
 void withhold(H2Level& level) {
   for (H1Score* const score : {&level.auc, &level.c, &level.auc_within, &level.c_within}) {
     withhold(*score);
@@ -35,6 +55,9 @@ void withhold_if_few(const H2Options& options, H2Panel& panel) {
   H1Panel& trials = panel.trials;
   const std::string cluster = trials.has_clusters ? options.trials.cluster : "";
   trials.withheld = too_few(cluster, trials.clusters, trials.successes, trials.failures);
+  if (trials.clusters < kTooFewForEquality && trials.withheld.empty()) {
+    withhold_equality(cluster, panel);
+  }
   std::string groups;
   for (H2Level& level : panel.levels) {
     level.withheld = trials.withheld;

@@ -35,6 +35,16 @@ statistics::WildOptions wild_options(const FitRequest& request) {
   return options;
 }
 
+void add_too_many_clusters(const std::optional<table::Factor>& cluster,
+                           statistics::Conditions& conditions) {
+  if (cluster) {
+    if (auto condition = statistics::too_much_to_leave_out(statistics::count_codes(cluster->codes),
+                                                           cluster->rows())) {
+      conditions.push_back(std::move(*condition));
+    }
+  }
+}
+
 void add_cluster_tables(const FitInput& from,
                         const statistics::ClusterInferences& inferences,
                         const std::optional<statistics::ClusteredFit>& fit,

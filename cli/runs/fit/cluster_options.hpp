@@ -17,6 +17,10 @@ namespace tcert::cli {
 
 [[nodiscard]] statistics::WildOptions wild_options(const FitRequest& request);
 
+/// Says so where there are more clusters than are left out in turn.
+void add_too_many_clusters(const std::optional<table::Factor>& cluster,
+                           statistics::Conditions& conditions);
+
 /// Adds the conditions of the inferences, and the table left_out, if it is asked for and there is
 /// what it is made of: the refits of the jackknife, if that was by what is inferred.
 void add_cluster_tables(const FitInput& from,

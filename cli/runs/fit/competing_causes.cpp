@@ -21,9 +21,7 @@ void keep(const std::vector<std::size_t>& rows, std::vector<Value>& values) {
 /// Leaves only these rows of the frame.
 void keep(const std::vector<std::size_t>& rows, statistics::ModelFrame& frame) {
   auto& survival = std::get<statistics::SurvivalOutcome>(frame.outcome);
-  keep(rows, survival.start);
-  keep(rows, survival.stop);
-  keep(rows, survival.event);
+  survival = statistics::on_rows(survival, rows);
   keep(rows, frame.rows);
   keep(rows, frame.lines);
   for (std::optional<table::Factor>* const factor :

@@ -8,6 +8,7 @@
 
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/fit/cluster_options.hpp"
 #include "cli/runs/fit/competing_causes.hpp"
 #include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/survival_report.hpp"
@@ -95,6 +96,7 @@ FitReport fit_km(const FitInput& from) {
       survival_report(statistics::survival_curves(*survival, curve_options), test, shown);
   report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
   if (const auto limit = rmst_limit(from.request)) {
+    add_too_many_clusters(frame.cluster, report.conditions);
     report.tables.push_back(restricted_mean_table(
         statistics::restricted_means(*survival, groups, cluster, *limit, shown.level),
         *limit,

@@ -60,13 +60,51 @@ Eigen::MatrixXd risks_out_of_fold(const statistics::CoxData& data,
   return risks;
 }
 
+/// As the risks: 1 - Kaplan-Meier of the rows outside each row's fold.
+Eigen::MatrixXd same_risks(const statistics::CoxData& data,
+                           const statistics::Folds& folds,
+                           const std::vector<double>& times) {
+  Eigen::MatrixXd risks(data.design.rows(), static_cast<Eigen::Index>(times.size()));
+  for (std::size_t fold = 0; fold < folds.count; ++fold) {
+    const auto outside = statistics::on_rows(data.outcome, statistics::training_rows(folds, fold));
+    const statistics::SurvivalCurve curve = statistics::survival_curves(outside).front();
+    for (std::size_t t = 0; t < times.size(); ++t) {
+      const statistics::SurvivalPoint* const point = curve.at(times[t]);
+      for (const std::size_t row : statistics::held_out_rows(folds, fold)) {
+        risks(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(t)) =
+            point == nullptr ? 0.0 : 1.0 - point->survival;
+      }
+    }
+  }
+  return risks;
+}
+
+std::vector<double> values_of(const Eigen::MatrixXd& risks,
+                              const std::vector<std::size_t>& rows,
+                              std::size_t time) {
+  std::vector<double> values;
+  values.reserve(rows.size());
+  for (const std::size_t row : rows) {
+    values.push_back(risks(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(time)));
+  }
+  return values;
+}
+
 /// The log hazard ratio of log(-log(1 - risk)): 1 where risks are as far apart as they should be.
+/// Follow-up ends at `time`, for that is what the risks are of.
 statistics::ClusterT slope_of(const statistics::CoxData& data,
                               const std::vector<double>& risk,
+                              double time,
                               double level,
                               std::optional<double>& slope) {
   statistics::CoxData recalibrated;
   recalibrated.outcome = data.outcome;
+  for (std::size_t row = 0; row < risk.size(); ++row) {
+    if (recalibrated.outcome.stop[row] > time) {
+      recalibrated.outcome.stop[row] = time;
+      recalibrated.outcome.event[row] = 0;
+    }
+  }
   recalibrated.cluster = data.cluster;
   recalibrated.columns = recalibrated.terms = {"log(-log(1 - risk))"};
   recalibrated.term_of = {0};
@@ -91,14 +129,17 @@ statistics::ClusterT slope_of(const statistics::CoxData& data,
 
 TimeCalibration calibration_at(const statistics::CoxData& data,
                                const std::vector<double>& risk,
+                               const std::vector<double>& same,
                                double time,
                                double level) {
   const table::Factor* const cluster = data.cluster ? &*data.cluster : nullptr;
   TimeCalibration one;
   one.scores = statistics::time_scores(data.outcome, risk, time, cluster, level);
+  one.scores.brier_null =
+      statistics::time_scores(data.outcome, same, time, nullptr, level).brier.value;
   one.bins = statistics::risk_bins(data.outcome, risk, time, kBins, cluster, level);
   one.whole = statistics::risk_bins(data.outcome, risk, time, 1, cluster, level).front();
-  one.slope_interval = slope_of(data, risk, level, one.slope).interval;
+  one.slope_interval = slope_of(data, risk, time, level, one.slope).interval;
   return one;
 }
 
@@ -117,6 +158,8 @@ FitReport fit_time_calibration(const FitInput& from) {
   const statistics::Folds folds = folds_of(data, from.request);
   conditions.insert(conditions.end(), folds.conditions.begin(), folds.conditions.end());
   const Eigen::MatrixXd risks = risks_out_of_fold(data, folds, times, conditions);
+  const Eigen::MatrixXd same = same_risks(data, folds, times);
+  add_too_many_clusters(data.cluster, conditions);
   std::vector<std::size_t> known;
   for (std::size_t row = 0; row < data.rows(); ++row) {
     if (risks.row(static_cast<Eigen::Index>(row)).allFinite()) {
@@ -126,12 +169,11 @@ FitReport fit_time_calibration(const FitInput& from) {
   std::vector<TimeCalibration> all;
   const statistics::CoxData scored = statistics::on_rows(data, known);
   for (std::size_t t = 0; t < times.size() && !known.empty(); ++t) {
-    std::vector<double> risk;
-    risk.reserve(known.size());
-    for (const std::size_t row : known) {
-      risk.push_back(risks(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(t)));
-    }
-    all.push_back(calibration_at(scored, risk, times[t], from.request.level));
+    all.push_back(calibration_at(scored,
+                                 values_of(risks, known, t),
+                                 values_of(same, known, t),
+                                 times[t],
+                                 from.request.level));
   }
   FitReport report = time_calibration_report(all, data.rows() - known.size(), folds.count);
   report.conditions = std::move(conditions);

@@ -12,6 +12,7 @@
 
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/errors.hpp"
+#include "cli/runs/fit/cluster_options.hpp"
 #include "reports/fit/prediction_tables.hpp"
 
 namespace tcert::cli {
@@ -210,6 +211,7 @@ void add_time_scores(const FitInput& from,
                                 data.cluster ? &*data.cluster : nullptr,
                                 from.request.level));
   }
+  add_too_many_clusters(data.cluster, report.conditions);
   report.tables.push_back(time_score_table(scores));
   report.tables.back().footnotes.emplace_back(
       "Of the rows of the fit themselves, which flatters it; out of fold: tcert fit calibration.");

@@ -39,9 +39,11 @@ TEST(FewClusters, AreANoteBelowThirtyAndAWarningBelowTenOrWithoutFullRank) {
   EXPECT_FALSE(few_clusters(30).has_value());
   EXPECT_EQ(few_clusters(29)->severity, ConditionSeverity::note);
   EXPECT_EQ(few_clusters(29)->detail, "29 clusters, fewer than 30");
-  EXPECT_EQ(few_clusters(6)->severity, ConditionSeverity::note);
-  EXPECT_EQ(few_clusters(5)->severity, ConditionSeverity::warning);
-  EXPECT_EQ(few_clusters(5, 0, "dark")->detail, "dark: 5 clusters, fewer than 6");
+  EXPECT_EQ(few_clusters(10)->severity, ConditionSeverity::note);
+  EXPECT_EQ(few_clusters(9)->severity, ConditionSeverity::warning);
+  EXPECT_EQ(few_clusters(9, 0, "dark")->detail, "dark: 9 clusters, fewer than 10");
+  EXPECT_EQ(few_clusters(6, 0, "", kTooFewClusters)->severity, ConditionSeverity::note);
+  EXPECT_EQ(few_clusters(5, 0, "", kTooFewClusters)->detail, "5 clusters, fewer than 6");
   EXPECT_EQ(few_clusters(12, 12)->severity, ConditionSeverity::warning);
   EXPECT_EQ(few_clusters(12, 11)->severity, ConditionSeverity::note);
   EXPECT_EQ(few_clusters(40, 40)->detail,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/cox/cox_predict.hpp>
 #include <statistics/model/factor_levels.hpp>
 #include <statistics/survival/restricted_means.hpp>
@@ -186,6 +187,45 @@ TEST(RestrictedMeans, BeyondACurveThatEndsAboveZeroThereIsNone) {
   EXPECT_TRUE(std::isnan(beyond[1].value));
   EXPECT_TRUE(std::isnan(beyond[2].value));
   EXPECT_FALSE(beyond[1].spread.interval);
+}
+
+/// The second group lies on three of six days: it has two degrees of freedom, and so has the
+/// difference.
+TEST(RestrictedMeans, DegreesOfFreedomAreThoseOfTheGroupOnTheFewestClusters) {
+  std::vector<double> stop;
+  table::Factor group;
+  group.levels = {"everywhere", "on three days"};
+  table::Factor day;
+  day.levels = {"1", "2", "3", "4", "5", "6"};
+  for (std::uint32_t k = 0; k < 24; ++k) {
+    stop.push_back(1.0 + (k * 7) % 13);
+    day.codes.push_back(k % 6);
+    group.codes.push_back(k % 6 < 3 && k >= 12 ? 1 : 0);
+  }
+  const auto rows =
+      restricted_means(outcome_of(stop, std::vector<std::uint8_t>(24, 1)), &group, &day, 5.0, 0.95);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].spread.df, 5.0);
+  EXPECT_EQ(rows[1].spread.df, 2.0);
+  EXPECT_EQ(rows[2].spread.df, 2.0);
+}
+
+TEST(TimeScores, VeryManyClustersAreNotLeftOutInTurn) {
+  EXPECT_FALSE(too_much_to_leave_out(660, 660));
+  ASSERT_TRUE(too_much_to_leave_out(20'000, 20'000));
+  std::vector<double> stop;
+  std::vector<double> risk;
+  table::Factor own;
+  for (std::uint32_t k = 0; k < 20'000; ++k) {
+    stop.push_back(1.0 + k);
+    risk.push_back((k * 7919) % 20'000 / 20'000.0);
+    own.codes.push_back(k);
+    own.levels.push_back(std::to_string(k));
+  }
+  const TimeScores scores = time_scores(
+      outcome_of(stop, std::vector<std::uint8_t>(20'000, 1)), risk, 9'000.0, &own, 0.95);
+  EXPECT_TRUE(std::isfinite(scores.auc.value));
+  EXPECT_FALSE(scores.auc.spread.interval);
 }
 
 }  // namespace
