@@ -66,7 +66,7 @@ struct Equivalence {
 
 /// The margin at which all pairs would be found equivalent with probability `power` at least, if
 /// all groups were truly equal: the largest over pairs of SE (q_(1 - alpha) + q_(1 - b / 2)), b =
-/// (1 - power) / pairs. For one pair that is exact under normality; for more the probabilities to
+/// (1 - power) / pairs. For one pair it takes the SE as known; for more the probabilities to
 /// miss are added (Bonferroni), so the power is a little more.
 [[nodiscard]] double margin_with_power(const std::vector<EquivalencePair>& pairs,
                                        double alpha,
