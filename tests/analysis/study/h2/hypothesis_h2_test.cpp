@@ -174,6 +174,17 @@ TEST(HypothesisH2, WithholdsWhatRestsOnASmallGroup) {
   EXPECT_TRUE(statistics::has(panel.conditions, statistics::ConditionKind::withheld));
 }
 
+/// Of 6 days the test that groups are equal rejected too often; equivalence was tried with 6.
+TEST(HypothesisH2, WithholdsEqualityBelowTwelveDays) {
+  const H2Panel few = hypothesis_h2(table_of(trials_csv(11, 45, 1.0)), options_for()).panels[0];
+  ASSERT_TRUE(few.auc.has_value());
+  EXPECT_FALSE(few.auc->tests.heterogeneity.has_value());
+  EXPECT_TRUE(few.auc->tests.equivalent.has_value());
+  EXPECT_TRUE(statistics::has(few.conditions, statistics::ConditionKind::withheld));
+  const H2Panel enough = hypothesis_h2(table_of(trials_csv(12, 45, 1.0)), options_for()).panels[0];
+  EXPECT_TRUE(enough.auc->tests.heterogeneity.has_value());
+}
+
 TEST(HypothesisH2, NamesASingleGroupAndRefusesMisuse) {
   const std::string header = "day,lighting,algorithm,success,time_s,tc_early\n";
   const table::DataTable one = table_of(header + "a,Dark,A,1,3,1\nb,Dark,A,0,4,2\n");
