@@ -17,21 +17,22 @@ struct MeanOf {
   double std_error = table::kNaN;
 };
 
-/// Of each group; NaN where it has no row, or its curve ends above 0 before the limit.
+/// Of each group; NaN where it has no row. A curve that ends above 0 before the limit is carried
+/// on.
 std::vector<MeanOf> means_of(const SurvivalOutcome& outcome,
                              const table::Factor* groups,
-                             double limit) {
+                             double limit,
+                             std::vector<bool>* followed = nullptr) {
   CurveOptions options;
   options.groups = groups;
   std::vector<MeanOf> means;
   for (const SurvivalCurve& curve : survival_curves(outcome, options)) {
-    if (curve.points.empty() ||
-        (curve.time_near(limit) > curve.points.back().time && curve.points.back().survival > 0.0)) {
-      means.emplace_back();  // Nothing is known of the curve up to the limit.
-      continue;
-    }
     const RestrictedMean one = restricted_mean(curve, limit);
-    means.push_back({one.mean, one.std_error});
+    means.push_back(curve.rows == 0 ? MeanOf{} : MeanOf{one.mean, one.std_error});
+    if (followed != nullptr) {
+      followed->push_back(curve.rows > 0 && (curve.points.back().survival == 0.0 ||
+                                             curve.time_near(limit) <= curve.points.back().time));
+    }
   }
   return means;
 }
@@ -112,7 +113,13 @@ std::vector<RestrictedMeanRow> restricted_means(const SurvivalOutcome& outcome,
                                                 const table::Factor* cluster,
                                                 double limit,
                                                 double level) {
-  const std::vector<MeanOf> means = means_of(outcome, groups, limit);
+  std::vector<bool> followed;
+  std::vector<MeanOf> means = means_of(outcome, groups, limit, &followed);
+  for (std::size_t g = 0; g < means.size(); ++g) {
+    if (!followed[g]) {
+      means[g] = {};  // Nothing is known of its curve up to the limit.
+    }
+  }
   std::vector<std::vector<MeanOf>> without;
   std::vector<std::size_t> in_group(means.size(), 0);
   if (cluster != nullptr && !too_much_to_leave_out(count_codes(cluster->codes), outcome.rows())) {
