@@ -358,7 +358,7 @@ TEST(MeasurementLine, NeedsItsFieldsByName) {
 }
 
 TEST(RasterText, NoValueIsRoundedToThatOfGaps) {
-  const TerrainGrid layer{1, 3, {-9998.996, 0.25, std::nan("")}, {}};
+  const TerrainGrid layer{1, 3, {-9998.9996, 0.25, std::nan("")}, {}};
   const std::string text = esri_raster(layer, RasterRounding::down);
   expect_part(text, "NODATA_value -99999\n");
   expect_part(text, "-9999.000 0.250 -99999");
