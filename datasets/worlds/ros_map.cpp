@@ -143,7 +143,7 @@ std::string read_png_pixels(std::string_view bytes, Pgm& image) {
   const PngResult png = read_png(bytes, kMostRasterCells);
   image.columns = png.image.columns;
   image.rows = png.image.rows;
-  image.most = 3 * 255;
+  image.most = 765;  // Three channels of 255.
   const std::vector<std::uint8_t>& rgba = png.image.pixels;
   for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
     image.pixels.push_back(static_cast<std::uint16_t>(rgba[i] + rgba[i + 1] + rgba[i + 2]));

@@ -94,7 +94,7 @@ std::optional<std::string> RobotLines::next() {
       ended_ = true;
       return std::nullopt;
     }
-    std::array<char, 65536> bytes;
+    std::array<char, 65536> bytes{};
     const ssize_t got = ::read(input, bytes.data(), bytes.size());
     if (got > 0) {
       lines_.add({bytes.data(), static_cast<std::size_t>(got)});
