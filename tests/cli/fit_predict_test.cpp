@@ -119,22 +119,14 @@ TEST_F(FitPredict, OneClusterHasPredictionsWithoutIntervals) {
   work_.write("one.csv",
               "y,x,day,time\n1,1,a,3\n0,2,a,4\n1,3,a,1\n0,1,a,7\n1,2,a,2\n0,4,a,9\n1,4,a,5\n");
   work_.write("x.csv", "x\n1\n2\n");
-  for (const std::string model : {"glm:y ~ x", "cox:Surv(time, y) ~ x"}) {
-    const auto colon = model.find(':');
-    const ProcessResult run = work_.run({"fit",
-                                         model.substr(0, colon),
-                                         "--data",
-                                         "one.csv",
-                                         "--formula",
-                                         model.substr(colon + 1),
-                                         "--cluster",
-                                         "day",
-                                         "--predict",
-                                         "x.csv",
-                                         "--times",
-                                         "3",
-                                         "--format",
-                                         "json"});
+  for (const std::string kind : {"glm", "cox"}) {
+    std::vector<std::string> arguments{"fit", kind, "--data", "one.csv", "--cluster", "day"};
+    arguments.insert(arguments.end(), {"--predict", "x.csv", "--format", "json", "--formula"});
+    arguments.emplace_back(kind == "glm" ? "y ~ x" : "Surv(time, y) ~ x");
+    if (kind == "cox") {
+      arguments.insert(arguments.end(), {"--times", "3"});
+    }
+    const ProcessResult run = work_.run(arguments);
     ASSERT_EQ(run.exit_code, 0) << to_string(run);
     const json rows = json::parse(run.out)["predictions"];
     ASSERT_EQ(rows.size(), 2U);
