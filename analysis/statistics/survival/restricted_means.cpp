@@ -37,6 +37,18 @@ std::vector<MeanOf> means_of(const SurvivalOutcome& outcome,
   return means;
 }
 
+/// NaN also where nothing is known of a curve up to the limit.
+std::vector<MeanOf> known_means(const SurvivalOutcome& outcome,
+                                const table::Factor* groups,
+                                double limit) {
+  std::vector<bool> followed;
+  std::vector<MeanOf> means = means_of(outcome, groups, limit, &followed);
+  for (std::size_t g = 0; g < means.size(); ++g) {
+    means[g] = followed[g] ? means[g] : MeanOf{};
+  }
+  return means;
+}
+
 /// [cluster][group]: the means without each cluster.
 std::vector<std::vector<MeanOf>> left_out_means(const SurvivalOutcome& outcome,
                                                 const table::Factor* groups,
@@ -113,13 +125,7 @@ std::vector<RestrictedMeanRow> restricted_means(const SurvivalOutcome& outcome,
                                                 const table::Factor* cluster,
                                                 double limit,
                                                 double level) {
-  std::vector<bool> followed;
-  std::vector<MeanOf> means = means_of(outcome, groups, limit, &followed);
-  for (std::size_t g = 0; g < means.size(); ++g) {
-    if (!followed[g]) {
-      means[g] = {};  // Nothing is known of its curve up to the limit.
-    }
-  }
+  const std::vector<MeanOf> means = known_means(outcome, groups, limit);
   std::vector<std::vector<MeanOf>> without;
   std::vector<std::size_t> in_group(means.size(), 0);
   if (cluster != nullptr && !too_much_to_leave_out(count_codes(cluster->codes), outcome.rows())) {

@@ -35,6 +35,13 @@ void name_dropped(const statistics::NewRows& rows, const std::string& file, FitR
   }
 }
 
+/// Of a log odds; NaN of a single cluster, which has no spread.
+double error_of(const Eigen::MatrixXd& covariance,
+                const std::vector<Eigen::Index>& known,
+                const Eigen::VectorXd& x) {
+  return covariance.size() == 0 ? table::kNaN : std::sqrt(x.dot(covariance(known, known) * x));
+}
+
 /// Half width of an interval in standard errors; NaN of a single cluster.
 double half_width_of(double level, bool clustered, std::size_t clusters) {
   return !clustered     ? statistics::normal_factor(level)
@@ -111,8 +118,7 @@ void add_predictions(const FitInput& from,
       eta += rows.design(row, j) == 0.0 ? 0.0 : rows.design(row, j) * beta[j];
     }
     const Eigen::VectorXd x = rows.design(row, known);
-    const double error = covariance.size() == 0 ? table::kNaN  // A single cluster has no spread.
-                                                : std::sqrt(x.dot(covariance(known, known) * x));
+    const double error = error_of(covariance, known, x);
     ProbabilityRow one;
     one.row = rows.rows[static_cast<std::size_t>(row)] + 1;
     if (std::isfinite(eta)) {
