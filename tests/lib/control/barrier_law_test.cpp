@@ -68,7 +68,7 @@ TEST(FeltPoints, NearestAreThoseOfSortingAll) {
     const Pose pose{{0.03 * i, 0.0}, 0.1 * i};
     felt.add(tick_at(pose, rays), 0.03 * i);
     for (std::size_t k = 0; k < rays.size(); ++k) {
-      const Ray& ray = robot_of_test().rays[k];
+      const Ray ray = robot_of_test().rays[k];
       all.push_back(transform(pose, ray.mount + rays[k].value * direction(ray.bearing_rad)));
     }
   }
