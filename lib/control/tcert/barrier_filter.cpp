@@ -61,28 +61,28 @@ class Search {
 }  // namespace
 
 FilteredCommand nearest_command(const Command& wanted,
-                                std::span<const BarrierRow> barrier,
+                                std::span<const BarrierRow> rows,
                                 const CommandBox& box) noexcept {
   const double v = box.speed_unit_mps;
   const double w = box.yaw_unit_rps;
   std::array<Row, kMostRows> all{};
-  std::size_t count = std::min(barrier.size(), kMostBarrierRows);
+  std::size_t count = std::min(rows.size(), kMostBarrierRows);
   for (std::size_t i = 0; i < count; ++i) {
-    all[i] = {barrier[i].speed * v, barrier[i].yaw_rate * w, barrier[i].least};
+    all[i] = {rows[i].speed * v, rows[i].yaw_rate * w, rows[i].least};
   }
   all[count++] = {1.0, 0.0, box.min_speed_mps / v};
   all[count++] = {-1.0, 0.0, -box.max_speed_mps / v};
   all[count++] = {0.0, 1.0, -box.max_yaw_rate_rps / w};
   all[count++] = {0.0, -1.0, -box.max_yaw_rate_rps / w};
-  const std::span<const Row> rows(all.data(), count);
+  const std::span<const Row> kept(all.data(), count);
 
   const Scaled aim{wanted.speed_mps / v, wanted.yaw_rate_rps / w};
-  Search search(aim, rows);
+  Search search(aim, kept);
   search.look_at(aim);
   if (search.found()) {
     return {wanted, true};
   }
-  for (const Row& row : rows) {
+  for (const Row& row : kept) {
     const double square = row.a * row.a + row.b * row.b;
     if (square > 0.0) {
       const double by = (row.c - row.a * aim.x - row.b * aim.y) / square;
@@ -91,10 +91,10 @@ FilteredCommand nearest_command(const Command& wanted,
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
-      const double determinant = rows[i].a * rows[j].b - rows[j].a * rows[i].b;
+      const double determinant = kept[i].a * kept[j].b - kept[j].a * kept[i].b;
       if (determinant != 0.0) {
-        search.look_at({(rows[i].c * rows[j].b - rows[j].c * rows[i].b) / determinant,
-                        (rows[i].a * rows[j].c - rows[j].a * rows[i].c) / determinant});
+        search.look_at({(kept[i].c * kept[j].b - kept[j].c * kept[i].b) / determinant,
+                        (kept[i].a * kept[j].c - kept[j].a * kept[i].c) / determinant});
       }
     }
   }

@@ -271,11 +271,11 @@ double RiskField::collision_probability(Point from,
                                         double length_m,
                                         double width_m,
                                         double time_s) const noexcept {
-  const double lines = std::max(1.0, std::ceil(width_m / parameters_.cell_m));
+  const int lines = std::max(1, static_cast<int>(std::ceil(width_m / parameters_.cell_m)));
   const double apart_m = width_m / lines;
   const Point left{-unit_direction.y_m, unit_direction.x_m};
   double integral = 0.0;
-  for (double line = 0.0; line < lines; line += 1.0) {
+  for (int line = 0; line < lines; ++line) {
     const double off_m = (line + 0.5) * apart_m - 0.5 * width_m;
     integral += apart_m * integral_along(from + off_m * left, unit_direction, length_m, time_s);
   }
