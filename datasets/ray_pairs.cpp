@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <table/cell_reading.hpp>
+#include <table/rename_advice.hpp>
 #include <utility>
 
 #include "datasets/measured_cells.hpp"
@@ -122,10 +123,7 @@ RayPairsResult read_ray_pairs(const table::Bytes& bytes, const table::CsvOptions
     result.pairs.reset();
   }
   result.diagnostics = problems.take();
-  for (table::Diagnostic& one : result.diagnostics) {
-    // There is no bundle.json to rename columns in.
-    one.expectation.resize(std::min(one.expectation.find("; rename"), one.expectation.size()));
-  }
+  table::drop_rename_advice(result.diagnostics);
   return result;
 }
 

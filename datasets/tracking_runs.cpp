@@ -1,12 +1,12 @@
 #include "datasets/tracking_runs.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <table/cell_reading.hpp>
 #include <table/csv_write.hpp>
+#include <table/rename_advice.hpp>
 #include <utility>
 
 #include "datasets/measured_cells.hpp"
@@ -119,10 +119,7 @@ TrackingRunsResult read_tracking_runs(const table::Bytes& bytes, const table::Cs
     result.runs.reset();
   }
   result.diagnostics = problems.take();
-  for (table::Diagnostic& one : result.diagnostics) {
-    // There is no bundle.json to rename columns in.
-    one.expectation.resize(std::min(one.expectation.find("; rename"), one.expectation.size()));
-  }
+  table::drop_rename_advice(result.diagnostics);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #include "cli/runs/barn_trials.hpp"
 
-#include <algorithm>
 #include <filesystem>
+#include <table/rename_advice.hpp>
 #include <utility>
 
 #include "cli/runs/errors.hpp"
@@ -32,11 +32,7 @@ std::string planner_of(const std::string& file, const std::string& told) {
 BarnTable read_barn_table(const std::string& option, const std::string& file, Progress& progress) {
   require_barn_file(option, file);
   table::TextTableResult result = table::read_text_table(std::filesystem::path(file), {"world"});
-  for (table::Diagnostic& diagnostic : result.diagnostics) {
-    // There is no bundle.json to rename columns in.
-    const auto advice = diagnostic.expectation.find("; rename");
-    diagnostic.expectation.resize(std::min(advice, diagnostic.expectation.size()));
-  }
+  table::drop_rename_advice(result.diagnostics);
   progress.say(result.diagnostics);
   if (!result.table) {
     throw BadData("'" + file + "' cannot be read");

@@ -4,6 +4,7 @@
 #include <table/cell_reading.hpp>
 #include <table/header_report.hpp>
 #include <table/nearest_name.hpp>
+#include <table/rename_advice.hpp>
 #include <utility>
 
 namespace tcert::table {
@@ -104,8 +105,7 @@ void report_missing(const CsvHeader& header,
                   header.line,
                   name,
                   nearest ? shortened(*nearest) : std::string{},
-                  "a column of this name in the header; rename a foreign one under 'columns' in "
-                  "bundle.json",
+                  "a column of this name in the header" + std::string(kRenameAdvice),
                   1});
   }
 }

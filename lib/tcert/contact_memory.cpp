@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <span>
+#include <tcert/block_hash.hpp>
 #include <tcert/contact_memory.hpp>
 #include <tcert/elementary.hpp>
 
@@ -135,11 +136,7 @@ void ContactMemory::clear() noexcept {
 }
 
 std::size_t ContactMemory::slot_of(std::int32_t bx, std::int32_t by) const noexcept {
-  const auto x = static_cast<std::uint64_t>(static_cast<std::uint32_t>(bx));
-  const auto y = static_cast<std::uint64_t>(static_cast<std::uint32_t>(by));
-  std::uint64_t hash = (x << 32U | y) * 0x9E3779B97F4A7C15ULL;
-  hash ^= hash >> 32U;
-  return static_cast<std::size_t>(hash) & (blocks_.size() - 1);
+  return static_cast<std::size_t>(block_hash(block_key(bx, by))) & (blocks_.size() - 1);
 }
 
 const ContactMemory::Block* ContactMemory::find(std::int32_t bx, std::int32_t by) const noexcept {

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cassert>
 #include <limits>
+#include <tcert/block_hash.hpp>
 #include <tcert/swept_cells.hpp>
 
 namespace tcert {
@@ -9,10 +10,6 @@ namespace {
 
 constexpr std::size_t kProbes = 16;
 constexpr std::size_t kCellsPerBlock = 64;
-
-std::uint64_t key_of(std::int32_t bx, std::int32_t by) noexcept {
-  return std::uint64_t{static_cast<std::uint32_t>(bx)} << 32U | static_cast<std::uint32_t>(by);
-}
 
 std::int32_t block_of(std::int32_t cell) noexcept { return cell >> 3; }
 std::uint32_t within(std::int32_t cell) noexcept { return static_cast<std::uint32_t>(cell) & 7U; }
@@ -32,13 +29,11 @@ void SweptCells::clear() noexcept {
 }
 
 std::size_t SweptCells::slot_of(std::uint64_t key) const noexcept {
-  std::uint64_t hash = key * 0x9E3779B97F4A7C15ULL;
-  hash ^= hash >> 32U;
-  return static_cast<std::size_t>(hash) & (blocks_.size() - 1);
+  return static_cast<std::size_t>(block_hash(key)) & (blocks_.size() - 1);
 }
 
 std::uint64_t SweptCells::block(std::int32_t bx, std::int32_t by) const noexcept {
-  const std::uint64_t key = key_of(bx, by);
+  const std::uint64_t key = block_key(bx, by);
   std::size_t slot = slot_of(key);
   for (std::size_t probe = 0; probe < kProbes; ++probe) {
     if (blocks_[slot].key == key || blocks_[slot].key == kFree) {
@@ -64,7 +59,7 @@ void SweptCells::mark_run(std::int32_t iy, std::int32_t first, std::int32_t last
     const std::uint64_t cells = ones << (8U * within(iy));
     first = end + 1;
 
-    const std::uint64_t key = key_of(bx, by);
+    const std::uint64_t key = block_key(bx, by);
     std::size_t slot = slot_of(key);
     std::size_t probe = 0;
     while (probe < kProbes && blocks_[slot].key != key && blocks_[slot].key != kFree) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "support/workdir.hpp"
+#include "cli/fit_runs.hpp"
 
 namespace tcert {
 namespace {
@@ -17,14 +17,13 @@ namespace {
 using nlohmann::json;
 using test_support::ProcessResult;
 using test_support::to_string;
-using test_support::Workdir;
 
 json golden(const std::string& name) {
   std::ifstream file(std::string(TCERT_GOLDEN) + "/" + name);
   return json::parse(file);
 }
 
-class FitPredict : public ::testing::Test {
+class FitPredict : public test_support::FitRuns {
  protected:
   void take(const json& all) {
     work_.write("t.csv", all["csv"].get<std::string>() + "\n");
@@ -33,29 +32,10 @@ class FitPredict : public ::testing::Test {
     }
   }
 
-  ProcessResult fit(const std::string& kind,
-                    const std::string& formula,
-                    std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return work_.run(arguments);
-  }
-
-  json document(const std::string& kind,
-                const std::string& formula,
-                std::vector<std::string> more = {}) {
-    more.insert(more.end(), {"--format", "json"});
-    const ProcessResult run = fit(kind, formula, more);
-    EXPECT_EQ(run.exit_code, 0) << to_string(run);
-    return json::parse(run.out);
-  }
-
   void expect_said(const ProcessResult& run, int exit_code, const std::string& text) {
     EXPECT_EQ(run.exit_code, exit_code) << to_string(run);
     EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
   }
-
-  Workdir work_{TCERT_BINARY};
 };
 
 TEST_F(FitPredict, ProbabilitiesOfNewRowsAreThoseOfR) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "support/workdir.hpp"
+#include "cli/fit_runs.hpp"
 
 namespace tcert {
 namespace {
@@ -12,7 +12,6 @@ namespace {
 using nlohmann::json;
 using test_support::ProcessResult;
 using test_support::to_string;
-using test_support::Workdir;
 
 /// Twenty-four trials on six days, hand-made: overlapping outcomes, ties in time and predictor.
 constexpr const char* kTrials =
@@ -30,28 +29,9 @@ constexpr const char* kTrials =
     "f,dim,0.7,4,1,16,goal\nf,dark,0.3,2,1,23,goal\nf,dim,1.1,3,1,12,goal\nf,dark,0.5,1,0,27,"
     "wedged\n";
 
-class Fit : public ::testing::Test {
+class Fit : public test_support::FitRuns {
  protected:
   void SetUp() override { work_.write("t.csv", kTrials); }
-
-  ProcessResult fit(const std::string& kind,
-                    const std::string& formula,
-                    std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return work_.run(arguments);
-  }
-
-  json document(const std::string& kind,
-                const std::string& formula,
-                std::vector<std::string> more = {}) {
-    more.insert(more.end(), {"--format", "json"});
-    const ProcessResult run = fit(kind, formula, more);
-    EXPECT_EQ(run.exit_code, 0) << to_string(run);
-    return json::parse(run.out);
-  }
-
-  Workdir work_{TCERT_BINARY};
 };
 
 TEST_F(Fit, GlmmPrintsOneDocumentWithBroomsNames) {
