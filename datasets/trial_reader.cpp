@@ -60,6 +60,10 @@ TactileStream to_tactile_stream(table::NumberTable table) {
 ControlStream to_control_stream(table::NumberTable table) {
   ControlStream control;
   control.arrival_ns = arrivals_of(table);
+  for (std::vector<double>* column :
+       {&control.speed_cmd_mps, &control.yaw_rate_cmd_rps, &control.loop_latency_ms}) {
+    column->reserve(table.rows());
+  }
   for (std::size_t i = 0; i < table.rows(); ++i) {
     control.speed_cmd_mps.push_back(table.at(i, 0));
     control.yaw_rate_cmd_rps.push_back(table.at(i, 1));

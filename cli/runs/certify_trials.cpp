@@ -189,7 +189,7 @@ CertifySummary certify_trials(const OpenedBundle& opened,
       done->finish = extra(trial);
     }
     // The ticks end here: what waits for its turn is small.
-    done->record = study::summarise(std::move(trial));
+    done->record = study::summarise(trial);
     return [&, done]() {
       stage.advance();
       gathering.take(*done);

@@ -118,6 +118,7 @@ std::optional<NumberTable> read_numbers(const Bytes& bytes,
   RowReporter reporter(
       csv, *header, options.repair ? BadRow::is_dropped : BadRow::rejects, text, problems);
   const bool has_time = !options.time_column.empty();
+  const bool has_other_times = std::ranges::any_of(options.columns, &NumberColumn::is_time);
   std::vector<double> row(table.columns, std::numeric_limits<double>::quiet_NaN());
   std::vector<std::int64_t> times_ns(1 + table.columns, kNoTime);
   CsvCursor cursor = header->data;
@@ -135,7 +136,9 @@ std::optional<NumberTable> read_numbers(const Bytes& bytes,
       continue;
     }
     table.values.insert(table.values.end(), row.begin(), row.end());
-    fill_times(options, times_ns, table);
+    if (has_other_times) {
+      fill_times(options, times_ns, table);
+    }
     table.lines.push_back(static_cast<std::uint32_t>(line));
     if (has_time) {
       table.time_ns.push_back(times_ns.front());

@@ -101,6 +101,9 @@ CsvCursor csv_begin(std::string_view text) noexcept {
 
 bool skip_to_record(CsvCursor& cursor) noexcept {
   while (cursor.at < cursor.end) {
+    if (static_cast<unsigned char>(*cursor.at) > '#') {
+      return true;  // as nearly all lines: they begin with a digit or a sign
+    }
     const char* const end = line_end(cursor);
     const std::string_view line(cursor.at, static_cast<std::size_t>(end - cursor.at));
     if (!without_padding(line).empty() && line.front() != '#') {

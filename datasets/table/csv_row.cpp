@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <table/bytes.hpp>
 #include <table/cell_reading.hpp>
@@ -56,13 +57,14 @@ class CellReader {
   Bytes padded_;
 };
 
-/// Reads the rest of a record, from the field at `position` on, with every check.
-bool scan_carefully(const RowPlan& plan,
-                    CsvCursor& cursor,
-                    std::size_t position,
-                    std::int64_t* times_ns,
-                    double* values,
-                    RowProblems& problems) {
+/// Reads the rest of a record, from the field at `position` on, with every check. Kept out of the
+/// way of the fast path, which then needs fewer registers.
+[[gnu::noinline]] bool scan_carefully(const RowPlan& plan,
+                                      CsvCursor& cursor,
+                                      std::size_t position,
+                                      std::int64_t* times_ns,
+                                      double* values,
+                                      RowProblems& problems) {
   CellReader reader(plan, times_ns, values);
   std::string unquoted;
   CsvField field;
@@ -98,35 +100,30 @@ const char* skip_run_of_spaces(const char* p) noexcept {
   return p;
 }
 
+bool ends_cell(char c, char separator) noexcept { return c == separator || c == '\n' || c == '\r'; }
+
 /// Reads one plain cell; null if it needs care.
 inline const char* scan_plain(const CellPlan& cell,
-                              const CsvDialect& dialect,
+                              CsvDialect dialect,
                               const char* p,
                               std::int64_t* times_ns,
                               double* values) noexcept {
-  switch (cell.kind) {
-    case CellKind::optional_number:
-    case CellKind::optional_range:
-    case CellKind::optional_flag:
-      if (*p == dialect.separator || *p == '\n' || *p == '\r') {
-        values[cell.slot] = std::numeric_limits<double>::quiet_NaN();
-        return p;
-      }
-      [[fallthrough]];
-    case CellKind::number:
-      return scan_number(p, dialect.decimal_point, values[cell.slot]);
-    case CellKind::optional_seconds:
-      if (*p == dialect.separator || *p == '\n' || *p == '\r') {
-        times_ns[cell.slot] = kNoTime;
-        return p;
-      }
-      [[fallthrough]];
-    case CellKind::seconds:
-      return scan_seconds(p, dialect.decimal_point, times_ns[cell.slot]);
-    case CellKind::ignored:
-      break;
+  if (cell.kind == CellKind::ignored) {
+    return skip_plain(p, dialect.separator);
   }
-  return skip_plain(p, dialect.separator);
+  if (cell.kind >= CellKind::number) [[likely]] {
+    const char* const next = scan_number(p, dialect.decimal_point, values[cell.slot]);
+    if (next != nullptr || cell.kind == CellKind::number || !ends_cell(*p, dialect.separator)) {
+      return next;
+    }
+    values[cell.slot] = std::numeric_limits<double>::quiet_NaN();
+    return p;
+  }
+  if (cell.kind == CellKind::seconds || !ends_cell(*p, dialect.separator)) {
+    return scan_seconds(p, dialect.decimal_point, times_ns[cell.slot]);
+  }
+  times_ns[cell.slot] = kNoTime;
+  return p;
 }
 
 }  // namespace
@@ -138,20 +135,20 @@ bool scan_row(const RowPlan& plan,
               std::int64_t* times_ns,
               double* values,
               RowProblems& problems) {
-  const char separator = plan.dialect.separator;
-  const std::size_t cells = plan.cells.size();
+  const CsvDialect dialect = plan.dialect;
+  const std::span<const CellPlan> cells = plan.cells;
   const char* p = cursor.at;
   std::size_t position = 0;
-  for (; position < cells; ++position) {
-    if (separator == ' ') {
+  for (; position < cells.size(); ++position) {
+    if (dialect.separator == ' ') {
       p = skip_run_of_spaces(p);
     }
-    const char* next = scan_plain(plan.cells[position], plan.dialect, p, times_ns, values);
+    const char* next = scan_plain(cells[position], dialect, p, times_ns, values);
     if (next == nullptr) {
       break;
     }
-    if (position + 1 < cells) {
-      if (*next != separator) {
+    if (position + 1 < cells.size()) {
+      if (*next != dialect.separator) {
         break;
       }
       p = next + 1;

@@ -1,6 +1,7 @@
 #include <table/decimal.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <string>
 #include <system_error>
@@ -57,6 +58,27 @@ const char* scan_long_number(const char* begin,
   return end;
 }
 
+const char* scan_other_number(const char* p, char point, double& value) noexcept {
+  const char* const begin = p;
+  const bool negative = *p == '-';
+  p += (negative || *p == '+') ? 1 : 0;
+  const Digits digits = scan(p, point);
+  if (digits.end == nullptr) {
+    return nullptr;
+  }
+  constexpr std::uint64_t kExactIntegers = std::uint64_t{1} << 53U;
+  if (digits.count > 19 || digits.mantissa > kExactIntegers || digits.exponent < -22 ||
+      digits.exponent > 22) {
+    return scan_long_number(begin, digits.end, point, value);
+  }
+  const auto mantissa = static_cast<double>(digits.mantissa);
+  const double magnitude = digits.exponent < 0
+                               ? mantissa / kPowersOfTen[static_cast<std::size_t>(-digits.exponent)]
+                               : mantissa * kPowersOfTen[static_cast<std::size_t>(digits.exponent)];
+  value = negative ? -magnitude : magnitude;
+  return digits.end;
+}
+
 }  // namespace decimal_detail
 
 namespace {
@@ -65,6 +87,10 @@ using decimal_detail::Digits;
 using decimal_detail::is_digit;
 
 constexpr std::uint64_t kLongestTimeNs = std::uint64_t{kLongestTimeS} * 1'000'000'000;
+
+/// Of the last of so many decimals.
+constexpr std::array<std::uint64_t, 10> kNanosecondsOfDecimal{
+    1'000'000'000, 100'000'000, 10'000'000, 1'000'000, 100'000, 10'000, 1'000, 100, 10, 1};
 
 /// The first 19 significant digits, and the one after them.
 struct LeadingDigits {
@@ -97,6 +123,9 @@ LeadingDigits leading_digits(const char* p, const Digits& digits) noexcept {
 /// Nearest integer to digits x 10^power, half away from zero; above kLongestTimeNs if too large.
 std::uint64_t scaled(const LeadingDigits& digits, int power) noexcept {
   std::uint64_t sum = digits.mantissa;
+  if (sum < std::uint64_t{1} << 32U && power >= 0 && power < 10) {
+    return sum * kNanosecondsOfDecimal[static_cast<std::size_t>(9 - power)];
+  }
   for (; power > 0 && sum != 0 && sum <= kLongestTimeNs; --power) {
     sum = sum > kLongestTimeNs / 10U ? kLongestTimeNs + 1U : sum * 10U;
   }
@@ -111,6 +140,12 @@ std::uint64_t scaled(const LeadingDigits& digits, int power) noexcept {
 }  // namespace
 
 const char* scan_seconds(const char* p, char point, std::int64_t& time_ns) noexcept {
+  if (const auto number = decimal_detail::scan_short(p, point); number.end != nullptr) {
+    const auto time =
+        static_cast<std::int64_t>(number.mantissa * kNanosecondsOfDecimal[number.decimals]);
+    time_ns = number.negative != 0 ? -time : time;
+    return number.end;
+  }
   const bool negative = *p == '-';
   p += (negative || *p == '+') ? 1 : 0;
   const Digits digits = decimal_detail::scan(p, point);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -32,6 +33,8 @@ struct Digits {
   return word;
 }
 
+inline constexpr std::uint64_t kZeros = 0x3030303030303030U;
+
 // Eight digits at once in one 64-bit word (Lemire, "Number parsing at a gigabyte per second",
 // 2021).
 [[nodiscard]] inline bool are_eight_digits(std::uint64_t word) noexcept {
@@ -39,8 +42,8 @@ struct Digits {
           (((word + 0x0606060606060606U) & 0xF0F0F0F0F0F0F0F0U) >> 4U)) == 0x3333333333333333U;
 }
 
+/// \pre the bytes are 0 to 9, the first digit lowest.
 [[nodiscard]] inline std::uint64_t value_of_eight_digits(std::uint64_t word) noexcept {
-  word -= 0x3030303030303030U;
   word = word * 10U + (word >> 8U);
   constexpr std::uint64_t kPairs = 0x000000FF000000FFU;
   return (((word & kPairs) * (100U + (1'000'000ULL << 32U))) +
@@ -52,7 +55,7 @@ struct Digits {
   if constexpr (std::endian::native == std::endian::little) {
     std::uint64_t word = load_eight(p);
     while (are_eight_digits(word)) {
-      mantissa = mantissa * 100'000'000U + value_of_eight_digits(word);
+      mantissa = mantissa * 100'000'000U + value_of_eight_digits(word ^ kZeros);
       p += 8;
       word = load_eight(p);
     }
@@ -98,6 +101,54 @@ inline constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
+/// A number of the kind that most cells have: a minus or none, and at most seven bytes of digits
+/// and a point.
+struct ShortNumber {
+  std::uint64_t mantissa = 0;
+  std::size_t decimals = 0;    ///< 0 to 6.
+  std::uint64_t negative = 0;  ///< 1 or 0.
+  const char* end = nullptr;   ///< Null of anything else, such as a longer number or an exponent.
+};
+
+/// Eight bytes at once, and no branch on how many digits there are or where; where the number ends
+/// is known first, so that the next one can be begun. \pre as scan_number.
+[[nodiscard, gnu::always_inline]] inline ShortNumber scan_short(const char* p,
+                                                                char point) noexcept {
+  if constexpr (std::endian::native != std::endian::little) {
+    return {};
+  }
+  constexpr std::uint64_t kHighBits = 0x8080808080808080U;
+  const std::uint64_t negative = *p == '-' ? 1U : 0U;
+  const std::uint64_t text = load_eight(negative != 0 ? p + 1 : p);
+  const std::uint64_t digit = text ^ kZeros;  // bytes of digits are 0 to 9
+  const std::uint64_t other = text ^ (0x0101010101010101U * static_cast<unsigned char>(point));
+  // High bits of the bytes that are no digits, and of those that are no points either.
+  const std::uint64_t no_digit = ((digit & ~kHighBits) + 0x7676767676767676U) | digit;
+  const std::uint64_t no_point = ((other & ~kHighBits) + ~kHighBits) | other;
+  const std::uint64_t ends = no_digit & no_point & kHighBits;
+  if (ends == 0) {
+    return {};
+  }
+  const auto end = static_cast<unsigned>(std::countr_zero(ends)) & 0x38U;
+  const std::uint64_t points = no_digit & kHighBits & ((std::uint64_t{1} << end) - 1U);
+  const auto whole = static_cast<unsigned>(std::countr_zero(points | ends)) & 0x38U;
+  const unsigned point_bits = whole == end ? 0U : 8U;
+  const unsigned bits = end - point_bits;  // of the digits
+  if (bits == 0U || (points & (points - 1U)) != 0U ||
+      static_cast<char>((text >> end) | 0x20U) == 'e') {
+    return {};
+  }
+  const std::uint64_t below = (std::uint64_t{1} << whole) - 1U;
+  const std::uint64_t joined = (digit & below) | ((digit >> point_bits) & ~below);
+  return {value_of_eight_digits(joined << (64U - bits)),
+          (bits - whole) / 8U,
+          negative,
+          p + negative + end / 8U};
+}
+
+/// Any number that scan_short() leaves.
+[[nodiscard]] const char* scan_other_number(const char* p, char point, double& value) noexcept;
+
 }  // namespace decimal_detail
 
 /// Reads the number at `p`: sign, digits, `point`, digits, exponent. Returns where it ends, or null
@@ -108,26 +159,18 @@ inline constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4
 /// one multiplication or division rounds once (Clinger 1990); everything else goes to
 /// std::from_chars. \pre a byte that cannot belong to a number follows within the buffer, and eight
 /// more after it.
-[[nodiscard]] inline const char* scan_number(const char* p, char point, double& value) noexcept {
+[[nodiscard, gnu::always_inline]] inline const char* scan_number(const char* p,
+                                                                 char point,
+                                                                 double& value) noexcept {
   using namespace decimal_detail;
-  const char* const begin = p;
-  const bool negative = *p == '-';
-  p += (negative || *p == '+') ? 1 : 0;
-  const Digits digits = scan(p, point);
-  if (digits.end == nullptr) {
-    return nullptr;
+  const ShortNumber number = scan_short(p, point);
+  if (number.end == nullptr) [[unlikely]] {
+    return scan_other_number(p, point, value);
   }
-  constexpr std::uint64_t kExactIntegers = std::uint64_t{1} << 53U;
-  if (digits.count > 19 || digits.mantissa > kExactIntegers || digits.exponent < -22 ||
-      digits.exponent > 22) {
-    return scan_long_number(begin, digits.end, point, value);
-  }
-  const auto mantissa = static_cast<double>(digits.mantissa);
-  const double magnitude = digits.exponent < 0
-                               ? mantissa / kPowersOfTen[static_cast<std::size_t>(-digits.exponent)]
-                               : mantissa * kPowersOfTen[static_cast<std::size_t>(digits.exponent)];
-  value = negative ? -magnitude : magnitude;
-  return digits.end;
+  const double magnitude = static_cast<double>(static_cast<std::int64_t>(number.mantissa)) /
+                           kPowersOfTen[number.decimals];
+  value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(magnitude) | number.negative << 63U);
+  return number.end;
 }
 
 /// Reads seconds at `p` as nanoseconds: exact to nine decimals, further ones are rounded half away

@@ -13,13 +13,13 @@ namespace {
 study::TrialRecord study_trial(const char* algorithm,
                                const char* lighting,
                                std::optional<bool> success,
-                               std::vector<double> latency_ms) {
+                               const std::vector<double>& latency_ms) {
   study::TrialRecord record;
   record.row.trial.algorithm = algorithm;
   record.row.trial.lighting = lighting;
   record.row.trial.success = success;
-  record.speed_cmd_mps = {0.1, 0.2};
-  record.loop_latency_ms = std::move(latency_ms);
+  record.speed_cmd_mps = study::Tally(std::vector{0.1, 0.2});
+  record.loop_latency_ms = study::Tally(latency_ms);
   return record;
 }
 

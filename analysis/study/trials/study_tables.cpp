@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace tcert::study {
 namespace {
@@ -51,7 +50,7 @@ bool before(const std::string& a, const std::string& b) noexcept {
 
 }  // namespace
 
-TrialRecord summarise(StudiedTrial&& trial) {
+TrialRecord summarise(const StudiedTrial& trial) {
   std::optional<SoughtWitness> sought;
   if (trial.proof) {
     sought = SoughtWitness{trial.proof->certificate_m()};
@@ -61,53 +60,13 @@ TrialRecord summarise(StudiedTrial&& trial) {
       sought->edges_proven = trial.proof->edges->proven();
     }
   }
-  TrialRecord summary{{*trial.row, trial.features, trial.not_issued, sought},
-                      known_median(trial.speed_cmd_mps),
-                      known_median(trial.loop_latency_ms),
-                      std::move(trial.speed_cmd_mps),
-                      std::move(trial.loop_latency_ms)};
-  return summary;
-}
-
-std::optional<double> known_median(std::span<const double> samples) {
-  Tally tally;
-  tally.add(samples);
-  return tally.median();
-}
-
-void Tally::add(std::span<const double> samples) {
-  for (const double sample : samples) {
-    if (!std::isnan(sample)) {
-      ++counts_[sample];
-      ++total_;
-    }
-  }
-}
-
-void Tally::add(const Tally& other) {
-  for (const auto& [value, count] : other.counts_) {
-    counts_[value] += count;
-  }
-  total_ += other.total_;
-}
-
-std::optional<double> Tally::median() const {
-  if (total_ == 0) {
-    return std::nullopt;
-  }
-  // The samples at the 0-based ranks (n - 1) / 2 and n / 2; the same one if n is odd.
-  std::uint64_t below = 0;
-  std::optional<double> lower;
-  for (const auto& [value, count] : counts_) {
-    below += count;
-    if (!lower && below > (total_ - 1) / 2) {
-      lower = value;
-    }
-    if (below > total_ / 2) {
-      return std::midpoint(*lower, value);
-    }
-  }
-  return lower;
+  Tally speed_cmd_mps(trial.speed_cmd_mps);
+  Tally loop_latency_ms(trial.loop_latency_ms);
+  return {{*trial.row, trial.features, trial.not_issued, sought},
+          speed_cmd_mps.median(),
+          loop_latency_ms.median(),
+          std::move(speed_cmd_mps),
+          std::move(loop_latency_ms)};
 }
 
 bool StudyRecord::PaperOrder::operator()(const Key& a, const Key& b) const noexcept {

@@ -4,10 +4,8 @@
 /// beside what the paper prints for its own 660 trials.
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +13,7 @@
 
 #include "analysis/study/trials/feature_table.hpp"
 #include "analysis/study/trials/study.hpp"
+#include "analysis/study/trials/tally.hpp"
 
 namespace tcert::study {
 
@@ -23,30 +22,11 @@ struct TrialRecord {
   FeatureRow row;
   std::optional<double> median_speed_cmd_mps;  ///< Of its control samples.
   std::optional<double> median_loop_latency_ms;
-  std::vector<double> speed_cmd_mps;  ///< The samples; NaN where missing.
-  std::vector<double> loop_latency_ms;
+  Tally speed_cmd_mps;  ///< Of its known samples.
+  Tally loop_latency_ms;
 };
 
-[[nodiscard]] TrialRecord summarise(StudiedTrial&& trial);
-
-/// How often each value occurs: exact medians of any number of samples in the memory of their
-/// distinct values.
-class Tally {
- public:
-  /// NaN is left out.
-  void add(std::span<const double> samples);
-  void add(const Tally& other);
-
-  /// Type-7 median; empty without a sample.
-  [[nodiscard]] std::optional<double> median() const;
-
- private:
-  std::map<double, std::uint64_t> counts_;
-  std::uint64_t total_ = 0;
-};
-
-/// Of the samples that are known; empty if none is.
-[[nodiscard]] std::optional<double> known_median(std::span<const double> samples);
+[[nodiscard]] TrialRecord summarise(const StudiedTrial& trial);
 
 /// Trials of one algorithm under one lighting; of all where a name is empty.
 struct StudyGroup {

@@ -32,13 +32,8 @@ std::string common_key(const Bundle& bundle, const LogOptions& logs) {
 }
 
 std::string features_text(const study::StudiedTrial& trial, const Table& table) {
-  study::StudiedTrial copy;
-  copy.row = trial.row;
-  copy.features = trial.features;
-  copy.speed_cmd_mps = trial.speed_cmd_mps;
-  copy.loop_latency_ms = trial.loop_latency_ms;
   std::string line;
-  append_csv_row(line, table, features_row(study::summarise(std::move(copy))));
+  append_csv_row(line, table, features_row(study::summarise(trial)));
   return line;
 }
 
