@@ -20,13 +20,19 @@ class MedianWindow {
     if (std::isnan(value)) {
       return;
     }
-    std::size_t place = size_++;
-    for (; place > 0 && values_[place - 1] > value; --place) {
-      values_[place] = values_[place - 1];
-      bearings_[place] = bearings_[place - 1];
+    // Without a branch on the order, which nothing predicts: the greater one is carried on.
+    for (std::size_t i = 0; i < size_; ++i) {
+      const bool is_less = value < values_[i];
+      const double greater = is_less ? values_[i] : value;
+      const double greater_bearing_rad = is_less ? bearings_[i] : bearing_rad;
+      values_[i] = is_less ? value : values_[i];
+      bearings_[i] = is_less ? bearing_rad : bearings_[i];
+      value = greater;
+      bearing_rad = greater_bearing_rad;
     }
-    values_[place] = value;
-    bearings_[place] = bearing_rad;
+    values_[size_] = value;
+    bearings_[size_] = bearing_rad;
+    ++size_;
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }

@@ -119,6 +119,7 @@ ContactMemory::ContactMemory(const CertificateParameters& parameters)
     : parameters_(parameters),
       blocks_(std::bit_ceil(
           std::max<std::size_t>(parameters.max_memory_cells / (kSide * kSide), kProbes))) {
+  used_.reserve(blocks_.size());
   const double blocks = 6.0 * parameters.memory_sigma_m / (kSide * parameters.memory_cell_m);
   const std::size_t most = (static_cast<std::size_t>(blocks) + 3) * kSide;
   const double steps = parameters.memory_cell_m / parameters.memory_sigma_m;
@@ -128,11 +129,11 @@ ContactMemory::ContactMemory(const CertificateParameters& parameters)
 }
 
 void ContactMemory::clear() noexcept {
-  if (!empty_) {
-    std::fill(blocks_.begin(), blocks_.end(), Block{});
-    empty_ = true;
-    evicted_ = false;
+  for (const std::uint32_t slot : used_) {
+    blocks_[slot] = Block{};
   }
+  used_.clear();
+  evicted_ = false;
 }
 
 std::size_t ContactMemory::slot_of(std::int32_t bx, std::int32_t by) const noexcept {
@@ -177,6 +178,9 @@ ContactMemory::Block& ContactMemory::claim(std::int32_t bx,
   }
   Block& block = blocks_[faintest];
   if (block.halvings < 0.0 || block.bx != bx || block.by != by) {
+    if (block.halvings < 0.0) {
+      used_.push_back(static_cast<std::uint32_t>(faintest));
+    }
     evicted_ = evicted_ || (block.halvings >= 0.0 && least > kNothing);
     block = Block{bx, by, halvings, {}};
     return block;
@@ -238,11 +242,10 @@ void ContactMemory::add(Point point, double force_n, double time_s) noexcept {
       }
     }
   });
-  empty_ = false;
 }
 
 double ContactMemory::largest_within(Point centre, double radius_m, double time_s) const noexcept {
-  if (empty_) {
+  if (used_.empty()) {
     return 0.0;
   }
   const double halvings = time_s / parameters_.memory_half_life_s;

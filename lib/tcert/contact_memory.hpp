@@ -64,14 +64,14 @@ class ContactMemory {
   [[nodiscard]] Block& claim(std::int32_t bx, std::int32_t by, double halvings) noexcept;
 
   CertificateParameters parameters_;
-  std::vector<Block> blocks_;  // a power of two
+  std::vector<Block> blocks_;        // a power of two
+  std::vector<std::uint32_t> used_;  // slots of those that are
   // Scratch of add(): exp(-d^2 / 2 sigma^2) by column and by row of the cells near a contact.
   std::vector<double> column_weights_;
   std::vector<double> row_weights_;
   double ratio_fall_ = 0.0;   // exp(-cell^2 / sigma^2)
   double faded_since_ = 0.0;  // in half-lives; fading_ is 2 to this
   double fading_ = 1.0;
-  bool empty_ = true;
   bool evicted_ = false;
 };
 

@@ -19,7 +19,7 @@ double ContactMemory::mean_along(Point from,
                                  double time_s) const noexcept {
   const double cell_m = parameters_.memory_cell_m;
   const double far_m = 1e8 * cell_m;
-  if (empty_ || !(std::abs(from.x_m) + length_m < far_m) ||
+  if (used_.empty() || !(std::abs(from.x_m) + length_m < far_m) ||
       !(std::abs(from.y_m) + length_m < far_m)) {
     return 0.0;
   }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tcert/ray_lines.hpp>
@@ -17,32 +18,51 @@ std::int32_t cell_index(double at_m, double cell_m) noexcept {
   return static_cast<std::int32_t>(std::clamp(std::floor(at_m / cell_m), -kFar, kFar));
 }
 
-// The x-range of the edge p-q within low <= y <= high, added to [from, to].
-void add_range(Point p, Point q, double low, double high, double& from, double& to) noexcept {
-  if (std::max(p.y_m, q.y_m) < low || std::min(p.y_m, q.y_m) > high) {
-    return;
+// An edge of a strip, for the x-range of it within a row of cells. What its slope loses to rounding
+// is far less than what is added to every range.
+class Edge {
+ public:
+  Edge(Point p, Point q) noexcept
+      : p_(p),
+        low_m_(std::min(p.y_m, q.y_m)),
+        high_m_(std::max(p.y_m, q.y_m)),
+        slope_(low_m_ == high_m_ ? 0.0 : (q.x_m - p.x_m) / (q.y_m - p.y_m)),
+        from_m_(std::min(p.x_m, q.x_m)),
+        to_m_(std::max(p.x_m, q.x_m)) {}
+
+  // Adds its range within low <= y <= high to [from, to].
+  void add_range(double low, double high, double& from, double& to) const noexcept {
+    if (high_m_ < low || low_m_ > high) {
+      return;
+    }
+    if (low_m_ == high_m_) {
+      from = std::min(from, from_m_);
+      to = std::max(to, to_m_);
+      return;
+    }
+    const double a = x_at(std::max(low, low_m_));
+    const double b = x_at(std::min(high, high_m_));
+    from = std::min({from, a, b});
+    to = std::max({to, a, b});
   }
-  for (const double y : {std::clamp(p.y_m, low, high), std::clamp(q.y_m, low, high)}) {
-    const double rise = q.y_m - p.y_m;
-    const double share = rise == 0.0 ? (y == p.y_m ? 0.0 : 1.0) : (y - p.y_m) / rise;
-    const double x = p.x_m + share * (q.x_m - p.x_m);
-    from = std::min(from, x);
-    to = std::max(to, x);
+
+ private:
+  [[nodiscard]] double x_at(double y) const noexcept {
+    return std::clamp(p_.x_m + slope_ * (y - p_.y_m), from_m_, to_m_);
   }
-  if (p.y_m == q.y_m) {
-    from = std::min({from, p.x_m, q.x_m});
-    to = std::max({to, p.x_m, q.x_m});
-  }
-}
+
+  Point p_;
+  double low_m_, high_m_, slope_, from_m_, to_m_;
+};
 
 // Where the ray of a turning body pivots it stands still, and beyond it goes the other way.
 constexpr double kShortOfPivot = 0.95;
 
 }  // namespace
 
-void RaySweep::anchor(Point mount, Point u, double clearance_m) noexcept {
+void RaySweep::anchor(Point mount, Point u, double clearance_m, double cell_m) noexcept {
   newest_ = 0;
-  strips_[0] = {mount, u, {}, {}, {}, {}};
+  strips_[0] = {mount, u, {}, {}, {}, {}, 0.5 * cell_m * half_extent(u), 0.0, 0.0};
   count_ = 1;
   least_m_ = clearance_m;
 }
@@ -58,7 +78,7 @@ void RaySweep::advance(Point mount,
     return;
   }
   if (count_ == 0) {
-    anchor(mount, u, clearance_m);
+    anchor(mount, u, clearance_m, rule.cell_m);
     return;
   }
   const Strip& last = strip(0);
@@ -80,7 +100,7 @@ void RaySweep::advance(Point mount,
   const double end_m = std::min(least_m_ * cosine + std::min(0.0, offset_m) - lost_m,
                                 kShortOfPivot * pivot_m * cosine);
   if (step_m > rule.least_obstacle_m || !(end_m > begin_m)) {
-    anchor(mount, u, clearance_m);
+    anchor(mount, u, clearance_m, rule.cell_m);
     return;
   }
   const Point near_last = last.mount + (begin_m / cosine) * last.u;
@@ -95,7 +115,7 @@ void RaySweep::advance(Point mount,
   const bool crosses = side * ahead_near < 0.0 || side * ahead_far < 0.0 ||
                        side * behind_near < 0.0 || side * behind_far < 0.0;
   if (crosses || ahead_near + ahead_far == 0.0) {
-    anchor(mount, u, clearance_m);
+    anchor(mount, u, clearance_m, rule.cell_m);
     return;
   }
   if (side != side_) {
@@ -103,7 +123,16 @@ void RaySweep::advance(Point mount,
     side_ = side;
   }
   newest_ = (newest_ + 1) % kKept;
-  strips_[newest_] = {mount, u, near_last, near_now - near_last, far_last, far_now - far_last};
+  const double half_m = 0.5 * rule.cell_m;
+  strips_[newest_] = {mount,
+                      u,
+                      near_last,
+                      near_now - near_last,
+                      far_last,
+                      far_now - far_last,
+                      half_m * half_extent(u),
+                      half_m * half_extent(near_now - near_last),
+                      half_m * half_extent(far_now - far_last)};
   count_ = std::min(count_ + 1, kKept);
   least_m_ = clearance_m;
   mark_passed(rule, cells);
@@ -112,13 +141,13 @@ void RaySweep::advance(Point mount,
 // Whether the ray has gone from before the square to behind it, within the strips all the way.
 // A point of the square then lies, in one of the strips, to the inside of all four borders, so the
 // strip's ruled surface covers it.
-bool RaySweep::passed(Point middle, double half_m) const noexcept {
+bool RaySweep::passed(Point middle) const noexcept {
   const Strip& now = strip(0);
-  if (side_ * cross(now.u, middle - now.mount) + half_m * half_extent(now.u) > 0.0) {
+  if (side_ * cross(now.u, middle - now.mount) + now.cell_u > 0.0) {
     return false;
   }
   const Strip& last = strip(1);
-  if (side_ * cross(last.u, middle - last.mount) + half_m * half_extent(last.u) <= 0.0) {
+  if (side_ * cross(last.u, middle - last.mount) + last.cell_u <= 0.0) {
     return false;  // it was passed, or lost, before
   }
   for (std::size_t back = 0; back + 1 < count_; ++back) {
@@ -126,11 +155,10 @@ bool RaySweep::passed(Point middle, double half_m) const noexcept {
     const Strip& before = strip(back + 1);
     const double inside_far = side_ * cross(s.far_along, middle - s.far_from);
     const double inside_near = -side_ * cross(s.near_along, middle - s.near_from);
-    if (inside_far < half_m * half_extent(s.far_along) ||
-        inside_near < half_m * half_extent(s.near_along)) {
+    if (inside_far < s.cell_far || inside_near < s.cell_near) {
       return false;
     }
-    if (side_ * cross(before.u, middle - before.mount) >= half_m * half_extent(before.u)) {
+    if (side_ * cross(before.u, middle - before.mount) >= before.cell_u) {
       return true;
     }
   }
@@ -141,10 +169,13 @@ bool RaySweep::passed(Point middle, double half_m) const noexcept {
 // it meets the strip.
 void RaySweep::mark_passed(const SweepRule& rule, SweptCells& cells) const noexcept {
   const Strip& s = strip(0);
-  const std::array<Point, 4> corners{
-      s.near_from, s.far_from, s.far_from + s.far_along, s.near_from + s.near_along};
-  const auto [low, high] =
-      std::minmax({corners[0].y_m, corners[1].y_m, corners[2].y_m, corners[3].y_m});
+  const Point far_to = s.far_from + s.far_along;
+  const Point near_to = s.near_from + s.near_along;
+  const std::array<Edge, 4> edges{Edge(s.near_from, s.far_from),
+                                  Edge(s.far_from, far_to),
+                                  Edge(far_to, near_to),
+                                  Edge(near_to, s.near_from)};
+  const auto [low, high] = std::minmax({s.near_from.y_m, s.far_from.y_m, far_to.y_m, near_to.y_m});
   const double rounding_m = kRounding * rule.cell_m;
   const std::int32_t last_row = cell_index(high + rounding_m, rule.cell_m);
   for (std::int32_t iy = cell_index(low - rounding_m, rule.cell_m); iy <= last_row; ++iy) {
@@ -152,19 +183,27 @@ void RaySweep::mark_passed(const SweepRule& rule, SweptCells& cells) const noexc
     const double top = static_cast<double>(iy + 1) * rule.cell_m;
     double from = kInfinity;
     double to = -from;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      add_range(corners[k], corners[(k + 1) % corners.size()], bottom, top, from, to);
+    for (const Edge& edge : edges) {
+      edge.add_range(bottom, top, from, to);
     }
     if (from > to) {
       continue;
     }
     const std::int32_t last = cell_index(to + rounding_m, rule.cell_m);
+    std::int32_t run_first = 0;
+    std::int32_t run_last = -1;  // below run_first: no cell
     for (std::int32_t ix = cell_index(from - rounding_m, rule.cell_m); ix <= last; ++ix) {
       const Point middle{(static_cast<double>(ix) + 0.5) * rule.cell_m, 0.5 * (bottom + top)};
-      if (passed(middle, 0.5 * rule.cell_m)) {
-        cells.mark({ix, iy});
+      if (!passed(middle)) {
+        continue;
       }
+      if (run_last + 1 != ix) {
+        cells.mark_run(iy, run_first, run_last);
+        run_first = ix;
+      }
+      run_last = ix;
     }
+    cells.mark_run(iy, run_first, run_last);
   }
 }
 

@@ -45,13 +45,15 @@ class RaySweep {
     Point u;
     Point near_from, near_along;  // the strip's inner border: a point and the way to the next one
     Point far_from, far_along;    // its outer border
+    // Half the extents of a cell across the ray and across both borders.
+    double cell_u = 0.0, cell_near = 0.0, cell_far = 0.0;
   };
   [[nodiscard]] const Strip& strip(std::size_t back) const noexcept {
     return strips_[(newest_ + kKept - back) % kKept];
   }
-  void anchor(Point mount, Point u, double clearance_m) noexcept;
+  void anchor(Point mount, Point u, double clearance_m, double cell_m) noexcept;
   void mark_passed(const SweepRule& rule, SweptCells& cells) const noexcept;
-  [[nodiscard]] bool passed(Point middle, double half_m) const noexcept;
+  [[nodiscard]] bool passed(Point middle) const noexcept;
 
   std::array<Strip, kKept> strips_{};
   std::size_t newest_ = 0;

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <tcert/elementary.hpp>
 #include <tcert/segment.hpp>
 #include <tcert/swept_area.hpp>
+#include <utility>
 
 namespace tcert {
 namespace {
@@ -101,6 +103,7 @@ SweptArea::SweptArea(const Robot& robot,
             parameters.travel_deadband_m,
             parameters.least_obstacle_m,
             0.5 / elementary::tan(0.5 * parameters.sharpest_corner_rad)},
+      half_diagonal_m_(std::sqrt(0.5) * rule_.cell_m),
       body_radius_m_(0.5 * robot.body_width_m),
       reach_m_(body_radius_m_),
       rays_(robot.rays),
@@ -111,10 +114,14 @@ SweptArea::SweptArea(const Robot& robot,
   for (const Ray& ray : rays_) {
     reach_m_ = std::max(reach_m_, norm(ray.mount) + ray.reach_m);
   }
+  const auto rows = static_cast<std::size_t>(2.0 * body_radius_m_ / rule_.cell_m) + 3;
+  body_rows_.reserve(rows);
+  last_body_rows_.reserve(rows);
 }
 
 void SweptArea::begin(const Pose& first) noexcept {
   cells_.clear();
+  body_rows_.clear();
   frame_ = first;
   axis_ = direction(first.yaw_rad);
   break_path();
@@ -163,22 +170,34 @@ void SweptArea::sweep(const Pose& pose,
   }
 }
 
-// Row by row, the cells that lie wholly in the disc.
+// Row by row, the cells that lie wholly in the disc, without those of the disc before: mostly one
+// or two of a row, or none.
 void SweptArea::mark_body(Point centre) noexcept {
   const double cell_m = rule_.cell_m;
+  const std::int32_t first_row = floor_index((centre.y_m - body_radius_m_) / cell_m);
   const std::int32_t last_row = floor_index((centre.y_m + body_radius_m_) / cell_m);
-  for (std::int32_t iy = floor_index((centre.y_m - body_radius_m_) / cell_m); iy <= last_row;
-       ++iy) {
+  body_rows_.swap(last_body_rows_);
+  const std::int32_t last_first_row = std::exchange(first_body_row_, first_row);
+  body_rows_.clear();
+  for (std::int32_t iy = first_row; iy <= last_row; ++iy) {
     const double below = centre.y_m - static_cast<double>(iy) * cell_m;
     const double above = static_cast<double>(iy + 1) * cell_m - centre.y_m;
     const double furthest = std::max(below, above);
-    if (furthest >= body_radius_m_) {
-      continue;
+    CellRun run;
+    if (furthest < body_radius_m_) {
+      const double half_m = std::sqrt(body_radius_m_ * body_radius_m_ - furthest * furthest);
+      run = {ceil_index((centre.x_m - half_m) / cell_m),
+             floor_index((centre.x_m + half_m) / cell_m) - 1};
     }
-    const double half_m = std::sqrt(body_radius_m_ * body_radius_m_ - furthest * furthest);
-    cells_.mark_run(iy,
-                    ceil_index((centre.x_m - half_m) / cell_m),
-                    floor_index((centre.x_m + half_m) / cell_m) - 1);
+    body_rows_.push_back(run);
+    const auto k = static_cast<std::size_t>(std::int64_t{iy} - last_first_row);
+    const CellRun marked = k < last_body_rows_.size() ? last_body_rows_[k] : CellRun{};
+    if (marked.last < run.first || run.last < marked.first) {
+      cells_.mark_run(iy, run.first, run.last);
+    } else {
+      cells_.mark_run(iy, run.first, marked.first - 1);
+      cells_.mark_run(iy, marked.last + 1, run.last);
+    }
   }
 }
 
@@ -193,24 +212,54 @@ bool SweptArea::is_free(SweptCell cell) noexcept {
   return cells_.contains(cell) || in_course(cell);
 }
 
-void SweptArea::look_into(
-    std::int32_t bx, std::int32_t by, Point a, Point b, SweptClearance& best) noexcept {
+// Of the open cells of a block the one whose centre is nearest to the segment's middle is tried
+// first: what it leaves of the distance rules nearly all others out.
+void SweptArea::look_into(std::int32_t bx,
+                          std::int32_t by,
+                          const Piece& piece,
+                          SweptClearance& best) noexcept {
   constexpr std::int32_t kSide = SweptCells::kSide;
+  std::uint64_t open = ~cells_.block(bx, by);
+  if (open == 0) {
+    return;
+  }
   const double cell_m = rule_.cell_m;
-  const double half_diagonal = std::sqrt(0.5) * cell_m;
-  const Point middle = 0.5 * (a + b);
-  const double half_length = 0.5 * distance(a, b);
-  for (std::uint64_t open = ~cells_.block(bx, by); open != 0; open &= open - 1) {
-    const auto bit = static_cast<std::int32_t>(std::countr_zero(open));
-    const SweptCell cell{bx * kSide + bit % kSide, by * kSide + bit / kSide};
-    const Point centre{(static_cast<double>(cell.ix) + 0.5) * cell_m,
-                       (static_cast<double>(cell.iy) + 0.5) * cell_m};
-    const double bound = best.distance_m + half_diagonal + half_length;
-    const Point off = centre - middle;
-    if (dot(off, off) >= bound * bound) {
-      continue;
+  const Point middle = piece.middle;
+  const double slack_m = half_diagonal_m_ + piece.half_length_m;
+  std::array<double, kSide> x2{};  // squares of the way from the middle to the centres
+  std::array<double, kSide> y2{};
+  for (std::int32_t i = 0; i < kSide; ++i) {
+    const double x_m = (static_cast<double>(bx * kSide + i) + 0.5) * cell_m - middle.x_m;
+    const double y_m = (static_cast<double>(by * kSide + i) + 0.5) * cell_m - middle.y_m;
+    x2[static_cast<std::size_t>(i)] = x_m * x_m;
+    y2[static_cast<std::size_t>(i)] = y_m * y_m;
+  }
+  const auto square_of = [&](std::uint64_t cells) noexcept {
+    const auto bit = static_cast<std::size_t>(std::countr_zero(cells));
+    return x2[bit % kSide] + y2[bit / kSide];
+  };
+  while (open != 0) {
+    // The nearest of those that are left, without those that are too far.
+    const double bound_m = best.distance_m + slack_m;
+    double least = bound_m * bound_m;
+    std::uint64_t nearest = 0;
+    for (std::uint64_t left = open; left != 0; left &= left - 1) {
+      const std::uint64_t lowest = left & (~left + 1U);
+      const double square = square_of(left);
+      if (square >= bound_m * bound_m) {
+        open ^= lowest;
+      } else if (square < least) {
+        least = square;
+        nearest = lowest;
+      }
     }
-    const double distance_m = distance_between(box_of(cell, cell_m), a, b);
+    if (nearest == 0) {
+      return;
+    }
+    open ^= nearest;
+    const auto bit = static_cast<std::int32_t>(std::countr_zero(nearest));
+    const SweptCell cell{bx * kSide + bit % kSide, by * kSide + bit / kSide};
+    const double distance_m = distance_between(box_of(cell, cell_m), piece.from, piece.to);
     if (distance_m >= best.distance_m) {
       continue;
     }
@@ -229,6 +278,7 @@ SweptClearance SweptArea::clearance(Point from, Point to) noexcept {
   const double block_m = SweptCells::kSide * rule_.cell_m;
   const Point middle = 0.5 * (a + b);
   const double half_length = 0.5 * distance(a, b);
+  const Piece piece{a, b, middle, half_length};
   const std::int32_t mx = floor_index(middle.x_m / block_m);
   const std::int32_t my = floor_index(middle.y_m / block_m);
   SweptClearance best{reach_m_, std::nullopt};
@@ -236,7 +286,7 @@ SweptClearance SweptArea::clearance(Point from, Point to) noexcept {
     const Box box{{static_cast<double>(bx) * block_m, static_cast<double>(by) * block_m},
                   {static_cast<double>(bx + 1) * block_m, static_cast<double>(by + 1) * block_m}};
     if (box.distance_to(middle) - half_length < best.distance_m) {
-      look_into(bx, by, a, b, best);
+      look_into(bx, by, piece, best);
     }
   };
   look(mx, my);

@@ -3,6 +3,7 @@
 /// The area that body and rays have swept: the inner free space F_t of the paper, 2.2.
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <tcert/parameters.hpp>
@@ -51,9 +52,17 @@ class SweptArea {
   [[nodiscard]] Point local(Point p) const noexcept;
   void mark_body(Point centre) noexcept;
   [[nodiscard]] bool in_course(SweptCell cell) const noexcept;
-  void look_into(std::int32_t bx, std::int32_t by, Point a, Point b, SweptClearance& best) noexcept;
+  struct Piece {
+    Point from, to, middle;
+    double half_length_m = 0.0;
+  };
+  void look_into(std::int32_t bx,
+                 std::int32_t by,
+                 const Piece& piece,
+                 SweptClearance& best) noexcept;
 
   SweepRule rule_;
+  double half_diagonal_m_;
   double body_radius_m_;
   double reach_m_ = 0.0;
   std::vector<Ray> rays_;
@@ -61,6 +70,13 @@ class SweptArea {
   std::array<std::optional<Region>, 2> regions_;        // S and G as given
   std::array<std::optional<Region>, 2> local_regions_;  // in the frame of the first tick
   SweptCells cells_;
+  struct CellRun {
+    std::int32_t first = 0;
+    std::int32_t last = -1;  // below first: no cell
+  };
+  std::vector<CellRun> body_rows_;  // of the disc that was marked last, and of the one before it
+  std::vector<CellRun> last_body_rows_;
+  std::int32_t first_body_row_ = 0;
   Pose frame_;
   Point axis_{1.0, 0.0};  // of the frame
 };

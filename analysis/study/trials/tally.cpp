@@ -9,7 +9,7 @@
 namespace tcert::study {
 namespace {
 
-constexpr std::size_t kFewestPlaces = 64;
+constexpr std::size_t kFewestPlaces = 1024;
 
 /// Decimals differ in the high bits of their mantissas and, as doubles, in all of the low ones.
 std::size_t hash_of(double value) noexcept {
@@ -39,7 +39,7 @@ void Tally::grow() {
 }
 
 void Tally::add(double value, std::uint64_t count) {
-  if (2 * distinct_ >= entries_.size()) {
+  if (4 * distinct_ >= entries_.size()) {
     grow();
   }
   Entry& entry = place_of(value);

@@ -35,7 +35,7 @@ class Tally {
   void grow();
   [[nodiscard]] Entry& place_of(double value) noexcept;
 
-  std::vector<Entry> entries_;  // a power of two of them, at most half in use
+  std::vector<Entry> entries_;  // a power of two of them, at most a quarter in use
   std::size_t distinct_ = 0;
   std::uint64_t total_ = 0;
 };

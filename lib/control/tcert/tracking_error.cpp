@@ -120,13 +120,16 @@ double TrackingErrorTable::radius_m(double speed_mps,
   if (!v.inside || !a.inside || !d.inside) {
     return std::numeric_limits<double>::infinity();
   }
-  const auto along_d = [&](std::size_t i, std::size_t j) noexcept {
-    return std::lerp(at(i, j, d.low), at(i, j, d.high), d.share);
+  // On a knot the value there is the answer, to the bit.
+  const auto between = [](const Place& place, auto value_at) noexcept {
+    const double low = value_at(place.low);
+    return place.share > 0.0 ? std::lerp(low, value_at(place.high), place.share) : low;
   };
-  const auto along_a = [&](std::size_t i) noexcept {
-    return std::lerp(along_d(i, a.low), along_d(i, a.high), a.share);
-  };
-  return std::lerp(along_a(v.low), along_a(v.high), v.share);
+  return between(v, [&](std::size_t i) noexcept {
+    return between(a, [&](std::size_t j) noexcept {
+      return between(d, [&](std::size_t k) noexcept { return at(i, j, k); });
+    });
+  });
 }
 
 }  // namespace tcert
