@@ -46,8 +46,9 @@ TEST(Tally, HoldsAnyNumberOfDistinctValues) {
   }
   Tally tally;
   tally.add(samples);
-  Tally merged(std::span(samples).first(7));
-  merged.add(Tally(std::span(samples).subspan(7)));
+  const std::span<const double> all(samples);
+  Tally merged(all.first(7));
+  merged.add(Tally(all.subspan(7)));
   EXPECT_EQ(tally.median(), statistics::median(samples));
   EXPECT_EQ(merged.median(), statistics::median(samples));
 }
