@@ -128,7 +128,7 @@ class Driver {
       travelled_ += distance(pose_.position, moved);
       pose_.position = moved;
     }
-    pose_.yaw_rad = std::remainder(pose_.yaw_rad + turn, 2.0 * std::numbers::pi);
+    pose_.yaw_rad = wrapped_angle(pose_.yaw_rad + turn);
   }
 
   void watch_goal() noexcept {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tcert/elementary.hpp>
 
 #include "datasets/corpus/purpose.hpp"
@@ -104,8 +103,7 @@ Pose odometry(const Pose& pose, double side, table::RandomStream& random, double
   const double yaw = pose.yaw_rad + side * (scale * kYawNoise * random.normal());
   const double x = pose.position.x_m + scale * kPoseNoise * random.normal();
   const double y = pose.position.y_m + side * (scale * kPoseNoise * random.normal());
-  return {{rounded_to(x, 1e4), rounded_to(y, 1e4)},
-          rounded_to(std::remainder(yaw, 2.0 * std::numbers::pi), 1e4)};
+  return {{rounded_to(x, 1e4), rounded_to(y, 1e4)}, rounded_to(wrapped_angle(yaw), 1e4)};
 }
 
 double draw_latency_ms(double median_ms, double scale_ms, table::RandomStream& random) noexcept {

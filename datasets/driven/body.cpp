@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <tcert/mirror_exact.hpp>
@@ -88,7 +87,7 @@ void Body::advance(double seconds, const policies::Command& command) noexcept {
   travelled_m_ += way;
   clear_m_ -= way;
   pose_.position = pose_.position + seconds * velocity;
-  pose_.yaw_rad = std::remainder(pose_.yaw_rad + turn, 2.0 * std::numbers::pi);
+  pose_.yaw_rad = wrapped_angle(pose_.yaw_rad + turn);
 }
 
 Point Body::held_back(Point velocity, double seconds) noexcept {

@@ -89,7 +89,7 @@ std::optional<policies::Bump> DrivenSensors::read_bump() noexcept {
   if (read) {
     const double scale = parameters_.noise_scale;
     const double off = side_ * scale * parameters_.bump_bearing_sd_rad * bump_random_.normal();
-    read->bearing_rad = std::remainder(read->bearing_rad + off, 2.0 * std::numbers::pi);
+    read->bearing_rad = wrapped_angle(read->bearing_rad + off);
     read->force_n *= elementary::exp(scale * parameters_.bump_log_sd * bump_random_.normal());
   }
   return read;

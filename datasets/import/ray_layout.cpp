@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tcert/geometry.hpp>
 #include <utility>
 
 namespace tcert::recording {
@@ -40,7 +41,7 @@ bool is_same_limit(const std::optional<double>& a, const std::optional<double>& 
 bool is_same_ray(const nlohmann::json& a, const nlohmann::json& b) {
   const double turned = number_of(a, "bearing_rad") - number_of(b, "bearing_rad");
   return text_of(a, "name") == text_of(b, "name") &&
-         std::abs(std::remainder(turned, 2.0 * std::numbers::pi)) < kSameAngleRad &&
+         std::abs(wrapped_angle(turned)) < kSameAngleRad &&
          std::ranges::all_of(std::array{"mount_x_m", "mount_y_m", "reach_m"}, [&](auto* key) {
            return std::abs(number_of(a, key) - number_of(b, key)) < kSameLengthM;
          });
@@ -99,7 +100,7 @@ RayLayout layout_of(const StreamSource& stream,
                            {"kind", "range"},
                            {"mount_x_m", offset.x_m},
                            {"mount_y_m", offset.y_m},
-                           {"bearing_rad", std::remainder(turned, 2.0 * std::numbers::pi)},
+                           {"bearing_rad", wrapped_angle(turned)},
                            {"reach_m", reach_m}});
   }
   return layout;

@@ -1,7 +1,7 @@
 #include "datasets/import/transforms.hpp"
 
 #include <cmath>
-#include <numbers>
+#include <tcert/geometry.hpp>
 
 #include "datasets/import/message_role.hpp"
 #include "datasets/import/stream_values.hpp"
@@ -98,7 +98,7 @@ std::optional<ScanOffset> StaticTransforms::find(const std::string& base,
     place = {false,
              step.x_m + c * place.x_m - s * place.y_m,
              step.y_m + s * place.x_m + c * place.y_m,
-             std::remainder(place.yaw_rad + step.yaw_rad, 2.0 * std::numbers::pi)};
+             wrapped_angle(place.yaw_rad + step.yaw_rad)};
     at = joint->second.parent;
   }
   return place;

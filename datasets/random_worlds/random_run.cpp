@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <tcert/elementary.hpp>
+#include <tcert/geometry.hpp>
 
 #include "datasets/corpus/streams.hpp"
 #include "datasets/corpus/tentacles.hpp"
@@ -121,8 +122,7 @@ class Follower {
       if (walls_.distance_from(pose.position) < 0.5 * corpus_robot().body_width_m + kLeastFree) {
         return false;
       }
-      pose.yaw_rad =
-          std::remainder(pose.yaw_rad + (reverse ? std::numbers::pi : 0.0), 2.0 * std::numbers::pi);
+      pose.yaw_rad = wrapped_angle(pose.yaw_rad + (reverse ? std::numbers::pi : 0.0));
       const double travelled = drive_.poses.empty() ? 0.0 : step_m_;
       record(pose, reverse ? -travelled : travelled);
       drive_.distance_m += travelled;

@@ -103,7 +103,7 @@ std::size_t count_jumps(const TickTable& ticks) {
   for (std::size_t i = 1; i < ticks.size(); ++i) {
     const double step_rad = ticks.poses[i].yaw_rad - ticks.poses[i - 1].yaw_rad;
     jumps += ticks.segment_start[i] == 0 && std::abs(step_rad) > std::numbers::pi &&
-                     std::abs(std::remainder(step_rad, 2.0 * std::numbers::pi)) > kNearTurnRad
+                     std::abs(wrapped_angle(step_rad)) > kNearTurnRad
                  ? 1
                  : 0;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tcert/elementary.hpp>
+#include <tcert/geometry.hpp>
 #include <tcert/segment.hpp>
 
 namespace tcert::study {
@@ -28,8 +29,7 @@ class HeadingOverTravel {
     const Point way = position - last.position;
     double heading = std::isnan(yaw_rad) ? elementary::atan2(way.y_m, way.x_m) : yaw_rad;
     if (!std::isnan(last.heading_rad)) {
-      heading =
-          last.heading_rad + std::remainder(heading - last.heading_rad, 2.0 * std::numbers::pi);
+      heading = last.heading_rad + wrapped_angle(heading - last.heading_rad);
     }
     counted_.push_back({position, last.travel_m + step_m, heading});
     const Counted& now = counted_.back();

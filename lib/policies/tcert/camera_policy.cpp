@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tcert/camera_policy.hpp>
 
 namespace tcert::policies {
@@ -15,7 +14,7 @@ SeenRays seen_rays(std::span<const Sighting> sightings, double near_m) noexcept 
     if (!std::isfinite(sighting.bearing_rad) || !(range_m < near_m)) {
       continue;
     }
-    const double bearing_rad = std::remainder(sighting.bearing_rad, 2.0 * std::numbers::pi);
+    const double bearing_rad = wrapped_angle(sighting.bearing_rad);
     const int k = static_cast<int>(std::round(bearing_rad / HeadingCosts::turn_rad(1)));
     const int same = k < HeadingCosts::kLowest ? HeadingCosts::kHighest : k;
     FeltRay& ray = rays[static_cast<std::size_t>(same - HeadingCosts::kLowest)];

@@ -23,7 +23,8 @@ struct FeltRay {
   [[nodiscard]] Point tip() const noexcept { return mount + clearance_m * ahead; }
 };
 
-/// Bearing of a ray in this tick, from the heading: where its joint pointed, else that of its mount.
+/// Bearing of a ray in this tick, from the heading: where its joint pointed, else that of its
+/// mount.
 [[nodiscard]] double ray_bearing(const Ray& ray, const RayReading& reading) noexcept;
 
 /// Reads the rays of one trial. A contact begins at a tip force of contact_on_n and ends below
@@ -57,7 +58,8 @@ template <typename Value>
                                 Value value) noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const double term = value(i) * std::fmax(0.0, dot(heading, rays[i].ahead));
+    const double along = dot(heading, rays[i].ahead);
+    const double term = value(i) * (along > 0.0 ? along : 0.0);
     sum += std::isnan(term) ? 0.0 : exact_term(term);
   }
   return sum;

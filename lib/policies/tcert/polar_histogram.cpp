@@ -17,7 +17,7 @@ double exact_magnitude(double magnitude) noexcept {
 }  // namespace
 
 int sector_of(double angle_rad) noexcept {
-  const double turns = std::remainder(angle_rad, 2.0 * std::numbers::pi);
+  const double turns = wrapped_angle(angle_rad);
   return static_cast<int>(std::round(turns / kSectorRad));
 }
 
