@@ -140,16 +140,24 @@ Submap in_order(Submap submap) {
   return submap;
 }
 
-Submap merge(const Submap& a, const Submap& b) {
-  if (!(a.agent == b.agent)) {
-    throw std::invalid_argument(
-        "the submaps are of agents that differ in body width, turn radius or buffers: a margin is "
-        "that of one agent");
+Submap merge(const Submap& a, const Submap& b) { return merge(std::array{a, b}); }
+
+Submap merge(std::span<const Submap> submaps) {
+  Submap all{submaps.front().agent, "", {}};
+  for (const Submap& one : submaps) {
+    if (!(one.agent == all.agent)) {
+      throw std::invalid_argument(
+          "the submaps are of agents that differ in body width, turn radius or buffers: a margin "
+          "is that of one agent");
+    }
+    if (all.synthetic.empty()) {
+      all.synthetic = one.synthetic;
+    } else if (!one.synthetic.empty() && one.synthetic != all.synthetic) {
+      all.synthetic = "several";
+    }
+    all.sources.insert(all.sources.end(), one.sources.begin(), one.sources.end());
   }
-  Submap both = a;
-  both.synthetic = std::max(a.synthetic, b.synthetic);
-  both.sources.insert(both.sources.end(), b.sources.begin(), b.sources.end());
-  return in_order(std::move(both));
+  return in_order(std::move(all));
 }
 
 }  // namespace tcert::federation

@@ -57,7 +57,7 @@ struct Source {
 /// the same are then equal, and so are their files.
 struct Submap {
   Agent agent;
-  std::string synthetic;  ///< Of which synthetic data; empty of real ones.
+  std::string synthetic;  ///< Seed of synthetic data, "-" of none, "several"; empty of real data.
   std::vector<Source> sources;
 };
 
@@ -81,5 +81,7 @@ inline constexpr std::size_t kLongestName = 100;
 /// larger margin. Commutative, associative and idempotent. \pre both are in order.
 /// \throws std::invalid_argument unless their agents are equal.
 [[nodiscard]] Submap merge(const Submap& a, const Submap& b);
+/// The same of any number of them, at least one, in O(n log n).
+[[nodiscard]] Submap merge(std::span<const Submap> submaps);
 
 }  // namespace tcert::federation

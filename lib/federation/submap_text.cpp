@@ -144,10 +144,13 @@ class Reader {
 
   bool read_synthetic() {
     if (!has(2)) {
-      return fail(0, "synthetic,TEXT without a comma");
+      return fail(0, "synthetic and a seed");
     }
-    submap_.synthetic = cells_[1].substr(0, kLongestName);
-    return submap_.synthetic.empty() ? fail(2, "which data it is of") : true;
+    const std::string_view seed = cells_[1];
+    const bool is_number = !seed.empty() && seed.size() <= 20 &&
+                           std::ranges::all_of(seed, [](char c) { return c >= '0' && c <= '9'; });
+    submap_.synthetic = seed;
+    return is_number || seed == "-" || seed == "several" || fail(2, "a seed, - or several");
   }
 
   bool read_agent() {

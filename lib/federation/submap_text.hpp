@@ -7,8 +7,8 @@
 /// that read back as the same.
 ///
 ///     tcert-submap,1                                  format and version
-///     synthetic,TEXT                                  if the data are: of which
-///     agent,BODY_WIDTH,MIN_TURN_RADIUS,TRACKING_BUFFER,CURVATURE_BUFFER
+///     synthetic,SEED                                  if the data are; - without one, several of
+///     more agent,BODY_WIDTH,MIN_TURN_RADIUS,TRACKING_BUFFER,CURVATURE_BUFFER
 ///     source,NAME,witness|swept|radial|width,FRAME_ERROR_M,FRAME_ERROR_RAD    any number; - is
 ///     unknown node,X,Y,YAW,PLACE                              of the source above; S, G, SG or -
 ///     (neither) edge,NODE,front|back,NODE,front|back,MARGIN     nodes of the source, from 0

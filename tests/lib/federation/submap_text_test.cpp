@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view kText =
     "tcert-submap,1\n"
-    "synthetic,seed 1\n"
+    "synthetic,1\n"
     "agent,0.45,0.35,0,0\n"
     "source,a/t1,witness,0.02,-\n"
     "node,-1.5,0.25,0.1,S\n"
@@ -69,6 +69,8 @@ TEST(SubmapText, SaysWhatIsWrongAndWhere) {
                  "there are 1");
   expect_problem(head + "source,a,width,0,0\nnode,1,2,3,-\nedge,0,front,0,left,0.1\n",
                  "line 5, cell 5: found 'left', expected front or back");
+  expect_problem("tcert-submap,1\nsynthetic,x\n",
+                 "line 2, cell 2: found 'x', expected a seed, - or several");
   expect_problem(head + "what\n", "line 3, cell 1: found 'what', expected source, node or edge");
 }
 
