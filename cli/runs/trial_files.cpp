@@ -110,6 +110,7 @@ void write_submap(const study::StudiedTrial& trial,
                                            trial.series.edges,
                                            proofs,
                                            course,
+                                           robot,
                                            opened.parameters.certificate.clearance)};
   submap.sources.front().name = study::source_name(trial.row->trial_id, log_sha256);
   folder.write(std::filesystem::path("submaps") / (trial.row->trial_id + ".csv"),

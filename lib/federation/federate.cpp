@@ -41,6 +41,7 @@ std::vector<Joint> joints_of(const Union& known) {
     }
   }
   for (std::size_t n = 0; n < joints.size(); ++n) {
+    joints[n].margin_m = std::max(joints[n].margin_m, known.nodes[n].margin_m);
     if (known.nodes[n].in_start || known.nodes[n].in_goal) {
       joints[n].leads = {true, true};
     }

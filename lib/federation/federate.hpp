@@ -27,7 +27,7 @@ inline constexpr std::size_t kMostPairs = 200'000'000;
 inline constexpr std::size_t kMostJoins = 4'000'000;
 
 /// Joins nodes of different sources whose frames are known, and looks for the widest way from S to
-/// G. A node's own margin is the largest of its edges': all of them pass it. If edges' margins are
+/// G. A node's margin is the largest of its own and its edges', which all pass it. If these are
 /// lower bounds, frame errors are bounded as stated and S and G are those of all sources, then
 /// T_H is at most T(E; A), and it is at least every source's own. The joins are of the union alone,
 /// so that the order of merging never matters. O(n log n + pairs of nodes nearer than their

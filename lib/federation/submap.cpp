@@ -40,6 +40,7 @@ std::vector<std::uint32_t> order_nodes(std::vector<SubmapNode>& nodes) {
     }
     ordered.back().in_start = ordered.back().in_start || nodes[n].in_start;
     ordered.back().in_goal = ordered.back().in_goal || nodes[n].in_goal;
+    ordered.back().margin_m = std::max(ordered.back().margin_m, nodes[n].margin_m);
     place[n] = static_cast<std::uint32_t>(ordered.size() - 1);
   }
   nodes = std::move(ordered);

@@ -32,6 +32,8 @@ struct SubmapNode {
   Pose pose;
   bool in_start = false;
   bool in_goal = false;
+  /// A lower bound of the margin of standing there; -infinity: no more than its edges say.
+  double margin_m = -std::numeric_limits<double>::infinity();
 };
 
 /// A lower bound of the margin of a path between two ends: of one pass, or of a path that is

@@ -184,8 +184,9 @@ class Reader {
   }
 
   bool read_node() {
-    if (submap_.sources.empty() || !has(5)) {
-      return fail(0, submap_.sources.empty() ? "a source before it" : "node, a pose and a place");
+    if (submap_.sources.empty() || !has(6)) {
+      return fail(
+          0, submap_.sources.empty() ? "a source before it" : "node, a pose, a place and a margin");
     }
     SubmapNode node;
     if (!number(2, -kLargestPose, kLargestPose, node.pose.position.x_m) ||
@@ -199,6 +200,9 @@ class Reader {
     }
     node.in_start = place.front() == 'S';
     node.in_goal = place.back() == 'G';
+    if (cells_[5] != "-" && !number(6, -kMostMargin, kMostMargin, node.margin_m)) {
+      return false;
+    }
     submap_.sources.back().nodes.push_back(node);
     return true;
   }
@@ -256,6 +260,7 @@ void append_source(std::string& out, const Source& source) {
     append_cell(out, node.pose.yaw_rad);
     out += ',';
     out += place_of(node);
+    append_cell(out, node.margin_m);
     out += '\n';
   }
   for (const SubmapEdge& edge : source.edges) {

@@ -6,12 +6,14 @@
 /// for nothing, lines may end with CR LF. Numbers are decimal, in m and rad, in shortest digits
 /// that read back as the same.
 ///
-///     tcert-submap,1                                  format and version
-///     synthetic,SEED                                  if the data are; - without one, several of
-///     more agent,BODY_WIDTH,MIN_TURN_RADIUS,TRACKING_BUFFER,CURVATURE_BUFFER
-///     source,NAME,witness|swept|radial|width,FRAME_ERROR_M,FRAME_ERROR_RAD    any number; - is
-///     unknown node,X,Y,YAW,PLACE                              of the source above; S, G, SG or -
-///     (neither) edge,NODE,front|back,NODE,front|back,MARGIN     nodes of the source, from 0
+///     tcert-submap,1                format and version
+///     synthetic,SEED                if the data are; - without one, several of more
+///     agent,BODY_WIDTH,MIN_TURN_RADIUS,TRACKING_BUFFER,CURVATURE_BUFFER
+///     source,NAME,KIND,FRAME_ERROR_M,FRAME_ERROR_RAD
+///                                   KIND: witness, swept, radial or width; an error -: not known
+///     node,X,Y,YAW,PLACE,MARGIN     of the source above; S, G, SG or -; a margin -: of its edges
+///     edge,NODE,SIDE,NODE,SIDE,MARGIN
+///                                   nodes of the source, from 0; front or back
 ///
 /// What is read is bounded: kMostBytes, and a node or an edge a line.
 

@@ -83,7 +83,7 @@ TeamMate explore(const TickTable& ticks,
     one.places.push_back(pose.position);
   }
   one.told[1] =
-      source_of_trial(series.nodes, series.edges, nullptr, course, ClearanceReading::width);
+      source_of_trial(series.nodes, series.edges, nullptr, course, robot, ClearanceReading::width);
   one.closed_at[1] =
       kept(closed, [&](std::size_t e) { return series.edges[e].certified.margin_m; });
   const witness::WitnessParameters parameters;
@@ -93,7 +93,7 @@ TeamMate explore(const TickTable& ticks,
   const EdgeProofs proofs = prove_edges(
       witness::SearchSpace(cells), series, samples, robot, course, parameters, certificate);
   one.told[0] =
-      source_of_trial(series.nodes, series.edges, &proofs, course, ClearanceReading::width);
+      source_of_trial(series.nodes, series.edges, &proofs, course, robot, ClearanceReading::width);
   one.closed_at[0] = kept(closed, [&](std::size_t e) {
     return proofs.found.paths[e] ? proofs.found.paths[e]->checked.margin_m : -1.0;
   });

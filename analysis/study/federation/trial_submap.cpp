@@ -38,6 +38,7 @@ federation::Source source_of_trial(std::span<const Node> nodes,
                                    std::span<const Edge> edges,
                                    const EdgeProofs* proofs,
                                    const Course& course,
+                                   const Robot& robot,
                                    ClearanceReading clearance) {
   if (proofs == nullptr) {
     federation::Source source = federation::source_of(nodes, edges);
@@ -45,9 +46,13 @@ federation::Source source_of_trial(std::span<const Node> nodes,
     return source;
   }
   std::vector<federation::SubmapNode> waypoints;
-  for (const Pose& pose : proofs->found.waypoints) {
+  for (std::size_t n = 0; n < proofs->found.waypoints.size(); ++n) {
+    const Pose& pose = proofs->found.waypoints[n];
     waypoints.push_back(
-        {pose, lies_in(course.start, pose.position), lies_in(course.goal, pose.position)});
+        {pose,
+         lies_in(course.start, pose.position),
+         lies_in(course.goal, pose.position),
+         2.0 * (proofs->waypoint_clearance_m[n] - robot.tracking_buffer_m) - robot.body_width_m});
   }
   std::vector<std::optional<double>> margins;
   for (const auto& path : proofs->found.paths) {

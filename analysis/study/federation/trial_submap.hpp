@@ -17,12 +17,13 @@ namespace tcert::study {
 [[nodiscard]] std::string source_name(const std::string& trial_id, const std::string& log_sha256);
 
 /// Of a corridor graph's edges: with proofs of those, the margins and waypoints that are proved in
-/// `course`; else what the reading certifies. The name is left to the caller, the error of the
-/// frame unknown.
+/// `course`, for the body of `robot`; else what the reading certifies. The name is left to the
+/// caller, the error of the frame unknown.
 [[nodiscard]] federation::Source source_of_trial(std::span<const Node> nodes,
                                                  std::span<const Edge> edges,
                                                  const EdgeProofs* proofs,
                                                  const Course& course,
+                                                 const Robot& robot,
                                                  ClearanceReading clearance);
 
 }  // namespace tcert::study

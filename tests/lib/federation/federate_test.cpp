@@ -26,7 +26,8 @@ Source random_source(Random& random, const std::string& name) {
   for (std::size_t n = 0; n < nodes; ++n) {
     source.nodes.push_back({{{10.0 * static_cast<double>(n), 0.5}, 0.1 * static_cast<double>(n)},
                             n == 0 || below(random, 8) == 0,
-                            n + 1 == nodes || below(random, 8) == 0});
+                            n + 1 == nodes || below(random, 8) == 0,
+                            0.05 * below(random, 12)});
   }
   const std::size_t edges = nodes + below(random, 10);
   for (std::size_t e = 0; e < edges; ++e) {
@@ -165,7 +166,8 @@ Submap relay(double from_m, double aside_m, double frame_error_m) {
   const auto lane = [](const std::string& name, double x, double y, bool begins) {
     Source source{name, MarginKind::witness, 0.0, 0.0, {}, {}};
     for (int n = 0; n <= 4; ++n) {
-      source.nodes.push_back({{{x + 0.25 * n, y}, 0.0}, begins && n == 0, !begins && n == 4});
+      source.nodes.push_back(
+          {{{x + 0.25 * n, y}, 0.0}, begins && n == 0, !begins && n == 4, SubmapNode{}.margin_m});
     }
     for (std::uint32_t n = 0; n < 4; ++n) {
       source.edges.push_back({{EdgeEnd{n, Side::front}, EdgeEnd{n + 1, Side::back}}, 0.6});
@@ -185,6 +187,16 @@ TEST(Federate, JoinsTwoHalvesOfACorridor) {
   EXPECT_EQ(federate(relay(1.0, 0.0, 0.0)).way.margin_m, 0.6);  // one place
   EXPECT_LT(federate(relay(1.2, 0.0, 0.05)).way.margin_m, 0.35);
   EXPECT_GT(federate(relay(1.2, 0.0, 0.05)).way.margin_m, 0.0);
+}
+
+TEST(Federate, TakesWhatIsKnownOfANodeItself) {
+  Submap submap = relay(1.2, 0.0, 0.0);
+  for (Source& source : submap.sources) {
+    for (SubmapNode& node : source.nodes) {
+      node.margin_m = 0.75;  // a wide place: the edges' 0.6 are those of a gate nearby
+    }
+  }
+  EXPECT_NEAR(federate(submap).way.margin_m, 0.75 - 0.2, 1e-12);
 }
 
 TEST(Federate, JoinsNothingWhoseFrameIsNotKnown) {
