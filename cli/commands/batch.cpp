@@ -31,7 +31,7 @@ Cost: that of the command, in all; an empty shard 0.02 s, and what the scheduler
 
 constexpr std::string_view kPlanText =
     R"(Plan the work of a command in shards. COMMAND is one of
-  study     soundness, coverage, inference, equivalence, gate, rays, null, price, terrain (without a
+  study     soundness, federation, coverage, inference, equivalence, gate, rays, null, price, terrain (without a
             file); the word study may be left out: 'batch plan soundness'
   ablate, sweep
   simulate  trials that are made, certified and forgotten: the result is their features.csv, and no

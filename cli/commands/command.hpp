@@ -34,6 +34,7 @@ extern const Command kHypotheses;
 extern const Command kAblate;
 extern const Command kSweep;
 extern const Command kReplay;
+extern const Command kFederate;
 extern const Command kExplore;
 extern const Command kGate;
 extern const Command kAssure;

@@ -56,10 +56,11 @@ Example:
 Cost: none.
 )";
 
-constexpr std::array kCommands = {
-    &kSimulate,   &kDrive,  &kImport,    &kCalibrate, &kCheck,   &kCertify, &kWorld,  &kFit,
-    &kHypotheses, &kAblate, &kSweep,     &kReplay,    &kExplore, &kGate,    &kAssure, &kStudy,
-    &kBatch,      &kReport, &kReproduce, &kFigures,   &kVerify,  &kLive,    &kHelp,   &kVersion};
+constexpr std::array kCommands = {&kSimulate, &kDrive,  &kImport,   &kCalibrate,  &kCheck,
+                                  &kCertify,  &kWorld,  &kFit,      &kHypotheses, &kAblate,
+                                  &kSweep,    &kReplay, &kFederate, &kExplore,    &kGate,
+                                  &kAssure,   &kStudy,  &kBatch,    &kReport,     &kReproduce,
+                                  &kFigures,  &kVerify, &kLive,     &kHelp,       &kVersion};
 
 struct HelpRequest {
   std::string topic;

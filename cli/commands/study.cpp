@@ -10,6 +10,8 @@ constexpr std::string_view kStudyText =
 
 STUDY is one of
   soundness    is the certificate at most the truth, in random worlds, and how far below does it end
+  federation   is the certificate of 1, 2, 4 and 8 robots together at most the truth, and how soon is
+               it issued
   coverage     do the intervals of AUCs and Cs cover the truth, where trials of a day are alike
   inference    do tests of coefficients keep their level with few clusters
   equivalence  how often are lightings found equivalent, or different
@@ -24,7 +26,7 @@ STUDY is one of
 
 With --output DIR/ (it ends with /, or is a folder): every table in every format. Another PATH, though
 it had no ending, is one file of what would be printed, in --format. csv has the first table, or that
-of --table: soundness, tightness; coverage; inference; equivalence; gate_coverage; ray_coverage; null,
+of --table: soundness, tightness; teams; coverage; inference; equivalence; gate_coverage; ray_coverage; null,
 null_corpora; price; terrain_soundness, terrain_trust; scenarios, baselines.
 
 Usage: tcert study STUDY [TERRAIN] [options]
@@ -34,7 +36,7 @@ Example:
   tcert study null --data-sets 2 --format csv
   tcert study coverage --data-sets 200 --replicates 499 --output coverage/
 
-Cost in CPU time, as they are: soundness 15 minutes (with --witness more than 3 hours), coverage 8, inference 6,
+Cost in CPU time, as they are: soundness 15 minutes (with --witness more than 3 hours), federation FED, coverage 8, inference 6,
 equivalence 10, gate 6, null 5, rays 1, price 20, terrain 40 s, but with TERRAIN an hour or more; in
 proportion to --worlds, --hard, --data-sets, --terrains.
 )";

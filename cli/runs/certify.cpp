@@ -100,6 +100,11 @@ OptionTable options_of(CertifyRequest& request) {
       "as --witness, and a path along each edge of the corridor graph, in a failed trial too: "
       "into the same file, its margin into DIR/edges (proved_m), how many there are and what "
       "they prove in a chain into certificates.csv (edges_proved, chain_m)");
+  table.add(
+      "submaps",
+      request.submaps,
+      "write DIR/submaps/<trial_id>.csv, what a trial tells other robots, for 'federate': its "
+      "corridor graph with a margin an edge, the proved one with --witness-edges");
   table.add("truth",
             request.truth,
             "two more columns in the features: T of each trial's known world, at least and at most "
@@ -117,9 +122,10 @@ OptionTable options_of(CertifyRequest& request) {
 ExitCode certify(const CertifyRequest& request, Progress& progress) {
   const std::string& output = request.output.path;
   if (output.empty() && (request.ticks || request.no_series || request.ray_margins ||
-                         request.witness || request.witness_edges)) {
+                         request.witness || request.witness_edges || request.submaps)) {
     throw UsageError(
-        "--ticks, --no-series, --ray-margins, --witness and --witness-edges need --output");
+        "--ticks, --no-series, --ray-margins, --witness, --witness-edges and --submaps need "
+        "--output");
   }
   if (!request.ground.empty() && (request.witness || request.witness_edges)) {
     throw UsageError("--ground has no effect on witnesses, which are found in the whole log");
@@ -143,6 +149,7 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
   files.ray_margins = request.ray_margins;
   files.witness = request.witness || request.witness_edges;
   files.witness_edges = request.witness_edges;
+  files.submaps = request.submaps;
   require_apart(request.bundle, output);
   ResultFolder folder(output, "certify");
   Failures failures(request.truth);

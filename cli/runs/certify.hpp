@@ -15,6 +15,7 @@ struct CertifyRequest {
   bool ray_margins = false;
   bool witness = false;
   bool witness_edges = false;
+  bool submaps = false;
   bool truth = false;
   std::string ground;
   LogOptions logs;

@@ -179,6 +179,9 @@ CertifySummary certify_trials(const OpenedBundle& opened,
     if (folder != nullptr && files.witness) {
       write_witness(trial, done->digest.sha256, opened, robot, *folder);
     }
+    if (folder != nullptr && files.submaps && !trial.rejected) {
+      write_submap(trial, done->digest.sha256, opened, robot, *folder);
+    }
     done->certificate = certificates_row(trial, done->digest.sha256, witness);
     done->diagnostics = std::move(trial.diagnostics);
     if (!trial.rejected) {

@@ -24,6 +24,7 @@ struct CertifyFiles {
   bool ray_margins = false;    ///< Columns in the series.
   bool witness = false;        ///< witness/<trial_id>.json
   bool witness_edges = false;  ///< In it, and in edges/<trial_id>.csv; with `witness` alone.
+  bool submaps = false;        ///< submaps/<trial_id>.csv: by `witness_edges` of what is proved.
   const study::CertifiedGround* ground = nullptr;  ///< Only ticks on it count; null: all.
 };
 

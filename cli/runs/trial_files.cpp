@@ -1,9 +1,11 @@
 #include "cli/runs/trial_files.hpp"
 
+#include <federation/submap_text.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "analysis/study/federation/trial_submap.hpp"
 #include "datasets/tick_table.hpp"
 #include "reports/edges_table.hpp"
 #include "reports/features_table.hpp"
@@ -86,6 +88,33 @@ void write_witness(const study::StudiedTrial& trial,
       witnessed_edges(trial, parameters.certificate.merge_radius_m)};
   folder.write(std::filesystem::path("witness") / (trial.row->trial_id + ".json"),
                to_json(document));
+}
+
+void write_submap(const study::StudiedTrial& trial,
+                  const std::string& log_sha256,
+                  const OpenedBundle& opened,
+                  const Robot& robot,
+                  const ResultFolder& folder) {
+  const study::EdgeProofs* const proofs =
+      trial.proof && trial.proof->edges ? &*trial.proof->edges : nullptr;
+  Course course = opened.bundle.info.course;
+  if (proofs != nullptr) {
+    course.start = trial.proof->start;
+  }
+  federation::Submap submap;
+  submap.agent = federation::agent_of(robot);
+  if (const auto label = synthetic_label(opened.bundle.info)) {
+    submap.synthetic = label->seed ? std::to_string(*label->seed) : "-";
+  }
+  submap.sources = {study::source_of_trial(trial.series.nodes,
+                                           trial.series.edges,
+                                           proofs,
+                                           course,
+                                           robot,
+                                           opened.parameters.certificate.clearance)};
+  submap.sources.front().name = study::source_name(trial.row->trial_id, log_sha256);
+  folder.write(std::filesystem::path("submaps") / (trial.row->trial_id + ".csv"),
+               federation::to_text(federation::in_order(std::move(submap))));
 }
 
 }  // namespace tcert::cli

@@ -30,4 +30,11 @@ void write_witness(const study::StudiedTrial& trial,
                    const Robot& robot,
                    const ResultFolder& folder);
 
+/// What it tells other robots. \throws WriteError.
+void write_submap(const study::StudiedTrial& trial,
+                  const std::string& log_sha256,
+                  const OpenedBundle& opened,
+                  const Robot& robot,
+                  const ResultFolder& folder);
+
 }  // namespace tcert::cli

@@ -1,6 +1,7 @@
 #include "analysis/study/witness/prove_edges.hpp"
 
 #include <algorithm>
+#include <vector>
 #include <witness/chain.hpp>
 
 namespace tcert::study {
@@ -10,6 +11,10 @@ namespace {
 double longest_way_m(const CertificateParameters& certificate) noexcept {
   return 2.0 * certificate.edge_length_m + 0.5;
 }
+
+/// Cells by which a bilinear value may be above a function that changes by at most 1 a metre: the
+/// mean distance to the four vertices is at most 1 / sqrt(2); then the rounding to float.
+constexpr double kInterpolation = 0.7072;
 
 }  // namespace
 
@@ -32,7 +37,12 @@ EdgeProofs prove_edges(const witness::SearchSpace& space,
                                         {certificate.merge_radius_m,
                                          longest_way_m(certificate),
                                          static_cast<int>(parameters.witness_edge_steps)}),
+                    {},
                     {}};
+  for (const Pose& waypoint : proofs.found.waypoints) {
+    proofs.waypoint_clearance_m.push_back(space.field.at(waypoint.position) -
+                                          kInterpolation * space.field.cell_m());
+  }
   const std::vector<witness::EdgeStep> chain =
       witness::widest_chain(proofs.found, series.edges, *course.start, *course.goal);
   if (!chain.empty()) {

@@ -18,6 +18,8 @@ struct EdgeProofs {
   /// What the widest chain of them from S to G proves, as the checker measures it; empty if there
   /// is none.
   std::optional<double> chain_m;
+  /// By node: a lower bound of the distance of its waypoint to what is not free, in m.
+  std::vector<double> waypoint_clearance_m;
 
   /// Edges whose path has a margin above 0.
   [[nodiscard]] std::size_t proven() const noexcept;

@@ -20,6 +20,7 @@ struct StudyItems {
 };
 
 [[nodiscard]] StudyItems soundness_study(const StudyRequest& request, Progress& progress);
+[[nodiscard]] StudyItems federation_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems coverage_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems inference_study(const StudyRequest& request, Progress& progress);
 [[nodiscard]] StudyItems equivalence_study(const StudyRequest& request, Progress& progress);

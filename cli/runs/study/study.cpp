@@ -28,6 +28,7 @@ constexpr std::array kStudies{
           "soundness tightness",
           "worlds hard u-turns driven witness methods readings reading-bound",
           soundness_study},
+    Study{"federation", "teams", "worlds", federation_study},
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"inference", "inference", "data-sets replicates", inference_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
@@ -63,10 +64,11 @@ bool lists(std::string_view words, const std::string& word) {
 const Study& study_of(const StudyRequest& request) {
   const auto* const found = std::ranges::find(kStudies, request.study, &Study::name);
   if (found == kStudies.end()) {
-    throw UsageError(
-        "unknown study '" + request.study +
-        "', expected soundness, coverage, inference, equivalence, gate, rays, null, price or terrain" +
-        did_you_mean(request.study, study_names()));
+    throw UsageError("unknown study '" + request.study +
+                     "', expected soundness, federation, coverage, inference, equivalence, gate, "
+                     "rays, null, price "
+                     "or terrain" +
+                     did_you_mean(request.study, study_names()));
   }
   const Study& one = request.study == "terrain" && !request.terrain.empty() ? kScenarios : *found;
   for (const char* const option : kOfSome) {
@@ -104,7 +106,8 @@ OptionTable options_of(StudyRequest& request) {
   OptionTable table(request.given);
   table.argument({"STUDY", &request.study, true, OptionRole::shapes, study_names()});
   table.argument({"TERRAIN", &request.terrain, false, OptionRole::input});
-  table.add("worlds", request.worlds, "N", "soundness: random worlds").within(1, 1e8);
+  table.add("worlds", request.worlds, "N", "soundness: random worlds; federation: 2000 of them")
+      .within(1, 1e8);
   table
       .add("hard",
            request.hard,

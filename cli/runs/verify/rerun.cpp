@@ -15,6 +15,7 @@
 #include "cli/runs/drive.hpp"
 #include "cli/runs/experiment/cells.hpp"
 #include "cli/runs/explore.hpp"
+#include "cli/runs/federate.hpp"
 #include "cli/runs/figures/figures.hpp"
 #include "cli/runs/fit/fit.hpp"
 #include "cli/runs/gate.hpp"
@@ -81,6 +82,7 @@ constexpr std::array kEntries{
     Entry{"hypotheses", "", false, again<HypothesesRequest, hypotheses>},
     Entry{"fit", "", false, again<FitRequest, fit>},
     Entry{"world", "", false, again<WorldRequest, world>},
+    Entry{"federate", "", false, again<FederateRequest, federate>},
     Entry{"explore", "", false, again<ExploreRequest, explore>},
     Entry{"figures", "", false, again<FiguresRequest, figures>},
     Entry{"report", "", false, again<ReportRequest, report>}};

@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+#include <federation/federate.hpp>
+#include <numbers>
+#include <stdexcept>
+
+namespace tcert::federation {
+namespace {
+
+constexpr double kNever = -std::numeric_limits<double>::infinity();
+
+Union numbered_through(const Submap& submap) {
+  Union known;
+  for (std::uint32_t s = 0; s < submap.sources.size(); ++s) {
+    const Source& source = submap.sources[s];
+    const auto offset = static_cast<std::uint32_t>(known.nodes.size());
+    known.nodes.insert(known.nodes.end(), source.nodes.begin(), source.nodes.end());
+    known.source.resize(known.nodes.size(), s);
+    for (SubmapEdge edge : source.edges) {
+      edge.ends[0].node += offset;
+      edge.ends[1].node += offset;
+      known.edges.push_back(edge);
+    }
+  }
+  return known;
+}
+
+/// What a node offers to a join.
+struct Joint {
+  double margin_m = kNever;     // the largest of its edges
+  std::array<bool, 2> leads{};  // on, by the side that a join leaves or enters it by
+};
+
+std::vector<Joint> joints_of(const Union& known) {
+  std::vector<Joint> joints(known.nodes.size());
+  for (const SubmapEdge& edge : known.edges) {
+    for (const EdgeEnd& end : edge.ends) {
+      Joint& joint = joints[end.node];
+      joint.margin_m = std::max(joint.margin_m, edge.margin_m);
+      joint.leads[static_cast<std::size_t>(opposite(end.side))] = true;
+    }
+  }
+  for (std::size_t n = 0; n < joints.size(); ++n) {
+    joints[n].margin_m = std::max(joints[n].margin_m, known.nodes[n].margin_m);
+    if (known.nodes[n].in_start || known.nodes[n].in_goal) {
+      joints[n].leads = {true, true};
+    }
+  }
+  return joints;
+}
+
+/// The pose that a way has where it leaves a node by this side.
+Pose leaving(const Pose& pose, Side side) noexcept {
+  return {pose.position, side == Side::front ? pose.yaw_rad : pose.yaw_rad + std::numbers::pi};
+}
+
+class Joining {
+ public:
+  Joining(const Submap& submap, Union& known)
+      : submap_(submap), known_(known), joints_(joints_of(known)) {}
+
+  void join_all() {
+    const std::size_t before = known_.edges.size();
+    std::vector<std::uint32_t> by_x;  // nodes that can be joined, from the left
+    for (std::uint32_t n = 0; n < known_.nodes.size(); ++n) {
+      const double error_m = submap_.sources[known_.source[n]].frame_error_m;
+      if (joints_[n].margin_m > 0.0 && std::isfinite(error_m)) {
+        by_x.push_back(n);
+        widest_m_ = std::max(widest_m_, joints_[n].margin_m);
+      }
+    }
+    std::ranges::sort(by_x, [&](std::uint32_t a, std::uint32_t b) {
+      return x_of(a) != x_of(b) ? x_of(a) < x_of(b) : a < b;
+    });
+    for (std::size_t i = 0; i < by_x.size(); ++i) {
+      for (std::size_t k = i + 1; k < by_x.size(); ++k) {
+        const double reach_m = 0.5 * (joints_[by_x[i]].margin_m + widest_m_);
+        if (x_of(by_x[k]) - x_of(by_x[i]) > reach_m) {
+          break;
+        }
+        look_at(std::min(by_x[i], by_x[k]), std::max(by_x[i], by_x[k]));
+      }
+    }
+    std::ranges::sort(known_.edges.begin() + static_cast<std::ptrdiff_t>(before),
+                      known_.edges.end(),
+                      {},
+                      [](const SubmapEdge& edge) {
+                        const auto& [a, b] = edge.ends;
+                        return std::array{
+                            2 * std::uint64_t{a.node} + static_cast<unsigned>(a.side),
+                            2 * std::uint64_t{b.node} + static_cast<unsigned>(b.side)};
+                      });
+  }
+
+ private:
+  [[nodiscard]] double x_of(std::uint32_t node) const {
+    return known_.nodes[node].pose.position.x_m;
+  }
+
+  void look_at(std::uint32_t u, std::uint32_t v) {
+    if (++pairs_ > kMostPairs) {
+      throw std::length_error("the submaps have more than " + std::to_string(kMostPairs) +
+                              " pairs of nodes that might be joined; merge fewer of them");
+    }
+    const double mean_m = 0.5 * (joints_[u].margin_m + joints_[v].margin_m);
+    if (known_.source[u] == known_.source[v] ||
+        distance(known_.nodes[u].pose.position, known_.nodes[v].pose.position) > mean_m) {
+      return;
+    }
+    const Source& a = submap_.sources[known_.source[u]];
+    const Source& b = submap_.sources[known_.source[v]];
+    const FrameError error{a.frame_error_m + b.frame_error_m,
+                           a.frame_error_rad + b.frame_error_rad};
+    for (const Side left_by : {Side::back, Side::front}) {
+      for (const Side entered_by : {Side::back, Side::front}) {
+        join({u, left_by}, {v, entered_by}, error);
+      }
+    }
+  }
+
+  void join(EdgeEnd from, EdgeEnd to, const FrameError& error) {
+    const Joint& first = joints_[from.node];
+    const Joint& second = joints_[to.node];
+    if (!first.leads[static_cast<std::size_t>(from.side)] ||
+        !second.leads[static_cast<std::size_t>(to.side)]) {
+      return;
+    }
+    const double margin_m =
+        join_margin({leaving(known_.nodes[from.node].pose, from.side), first.margin_m},
+                    {leaving(known_.nodes[to.node].pose, opposite(to.side)), second.margin_m},
+                    error,
+                    submap_.agent);
+    if (margin_m > 0.0) {
+      if (++known_.joins > kMostJoins) {
+        throw std::length_error("the submaps have more than " + std::to_string(kMostJoins) +
+                                " joins; merge fewer of them");
+      }
+      known_.edges.push_back({{from, to}, margin_m});
+    }
+  }
+
+  const Submap& submap_;
+  Union& known_;
+  std::vector<Joint> joints_;
+  double widest_m_ = 0.0;
+  std::size_t pairs_ = 0;
+};
+
+}  // namespace
+
+Federation federate(const Submap& submap) {
+  Federation result;
+  result.known = numbered_through(submap);
+  Joining(submap, result.known).join_all();
+  const bool turns = submap.agent.min_turn_radius_m == 0.0;
+  result.way = widest_way(result.known.nodes, result.known.edges, turns);
+  for (const Source& source : submap.sources) {
+    result.own.push_back(widest_way(source.nodes, source.edges, turns).margin_m);
+  }
+  return result;
+}
+
+}  // namespace tcert::federation
