@@ -18,6 +18,14 @@ bool is_part(std::string_view name) {
   return name.size() == 2 && name.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
+/// Of an entry and the name that it belongs under, so that no other entry passes for it.
+std::string digest_of(std::string_view key, std::string_view bytes) {
+  Sha256 digest;
+  digest.update(key);
+  digest.update(bytes);
+  return digest.finish();
+}
+
 }  // namespace
 
 ResultStore::ResultStore(fs::path folder) : folder_(std::move(folder)) {
@@ -48,12 +56,13 @@ std::optional<std::string> ResultStore::get(std::string_view key) const {
     return std::nullopt;
   }
   const std::string_view bytes = text.substr(line + 1);
-  return sha256(bytes) == text.substr(0, line) ? std::optional(std::string(bytes)) : std::nullopt;
+  return digest_of(key, bytes) == text.substr(0, line) ? std::optional(std::string(bytes))
+                                                       : std::nullopt;
 }
 
 void ResultStore::put(std::string_view key, std::string_view bytes) const {
   table::AtomicFile file(path_of(key));
-  file.write(sha256(bytes) + '\n');
+  file.write(digest_of(key, bytes) + '\n');
   file.write(bytes);
   file.commit(table::Durable::no);
 }

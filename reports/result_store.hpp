@@ -10,9 +10,10 @@
 namespace tcert {
 
 /// A folder of entries. An entry is whole or not there: it is written under a name of its own and
-/// renamed, and carries the digest of its bytes, so that one which a crash or a hand has damaged
-/// counts as missing. Any number of threads and processes may share a folder: whoever comes second
-/// writes the same bytes. No entry is ever removed; the folder may be deleted at any time.
+/// renamed, and carries the digest of its key and bytes, so that one which a crash or a hand has
+/// damaged or put in the place of another counts as missing. Any number of threads and processes
+/// may share a folder: whoever comes second writes the same bytes. No entry is ever removed; the
+/// folder may be deleted at any time.
 class ResultStore {
  public:
   /// Sweeps what killed processes have left in it. \throws WriteError if the folder cannot be made.

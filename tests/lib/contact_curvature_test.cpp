@@ -72,6 +72,24 @@ TEST(ContactCurvature, KeepsThePathEstimateUntilThreeContactsAreApart) {
   EXPECT_EQ(contacts.radius(1.01, 1.3), 1.3);  // the first contact left the window
 }
 
+// A fourth contact takes the place of the first: the wall has become tighter since.
+TEST(ContactCurvature, FollowsTheLastThreeContacts) {
+  ContactCurvature contacts(1, reading(CurvatureReading::contact));
+  for (const double a : {0.0, 0.3, 0.6}) {
+    contacts.add(0, felt_at(a, 0.6, a));
+  }
+  EXPECT_NEAR(contacts.radius(0.6, 1.3), 1.0, 1e-12);
+  const std::array<Contact, 3> last{
+      felt_at(0.3, 0.6, 0.3), felt_at(0.6, 0.6, 0.6), felt_at(0.9, 0.5, 0.9)};
+  contacts.add(0, last[2]);
+  const double expected_m = path_radius_along(last, reading(CurvatureReading::contact));
+  EXPECT_LT(expected_m, 0.9);
+  EXPECT_EQ(contacts.radius(0.9, 1.2), expected_m);
+  EXPECT_EQ(contacts.radius(1.31, 1.3), 1.3) << "1.01 m after the first of them";
+  contacts.clear();
+  EXPECT_EQ(contacts.radius(0.9, 1.3), 1.3);
+}
+
 // Share of ticks with a turn radius below R_min while driving straight along a straight wall that
 // is felt with 6 mm of noise.
 double share_read_as_tight(CurvatureReading curvature) {

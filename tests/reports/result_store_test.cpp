@@ -40,5 +40,21 @@ TEST(ResultStore, TakesADamagedEntryForMissing) {
   EXPECT_EQ(store.get(key), "some bytes");
 }
 
+TEST(ResultStore, TakesAnEntryInThePlaceOfAnotherForMissing) {
+  const test_support::TemporaryFolder folder;
+  const ResultStore store(folder.path());
+  const std::string key = sha256("key");
+  const std::string other = sha256("another");
+  store.put(key, "some bytes");
+  store.put(other, "other bytes");
+  const auto path = [&](const std::string& of) {
+    return folder.path() / of.substr(0, 2) / of.substr(2);
+  };
+  std::filesystem::copy_file(
+      path(other), path(key), std::filesystem::copy_options::overwrite_existing);
+  EXPECT_FALSE(store.get(key));
+  EXPECT_EQ(store.get(other), "other bytes");
+}
+
 }  // namespace
 }  // namespace tcert

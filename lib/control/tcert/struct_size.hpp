@@ -15,10 +15,11 @@ namespace tcert {
 template <typename Struct>
 inline constexpr std::size_t kFirstSize = sizeof(Struct);
 
-/// True for any version that this library has known; false for a caller newer than the library.
+/// True for any version that this library has known; false for a caller newer than the library, and
+/// for a size that no version has: members are of 4 bytes or more.
 template <typename Struct>
 [[nodiscard]] bool is_known_size(std::uint32_t size) noexcept {
-  return size >= kFirstSize<Struct> && size <= sizeof(Struct);
+  return size >= kFirstSize<Struct> && size <= sizeof(Struct) && size % sizeof(std::uint32_t) == 0;
 }
 
 /// What a caller gave, with `missing` for the members that it does not have.

@@ -246,5 +246,31 @@ TEST(Guards, RefuseImpossibleParameters) {
                std::invalid_argument);
 }
 
+// A real clock counts nanoseconds since 1970: only differences may matter.
+TEST(Guards, AreTheSameAtAnotherTime) {
+  const auto granted = [](std::int64_t since_ns) {
+    std::vector<GuardedTick> all;
+    for (const SpeedLaw& law : {kClip, kSquash}) {
+      Loop loop(law);
+      loop.time_ns = since_ns;
+      for (int k = 0; k < 60; ++k) {
+        loop.time_ns += k % 7 == 0 ? 40'000'000 : 0;
+        all.push_back(loop.step(0.01 * (k % 23), 0.2 - 0.013 * (k % 17), 0.4 * (k % 11)));
+      }
+    }
+    return all;
+  };
+  const auto plain = granted(0);
+  for (const std::int64_t since_ns : {std::int64_t{1'700'000'000'123'456'789}, std::int64_t{-5}}) {
+    const auto later = granted(since_ns);
+    for (std::size_t k = 0; k < plain.size(); ++k) {
+      ASSERT_EQ(plain[k].speed_mps, later[k].speed_mps) << k;
+      ASSERT_EQ(plain[k].tracking_error_m, later[k].tracking_error_m) << k;
+      ASSERT_EQ(plain[k].robust_margin_m, later[k].robust_margin_m) << k;
+      ASSERT_EQ(plain[k].triggers, later[k].triggers) << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tcert

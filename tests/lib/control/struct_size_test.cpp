@@ -39,6 +39,7 @@ TEST(StructSize, KnowsAllVersionsUpToItsOwn) {
   EXPECT_FALSE(is_known_size<Now>(sizeof(Now) + 8)) << "a newer caller";
   EXPECT_FALSE(is_known_size<Now>(sizeof(Older) - 1));
   EXPECT_FALSE(is_known_size<Now>(0));
+  EXPECT_FALSE(is_known_size<Now>(sizeof(Now) - 1)) << "a member that is cut short";
 }
 
 TEST(StructSize, AppendedMembersOfAnOlderCallerTakeTheirDefaults) {

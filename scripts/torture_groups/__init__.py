@@ -1,0 +1,1 @@
+"""Groups of attacks on the tool; scripts/torture runs them."""
