@@ -111,7 +111,7 @@ run_job <- function(name, path, replicates) {
   invisible(gc())
   reset_peak_memory()
   seconds <- timed(function() numbers <<- job(data, replicates))
-  cat(sprintf("R,%s,%d,1,%.6g,%.1f,%.7g,%.7g\n", name, nrow(data), median(seconds), peak_megabytes(), numbers[1], numbers[2]))
+  cat(sprintf("R,%s,%d,1,%.6g,%.6g,%.1f,%.7g,%.7g\n", name, nrow(data), median(seconds), peak_megabytes(), numbers[1], numbers[2]))
 }
 
 medians <- function(results) {
