@@ -14,8 +14,6 @@
 namespace tcert::study {
 namespace {
 
-constexpr double kSlopeErrors = 2.0;
-
 using StatisticOf = std::function<statistics::Statistic(const Eigen::VectorXd& predictor)>;
 
 double value_of(const statistics::Statistic& statistic) {
@@ -41,10 +39,8 @@ ModelLeftOut left_out(const Eigen::MatrixXd& design,
       parts.functionals.array().isNaN().select(0.0, parts.functionals).transpose();
   Eigen::RowVectorXd slope(moves.cols());
   for (Eigen::Index j = 0; j < moves.cols(); ++j) {
-    const Eigen::VectorXd step = kSlopeErrors * moves.col(j);
-    slope(j) = (value_of(statistic_of(design * (beta + step))) -
-                value_of(statistic_of(design * (beta - step)))) /
-               (2.0 * kSlopeErrors);
+    slope(j) = 0.5 * (value_of(statistic_of(design * (beta + moves.col(j)))) -
+                      value_of(statistic_of(design * (beta - moves.col(j)))));
   }
   ModelLeftOut result;
   result.score = statistics::leave_one_out(statistic_of(design * beta), plan).front();

@@ -18,8 +18,8 @@ struct ModelLeftOut {
 /// The logistic model and its AUC, or the Cox model and its C, to first order: coefficients move by
 /// one Newton step (`one_step_changes`); the score is the exact one of the other rows by the
 /// coefficients of all, plus its slope times that move. The slope is that of the score of all rows
-/// over `kSlopeErrors` standard errors to either side. O(n log n) for all units together, where
-/// refits take that for each. \pre for `cox_left_out` that the panel has times.
+/// over a standard error to either side. O(n log n) for all units together, where refits take that
+/// for each. \pre for `cox_left_out` that the panel has times.
 [[nodiscard]] ModelLeftOut logistic_left_out(const H1Data& data,
                                              const H1Model& model,
                                              const statistics::ResamplingPlan& plan);
