@@ -3,12 +3,13 @@
 #     Rscript compare_with_r.R JOB FILE [REPLICATES]   prints one line of results, as the program does
 #     Rscript compare_with_r.R table RESULTS           prints the tables of all results
 #
-# A job is warmed up on the first rows, collects garbage, and is timed by the wall clock, once and
-# again until half a second has passed; data are read before. The peak is the resident memory from
-# after the reading on, the data included.
+# A job is warmed up on the first rows, collects garbage, and is timed by the wall clock and by the
+# processor's time, once and again until half a second has passed; data are read before. The peak is
+# the resident memory from after the reading on, the data included.
 suppressPackageStartupMessages({ library(survival); library(lme4); library(boot); library(pROC) })
 
 cox_formula <- Surv(time, success) ~ x1 + x2 + x3 + x4 + lighting
+strata_formula <- Surv(time, success) ~ x1 + x2 + x3 + x4 + strata(lighting)
 
 # Coefficient of x1 and its standard error, robust if there are clusters.
 cox <- function(formula, ties) function(data, replicates) {
@@ -78,6 +79,8 @@ jobs <- list(
   cox_efron = cox(cox_formula, "efron"),
   cox_efron_cluster = cox(update(cox_formula, . ~ . + cluster(day)), "efron"),
   cox_breslow = cox(cox_formula, "breslow"),
+  cox_strata = cox(strata_formula, "efron"),
+  cox_strata_cluster = cox(update(strata_formula, . ~ . + cluster(day)), "efron"),
   concordance = concordance_of_x1,
   kaplan_meier = kaplan_meier,
   log_rank = log_rank,
@@ -97,11 +100,15 @@ peak_megabytes <- function() {
   line <- grep("^VmHWM:", readLines("/proc/self/status"), value = TRUE)
   as.numeric(gsub("[^0-9]", "", line)) / 1024
 }
-# Seconds of every repetition.
+# Medians of wall and processor seconds.
 timed <- function(work) {
-  seconds <- numeric(0)
-  while (sum(seconds) < 0.5) seconds <- c(seconds, system.time(work(), gcFirst = TRUE)[["elapsed"]])
-  seconds
+  wall <- cpu <- numeric(0)
+  while (sum(wall) < 0.5) {
+    one <- system.time(work(), gcFirst = TRUE)
+    wall <- c(wall, one[["elapsed"]])
+    cpu <- c(cpu, one[["user.self"]] + one[["sys.self"]])
+  }
+  c(median(wall), median(cpu))
 }
 run_job <- function(name, path, replicates) {
   job <- jobs[[name]]
@@ -111,14 +118,15 @@ run_job <- function(name, path, replicates) {
   invisible(gc())
   reset_peak_memory()
   seconds <- timed(function() numbers <<- job(data, replicates))
-  cat(sprintf("R,%s,%d,1,%.6g,%.1f,%.7g,%.7g\n", name, nrow(data), median(seconds), peak_megabytes(), numbers[1], numbers[2]))
+  cat(sprintf("R,%s,%d,1,%.6g,%.6g,%.1f,%.7g,%.7g\n", name, nrow(data), seconds[1], seconds[2], peak_megabytes(), numbers[1], numbers[2]))
 }
 
 medians <- function(results) {
   key <- with(results, paste(side, job, rows, threads))
   do.call(rbind, lapply(split(results, factor(key, unique(key))), function(runs) {
     runs$runs <- nrow(runs)
-    runs[1, c("seconds", "peak_mb")] <- c(median(runs$seconds), median(runs$peak_mb))
+    measured <- c("seconds", "cpu_seconds", "peak_mb")
+    runs[1, measured] <- vapply(runs[measured], median, 0)
     runs[1, ]
   }))
 }
@@ -131,6 +139,7 @@ beside <- function(all) {
   data.frame(
     job = rows$job, rows = rows$rows, threads = rows$threads,
     ours_s = signif(rows$seconds, 3), r_s = signif(rows$seconds_r, 3), ratio_s = signif(rows$seconds_r / rows$seconds, 3),
+    ours_cpu = signif(rows$cpu_seconds, 3), r_cpu = signif(rows$cpu_seconds_r, 3), ratio_cpu = signif(rows$cpu_seconds_r / rows$cpu_seconds, 3),
     ours_mb = round(rows$peak_mb), r_mb = round(rows$peak_mb_r), ratio_mb = signif(rows$peak_mb_r / rows$peak_mb, 3),
     runs = paste(rows$runs, rows$runs_r, sep = "+"),
     ours_result = sprintf("%.6g %.6g", rows$first, rows$second), r_result = sprintf("%.6g %.6g", rows$first_r, rows$second_r))
@@ -138,8 +147,12 @@ beside <- function(all) {
 growth <- function(all) {
   own <- all[all$side == "ours" & all$threads == 1 & !grepl("bca|profile", all$job), ]
   own <- own[order(own$job, own$rows), ]
-  data.frame(job = own$job, rows = own$rows, seconds = signif(own$seconds, 3),
-             ns_per_row = round(1e9 * own$seconds / own$rows), peak_mb = round(own$peak_mb), runs = own$runs)
+  before <- c(NA, seq_len(nrow(own) - 1))
+  before[c(TRUE, own$job[-1] != own$job[-nrow(own)])] <- NA
+  data.frame(job = own$job, rows = own$rows, seconds = signif(own$seconds, 3), cpu_s = signif(own$cpu_seconds, 3),
+             us_per_row = signif(1e6 * own$cpu_seconds / own$rows, 3),
+             exponent = round(log(own$cpu_seconds / own$cpu_seconds[before]) / log(own$rows / own$rows[before]), 2),
+             peak_mb = round(own$peak_mb), runs = own$runs)
 }
 print_tables <- function(path) {
   options(width = 220)

@@ -9,7 +9,8 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
+using table::RandomStream;
 namespace {
 
 struct Data {
@@ -72,4 +73,4 @@ void BM_JointAuc(benchmark::State& state) {
 BENCHMARK(BM_JointAuc)->Arg(660)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

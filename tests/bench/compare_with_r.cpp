@@ -4,10 +4,10 @@
 //     compare_with_r make ROWS FILE            writes simulated trials, 30 a day
 //     compare_with_r JOB FILE [THREADS [REPLICATES]]
 //
-// A job prints: side,job,rows,threads,seconds,peak_mb,first,second. Seconds are the median of the
-// repetitions, from the formula to the numbers. The peak is the resident memory from after the
-// reading on, the table included. The last two are numbers of the result, to see that both sides
-// have done the same.
+// A job prints: side,job,rows,threads,seconds,cpu_seconds,peak_mb,first,second. Seconds, by the
+// wall and of the processor, are medians of the repetitions, from the formula to the numbers. The
+// peak is the resident memory from after the reading on, the table included. The last two are
+// numbers of the result, to see that both sides have done the same.
 
 #include <malloc.h>
 #include <oneapi/tbb/global_control.h>
@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <functional>
@@ -43,11 +44,14 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/study/h1/hypothesis_h1.hpp"
 #include "support/data_table.hpp"
 
 namespace {
 
 using namespace tcert;
+using namespace tcert::statistics;
+using namespace tcert::table;
 
 using Numbers = std::pair<double, double>;
 using Job = std::function<Numbers(const DataTable&, std::size_t)>;
@@ -129,10 +133,10 @@ ModelFrame frame_of(const DataTable& table,
 }
 
 /// Coefficient of x1 and its standard error, robust if there are clusters.
-Job cox(Ties ties, const std::string& cluster) {
-  return [ties, cluster](const DataTable& table, std::size_t) -> Numbers {
+Job cox(Ties ties, const std::string& rest) {
+  return [ties, rest](const DataTable& table, std::size_t) -> Numbers {
     const CoxData data =
-        cox_data(frame_of(table, "Surv(time, success) ~ x1 + x2 + x3 + x4 + lighting" + cluster));
+        cox_data(frame_of(table, "Surv(time, success) ~ x1 + x2 + x3 + x4 + " + rest));
     CoxOptions options;
     options.ties = ties;
     const CoxFit fit = fit_cox(data, options);
@@ -228,11 +232,30 @@ Numbers bca_of_c_difference(const DataTable& table, std::size_t replicates) {
   return bca(concordance_statistic(outcome, predictors, {{0, 1}}), table.rows, replicates);
 }
 
+/// AUC and C of x1, all of H1's numbers made beside them; without a cluster a trial is its own.
+Job h1(const std::string& cluster) {
+  return [cluster](const DataTable& table, std::size_t replicates) -> Numbers {
+    study::H1Options options;
+    options.predictors = {{"x1", HigherMeans::success, ""},
+                          {"x2", HigherMeans::success, ""},
+                          {"x3", HigherMeans::failure, ""},
+                          {"x4", HigherMeans::success, ""}};
+    options.time = "time";
+    options.cluster = cluster;
+    options.within = {"lighting"};
+    options.replicates = replicates;
+    const study::H1Row row = study::hypothesis_h1(table, options).panels.at(0).rows.at(0);
+    return {row.auc.value.value(), row.c.value.value()};
+  };
+}
+
 const std::map<std::string, Job>& jobs() {
   static const std::map<std::string, Job> all{
-      {"cox_efron", cox(Ties::efron, "")},
-      {"cox_efron_cluster", cox(Ties::efron, " + cluster(day)")},
-      {"cox_breslow", cox(Ties::breslow, "")},
+      {"cox_efron", cox(Ties::efron, "lighting")},
+      {"cox_efron_cluster", cox(Ties::efron, "lighting + cluster(day)")},
+      {"cox_breslow", cox(Ties::breslow, "lighting")},
+      {"cox_strata", cox(Ties::efron, "strata(lighting)")},
+      {"cox_strata_cluster", cox(Ties::efron, "strata(lighting) + cluster(day)")},
       {"concordance", concordance_of_x1},
       {"kaplan_meier", kaplan_meier},
       {"log_rank", log_rank},
@@ -241,6 +264,8 @@ const std::map<std::string, Job>& jobs() {
       {"glmm_profile", glmm_profiles},
       {"auc_bca", bca_of_auc_difference},
       {"c_bca", bca_of_c_difference},
+      {"h1_days", h1("day")},
+      {"h1_trials", h1("")},
   };
   return all;
 }
@@ -269,18 +294,26 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-/// Once, and again until it has taken half a second.
-std::vector<double> timed(const std::function<void()>& work) {
+struct Seconds {
+  double wall = 0.0;
+  double cpu = 0.0;  ///< Of all threads.
+};
+
+/// Medians: once, and again until it has taken half a second.
+Seconds timed(const std::function<void()>& work) {
   using Clock = std::chrono::steady_clock;
-  std::vector<double> seconds;
+  std::vector<double> wall;
+  std::vector<double> cpu;
   double total = 0.0;
   while (total < 0.5) {
     const Clock::time_point start = Clock::now();
+    const std::clock_t cpu_start = std::clock();
     work();
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
-    total += seconds.back();
+    cpu.push_back(static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC);
+    wall.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    total += wall.back();
   }
-  return seconds;
+  return {median(wall), median(cpu)};
 }
 
 void run_job(const std::string& name,
@@ -292,12 +325,13 @@ void run_job(const std::string& name,
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   reset_peak_memory();
   Numbers numbers;
-  const double seconds = median(timed([&] { numbers = job(table, replicates); }));
-  std::printf("ours,%s,%zu,%zu,%.6g,%.1f,%.7g,%.7g\n",
+  const Seconds seconds = timed([&] { numbers = job(table, replicates); });
+  std::printf("ours,%s,%zu,%zu,%.6g,%.6g,%.1f,%.7g,%.7g\n",
               name.c_str(),
               table.rows,
               threads,
-              seconds,
+              seconds.wall,
+              seconds.cpu,
               peak_megabytes(),
               numbers.first,
               numbers.second);

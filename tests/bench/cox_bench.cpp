@@ -10,7 +10,7 @@
 #include <statistics/cox/cox_residuals.hpp>
 #include <statistics/cox/cox_zph.hpp>
 
-namespace tcert {
+namespace tcert::statistics {
 namespace {
 
 constexpr Eigen::Index kColumns = 6;
@@ -124,4 +124,4 @@ BENCHMARK(BM_CoxZph)
     ->Complexity();
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

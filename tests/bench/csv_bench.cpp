@@ -9,7 +9,7 @@
 #include <table/csv.hpp>
 #include <table/csv_write.hpp>
 
-namespace tcert {
+namespace tcert::table {
 namespace {
 
 constexpr std::size_t kRows = 200'000;
@@ -84,4 +84,4 @@ BENCHMARK(BM_SkipAllButOneColumn)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_CountLines)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::table

@@ -9,7 +9,8 @@
 #include <table/random.hpp>
 #include <vector>
 
-namespace tcert {
+namespace tcert::statistics {
+using table::RandomStream;
 namespace {
 
 /// Six columns with the intercept, about a third of the outcomes 0.
@@ -77,4 +78,4 @@ BENCHMARK(separated_fit)->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchm
 BENCHMARK(replicate)->Arg(660)->Arg(66000)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace tcert
+}  // namespace tcert::statistics

@@ -13,6 +13,8 @@
 namespace {
 
 using namespace tcert;
+using namespace tcert::statistics;
+using namespace tcert::table;
 
 struct Rows {
   SurvivalOutcome outcome;

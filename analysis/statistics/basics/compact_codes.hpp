@@ -15,10 +15,11 @@ struct CompactCodes {
 };
 
 /// Numbers groups from 0 in the order of their codes. \throws std::invalid_argument if a code is
-/// Factor::kMissing. O(rows log rows).
+/// Factor::kMissing. O(rows + largest code).
 [[nodiscard]] CompactCodes compact_codes(std::span<const std::uint32_t> codes);
 
-/// How many different codes there are: the clusters among rows. O(rows log rows).
+/// How many different codes there are: the clusters among rows. O(rows + largest
+/// code).
 [[nodiscard]] std::size_t count_codes(std::span<const std::uint32_t> codes);
 
 }  // namespace tcert::statistics

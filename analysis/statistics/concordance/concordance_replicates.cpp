@@ -77,20 +77,23 @@ void ConcordanceReplicates::add_stratum(const SurvivalOutcome& outcome,
   }
 }
 
+ConcordanceReplicates::Counts ConcordanceReplicates::directed(Counts counts) const noexcept {
+  if (larger_ == LargerMeans::shorter_time) {
+    std::swap(counts.concordant, counts.discordant);
+  }
+  return counts;
+}
+
 ConcordanceReplicates::Counts ConcordanceReplicates::counts(
     std::span<const std::uint32_t> multiplicity, Scratch& scratch) const {
   if (multiplicity.size() != rows_) {
     throw std::invalid_argument("concordance: a multiplicity per row is needed");
   }
-  const auto clear = [&] {
-    scratch.at_risk.reset(distinct_);
-    scratch.of_rank.assign(distinct_, 0);
-  };
-  clear();
+  scratch.reset(distinct_);
   Counts counts;
   for (const Visit& visit : visits_) {
     if (visit.step == Step::next_stratum) {
-      clear();
+      scratch.reset(distinct_);
       continue;
     }
     const std::uint32_t times = multiplicity[visit.row];
@@ -98,22 +101,13 @@ ConcordanceReplicates::Counts ConcordanceReplicates::counts(
       continue;
     }
     if (visit.step == Step::compare) {
-      const std::uint64_t below = scratch.at_risk.before(visit.rank);
-      const std::uint64_t tied = scratch.of_rank[visit.rank];
-      counts.discordant += times * below;
-      counts.tied_x += times * tied;
-      counts.concordant += times * (scratch.at_risk.total() - below - tied);
+      counts += scratch.against(visit.rank, times);
     } else {
       // Unsigned arithmetic wraps, so that taking away is adding the complement.
-      const std::uint32_t change = visit.step == Step::enter ? times : 0U - times;
-      scratch.at_risk.add(visit.rank, change);
-      scratch.of_rank[visit.rank] += change;
+      scratch.add(visit.rank, visit.step == Step::enter ? times : 0U - times);
     }
   }
-  if (larger_ == LargerMeans::shorter_time) {
-    std::swap(counts.concordant, counts.discordant);
-  }
-  return counts;
+  return directed(counts);
 }
 
 double ConcordanceReplicates::c(std::span<const std::uint32_t> multiplicity,

@@ -8,6 +8,7 @@
 #include <span>
 #include <statistics/concordance/concordance.hpp>
 #include <statistics/concordance/prefix_sums.hpp>
+#include <statistics/resampling/resampling_plan.hpp>
 #include <statistics/survival/survival_outcome.hpp>
 #include <vector>
 
@@ -28,17 +29,47 @@ namespace tcert::statistics {
 /// but serves any object in turn.
 class ConcordanceReplicates {
  public:
-  /// Working memory; grows at first use and is then reused without allocation.
-  struct Scratch {
-    PrefixSums<std::uint32_t> at_risk;
-    std::vector<std::uint32_t> of_rank;
-  };
-
   /// Pair counts of a replicate; a pair counts the product of the multiplicities of its rows.
   struct Counts {
     std::uint64_t concordant = 0;
     std::uint64_t discordant = 0;
     std::uint64_t tied_x = 0;
+
+    Counts& operator+=(const Counts& other) noexcept {
+      concordant += other.concordant;
+      discordant += other.discordant;
+      tied_x += other.tied_x;
+      return *this;
+    }
+    Counts& operator-=(const Counts& other) noexcept {
+      concordant -= other.concordant;
+      discordant -= other.discordant;
+      tied_x -= other.tied_x;
+      return *this;
+    }
+  };
+
+  /// How often each rank stands. Grows at first use and is then reused without allocation.
+  class Scratch {
+   public:
+    void reset(std::size_t distinct) {
+      sums_.reset(distinct);
+      of_rank_.assign(distinct, 0);
+    }
+    void add(std::uint32_t rank, std::uint32_t times) noexcept {
+      sums_.add(rank, times);
+      of_rank_[rank] += times;
+    }
+    /// A row of `rank`, standing so often, against all that stand here: concordant are those above.
+    [[nodiscard]] Counts against(std::uint32_t rank, std::uint64_t times) const noexcept {
+      const std::uint64_t below = sums_.before(rank);
+      const std::uint64_t tied = of_rank_[rank];
+      return {times * (sums_.total() - below - tied), times * below, times * tied};
+    }
+
+   private:
+    PrefixSums<std::uint32_t> sums_;
+    std::vector<std::uint32_t> of_rank_;
   };
 
   /// `outcome` has rounded times, the predictor no missing values; a start that all rows share (a
@@ -53,6 +84,11 @@ class ConcordanceReplicates {
   /// \pre `multiplicity` has a value per row; their sum is below 2^32.
   [[nodiscard]] double c(std::span<const std::uint32_t> multiplicity, Scratch& scratch) const;
   [[nodiscard]] Counts counts(std::span<const std::uint32_t> multiplicity, Scratch& scratch) const;
+
+  /// The counts without each unit of `plan` in turn, every other row standing once: those of
+  /// `counts` with the unit's multiplicities 0, all units in O(n log d) together. \pre `plan` is of
+  /// as many rows.
+  [[nodiscard]] std::vector<Counts> without_units(const ResamplingPlan& plan) const;
 
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
 
@@ -69,6 +105,9 @@ class ConcordanceReplicates {
                    std::span<const std::uint32_t> by_stop,
                    std::span<const std::uint32_t> by_start,
                    std::span<const std::uint32_t> ranks);
+  [[nodiscard]] std::vector<Counts> counts_of_rows() const;
+  [[nodiscard]] std::vector<Counts> counts_within(const ResamplingPlan& plan) const;
+  [[nodiscard]] Counts directed(Counts counts) const noexcept;
 
   std::vector<Visit> visits_;
   LargerMeans larger_;

@@ -108,32 +108,47 @@ double hazard_of_row(const CoxRows& rows, const HazardSteps& steps, std::size_t 
   return *exposure.end + *exposure.own - *exposure.begin;
 }
 
-void score_residual(const CoxRows& rows,
-                    const HazardSteps& steps,
-                    std::size_t place,
-                    double* residual) noexcept {
+void for_each_score_residual(const CoxRows& rows,
+                             const HazardSteps& steps,
+                             const ScoreResidualVisit& visit) {
+  const RiskSets& sets = rows.sets;
   const std::size_t p = rows.columns;
-  const bool event = is_event(rows, place);
-  const std::uint32_t row = rows.sets.order[place];
-  const Exposure exposure = exposure_of(rows.sets,
-                                        row,
-                                        event,
-                                        steps.mean_hazard.data(),
-                                        steps.event_mean_hazard.data(),
-                                        steps.none.data(),
-                                        p);
-  const double* const x = rows.row(place);
-  const double risk = steps.risks.score[place];
-  const double hazard = hazard_of_row(rows, steps, place);
-  for (std::size_t j = 0; j < p; ++j) {
-    const double mean_hazard = exposure.end[j] + exposure.own[j] - exposure.begin[j];
-    residual[j] = -risk * (x[j] * hazard - mean_hazard);
-  }
-  if (event) {
-    const double* const mean = steps.mean.data() + rows.sets.last[row] * p;
+  std::vector<double> residual(p);
+  std::vector<double> mean_hazard(p);
+  double hazard = 0.0;
+  const auto expose = [&](std::size_t place, bool event) {
+    const Exposure exposure = exposure_of(sets,
+                                          sets.order[place],
+                                          event,
+                                          steps.mean_hazard.data(),
+                                          steps.event_mean_hazard.data(),
+                                          steps.none.data(),
+                                          p);
     for (std::size_t j = 0; j < p; ++j) {
-      residual[j] += x[j] - mean[j];
+      mean_hazard[j] = exposure.end[j] + exposure.own[j] - exposure.begin[j];
     }
+    hazard = hazard_of_row(rows, steps, place);
+  };
+  const auto visit_alike = [&](std::size_t t, std::size_t begin, std::size_t end, bool event) {
+    const double* const mean = steps.mean.data() + t * p;
+    for (std::size_t place = begin; place < end; ++place) {
+      if (place == begin || !sets.late_begin.empty()) {
+        expose(place, event);
+      }
+      const double* const x = rows.row(place);
+      const double risk = steps.risks.score[place];
+      for (std::size_t j = 0; j < p; ++j) {
+        residual[j] = -risk * (x[j] * hazard - mean_hazard[j]);
+      }
+      for (std::size_t j = 0; event && j < p; ++j) {
+        residual[j] += x[j] - mean[j];
+      }
+      visit(place, residual.data());
+    }
+  };
+  for (std::size_t t = 0; t < sets.times(); ++t) {
+    visit_alike(t, sets.begin[t], sets.events_begin[t], false);
+    visit_alike(t, sets.events_begin[t], sets.begin[t + 1], true);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <statistics/cox/cox_rows.hpp>
 #include <vector>
 
@@ -37,10 +38,12 @@ struct HazardSteps {
                                    const HazardSteps& steps,
                                    std::size_t place) noexcept;
 
-/// The row's score residual, unweighted, in scaled columns, into `residual` (p).
-void score_residual(const CoxRows& rows,
-                    const HazardSteps& steps,
-                    std::size_t place,
-                    double* residual) noexcept;
+using ScoreResidualVisit = std::function<void(std::size_t place, double* residual)>;
+
+/// Calls `visit` with every row's score residual, unweighted, in scaled columns (p numbers, which it
+/// may change), upwards in places. Rows of one time share what they were exposed to. O(m p).
+void for_each_score_residual(const CoxRows& rows,
+                             const HazardSteps& steps,
+                             const ScoreResidualVisit& visit);
 
 }  // namespace tcert::statistics

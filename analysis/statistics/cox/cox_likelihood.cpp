@@ -16,18 +16,28 @@ TieSums tie_sums(double others, double events, std::size_t d, Ties ties) noexcep
     sums.a2 = sums.b2 = sums.c2 = count * inverse * inverse;
     return sums;
   }
+  // The logarithm of a product of shares of the first denominator, while it is far from 0.
+  constexpr double kSmallestProduct = 1e-200;
+  const double all = others + events;
+  double product = 1.0;
+  sums.log_z = static_cast<double>(d) * std::log(all);
   for (std::size_t k = 0; k < d; ++k) {
     const double g = static_cast<double>(d - k) / static_cast<double>(d);
     const double z = others + g * events;
     const double inverse = 1.0 / z;
     const double g_inverse = g * inverse;
-    sums.log_z += std::log(z);
+    product *= z / all;
+    if (product < kSmallestProduct) {
+      sums.log_z += std::log(product);
+      product = 1.0;
+    }
     sums.a1 += inverse;
     sums.b1 += g_inverse;
     sums.a2 += inverse * inverse;
     sums.b2 += g_inverse * inverse;
     sums.c2 += g_inverse * g_inverse;
   }
+  sums.log_z += std::log(product);
   return sums;
 }
 

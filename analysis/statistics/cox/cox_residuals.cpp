@@ -39,11 +39,10 @@ void fill_score(const CoxData& data,
   const auto n = static_cast<Eigen::Index>(data.rows());
   const auto p = static_cast<Eigen::Index>(rows.columns);
   residuals.score = Eigen::MatrixXd::Zero(n, p);
-  Eigen::VectorXd residual(p);
-  for (std::size_t place = 0; place < rows.rows(); ++place) {
-    score_residual(rows, steps, place, residual.data());
-    residuals.score.row(rows.sets.order[place]) = residual.cwiseProduct(rows.scale);
-  }
+  for_each_score_residual(rows, steps, [&](std::size_t place, const double* residual) {
+    residuals.score.row(rows.sets.order[place]) =
+        Eigen::Map<const Eigen::VectorXd>(residual, p).cwiseProduct(rows.scale);
+  });
 }
 
 void fill_schoenfeld(const CoxRows& rows, const HazardSteps& steps, CoxResiduals& residuals) {

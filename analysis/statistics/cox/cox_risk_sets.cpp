@@ -1,56 +1,75 @@
 #include <statistics/cox/cox_risk_sets.hpp>
 
 #include <algorithm>
+#include <numeric>
+#include <statistics/basics/sort_order.hpp>
+#include <statistics/basics/time_order.hpp>
 
 namespace tcert::statistics {
 namespace {
 
-std::size_t stratum_of_row(const table::Factor* strata, std::size_t row) {
-  return strata == nullptr ? 0 : strata->codes[row];
+/// Rows by stratum, then by time; `first` has each stratum's first place, and the end.
+std::vector<std::uint32_t> by_time(const SurvivalOutcome& outcome,
+                                   const table::Factor* strata,
+                                   std::vector<std::size_t>& first) {
+  first.assign(strata == nullptr ? 2 : strata->levels.size() + 1, 0);
+  if (strata == nullptr) {
+    first.back() = outcome.rows();
+    return sort_order(outcome.stop);
+  }
+  for (const std::uint32_t code : strata->codes) {
+    ++first[code + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return group_order(sort_order(outcome.stop), strata->codes, first);
 }
 
-/// Distinct event times of every stratum.
-void find_event_times(const SurvivalOutcome& outcome, const table::Factor* strata, RiskSets& sets) {
-  const std::size_t count = strata == nullptr ? 1 : strata->levels.size();
-  std::vector<std::vector<double>> times(count);
-  std::vector<std::size_t> events(count, 0);
-  for (std::size_t row = 0; row < outcome.rows(); ++row) {
-    events[stratum_of_row(strata, row)] += outcome.event[row];
-  }
-  for (std::size_t s = 0; s < count; ++s) {
-    times[s].reserve(events[s]);
-  }
-  for (std::size_t row = 0; row < outcome.rows(); ++row) {
-    if (outcome.event[row] != 0) {
-      times[stratum_of_row(strata, row)].push_back(outcome.stop[row]);
-    }
-  }
+/// Distinct event times of every stratum, and the last one of every row.
+void find_times(const SurvivalOutcome& outcome, const table::Factor* strata, RiskSets& sets) {
+  std::vector<std::size_t> first;
+  const std::vector<std::uint32_t> order = by_time(outcome, strata, first);
+  sets.last.assign(outcome.rows(), RiskSets::kNever);
   sets.stratum_begin.push_back(0);
-  for (std::size_t s = 0; s < count; ++s) {
-    std::sort(times[s].begin(), times[s].end());
-    const auto end = std::unique(times[s].begin(), times[s].end());
-    sets.time.insert(sets.time.end(), times[s].begin(), end);
+  for (std::size_t s = 0; s + 1 < first.size(); ++s) {
+    for (std::size_t k = first[s]; k < first[s + 1];) {
+      const double time = outcome.stop[order[k]];
+      std::size_t end = k;
+      bool has_event = false;
+      for (; end < first[s + 1] && outcome.stop[order[end]] == time; ++end) {
+        has_event = has_event || outcome.event[order[end]] != 0;
+      }
+      if (has_event) {
+        sets.time.push_back(time);
+      }
+      if (sets.time.size() > sets.stratum_begin[s]) {
+        for (; k < end; ++k) {
+          sets.last[order[k]] = static_cast<std::uint32_t>(sets.time.size() - 1);
+        }
+      }
+      k = end;
+    }
     sets.stratum_of.resize(sets.time.size(), static_cast<std::uint32_t>(s));
     sets.stratum_begin.push_back(static_cast<std::uint32_t>(sets.time.size()));
   }
 }
 
-/// The range of event times of every row.
-void find_ranges(const SurvivalOutcome& outcome, const table::Factor* strata, RiskSets& sets) {
-  const std::size_t rows = outcome.rows();
-  sets.first.assign(rows, RiskSets::kNever);
-  sets.last.assign(rows, RiskSets::kNever);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const std::size_t s = stratum_of_row(strata, row);
-    const auto begin = sets.time.begin() + sets.stratum_begin[s];
-    const auto end = sets.time.begin() + sets.stratum_begin[s + 1];
-    // The first time beyond `start` and the last one not beyond `stop`.
-    const auto low =
-        outcome.left_truncated() ? std::upper_bound(begin, end, outcome.start[row]) : begin;
-    const auto high = std::upper_bound(low, end, outcome.stop[row]);
-    if (low != high) {
-      sets.first[row] = static_cast<std::uint32_t>(low - sets.time.begin());
-      sets.last[row] = static_cast<std::uint32_t>(high - sets.time.begin() - 1);
+/// The first event time of every row: beyond its start, or its stratum's first.
+void find_first(const SurvivalOutcome& outcome, RiskSets& sets) {
+  sets.first = sets.last;
+  for (std::size_t row = 0; row < sets.last.size(); ++row) {
+    const std::uint32_t last = sets.last[row];
+    if (last == RiskSets::kNever) {
+      continue;
+    }
+    sets.first[row] = sets.stratum_begin[sets.stratum_of[last]];
+    if (outcome.left_truncated()) {
+      const auto begin = sets.time.begin() + sets.first[row];
+      const auto end = sets.time.begin() + last + 1;
+      const auto low = std::upper_bound(begin, end, outcome.start[row]);
+      const bool never = low == end;
+      sets.first[row] =
+          never ? RiskSets::kNever : static_cast<std::uint32_t>(low - sets.time.begin());
+      sets.last[row] = never ? RiskSets::kNever : last;
     }
   }
 }
@@ -118,8 +137,8 @@ void sort_by_first(RiskSets& sets) {
 
 RiskSets risk_sets(const SurvivalOutcome& outcome, const table::Factor* strata) {
   RiskSets sets;
-  find_event_times(outcome, strata, sets);
-  find_ranges(outcome, strata, sets);
+  find_times(outcome, strata, sets);
+  find_first(outcome, sets);
   sort_by_last(outcome, sets);
   if (outcome.left_truncated()) {
     sort_by_first(sets);

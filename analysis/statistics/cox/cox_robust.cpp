@@ -13,29 +13,35 @@ ClusterScores cluster_scores(const CoxRows& rows,
   ClusterScores scores;
   scores.products = Eigen::MatrixXd::Zero(p, p);
   scores.total = Eigen::VectorXd::Zero(p);
-  Eigen::MatrixXd& sums = scores.sums;
-  sums = Eigen::MatrixXd::Zero(
+  scores.sums = Eigen::MatrixXd::Zero(
       p, cluster == nullptr ? 0 : static_cast<Eigen::Index>(cluster->levels.size()));
-  Eigen::VectorXd residual(p);
-  const auto add_product = [&](const Eigen::VectorXd& sum) {
+  const auto add = [p](const double* part, double* sum) {
+    for (Eigen::Index j = 0; j < p; ++j) {
+      sum[j] += part[j];
+    }
+  };
+  const auto add_product = [&](const double* sum) {
     for (Eigen::Index b = 0; b < p; ++b) {
       for (Eigen::Index a = b; a < p; ++a) {
-        scores.products(a, b) += sum(a) * sum(b);
+        scores.products(a, b) += sum[a] * sum[b];
       }
     }
   };
-  for (std::size_t place = 0; place < rows.rows(); ++place) {
-    score_residual(rows, steps, place, residual.data());
-    residual *= rows.weight_of(place);
-    scores.total += residual;
+  for_each_score_residual(rows, steps, [&](std::size_t place, double* residual) {
+    if (!rows.weight.empty()) {
+      for (Eigen::Index j = 0; j < p; ++j) {
+        residual[j] *= rows.weight[place];
+      }
+    }
+    add(residual, scores.total.data());
     if (cluster == nullptr) {
       add_product(residual);
     } else {
-      sums.col(static_cast<Eigen::Index>(cluster->codes[rows.sets.order[place]])) += residual;
+      add(residual, scores.sums.data() + p * cluster->codes[rows.sets.order[place]]);
     }
-  }
-  for (Eigen::Index c = 0; c < sums.cols(); ++c) {
-    add_product(sums.col(c));
+  });
+  for (Eigen::Index c = 0; c < scores.sums.cols(); ++c) {
+    add_product(scores.sums.col(c).data());
   }
   scores.products = Eigen::MatrixXd(scores.products.selfadjointView<Eigen::Lower>());
   return scores;

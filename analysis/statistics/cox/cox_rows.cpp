@@ -91,6 +91,12 @@ CoxRows cox_rows(const CoxData& data) {
 void risk_scores(const CoxRows& rows, const Eigen::VectorXd& beta, RiskScores& scores) {
   const std::size_t m = rows.rows();
   const std::size_t p = rows.columns;
+  if (rows.offset.empty() && beta.isZero(0.0)) {
+    scores.score.assign(m, 1.0);
+    scores.weighted = rows.weight;
+    scores.shift = 0.0;
+    return;
+  }
   scores.score.resize(m);
   double largest = -std::numeric_limits<double>::infinity();
   double smallest = std::numeric_limits<double>::infinity();

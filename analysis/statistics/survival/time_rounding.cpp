@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <statistics/basics/sort_order.hpp>
 
 namespace tcert::statistics {
 namespace {
@@ -13,11 +14,25 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kStampRounding = 5e-7;
 constexpr double kShare = 1e-6;
 
+void add_distinct(const std::vector<double>& times, std::vector<double>& distinct) {
+  for (const std::uint32_t row : sort_order(times)) {
+    if (distinct.empty() || distinct.back() != times[row]) {
+      distinct.push_back(times[row]);
+    }
+  }
+}
+
 std::vector<double> distinct_times(const SurvivalOutcome& outcome) {
-  std::vector<double> distinct = outcome.stop;
-  distinct.insert(distinct.end(), outcome.start.begin(), outcome.start.end());
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  std::vector<double> distinct;
+  add_distinct(outcome.stop, distinct);
+  if (outcome.left_truncated()) {
+    std::vector<double> starts;
+    std::vector<double> all;
+    add_distinct(outcome.start, starts);
+    std::set_union(
+        starts.begin(), starts.end(), distinct.begin(), distinct.end(), std::back_inserter(all));
+    return all;
+  }
   return distinct;
 }
 

@@ -1,9 +1,12 @@
 #include "analysis/study/h1/joint_statistic.hpp"
 
+#include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/concordance/concordance_statistic.hpp>
+#include <statistics/resampling/jackknife.hpp>
 #include <statistics/roc/auc_statistic.hpp>
 #include <vector>
 
+#include "analysis/study/h1/model_left_out.hpp"
 #include "analysis/study/h1/within_strata.hpp"
 
 namespace tcert::study {
@@ -18,9 +21,8 @@ std::vector<statistics::Predictor> predictors_of(const H1Data& data) {
 }
 
 /// AUCs, or Cs, of the models.
-statistics::Statistic of_models(const H1Data& data,
-                                const H1Models& models,
-                                double (H1Model::*value)(std::span<const std::uint32_t>) const) {
+statistics::Statistic of_models(const H1Data& data, const H1Models& models, bool timed) {
+  const auto value = timed ? &H1Model::c : &H1Model::auc;
   statistics::Statistic statistic;
   statistic.rows = data.rows();
   statistic.values = models.models.size();
@@ -30,6 +32,19 @@ statistics::Statistic of_models(const H1Data& data,
         values[k] = (models.models[k].*value)(multiplicity);
       }
     };
+  };
+  statistic.leave_one_out = [refits = statistic, &data, &models, timed](
+                                const statistics::ResamplingPlan& plan,
+                                std::span<std::vector<double>> out) {
+    if (plan.units() <= statistics::kMostJackknifeClusters) {
+      statistics::leave_one_out(refits, plan, out);
+      return;
+    }
+    for (std::size_t k = 0; k < models.models.size(); ++k) {
+      const H1Model& model = models.models[k];
+      out[k] =
+          (timed ? cox_left_out(data, model, plan) : logistic_left_out(data, model, plan)).score;
+    }
   };
   return statistic;
 }
@@ -43,12 +58,12 @@ statistics::Statistic joint_statistic(const H1Data& data,
   const std::vector<statistics::Score> scores = data.scores();
   parts.push_back(statistics::auc_statistic(scores, data.success));
   if (layout.models > 0) {
-    parts.push_back(of_models(data, models, &H1Model::auc));
+    parts.push_back(of_models(data, models, false));
   }
   if (layout.has_time) {
     parts.push_back(statistics::concordance_statistic(*data.censored, predictors_of(data)));
     if (layout.models > 0) {
-      parts.push_back(of_models(data, models, &H1Model::c));
+      parts.push_back(of_models(data, models, true));
     }
   }
   if (layout.has_strata) {

@@ -4,46 +4,46 @@
 #include <cmath>
 #include <statistics/basics/chi_square.hpp>
 #include <statistics/basics/student_t.hpp>
+#include <statistics/clusters/cluster_inference.hpp>
 #include <statistics/resampling/jackknife.hpp>
 #include <utility>
+
+#include "analysis/study/h1/model_left_out.hpp"
 
 namespace tcert::study {
 namespace {
 
-using Coefficient = double (H1Model::*)(std::span<const std::uint32_t>) const;
-
-/// The coefficient with each cluster left out in turn.
-std::vector<double> without_clusters(const H1Data& data,
-                                     const H1Model& model,
-                                     Coefficient coefficient) {
+/// The coefficient of what is added, with each cluster left out in turn.
+std::vector<double> without_clusters(const H1Data& data, const H1Model& model, bool timed) {
+  const auto plan = statistics::ResamplingPlan::of_clusters(data.cluster.codes);
+  if (plan.units() > statistics::kMostJackknifeClusters) {
+    return (timed ? cox_left_out(data, model, plan) : logistic_left_out(data, model, plan)).added;
+  }
   const statistics::Statistic statistic =
-      statistics::scalar_statistic(data.rows(), [&model, coefficient] {
-        return [&model, coefficient](std::span<const std::uint32_t> multiplicity) {
-          return (model.*coefficient)(multiplicity);
+      statistics::scalar_statistic(data.rows(), [&model, timed] {
+        return [&model, timed](std::span<const std::uint32_t> multiplicity) {
+          return timed ? model.added_cox_coefficient(multiplicity)
+                       : model.added_logistic_coefficient(multiplicity);
         };
       });
-  return statistics::leave_one_out(statistic,
-                                   statistics::ResamplingPlan::of_clusters(data.cluster.codes))
-      .front();
+  return statistics::leave_one_out(statistic, plan).front();
 }
 
-std::optional<double> test_of(const H1Data& data,
-                              const H1Model& model,
-                              Coefficient coefficient,
-                              const char* name,
-                              H1Row& row) {
+std::optional<double> test_of(const H1Data& data, const H1Model& model, bool timed, H1Row& row) {
   const std::vector<std::uint32_t> once(data.rows(), 1);
-  const std::vector<double> without = without_clusters(data, model, coefficient);
+  const std::vector<double> without = without_clusters(data, model, timed);
   const auto failed =
       std::count_if(without.begin(), without.end(), [](double b) { return std::isnan(b); });
   if (failed > 0) {
     row.conditions.push_back({statistics::ConditionKind::no_jackknife,
                               statistics::ConditionSeverity::warning,
                               "",
-                              std::string(name) + ": " + std::to_string(failed) + " of " +
-                                  std::to_string(without.size()) + " clusters"});
+                              std::string(timed ? "Cox model: " : "logistic model: ") +
+                                  std::to_string(failed) + " of " + std::to_string(without.size()) +
+                                  " clusters"});
   }
-  return cluster_jackknife_p((model.*coefficient)(once), without);
+  return cluster_jackknife_p(
+      timed ? model.added_cox_coefficient(once) : model.added_logistic_coefficient(once), without);
 }
 
 std::optional<double> likelihood_ratio_p(const std::optional<double>& smaller,
@@ -76,8 +76,7 @@ void test_success(const H1Data& data, const H1Models& models, H1Row& added) {
   if (is_finite(small) && is_finite(large) && large.rank > small.rank) {
     added.auc_lr_p =
         likelihood_ratio_p(small.log_likelihood, large.log_likelihood, large.rank - small.rank);
-    added.auc_p = test_of(
-        data, models.models[1], &H1Model::added_logistic_coefficient, "logistic model", added);
+    added.auc_p = test_of(data, models.models[1], false, added);
   }
 }
 
@@ -86,8 +85,7 @@ void test_time(const H1Data& data, const H1Models& models, H1Row& added) {
   const statistics::CoxFit large = statistics::fit_cox(models.models[1].cox());
   if (is_finite(small) && is_finite(large) && large.df > small.df) {
     added.c_lr_p = likelihood_ratio_p(small.loglik, large.loglik, large.df - small.df);
-    added.c_p =
-        test_of(data, models.models[1], &H1Model::added_cox_coefficient, "Cox model", added);
+    added.c_p = test_of(data, models.models[1], true, added);
   }
 }
 

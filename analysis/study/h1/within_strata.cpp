@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <statistics/basics/compact_codes.hpp>
 #include <statistics/concordance/concordance_statistic.hpp>
 #include <statistics/equivalence/scores_by_group.hpp>
 #include <statistics/model/factor_levels.hpp>
+#include <statistics/resampling/jackknife.hpp>
 #include <string>
 #include <utility>
 
@@ -80,6 +82,25 @@ statistics::Statistic of_rows(const statistics::Statistic& part,
           }
           kernel(chosen, values);
         };
+  };
+  statistic.leave_one_out = [part, shared](const statistics::ResamplingPlan& plan,
+                                           std::span<std::vector<double>> out) {
+    std::vector<std::uint32_t> unit;
+    for (const std::size_t row : *shared) {
+      unit.push_back(plan.unit_of(row));
+    }
+    const auto without =
+        statistics::leave_one_out(part, statistics::ResamplingPlan::of_clusters(unit));
+    // A unit of none of these rows changes nothing.
+    std::vector<double> values(part.values);
+    part.make_kernel()(std::vector<std::uint32_t>(part.rows, 1), values);
+    const std::vector<std::uint32_t> compact = statistics::compact_codes(unit).codes;
+    for (std::size_t value = 0; value < values.size(); ++value) {
+      std::fill(out[value].begin(), out[value].end(), values[value]);
+      for (std::size_t i = 0; i < unit.size(); ++i) {
+        out[value][unit[i]] = without[value][compact[i]];
+      }
+    }
   };
   return statistic;
 }

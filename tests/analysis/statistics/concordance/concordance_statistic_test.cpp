@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <statistics/resampling/bootstrap.hpp>
+#include <statistics/resampling/jackknife.hpp>
 #include <statistics/roc/auc_statistic.hpp>
 #include <stdexcept>
 #include <table/random.hpp>
@@ -80,6 +81,42 @@ TEST(ConcordanceStatistic, EqualsTheSumOverAllPairs) {
         EXPECT_EQ(values[3], -values[2]);
       }
       plan.draw(seed, 0, replicate, scratch, times);
+    }
+  }
+}
+
+TEST(ConcordanceStatistic, LeavesOutUnitsAsItsKernelDoes) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Data data = random_data(seed, 6 + 2 * seed);
+    table::RandomStream random(seed, 9, 0);
+    const std::size_t rows = data.first.size();
+    table::Factor strata{{}, {"a", "b", "c"}};
+    std::vector<std::uint32_t> cluster;
+    for (std::size_t row = 0; row < rows; ++row) {
+      strata.codes.push_back(random.below(3));
+      cluster.push_back(random.below(seed % 2 == 0 ? 4 : 30));
+      if (seed % 3 == 0) {
+        data.outcome.start.push_back(data.outcome.stop[row] - 0.5 - random.below(8));
+      }
+    }
+    Statistic fast = concordance_statistic(
+        data.outcome, data.predictors(), {{0, 1}}, seed % 5 == 0 ? nullptr : &strata);
+    Statistic slow = fast;
+    slow.leave_one_out = nullptr;
+    for (const ResamplingPlan& plan :
+         {ResamplingPlan::of_rows(rows), ResamplingPlan::of_clusters(cluster)}) {
+      const auto expected = leave_one_out(slow, plan);
+      const auto found = leave_one_out(fast, plan);
+      for (std::size_t value = 0; value < expected.size(); ++value) {
+        for (std::size_t unit = 0; unit < plan.units(); ++unit) {
+          if (std::isnan(expected[value][unit])) {
+            EXPECT_TRUE(std::isnan(found[value][unit]));
+          } else {
+            EXPECT_EQ(found[value][unit], expected[value][unit]);
+          }
+        }
+      }
     }
   }
 }
