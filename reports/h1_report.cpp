@@ -148,6 +148,9 @@ FitReport h1_report(const study::H1Table& h1) {
     report.tables.push_back(h1_time_within_table(h1));
   }
   report.tables.push_back(h1_mixed_table(h1));
+  if (std::ranges::any_of(h1.panels, &study::H1Panel::has_time)) {
+    report.tables.push_back(h1_log_time_table(h1));
+  }
   report.details = {issuance_table(h1), tc_early_table(h1), case_level_table(h1)};
   add_incidence_tables(h1, report);
   report.details.insert(report.details.end(),

@@ -20,6 +20,9 @@ namespace tcert {
 /// Success again, by the paper's model: odds ratios and variances of a logistic mixed model.
 [[nodiscard]] Table h1_mixed_table(const study::H1Table& h1);
 
+/// Time again, of those that arrive: R2 and ratios of a linear mixed model of its logarithm.
+[[nodiscard]] Table h1_log_time_table(const study::H1Table& h1);
+
 /// Points of the ROC curve of every row.
 [[nodiscard]] Table h1_roc_table(const study::H1Table& h1);
 

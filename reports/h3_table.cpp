@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reports/h1_intervals.hpp"
+#include "reports/h3_chosen_table.hpp"
 #include "reports/hypothesis_conditions.hpp"
 #include "reports/hypothesis_findings.hpp"
 
@@ -41,7 +42,9 @@ std::vector<std::string> notes(const study::H3Table& h3) {
       "one-sided " +
           percent(o.level) + " Clopper-Pearson bound of that loss is below " +
           percent(o.loss_margin) +
-          ". Retained: of the successes, Wilson. Both take trials as independent.",
+          ". Retained: of the successes, Wilson. Both of so many fewer trials as those of a "
+          "cluster "
+          "are alike (design effect): in what is lost or in what failed, whichever is more alike.",
       "Front: on the Pareto front of {relative gain, retained} within its lighting."};
   if (h3.unknown > 0) {
     notes.push_back(std::to_string(h3.unknown) + " trials without an outcome are left out.");
@@ -78,6 +81,7 @@ Table case_table(const study::H3Table& h3) {
           .estimate("retained",
                     "retained",
                     [](auto& r) { return Estimated(r.of.retained, r.of.retained_interval); })
+          .fixed("design_effect", "design effect", "", 2, &H3Case::design_effect)
           .integer("stalls", "stalls", &H3Case::stalls)
           .integer("stalled_trials", "trials with stalls", &H3Case::stalled_trials)
           .yes_or_no("on_front", "front", &H3Case::on_front);
@@ -190,12 +194,16 @@ FitReport h3_report(const study::H3Table& h3) {
       .text("cluster", "cluster", h3.options.cluster)
       .number("level", "level", h3.options.level)
       .number("loss_margin", "loss margin", h3.options.loss_margin)
+      .number("true_loss", "true loss of the power", h3.options.true_loss)
+      .number("beta_per_m", "beta [1/m]", h3.options.beta.per_m)
+      .integer(
+          "beta_folds", "folds that choose beta", h3.options.beta.per_m ? 1 : h3.options.beta.folds)
       .text("interval", "interval", std::string(statistics::to_string(h3.options.interval)))
       .integer("replicates", "replicates", h3.options.replicates)
       .integer("seed", "seed", h3.options.seed)
       .integer("outcome_missing", "without outcome", h3.unknown);
   report.summary = std::move(summary).table();
-  report.tables = {case_table(h3), baseline_table(h3)};
+  report.tables = {case_table(h3), h3_chosen_table(h3), baseline_table(h3)};
   report.details = {interval_table(h3)};
   report.conditions = conditions_of(h3);
   report.findings = h3_findings(h3);

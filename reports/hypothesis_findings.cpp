@@ -12,6 +12,7 @@
 #include "reports/findings.hpp"
 #include "reports/h1_intervals.hpp"
 #include "reports/h1_within_table.hpp"
+#include "reports/h3_chosen_table.hpp"
 #include "reports/panel_rows.hpp"
 
 namespace tcert {
@@ -137,36 +138,24 @@ std::string h2_evidence(const char* name,
       fixed(pair->smallest_margin, 3));
 }
 
-/// Cases of one law under all lightings together that have the same verdict.
-Finding h3_finding(const study::H3Group& all,
-                   const std::vector<const study::H3Case*>& cases,
-                   study::Verdict verdict) {
-  std::string betas;
-  std::string gains;
-  std::string shares;
-  const study::H3Case* worst = cases.front();
-  for (const study::H3Case* const one : cases) {
-    const char* const comma = betas.empty() ? "" : ", ";
-    betas += comma + significant(one->beta_per_m, 3);
-    gains += comma + in_words(one->gain.value, one->gain.interval, 2);
-    shares += comma + in_words(one->recovered.value, one->recovered.interval, 2);
-    worst = one->lost > worst->lost ? one : worst;
+/// A law at its chosen beta, all lightings together.
+Finding h3_finding(const study::H3Table& h3, const study::H3Chosen& one) {
+  const study::H3Group& all = h3.groups.front();
+  std::string evidence = fmt::format("Gain in rate of advance {} m/min beyond {}",
+                                     in_words(one.gain.value, one.gain.interval, 2),
+                                     in_words(all.ungated.value, {}, 2));
+  if (one.recovered.value) {
+    evidence +=
+        fmt::format(", {} of the gap", in_words(one.recovered.value, one.recovered.interval, 2));
   }
-  std::string evidence = fmt::format(
-      "Gain in rate of advance {} m/min beyond {}", gains, in_words(all.ungated.value, {}, 2));
-  if (cases.front()->recovered.value) {
-    evidence += fmt::format(", {} of the gap", shares);
-  }
-  evidence += fmt::format("; {}{} of {} successes lost",
-                          cases.size() > 1 && worst->lost > 0 ? "at most " : "",
-                          worst->lost,
-                          all.successes);
-  if (worst->lost_upper) {
-    evidence += fmt::format(", {} % of {} trials (bounds {} and {} %)",
-                            fixed(100.0 * *worst->lost_share, 1),
-                            all.trials,
-                            fixed(100.0 * *worst->lost_lower, 1),
-                            fixed(100.0 * *worst->lost_upper, 1));
+  evidence += fmt::format("; {} of {} successes lost", one.lost, all.successes);
+  if (one.lost_upper) {
+    evidence += fmt::format(
+        ", {} % of {} trials (bounds {} and {} %)",
+        fixed(100.0 * static_cast<double>(one.lost) / static_cast<double>(one.trials), 1),
+        one.trials,
+        fixed(100.0 * *one.lost_lower, 1),
+        fixed(100.0 * *one.lost_upper, 1));
   }
   if (!all.gap.interval || all.gap.interval->low <= 0.0) {
     evidence += ". A lead that could be won back is not shown";
@@ -174,8 +163,40 @@ Finding h3_finding(const study::H3Group& all,
   if (!all.withheld.empty()) {
     evidence += ". Intervals are withheld: " + all.withheld;
   }
-  return {fmt::format("H3, {} at beta {} 1/m", cases.front()->law, betas),
-          words(verdict),
+  return {fmt::format("H3, {} at beta {} 1/m", one.law, h3_betas(one)),
+          words(study::h3_verdict(one, h3.options.loss_margin)),
+          evidence + "."};
+}
+
+/// What holds of all laws and lightings at one time.
+Finding h3_family_finding(const study::H3Table& h3) {
+  std::string evidence;
+  bool any_in_all = false;
+  for (const study::H3Chosen& law : h3.chosen) {
+    if (law.lighting != h3.groups.front().lighting) {
+      continue;
+    }
+    std::string holding;
+    std::size_t lightings = 0;
+    std::size_t held = 0;
+    for (const study::H3Chosen& one : h3.chosen) {
+      if (one.law == law.law && one.lighting != law.lighting) {
+        ++lightings;
+        if (one.holds.value_or(false)) {
+          ++held;
+          holding += fmt::format(
+              "{}{} (p {})", holding.empty() ? "" : ", ", one.lighting, significant(*one.holm, 2));
+        }
+      }
+    }
+    any_in_all = any_in_all || (lightings > 0 && held == lightings);
+    evidence += fmt::format("{}{} gains and keeps its successes in {}",
+                            evidence.empty() ? "" : "; ",
+                            law.law,
+                            holding.empty() ? "no lighting" : holding);
+  }
+  return {"H3, all laws and lightings at once",
+          words(any_in_all ? study::Verdict::supported : study::Verdict::not_decided),
           evidence + "."};
 }
 
@@ -249,23 +270,13 @@ Table h2_findings(const study::H2Table& h2) {
 Table h3_findings(const study::H3Table& h3) {
   std::vector<Finding> findings;
   if (!h3.groups.empty()) {
-    const study::H3Group& all = h3.groups.front();
-    // Cases of one law and verdict, in the order of the table.
-    std::vector<std::pair<std::string, study::Verdict>> kinds;
-    for (const study::H3Case& one : all.cases) {
-      const std::pair kind(one.law, study::h3_verdict(one, h3.options.loss_margin));
-      if (std::ranges::find(kinds, kind) == kinds.end()) {
-        kinds.push_back(kind);
+    for (const study::H3Chosen& one : h3.chosen) {
+      if (one.lighting == h3.groups.front().lighting) {
+        findings.push_back(h3_finding(h3, one));
       }
     }
-    for (const auto& [law, verdict] : kinds) {
-      std::vector<const study::H3Case*> cases;
-      for (const study::H3Case& one : all.cases) {
-        if (one.law == law && study::h3_verdict(one, h3.options.loss_margin) == verdict) {
-          cases.push_back(&one);
-        }
-      }
-      findings.push_back(h3_finding(all, cases, verdict));
+    if (h3.groups.size() > 1) {
+      findings.push_back(h3_family_finding(h3));
     }
   }
   const std::string level = significant(100.0 * h3.options.level, 3) + " %";
@@ -275,8 +286,11 @@ Table h3_findings(const study::H3Table& h3) {
        " interval of the gain lies above 0 and the one-sided bound of the loss is below " +
        significant(100.0 * h3.options.loss_margin, 3) +
        " % of the trials, contradicted if the interval lies below 0 or the loss is above that "
-       "margin with the same confidence, else not decided. No law is chosen by the data; of many "
-       "some may pass by chance."});
+       "margin with the same confidence, else not decided. Each law has one beta, chosen " +
+       std::string(h3.options.beta.per_m ? "beforehand" : "on other days than it is judged on") +
+       ". At once: p of the lack of a gain or of too great a loss, the larger of both, by Holm "
+       "over "
+       "all laws and lightings; supported if a law holds in every lighting."});
 }
 
 }  // namespace tcert

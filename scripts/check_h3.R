@@ -12,7 +12,27 @@ median_or_na <- function(x) {
 # One-sided exact bound; binom.test gives the same but refuses n = 0.
 upper_bound <- function(k, n, level) if (k < n) qbeta(level, k + 1, n - k) else 1
 
-wilson <- function(k, n, level) as.numeric(prop.test(k, n, conf.level = level, correct = FALSE)$conf.int)
+# The intraclass correlation of 0/1 values by analysis of variance, between 0 and 1.
+binary_icc <- function(y, cluster) {
+  n <- length(y); sizes <- table(cluster); k <- length(sizes)
+  if (k < 2 || n <= k) return(0)
+  fit <- anova(lm(y ~ factor(cluster)))
+  between <- fit[1, "Mean Sq"]; within <- fit[2, "Mean Sq"]
+  size <- (n - sum(sizes^2) / n) / (k - 1)
+  whole <- between + (size - 1) * within
+  if (whole > 0) min(1, max(0, (between - within) / whole)) else 0
+}
+
+# Trials that are alike within a cluster count as fewer.
+design_effect <- function(lost, failed, cluster) {
+  sizes <- table(cluster)
+  1 + (sum(sizes^2) / length(lost) - 1) * max(binary_icc(lost, cluster), binary_icc(failed, cluster))
+}
+
+wilson_of_shares <- function(k, n, level) {
+  z <- qnorm((1 + level) / 2); p <- k / n
+  (p + z^2 / (2 * n) + c(-1, 1) * z * sqrt(p * (1 - p) / n + z^2 / (4 * n^2))) / (1 + z^2 / n)
+}
 
 # Not beaten: no other is as good in both and better in one.
 on_front <- function(gain, retained) {
@@ -91,17 +111,46 @@ check_case <- function(found, rows, gap, options) {
   check("h3: lost", where, found$lost, lost)
   check("h3: share lost", where, found$lost_share, lost / nrow(gated))
   few <- too_few_clusters(won, led, options)
-  bound <- if (few) NA else upper_bound(lost, nrow(gated), options$level)
+  cluster <- if (nzchar(options$cluster)) gated[[options$cluster]] else gated$trial_id
+  effect <- design_effect(as.numeric(gated$success == 1 & gated$kept != 1), as.numeric(gated$success != 1), cluster)
+  if (!few) check("h3: design effect", where, found$design_effect, effect)
+  bound <- if (few) NA else upper_bound(lost / effect, nrow(gated) / effect, options$level)
   check("h3: bound of loss", where, found$lost_upper, bound)
   check_text("h3: non-inferior", where, found$non_inferior,
              if (few) NA else if (bound < options$loss_margin) "yes" else "no")
   check("h3: retained", where, found$retained, kept / nrow(won))
-  ends <- if (few) c(NA, NA) else wilson(kept, nrow(won), options$level)
+  ends <- if (few) c(NA, NA) else wilson_of_shares(kept / effect, nrow(won) / effect, options$level)
   check("h3: retained low", where, found$retained_low, ends[1])
   check("h3: retained high", where, found$retained_high, ends[2])
   check("h3: stalls", where, found$stalls, sum(gated$stalls))
   check("h3: trials with stalls", where, found$stalled_trials, sum(gated$stalls > 0))
   data.frame(gain = speed / ungated - 1, retained = kept / nrow(won))
+}
+
+# One beta a law, chosen beforehand: what is not drawn at random. `rows` are of one lighting or all.
+check_chosen <- function(found, rows, few, options) {
+  where <- paste("chosen", found$lighting, found$speed_law)
+  gated <- rows[rows$algorithm == options$gated & rows$speed_law == found$speed_law &
+                  rows$beta_per_m == options$beta_per_m, ]
+  won <- gated[gated$success == 1, ]
+  gain_of <- function(part) rate(part$length_m, part$gated_time_s) - rate(part$length_m, part$logged_time_s)
+  gain <- gain_of(won)
+  cluster <- if (nzchar(options$cluster)) gated[[options$cluster]] else gated$trial_id
+  lost <- as.numeric(gated$success == 1 & gated$kept != 1)
+  effect <- design_effect(lost, as.numeric(gated$success != 1), cluster)
+  n <- nrow(gated) / effect; k <- sum(lost) / effect
+  won_cluster <- if (nzchar(options$cluster)) won[[options$cluster]] else won$trial_id
+  days <- unique(won_cluster)
+  without <- sapply(days, function(day) gain_of(won[won_cluster != day, ]))
+  G <- length(days)
+  t <- gain / sqrt((G - 1) / G * sum((without - gain)^2))
+  check("h3: chosen gain", where, found$gain_m_per_min, gain)
+  check("h3: chosen lost", where, found$lost, sum(lost))
+  check("h3: chosen bound", where, found$lost_upper, if (few) NA else upper_bound(k, n, options$level))
+  p <- if (few) c(NA, NA) else c(pt(t, G - 1, lower.tail = FALSE), pbeta(options$loss_margin, k + 1, n - k, lower.tail = FALSE))
+  check("h3: p of gain", where, found$gain_p, p[1], 1e-8)
+  check("h3: p of loss", where, found$loss_p, p[2])
+  max(p)
 }
 
 #' `tcert hypotheses h3 --replays FILE` against R.
@@ -125,6 +174,19 @@ check_h3 <- function(tool, file, arguments) {
     }))
     check_text("h3: front", group$lighting, cases$on_front,
                ifelse(on_front(points$gain, points$retained), "yes", "no"))
+  }
+  if (!is.na(options$beta_per_m)) {
+    chosen <- answer$h3_chosen
+    p <- sapply(seq_len(nrow(chosen)), function(i) {
+      one <- chosen[i, ]
+      group <- answer$h3_baseline[answer$h3_baseline$lighting == one$lighting, ]
+      rows <- if (one$lighting == "all") replays else replays[replays$lighting == one$lighting, ]
+      check_chosen(one, rows, group$clusters < 10 || group$successes < 10, options)
+    })
+    for (together in c(TRUE, FALSE)) {
+      family <- (chosen$lighting == "all") == together
+      check("h3: Holm", if (together) "laws" else "laws and lightings", chosen$holm[family], p.adjust(p[family], "holm"), 1e-8)
+    }
   }
   report()
 }

@@ -625,7 +625,7 @@ inform_of_bootstrap <- function(d, h1, replicates = 1000) {
 
 check_panel <- function(d, result) {
   tables <- c("h1", "h1_time", "h1_within", "h1_time_within", "h1_case_level", "h1_closed_form",
-              "h1_within_closed_form", "h1_folds", "h1_mixed")
+              "h1_within_closed_form", "h1_folds", "h1_mixed", "h1_log_time")
   part <- lapply(result[intersect(tables, names(result))], rows_of, panel = d$name)
   cells$withheld <- too_few(d$y, d$cluster)
   fold <- fold_of_rows(d, part$h1_folds)
@@ -637,6 +637,7 @@ check_panel <- function(d, result) {
   check_nested(d, part$h1, if (timed) part$h1_time, part$h1_closed_form)
   check_within(d, part$h1_within, part$h1_time_within, part$h1_within_closed_form, part$h1, part$h1_time)
   check_mixed(d, part$h1_mixed)
+  check_log_time(d, part$h1_log_time)
   check_case_level_auc(d, part$h1_case_level)
   if (timed) {
     check_hazard_ratios(d, part$h1_time, part$h1_closed_form)

@@ -49,6 +49,53 @@ check_mixed_row <- function(d, where, found, x, single) {
   as.numeric(logLik(fit))
 }
 
+# R2 of log time of those that arrive, and the jackknife of its gain by whole clusters.
+fit_log_time <- function(x, time, cluster) {
+  control <- lme4::lmerControl(optimizer = "bobyqa", calc.derivs = FALSE, check.conv.singular = "ignore",
+                               optCtrl = list(maxfun = 1e6, rhobeg = 0.2, rhoend = 1e-12))
+  suppressWarnings(suppressMessages(lme4::lmer(y ~ x + (1 | cluster), control = control,
+                                               data = list(y = log(time), x = x, cluster = cluster))))
+}
+
+r2_log_time <- function(fit, x) {
+  between <- as.numeric(lme4::VarCorr(fit)[[1]])
+  fixed <- var(drop(cbind(1, x) %*% lme4::fixef(fit)))
+  whole <- fixed + between + sigma(fit)^2
+  c(fixed / whole, (fixed + between) / whole)
+}
+
+#' All rows of a panel's table of log time: `designs` as of the mixed models, on all trials.
+check_log_time <- function(d, found) {
+  if (is.null(found) || is.null(d$censored) || length(unique(d$cluster)) == d$n) return(invisible())
+  arrived <- d$censored[, "status"] == 1
+  k <- length(d$columns)
+  designs <- c(lapply(seq_len(k), function(j) d$scaled[, j, drop = FALSE]),
+               if (k > 1) list(d$scaled[, -1, drop = FALSE], d$scaled))
+  stamps <- if ("start" %in% colnames(d$censored)) d$censored[, "stop"] - d$censored[, "start"] else d$censored[, "time"]
+  time <- stamps[arrived]
+  cluster <- as.character(d$cluster[arrived])
+  r2 <- function(r, keep) {
+    x <- designs[[r]][arrived, , drop = FALSE][keep, , drop = FALSE]
+    r2_log_time(fit_log_time(x, time[keep], cluster[keep]), x)
+  }
+  all <- sapply(seq_along(designs), r2, rep(TRUE, length(time)))
+  clusters <- unique(cluster)
+  without <- sapply(clusters, function(one) sapply(seq_along(designs), function(r) r2(r, cluster != one)[1]))
+  for (r in seq_along(designs)) {
+    where <- paste(d$name, found$predictor[r])
+    check("log time R2", where, c(found$r2_marginal[r], found$r2_conditional[r]), all[, r], 1e-5)
+    if (r == 1) next
+    better <- if (r == k + 2) r else 1
+    than <- if (r == k + 2) r - 1 else r
+    gain <- all[1, better] - all[1, than]
+    G <- length(clusters)
+    se <- sqrt((G - 1) / G * sum((without[better, ] - without[than, ] - gain)^2))
+    half <- qt((1 + d$level) / 2, G - 1) * se
+    check("log time gain of R2", where, found$r2_gain[r], gain, 1e-4)
+    check("log time gain of R2, CI", where, c(found$r2_gain_low[r], found$r2_gain_high[r]), gain + c(-1, 1) * half, 1e-3)
+  }
+}
+
 #' All rows of a panel's mixed table: predictors, rivals together, added.
 check_mixed <- function(d, mixed) {
   if (length(unique(d$cluster)) == d$n) return(invisible())

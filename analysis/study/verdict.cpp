@@ -90,14 +90,14 @@ Verdict h2_verdict(const H2Panel& panel, const H2Equality& equality) {
                                                                     : Verdict::not_decided;
 }
 
-Verdict h3_verdict(const H3Case& one, double loss_margin) {
+Verdict h3_verdict(const H3Chosen& one, double loss_margin) {
   const auto& gain = one.gain.interval;
   const bool lost_too_many = one.lost_lower && *one.lost_lower >= loss_margin;
   if ((gain && gain->high < 0.0) || lost_too_many) {
     return Verdict::contradicted;
   }
-  return gain && gain->low > 0.0 && one.non_inferior.value_or(false) ? Verdict::supported
-                                                                     : Verdict::not_decided;
+  const bool keeps = one.lost_upper && *one.lost_upper < loss_margin;
+  return gain && gain->low > 0.0 && keeps ? Verdict::supported : Verdict::not_decided;
 }
 
 }  // namespace tcert::study

@@ -45,6 +45,6 @@ struct H1Verdict {
 /// Supported if the interval of the gain lies above 0 and the bound of the loss is below the
 /// margin; contradicted if the interval lies below 0, or the lower bound of the loss, one-sided at
 /// the same level, is not below the margin.
-[[nodiscard]] Verdict h3_verdict(const H3Case& one, double loss_margin);
+[[nodiscard]] Verdict h3_verdict(const H3Chosen& one, double loss_margin);
 
 }  // namespace tcert::study

@@ -14,6 +14,7 @@ constexpr std::string_view kFitText =
 KIND is one of
   glm          logistic regression           success ~ x1 + lighting, cbind(k, n - k) ~ x
   glmm         logistic mixed model          success ~ x1 + (1 | day), (1 + x1 | day), (1 | day/run)
+  lmm          linear mixed model            log(time_s) ~ x1 + (1 | day): R2, Satterthwaite's t
   calibration  agreement of probabilities    success ~ x1 + lighting: fitted out of fold; with
                                              Surv() and --times of the risks of a Cox model
   cox          proportional hazards          Surv(time, success) ~ x1 + strata(algorithm)
@@ -24,9 +25,9 @@ KIND is one of
 
 Formulas take a + b, a:b, a*b, I(x^2), log(x), scale(x), factor(d), offset(o), Surv(time, event),
 Surv(start, stop, event), cbind(k, n - k), status == 2, strata(s), cluster(c), and for glmm
-(1 | g), (1 + x | g), (1 + x || g), (1 | a/b). Factors are coded
+and lmm (1 | g), (1 + x | g), (1 + x || g), (1 | a/b). Factors are coded
 against their first level in byte order; --ref changes it. Rows with a missing value are left out
-and counted. offset() is for glm and cox; strata() for cox, for the pairs of concordance, and for km,
+and counted. offset() is for glm, glmm, lmm and cox; strata() for cox, for the pairs of concordance, and for km,
 where it stratifies the log-rank test, or without other terms gives a curve a stratum.
 
 A missing cell is empty, NA or nan. TRUE, True, true, T and their opposites are truth values. An outcome
@@ -53,6 +54,10 @@ McCaffrey with Satterthwaite's, wild a bootstrap of the clusters' scores. Each h
 odds.ratio.profile.low, hazard.ratio.t.high. glm makes profiles up to a second or two of work;
 beyond, --profile asks for them.
 
+--contrasts COLUMN compares all levels of a factor pair by pair, the first less the second: with Holm's p
+and intervals for every pair at once beside those of a pair by itself, on the ratio's scale too; where the
+factor is in a product, over the rows as they are.
+
 --predict FILE gives probabilities (glm) or survival and risks (cox, at --times) for the rows of another
 table, by the levels and means of the table of the fit. cox and calibration score risks at --times: AUC(t)
 and Brier(t), weighted for censoring.
@@ -63,6 +68,7 @@ Example:
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --cluster day
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --firth
   tcert fit glmm --data features.csv --formula 'success ~ tc_early + (1 | day)' --profile --drop1
+  tcert fit lmm --data features.csv --formula 'log(time_s) ~ tc_early + lighting + (1 | day)' --contrasts lighting
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --cluster day --left-out
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --times 60 --predict new.csv
@@ -115,9 +121,10 @@ std::vector<CommandForm> fit_forms() { return {form_for<FitRequest>(help_of(""))
 
 }  // namespace
 
-const Command kFit = {"fit",
-                      "fit a model to any table: glm, glmm, calibration, cox, km, roc, concordance",
-                      run_fit,
-                      fit_forms};
+const Command kFit = {
+    "fit",
+    "fit a model to any table: glm, glmm, lmm, calibration, cox, km, roc, concordance",
+    run_fit,
+    fit_forms};
 
 }  // namespace tcert::cli

@@ -32,16 +32,18 @@ outcomes of a class, p-values and intervals are withheld: NA; the estimates stan
 h3: does gating the speed by the margin recover the lead of the camera baseline without losing
 successes? Every trial is replayed at each speed law and beta; rates of advance, gain, share of the
 gap (the baseline's lead at one mix of lightings), successes lost and retained, stalls, the Pareto
-front; by lighting.
+front; by lighting. Verdicts are of one beta a law, chosen beforehand (--beta) or on other days than
+it is judged on (--beta folds), and of all laws and lightings at once; losses by whole clusters, with
+the number of trials that has 80 % power.
 
 With --output DIR/ (it ends with /, or is a folder): every table as CSV, JSON, text, Markdown and
 LaTeX, the curves behind the figures as CSV and JSON, report.json, manifest.json. Another PATH, though it
 had no ending, is one file of what would be printed, in --format.
 text and md have the main tables, json every number; csv has the first table, or that of --table: h1, h1_within,
-h1_time, h1_time_within, h1_mixed, h1_intervals, h1_case_level, h1_incidence, h1_incidence_curve, h1_roc,
+h1_time, h1_time_within, h1_mixed, h1_log_time, h1_intervals, h1_case_level, h1_incidence, h1_incidence_curve, h1_roc,
 h1_calibration, h1_recalibration, h1_closed_form, h1_within_closed_form, h1_folds; h2, h2_within,
-h2_equality, h2_pairs, h2_interaction, h2_intervals, h2_closed_form, h2_covariance; h3, h3_baseline,
-h3_intervals.
+h2_equality, h2_pairs, h2_interaction, h2_intervals, h2_closed_form, h2_covariance; h3, h3_chosen,
+h3_baseline, h3_intervals.
 
 Usage: tcert hypotheses (h1 | h2) (BUNDLE | --features FILE) [options]
        tcert hypotheses h3 (BUNDLE | --replays FILE) [options]
@@ -54,7 +56,7 @@ Example:
   tcert hypotheses h1 --features runs.csv --success 'status=goal,done' --predictor margin_m --strata ''
   tcert hypotheses h2 corpus --margin 0.05 --output h2/
   tcert hypotheses h2 --features barn.csv --predictor m1 --group planner --cluster world --strata ''
-  tcert hypotheses h3 corpus --betas 5,10,20
+  tcert hypotheses h3 corpus --betas 5,10,20 --beta folds
 
 Cost: that of 'tcert certify' for a bundle; some seconds per 1,000 trials and 2,000 resamples.
 )";

@@ -15,6 +15,9 @@ STUDY is one of
   coverage     do the intervals of AUCs and Cs cover the truth, where trials of a day are alike
   inference    do tests of coefficients keep their level with few clusters
   equivalence  how often are lightings found equivalent, or different
+  hypotheses   how often what H1 and H2 print misses the truth: within strata, hazard ratios, R2,
+               groups, interactions, contrasts
+  advance      how often what H3 prints misses it: rates, gains, losses, laws and lightings at once
   gate         do the sets of the 50 % point of the micro-study cover it
   rays         does the bound of a calibration of rays hold on all of a new day as often as its law says
   null         does H1 find nothing where there is nothing to be found
@@ -26,7 +29,8 @@ STUDY is one of
 
 With --output DIR/ (it ends with /, or is a folder): every table in every format. Another PATH, though
 it had no ending, is one file of what would be printed, in --format. csv has the first table, or that
-of --table: soundness, tightness; teams; coverage; inference; equivalence; gate_coverage; ray_coverage; null,
+of --table: soundness, tightness; teams; coverage; inference; equivalence; misses; advance_misses;
+gate_coverage; ray_coverage; null,
 null_corpora; price; terrain_soundness, terrain_trust; scenarios, baselines.
 
 Usage: tcert study STUDY [TERRAIN] [options]

@@ -124,6 +124,22 @@ study::PairedArms driven_arms(const HypothesesRequest& request, const Study& stu
   return study::compare_arms(study.trials, study.extra_columns, paired);
 }
 
+study::H3Beta beta_of(const HypothesesRequest& request) {
+  study::H3Beta beta;
+  beta.asked = is_given(request.given, "beta");
+  beta.folds = static_cast<std::size_t>(request.folds);
+  if (request.beta == "folds") {
+    beta.per_m.reset();
+    return beta;
+  }
+  const std::vector<double> number = numbers_of("beta", request.beta);
+  if (number.size() != 1) {
+    throw UsageError("--beta: found '" + request.beta + "', expected one number or folds");
+  }
+  beta.per_m = number.front();
+  return beta;
+}
+
 }  // namespace
 
 ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
@@ -152,6 +168,11 @@ ExitCode hypothesis_3(const HypothesesRequest& request, Progress& progress) {
   h3.level = request.level;
   h3.interval = interval_method(request.interval);
   h3.loss_margin = request.loss_margin;
+  h3.true_loss = request.true_loss.value_or(request.loss_margin / 5.0);
+  if (h3.true_loss >= h3.loss_margin) {
+    throw UsageError("--true-loss: expected a value below --loss-margin");
+  }
+  h3.beta = beta_of(request);
   h3.replicates = static_cast<std::size_t>(request.replicates);
   h3.seed = static_cast<std::uint64_t>(request.seed);
   const ThreadLimit limit(request.threads);

@@ -37,6 +37,8 @@ struct HypothesesRequest {
   std::string gated = "M3";
   std::string lead = "CB-V";
   double loss_margin = 0.05;
+  std::optional<double> true_loss;  ///< A fifth of the margin.
+  std::string beta = "10";
   bool driven = false;
   ReplayLawOptions laws;
 

@@ -81,6 +81,18 @@ OptionTable options_of(HypothesesRequest& request) {
   table.add("lead", request.lead, "NAME", "h3: the algorithm whose lead is to be recovered");
   table.add("loss-margin", request.loss_margin, "P", "h3: share of trials that may be lost")
       .within(1e-9, 1.0 - 1e-9);
+  table
+      .add("true-loss",
+           request.true_loss,
+           "P",
+           "h3: share lost in truth, for the number of trials that has 80 % power; a fifth of the "
+           "margin")
+      .within(0.0, 1.0 - 1e-9);
+  table.add("beta",
+            request.beta,
+            "WORD",
+            "h3: the beta in 1/m that each law is judged at, chosen before looking, or folds: on "
+            "other days than it is judged on, by --folds of them");
   table.add(
       "driven",
       request.driven,

@@ -158,6 +158,10 @@ StudyFigures study_figures(const Results& results) {
                         all.table(ResultKind::h1, "h1_time"),
                         all.table(ResultKind::h1, "h1_time_within")),
           no_h1);
+  all.add(
+      "left_out",
+      left_out_figure(all.table(ResultKind::h1, "h1"), all.table(ResultKind::h1, "h1_left_out")),
+      no_h1);
   all.add("incidence",
           incidence_figure(all.table(ResultKind::h1, "h1_incidence_curve"),
                            predictors.empty() ? "" : predictors.front()),

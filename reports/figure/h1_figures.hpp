@@ -33,4 +33,8 @@ namespace tcert {
                                                   const Table& h1_time,
                                                   const Table& h1_time_within);
 
+/// The gain of AUC of the predictor under test over each rival without each cluster in turn, in the
+/// order of the clusters, beside the gain of all trials; of the last panel, from h1 and h1_left_out.
+[[nodiscard]] std::optional<Figure> left_out_figure(const Table& h1, const Table& h1_left_out);
+
 }  // namespace tcert

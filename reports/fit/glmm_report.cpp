@@ -5,6 +5,7 @@
 #include "reports/fit/coefficient_words.hpp"
 #include "reports/fit/interval_columns.hpp"
 #include "reports/fit/matrix_table.hpp"
+#include "reports/fit/random_tables.hpp"
 
 namespace tcert {
 namespace {
@@ -68,16 +69,12 @@ std::vector<Parameter> parameters_of(const statistics::GlmmFit& fit,
   }
   for (std::size_t t = 0; t < fit.random.size(); ++t) {
     const statistics::GlmmRandomTerm& term = fit.random[t];
-    for (std::size_t a = 0; a < term.columns.size(); ++a) {
-      all.push_back({term.group, "sd__" + term.columns[a], term.sd[a], at(profile.sds, t)});
-    }
-    for (std::size_t a = 1; a < term.columns.size(); ++a) {
-      for (std::size_t b = 0; b < a; ++b) {
-        all.push_back({term.group,
-                       "cor__" + term.columns[b] + "." + term.columns[a],
-                       term.correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)),
-                       {}});
-      }
+    const std::vector<RandomParameter> own = random_parameters(term);
+    for (std::size_t a = 0; a < own.size(); ++a) {
+      all.push_back({term.group,
+                     own[a].name,
+                     own[a].value,
+                     a < term.columns.size() ? at(profile.sds, t) : std::nullopt});
     }
   }
   return all;
@@ -87,53 +84,6 @@ Table coefficient_table(const statistics::GlmmFit& fit, const statistics::GlmmPr
   Table table =
       parameter_columns().table("coefficients", title_of(fit), parameters_of(fit, profile));
   table.n = static_cast<std::int64_t>(fit.rows);
-  return table;
-}
-
-/// Half chi-squared with df - 1, half with df degrees of freedom.
-Table boundary_table(const statistics::GlmmFit& fit) {
-  using Term = statistics::GlmmRandomTerm;
-  using Test = statistics::BoundaryTest;
-  const auto test = ColumnsOf<Test>()
-                        .text("dropped", "without", &Test::column)
-                        .number("statistic", "chi-squared", &Test::chi_squared)
-                        .number("df", "df up to", &Test::df)
-                        .p("p.value", "p", &Test::p_value);
-  return ColumnsOf<Term>()
-      .text("group", "group", &Term::group)
-      .integer("levels", "levels", [](auto& term) { return term.levels.size(); })
-      .yes_or_no("singular", "singular", &Term::singular)
-      .part(test, &Term::test)
-      .table("random",
-             "Random effects, each against the model without it (on the boundary)",
-             fit.random);
-}
-
-Table mode_table(const statistics::GlmmFit& fit) {
-  struct Mode {
-    const statistics::GlmmRandomTerm& of;
-    std::size_t level;
-    std::size_t column;
-  };
-  const auto entry = [](const Eigen::MatrixXd& values, const Mode& r) {
-    return values(static_cast<Eigen::Index>(r.level), static_cast<Eigen::Index>(r.column));
-  };
-  const auto columns =
-      ColumnsOf<Mode>()
-          .text("effect", "effect", [](auto&) { return "ran_vals"; })
-          .text("group", "group", [](auto& r) { return r.of.group; })
-          .text("level", "level", [](auto& r) { return r.of.levels[r.level]; })
-          .text("term", "term", [](auto& r) { return r.of.columns[r.column]; })
-          .number("estimate", "mode", [=](auto& r) { return entry(r.of.modes, r); })
-          .number("std.error", "SD", [=](auto& r) { return entry(r.of.mode_sds, r); });
-  Table table = columns.table("ran_vals", "Conditional modes of the random effects");
-  for (const statistics::GlmmRandomTerm& term : fit.random) {
-    for (std::size_t level = 0; level < term.levels.size(); ++level) {
-      for (std::size_t k = 0; k < term.columns.size(); ++k) {
-        table.add_row(columns.row({term, level, k}));
-      }
-    }
-  }
   return table;
 }
 
@@ -175,7 +125,7 @@ FitReport glmm_report(const statistics::GlmmFit& fit,
   FitReport report;
   report.model = "glmm";
   report.summary = summary_table(fit);
-  report.tables = {coefficient_table(fit, profile), boundary_table(fit)};
+  report.tables = {coefficient_table(fit, profile), boundary_table(fit.random)};
   if (!dropped.empty()) {
     report.tables.push_back(drop_table(dropped, "-2 log-likelihood without"));
   }
@@ -184,7 +134,7 @@ FitReport glmm_report(const statistics::GlmmFit& fit,
     report.details.push_back(
         matrix_table("vcov", "Covariance of the fixed effects", names, fit.covariance));
   }
-  report.details.push_back(mode_table(fit));
+  report.details.push_back(mode_table(fit.random));
   report.conditions = fit.conditions;
   return report;
 }

@@ -62,6 +62,66 @@ FitReport inference_report(const std::vector<InferenceRate>& rows, const Options
   return report;
 }
 
+namespace {
+
+/// Shares of data sets in which a number misses the truth.
+template <class Rate>
+FitReport miss_report(const std::string& study,
+                      ColumnsOf<Rate>& columns,
+                      const std::string& table,
+                      const std::string& title,
+                      const std::vector<Rate>& rows,
+                      const Options& options,
+                      const std::string& of) {
+  columns.text("kind", "kind", [](auto& row) { return row.printed.is_test ? "test" : "interval"; })
+      .integer("sets", "sets", &Rate::sets)
+      .integer("without", "without", &Rate::without)
+      .fixed("missed", "truth missed", "", 4, &Rate::missed)
+      .fixed("mc_se", "its SE", "", 4, &Rate::monte_carlo_se);
+  FitReport report = study_report(study, options.seed);
+  report.summary = study_summary({{"data_sets", options.data_sets},
+                                  {"replicates", options.replicates},
+                                  {"seed", options.seed}});
+  report.tables = {columns.table(table, title, rows)};
+  report.tables.front().footnotes = {fmt::format(
+      "Share of {} data sets in which an interval does not hold the truth, or a test at 5 % "
+      "rejects it; without: withheld, or not there. {}",
+      options.data_sets,
+      of)};
+  return report;
+}
+
+}  // namespace
+
+FitReport hypotheses_report(const std::vector<MissRate>& rows, const Options& options) {
+  ColumnsOf<MissRate> columns;
+  columns.text("scenario", "scenario", [](auto& row) { return row.scenario.name; })
+      .text("table", "table", [](auto& row) { return row.printed.table; })
+      .text("name", "number", [](auto& row) { return row.printed.name; })
+      .fixed("nominal", "nominal", "", 2, [](auto& row) { return row.printed.nominal; });
+  return miss_report(
+      "hypotheses",
+      columns,
+      "misses",
+      "How often what H1 and H2 print misses the truth",
+      rows,
+      options,
+      "30 trials a day; resamples are those of 22 days, more in proportion of fewer.");
+}
+
+FitReport advance_report(const std::vector<AdvanceRate>& rows, const Options& options) {
+  ColumnsOf<AdvanceRate> columns;
+  columns.text("scenario", "scenario", [](auto& row) { return row.scenario.name; })
+      .text("name", "number", [](auto& row) { return row.printed.name; });
+  return miss_report("advance",
+                     columns,
+                     "advance_misses",
+                     "How often what H3 prints misses the truth",
+                     rows,
+                     options,
+                     "9 trials of either algorithm a day.");
+}
+
 FitReport equivalence_report(const std::vector<ScenarioRates>& rows,
                              std::size_t data_sets,
                              std::uint64_t seed) {

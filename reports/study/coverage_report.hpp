@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/study/coverage/advance_study.hpp"
 #include "analysis/study/coverage/coverage_study.hpp"
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
+#include "analysis/study/coverage/hypotheses_study.hpp"
 #include "analysis/study/coverage/inference_study.hpp"
 #include "analysis/study/coverage/ray_study.hpp"
 #include "analysis/study/h1/hypothesis_h1.hpp"
@@ -29,6 +31,12 @@ using ScenarioRates =
 
 [[nodiscard]] FitReport inference_report(const std::vector<study::coverage::InferenceRate>& rows,
                                          const study::coverage::Options& options);
+
+/// What the tables of H1 and H2 print, and those of H3.
+[[nodiscard]] FitReport hypotheses_report(const std::vector<study::coverage::MissRate>& rows,
+                                          const study::coverage::Options& options);
+[[nodiscard]] FitReport advance_report(const std::vector<study::coverage::AdvanceRate>& rows,
+                                       const study::coverage::Options& options);
 
 [[nodiscard]] FitReport gate_coverage_report(const study::coverage::GateSummary& summary,
                                              const study::coverage::GateOptions& options);

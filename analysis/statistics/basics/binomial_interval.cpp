@@ -8,8 +8,8 @@
 namespace tcert::statistics {
 namespace {
 
-void check(std::size_t successes, std::size_t trials, double level) {
-  if (successes > trials) {
+void check(double successes, double trials, double level) {
+  if (!(successes >= 0.0 && successes <= trials)) {
     throw std::invalid_argument("a proportion: more successes than trials");
   }
   if (!(level > 0.0 && level < 1.0)) {
@@ -18,18 +18,17 @@ void check(std::size_t successes, std::size_t trials, double level) {
 }
 
 /// The proportion under which `successes` or fewer have probability `tail`.
-double upper_end(std::size_t successes, std::size_t trials, double tail) {
-  if (successes == trials) {
-    return 1.0;
-  }
-  return boost::math::ibetac_inv(
-      static_cast<double>(successes) + 1.0, static_cast<double>(trials - successes), tail);
+double upper_end(double successes, double trials, double tail) {
+  return successes == trials ? 1.0
+                             : boost::math::ibetac_inv(successes + 1.0, trials - successes, tail);
 }
+
+double number(std::size_t count) { return static_cast<double>(count); }
 
 }  // namespace
 
 std::optional<Interval> clopper_pearson(std::size_t successes, std::size_t trials, double level) {
-  check(successes, trials, level);
+  check(number(successes), number(trials), level);
   if (trials == 0) {
     return std::nullopt;
   }
@@ -40,33 +39,37 @@ std::optional<Interval> clopper_pearson(std::size_t successes, std::size_t trial
                          : boost::math::ibeta_inv(static_cast<double>(successes),
                                                   static_cast<double>(trials - successes) + 1.0,
                                                   tail);
-  return Interval{low, upper_end(successes, trials, tail), level};
+  return Interval{low, upper_end(number(successes), number(trials), tail), level};
 }
 
 std::optional<double> clopper_pearson_upper(std::size_t successes,
                                             std::size_t trials,
                                             double level) {
+  return effective_upper(number(successes), number(trials), level);
+}
+
+std::optional<double> effective_upper(double successes, double trials, double level) {
   check(successes, trials, level);
-  if (trials == 0) {
-    return std::nullopt;
-  }
-  return upper_end(successes, trials, 1.0 - level);
+  return trials > 0.0 ? std::optional(upper_end(successes, trials, 1.0 - level)) : std::nullopt;
 }
 
 std::optional<Interval> wilson(std::size_t successes, std::size_t trials, double level) {
+  return effective_wilson(number(successes), number(trials), level);
+}
+
+std::optional<Interval> effective_wilson(double successes, double trials, double level) {
   check(successes, trials, level);
-  if (trials == 0) {
+  if (!(trials > 0.0)) {
     return std::nullopt;
   }
-  const auto n = static_cast<double>(trials);
-  const double share = static_cast<double>(successes) / n;
+  const double share = successes / trials;
   const double z = normal_factor(level);
-  const double per_trial = z * z / n;
+  const double per_trial = z * z / trials;
   const double centre = share + 0.5 * per_trial;
-  const double half = z * std::sqrt(share * (1.0 - share) / n + 0.25 * per_trial / n);
+  const double half = z * std::sqrt(share * (1.0 - share) / trials + 0.25 * per_trial / trials);
   const double scale = 1.0 + per_trial;
   // Rounding must not push an end of 0 or 1 outside.
-  return Interval{successes == 0 ? 0.0 : (centre - half) / scale,
+  return Interval{successes == 0.0 ? 0.0 : (centre - half) / scale,
                   successes == trials ? 1.0 : (centre + half) / scale,
                   level};
 }

@@ -21,6 +21,15 @@ namespace tcert::statistics {
                                                           std::size_t trials,
                                                           double level = 0.95);
 
+/// The same of trials that count as fewer, as those of a design effect do: shares of trials, by the
+/// beta distribution (Korn and Graubard 1998). Empty without trials. Errors as above.
+[[nodiscard]] std::optional<double> effective_upper(double successes,
+                                                    double trials,
+                                                    double level = 0.95);
+[[nodiscard]] std::optional<Interval> effective_wilson(double successes,
+                                                       double trials,
+                                                       double level = 0.95);
+
 /// Wilson's (1927) score interval. Errors as above.
 [[nodiscard]] std::optional<Interval> wilson(std::size_t successes,
                                              std::size_t trials,

@@ -117,7 +117,7 @@ GlmmFit fit_glmm(const GlmmInput& input, const GlmmOptions& options) {
   if (options.test_terms) {
     add_boundary_tests(input, fit);
   }
-  add_singular_conditions(fit);
+  add_singular_conditions(fit.random, fit.conditions);
   return fit;
 }
 

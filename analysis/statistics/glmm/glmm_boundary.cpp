@@ -72,25 +72,28 @@ void add_boundary_tests(const GlmmInput& input, GlmmFit& fit) {
     if (!without) {
       continue;
     }
-    BoundaryTest test;
-    test.column = term.columns.back();
-    test.df = term.columns.size();
-    const double drop = 2.0 * (*fit.log_likelihood - *without);
-    // Below this it is the rounding of two sums.
-    const double rounding = 1e-10 * (1.0 + std::abs(*fit.log_likelihood));
-    test.chi_squared = drop > rounding ? drop : 0.0;
-    if (test.chi_squared > 0.0) {
-      const double lower = test.df > 1 ? chi_square_tail(test.chi_squared, test.df - 1) : 0.0;
-      test.p_value = 0.5 * (lower + chi_square_tail(test.chi_squared, test.df));
-    }
-    term.test = test;
+    term.test = boundary_test(term, 2.0 * (*fit.log_likelihood - *without), *fit.log_likelihood);
   }
 }
 
-void add_singular_conditions(GlmmFit& fit) {
-  for (const GlmmRandomTerm& term : fit.random) {
+BoundaryTest boundary_test(const GlmmRandomTerm& term, double drop, double log_likelihood) {
+  BoundaryTest test;
+  test.column = term.columns.back();
+  test.df = term.columns.size();
+  // Below this it is the rounding of two sums.
+  const double rounding = 1e-10 * (1.0 + std::abs(log_likelihood));
+  test.chi_squared = drop > rounding ? drop : 0.0;
+  if (test.chi_squared > 0.0) {
+    const double lower = test.df > 1 ? chi_square_tail(test.chi_squared, test.df - 1) : 0.0;
+    test.p_value = 0.5 * (lower + chi_square_tail(test.chi_squared, test.df));
+  }
+  return test;
+}
+
+void add_singular_conditions(const std::vector<GlmmRandomTerm>& random, Conditions& conditions) {
+  for (const GlmmRandomTerm& term : random) {
     if (term.singular) {
-      fit.conditions.push_back(
+      conditions.push_back(
           {ConditionKind::singular_fit, ConditionSeverity::note, term.group, singular_words(term)});
     }
   }

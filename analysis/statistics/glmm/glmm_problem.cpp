@@ -75,7 +75,16 @@ void add_fixed_conditions(const GlmmInput& input,
   }
 }
 
-/// The term on the rows of the problem, levels without rows left out.
+}  // namespace
+
+Eigen::Index GlmmProblem::thetas() const noexcept {
+  Eigen::Index sum = 0;
+  for (const TermRows& term : terms) {
+    sum += term.thetas();
+  }
+  return sum;
+}
+
 TermRows term_rows(const RandomEffects& random,
                    const std::vector<Eigen::Index>& used,
                    bool with_design) {
@@ -115,7 +124,7 @@ TermRows term_rows(const RandomEffects& random,
 
 void add_term_conditions(const RandomEffects& random,
                          const TermRows& term,
-                         const LogisticProblem& fixed,
+                         bool single_trials,
                          Conditions& conditions) {
   if (!random.design.allFinite()) {
     conditions.push_back(
@@ -129,12 +138,12 @@ void add_term_conditions(const RandomEffects& random,
         fmt::format("every row has {}", term.levels.empty() ? "none" : term.levels.front())));
     return;
   }
-  if (static_cast<Eigen::Index>(term.levels.size()) == fixed.size() &&
-      (fixed.rows.trials.array() <= 1.0).all()) {
-    conditions.push_back({ConditionKind::singleton_groups,
-                          ConditionSeverity::warning,
-                          random.group,
-                          fmt::format("{} levels, {} rows", term.levels.size(), fixed.size())});
+  if (term.levels.size() == term.codes.size() && single_trials) {
+    conditions.push_back(
+        {ConditionKind::singleton_groups,
+         ConditionSeverity::warning,
+         random.group,
+         fmt::format("{} levels, {} rows", term.levels.size(), term.codes.size())});
   }
   if (term.design.size() > 0) {
     for (const std::size_t j : orthonormal_basis(term.design).dropped) {
@@ -146,35 +155,23 @@ void add_term_conditions(const RandomEffects& random,
   }
 }
 
-/// The same effect of the same group twice.
-void add_duplicate_conditions(const GlmmInput& input, Conditions& conditions) {
-  for (std::size_t a = 0; a < input.random.size(); ++a) {
+void add_duplicate_conditions(const std::vector<RandomEffects>& random, Conditions& conditions) {
+  for (std::size_t a = 0; a < random.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      if (input.random[a].group != input.random[b].group) {
+      if (random[a].group != random[b].group) {
         continue;
       }
-      for (const std::string& column : input.random[a].columns) {
-        const auto& others = input.random[b].columns;
+      for (const std::string& column : random[a].columns) {
+        const auto& others = random[b].columns;
         if (std::find(others.begin(), others.end(), column) != others.end()) {
-          conditions.push_back(
-              error_of(ConditionKind::collinear_column,
-                       column,
-                       "twice among the random effects of " + input.random[a].group,
-                       "leave one of them out"));
+          conditions.push_back(error_of(ConditionKind::collinear_column,
+                                        column,
+                                        "twice among the random effects of " + random[a].group,
+                                        "leave one of them out"));
         }
       }
     }
   }
-}
-
-}  // namespace
-
-Eigen::Index GlmmProblem::thetas() const noexcept {
-  Eigen::Index sum = 0;
-  for (const TermRows& term : terms) {
-    sum += term.thetas();
-  }
-  return sum;
 }
 
 std::unique_ptr<MixedLikelihood> GlmmProblem::likelihood(int quadrature) const {
@@ -193,7 +190,7 @@ std::optional<GlmmProblem> glmm_problem(const GlmmInput& input,
   if (input.random.empty()) {
     conditions.push_back(error_of(ConditionKind::no_random_effects, "", ""));
   }
-  add_duplicate_conditions(input, conditions);
+  add_duplicate_conditions(input.random, conditions);
   if (has_error(conditions)) {
     return std::nullopt;
   }
@@ -218,7 +215,8 @@ std::optional<GlmmProblem> glmm_problem(const GlmmInput& input,
   const bool single = is_single_intercept(input);
   for (const RandomEffects& random : input.random) {
     problem.terms.push_back(term_rows(random, problem.fixed.used, !single));
-    add_term_conditions(random, problem.terms.back(), problem.fixed, conditions);
+    add_term_conditions(
+        random, problem.terms.back(), (problem.fixed.rows.trials.array() <= 1.0).all(), conditions);
   }
   if (has_error(conditions)) {
     return std::nullopt;

@@ -32,6 +32,22 @@ struct TermRows {
   }
 };
 
+/// The term on the rows `used` of its input, levels without rows left out; without its design the
+/// scale is 1.
+[[nodiscard]] TermRows term_rows(const RandomEffects& random,
+                                 const std::vector<Eigen::Index>& used,
+                                 bool with_design);
+
+/// What stands against a random term: infinite_value, one_group and collinear_column (errors),
+/// singleton_groups (a warning, of rows that are single trials).
+void add_term_conditions(const RandomEffects& random,
+                         const TermRows& term,
+                         bool single_trials,
+                         Conditions& conditions);
+
+/// The same effect of the same group twice: collinear_column, an error.
+void add_duplicate_conditions(const std::vector<RandomEffects>& random, Conditions& conditions);
+
 struct GlmmProblem {
   LogisticProblem fixed;
   NewtonResult plain;  ///< Without random effects.

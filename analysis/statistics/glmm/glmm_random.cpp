@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kResidualVariance = std::numbers::pi * std::numbers::pi / 3.0;
 
+}  // namespace
+
 GlmmRandomTerm random_term(const TermRows& rows, const Eigen::Ref<const Eigen::VectorXd>& thetas) {
   GlmmRandomTerm term;
   term.group = rows.group;
@@ -32,7 +34,6 @@ GlmmRandomTerm random_term(const TermRows& rows, const Eigen::Ref<const Eigen::V
   return term;
 }
 
-/// Mean over rows of z' Sigma z.
 double mean_variance(const TermRows& rows, const GlmmRandomTerm& term) {
   if (rows.design.size() == 0) {
     return term.covariance(0, 0);
@@ -41,8 +42,6 @@ double mean_variance(const TermRows& rows, const GlmmRandomTerm& term) {
   const Eigen::MatrixXd products = z.transpose() * z;
   return products.cwiseProduct(term.covariance).sum() / static_cast<double>(z.rows());
 }
-
-}  // namespace
 
 void add_random_effects(const GlmmProblem& problem, const GlmmMaximum& maximum, GlmmFit& fit) {
   const std::unique_ptr<MixedLikelihood> likelihood = problem.likelihood(fit.quadrature);

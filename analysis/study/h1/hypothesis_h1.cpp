@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "analysis/study/h1/closed_forms.hpp"
+#include "analysis/study/h1/comparison.hpp"
 #include "analysis/study/h1/curves.hpp"
 #include "analysis/study/h1/h1_score.hpp"
 #include "analysis/study/h1/incidence_by_quartile.hpp"
 #include "analysis/study/h1/issued_counts.hpp"
 #include "analysis/study/h1/joint_statistic.hpp"
+#include "analysis/study/h1/log_time.hpp"
 #include "analysis/study/h1/mixed_effects.hpp"
 #include "analysis/study/h1/model_scores.hpp"
 #include "analysis/study/h1/out_of_fold.hpp"
@@ -41,25 +43,6 @@ void add_model_rows(const H1Models& models, H1Panel& panel) {
     row.name = m == 0 ? "rivals together" : "rivals + " + panel.rows.front().name;
     panel.rows.push_back(std::move(row));
   }
-}
-
-/// The row that a row's gain is measured from, and the row that gains.
-struct Comparison {
-  std::size_t better = 0;
-  std::size_t than = 0;
-};
-
-std::optional<Comparison> comparison_of(const H1Panel& panel, std::size_t row) {
-  switch (panel.rows[row].kind) {
-    case H1RowKind::predictor:
-      return std::nullopt;
-    case H1RowKind::rival:
-    case H1RowKind::together:
-      return Comparison{0, row};
-    case H1RowKind::added:
-      return Comparison{row, row - 1};
-  }
-  return std::nullopt;
 }
 
 /// Scores of the rows of one bootstrap.
@@ -249,6 +232,7 @@ H1Panel panel_of(const table::DataTable& table,
   if (options.models) {
     add_out_of_fold(data, models, options, panel);
     add_mixed_effects(data, options, panel);
+    add_log_time(data, options, panel);
     add_curves(data, models, options, panel);
   }
   add_incidence_by_quartile(data, panel);

@@ -98,6 +98,20 @@ struct H1MixedModel {
   std::optional<double> log_likelihood;
 };
 
+/// Linear mixed model of log time of the successes with a random intercept by cluster, REML; empty
+/// where clusters are single trials.
+struct H1LogTime {
+  std::optional<double> r2_marginal;     ///< Nakagawa's: of the row's predictors alone.
+  std::optional<double> r2_conditional;  ///< With the clusters.
+  std::optional<double> r2_gain;         ///< Of the marginal one, as gains of AUC are.
+  std::optional<statistics::Interval> r2_gain_interval;  ///< Jackknife of clusters, t.
+  std::optional<double> r2_gain_p;
+  std::optional<double> ratio;  ///< Of times, per standard deviation towards the better side.
+  std::optional<statistics::Interval> interval;  ///< Satterthwaite's t, on the log scale.
+  std::optional<double> p_value;
+  std::optional<double> sd_cluster;  ///< Of log times.
+};
+
 enum class H1RowKind : std::uint8_t {
   predictor,  ///< The one under test.
   rival,
@@ -170,6 +184,7 @@ struct H1Row {
   H1HazardRatio at_limit;    ///< Failures stay at risk to the trial limit.
   H1HazardRatio stratified;  ///< As `censored`, with a baseline for each level of the strata.
   H1MixedModel mixed;
+  H1LogTime log_time;
   statistics::Conditions conditions;
 
   /// A predictor by itself, not a model.

@@ -41,7 +41,9 @@ void withhold(H1Row& row) {
                                          &row.within.auc_gain_p,
                                          &row.within.c_gain_p,
                                          &row.mixed.p_value,
-                                         &row.mixed.lr_p_value}) {
+                                         &row.mixed.lr_p_value,
+                                         &row.log_time.r2_gain_p,
+                                         &row.log_time.p_value}) {
     p->reset();
   }
   withhold(row.censored);
@@ -49,6 +51,8 @@ void withhold(H1Row& row) {
   withhold(row.stratified);
   withhold(row.mixed.per_sd);
   withhold(row.mixed.per_cm);
+  row.log_time.r2_gain_interval.reset();
+  row.log_time.interval.reset();
 }
 
 void withhold(H1CaseRow& row) {

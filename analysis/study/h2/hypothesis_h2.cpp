@@ -166,20 +166,20 @@ void score_levels(const H1Data& data,
                   H2Panel& panel) {
   const double level = options.trials.level;
   const statistics::Statistic scores = statistic_of_all(data);
-  const statistics::ScoresByGroup auc =
+  const std::vector<statistics::GroupScore> auc =
       statistics::auc_by_group(data.score(0), data.success, *data.group, data.cluster.codes, level);
   for (std::size_t g = 0; g < panel.levels.size(); ++g) {
-    take(auc.groups[g], "AUC", panel.levels[g].auc, panel.levels[g]);
+    take(auc[g], "AUC", panel.levels[g].auc, panel.levels[g]);
   }
   const auto jointly = [&](std::size_t value) {
     return statistics::jackknife_by_group(scores, value, *data.group, data.cluster.codes);
   };
   panel.auc = equality(jointly(0), data, scores, 0, options, watch, panel);
   if (data.censored) {
-    const statistics::ScoresByGroup c = statistics::concordance_by_group(
+    const std::vector<statistics::GroupScore> c = statistics::concordance_by_group(
         *data.censored, data.timed(0), *data.group, data.cluster, level);
     for (std::size_t g = 0; g < panel.levels.size(); ++g) {
-      take(c.groups[g], "C", panel.levels[g].c, panel.levels[g]);
+      take(c[g], "C", panel.levels[g].c, panel.levels[g]);
     }
     panel.c = equality(jointly(1), data, scores, 1, options, watch, panel);
   }

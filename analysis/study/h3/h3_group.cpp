@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "analysis/study/h1/withhold.hpp"
+#include "analysis/study/h3/cluster_loss.hpp"
 #include "analysis/study/h3/pareto.hpp"
 #include "analysis/study/h3/rates_of_advance.hpp"
 
@@ -224,9 +225,17 @@ class Group {
       out.recovered = estimate(first + value_recovered);
     }
     out.speed_cmd_mps = median_of(false, rows_.gated_speed, &cases_[c]);
+    std::vector<std::uint8_t> lost;
+    std::vector<std::uint8_t> failed;
+    std::vector<std::uint32_t> cluster;
+    std::map<std::string, std::uint32_t> codes;
     for (const H3Trial& trial : trials_) {
       const std::size_t row = trial.row.at(cases_[c]);
       if (!trial.baseline) {
+        lost.push_back(trial.success && rows_.kept[row] != 1.0 ? 1 : 0);
+        failed.push_back(trial.success ? 0 : 1);
+        const auto code = static_cast<std::uint32_t>(codes.size());
+        cluster.push_back(codes.emplace(rows_.cluster[row], code).first->second);
         out.kept += trial.success && rows_.kept[row] == 1.0 ? 1 : 0;
         out.stalls += static_cast<std::size_t>(rows_.stalls[row]);
         out.stalled_trials += rows_.stalls[row] > 0.0 ? 1 : 0;
@@ -237,15 +246,20 @@ class Group {
       out.lost_share = static_cast<double>(out.lost) / static_cast<double>(group_.trials);
     }
     if (group_.trials > 0 && group_.withheld.empty()) {
-      out.lost_upper = statistics::clopper_pearson_upper(out.lost, group_.trials, options_.level);
-      out.lost_lower = 1.0 - *statistics::clopper_pearson_upper(
-                                 group_.trials - out.lost, group_.trials, options_.level);
-      out.non_inferior = *out.lost_upper < options_.loss_margin;
+      const ClusterLoss loss =
+          cluster_loss(lost, failed, cluster, options_.level, options_.loss_margin);
+      out.design_effect = loss.design_effect;
+      out.lost_lower = loss.lower;
+      out.lost_upper = loss.upper;
+      out.non_inferior = *loss.upper < options_.loss_margin;
     }
     if (group_.successes > 0) {
       out.retained = static_cast<double>(out.kept) / static_cast<double>(group_.successes);
       if (group_.withheld.empty()) {
-        out.retained_interval = statistics::wilson(out.kept, group_.successes, options_.level);
+        out.retained_interval =
+            statistics::effective_wilson(static_cast<double>(out.kept) / out.design_effect,
+                                         static_cast<double>(group_.successes) / out.design_effect,
+                                         options_.level);
       }
     }
     return out;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/study/h3/chosen_beta.hpp"
 #include "analysis/study/h3/h3_group.hpp"
 #include "analysis/study/h3/replay_rows.hpp"
 
@@ -15,6 +16,12 @@ void require(const H3Options& options) {
   const auto inside = [](double share) { return share > 0.0 && share < 1.0; };
   if (!inside(options.level) || !inside(options.loss_margin) || options.replicates == 0) {
     throw std::invalid_argument("h3: level and loss margin must lie in (0, 1), replicates above 0");
+  }
+  if (!(options.true_loss >= 0.0 && options.true_loss < options.loss_margin)) {
+    throw std::invalid_argument("h3: the true loss must lie below the loss margin");
+  }
+  if (options.beta.folds < 2) {
+    throw std::invalid_argument("h3: needs two folds");
   }
 }
 
@@ -47,6 +54,7 @@ H3Table hypothesis_h3(const table::DataTable& replays,
       table.groups.push_back(group_of(rows, some, trials.cases, options, watch, lighting));
     }
   }
+  table.chosen = chosen_cases(rows, trials, table.groups, options, watch);
   return table;
 }
 

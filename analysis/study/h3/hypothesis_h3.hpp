@@ -18,12 +18,22 @@
 
 namespace tcert::study {
 
+/// How the beta of a law is chosen, of those that were replayed.
+struct H3Beta {
+  std::optional<double> per_m = 10.0;  ///< Beforehand; the middle one of a law that lacks it,
+                                       ///< unless it was asked for. Empty: by folds of clusters.
+  bool asked = false;
+  std::size_t folds = 5;
+};
+
 struct H3Options {
   std::string gated = "M3";       ///< Algorithm that is gated.
   std::string baseline = "CB-V";  ///< Algorithm whose lead is to be recovered.
   std::string cluster = "day";    ///< Column of the unit of resampling; empty: trials.
   double level = 0.95;            ///< Of intervals and of the one-sided bound; in (0, 1).
   double loss_margin = 0.05;      ///< Loss of successes that would still do; in (0, 1).
+  double true_loss = 0.01;        ///< Share lost at which the power is stated; below the margin.
+  H3Beta beta;
   statistics::BootstrapMethod interval =
       statistics::BootstrapMethod::expanded;  ///< The one to be read; all are kept.
   std::size_t replicates = 2000;
@@ -51,15 +61,38 @@ struct H3Case {
   std::optional<double> speed_cmd_mps;  ///< Median of the trials' gated medians.
   std::size_t kept = 0;                 ///< Successes that the replay keeps.
   std::size_t lost = 0;
-  std::optional<double> lost_share;                       ///< lost / trials.
-  std::optional<double> lost_lower;                       ///< Clopper-Pearson, one-sided.
-  std::optional<double> lost_upper;                       ///< Likewise.
+  std::optional<double> lost_share;  ///< lost / trials.
+  /// Clopper-Pearson, one-sided, of so many fewer trials as they are alike within clusters
+  /// (`cluster_loss`).
+  std::optional<double> lost_lower;
+  std::optional<double> lost_upper;
+  double design_effect = 1.0;
   std::optional<bool> non_inferior;                       ///< lost_upper < loss_margin.
   std::optional<double> retained;                         ///< kept / successes.
-  std::optional<statistics::Interval> retained_interval;  ///< Wilson.
+  std::optional<statistics::Interval> retained_interval;  ///< Wilson, likewise.
   std::size_t stalls = 0;                                 ///< Of all trials.
   std::size_t stalled_trials = 0;
   bool on_front = false;  ///< Of {gain_share, retained}, among the cases of the group.
+};
+
+/// One law at its chosen beta, under one lighting or all of them.
+struct H3Chosen {
+  std::string law;
+  std::string lighting;
+  std::vector<std::pair<double, std::size_t>> betas;  ///< Each with its folds, of one fold if
+                                                      ///< chosen beforehand.
+  H3Estimate gain;
+  H3Estimate recovered;
+  std::size_t lost = 0;
+  std::size_t trials = 0;
+  std::optional<double> lost_lower, lost_upper;  ///< As of H3Case.
+  std::optional<double> gain_p;  ///< One-sided, of no gain: jackknife of whole clusters, t.
+  std::optional<double> loss_p;  ///< One-sided, of a loss of the margin or more.
+  std::optional<double> p;       ///< The larger: that not both hold.
+  std::optional<double>
+      holm;  ///< Of all laws and lightings; of all lightings together, of the laws.
+  std::optional<bool> holds;               ///< holm is at most 1 - level.
+  std::optional<double> trials_for_power;  ///< Of 80 %, that the loss is found below the margin.
 };
 
 /// One lighting, or all of them together.
@@ -88,8 +121,9 @@ struct H3Group {
 
 struct H3Table {
   H3Options options;
-  std::vector<H3Group> groups;  ///< All lightings together first, then each, by name.
-  std::size_t unknown = 0;      ///< Trials of the two algorithms without an outcome, left out.
+  std::vector<H3Group> groups;   ///< All lightings together first, then each, by name.
+  std::vector<H3Chosen> chosen;  ///< By law, then as the groups.
+  std::size_t unknown = 0;       ///< Trials of the two algorithms without an outcome, left out.
   statistics::Conditions conditions;  ///< Of the table as a whole; an error leaves no groups.
 };
 

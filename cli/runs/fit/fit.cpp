@@ -28,9 +28,10 @@ struct Kind {
   bool has_coefficients;
 };
 
-constexpr std::array<Kind, 8> kKinds{
+constexpr std::array<Kind, 9> kKinds{
     {{"glm", fit_glm, statistics::RightSide::design, false, true},
      {"glmm", fit_mixed_model, statistics::RightSide::design, false, true},
+     {"lmm", fit_linear_mixed_model, statistics::RightSide::design, false, true},
      {"calibration", fit_calibration, statistics::RightSide::design, false, false},
      {"cox", fit_cox_model, statistics::RightSide::design, false, true},
      {"finegray", fit_fine_gray, statistics::RightSide::design, false, true},
@@ -44,9 +45,10 @@ const Kind& kind_of(const std::string& name) {
       return kind;
     }
   }
-  throw UsageError("unknown kind '" + name +
-                   "', expected glm, glmm, calibration, cox, finegray, km, roc or concordance" +
-                   did_you_mean(name, kind_names()));
+  throw UsageError(
+      "unknown kind '" + name +
+      "', expected glm, glmm, lmm, calibration, cox, finegray, km, roc or concordance" +
+      did_you_mean(name, kind_names()));
 }
 
 statistics::FrameOptions frame_options(const FitRequest& request, const Kind& kind) {
@@ -161,29 +163,41 @@ bool has_factor_of(const statistics::Expression& expression, const std::string& 
                      });
 }
 
-/// \throws UsageError for a reference level that no factor of the formula would take.
-void require_references(const statistics::FrameOptions& frame,
-                        const statistics::Formula& formula,
-                        const table::DataTable& table) {
+/// \throws UsageError unless the formula has the column as a factor.
+void require_factor(const std::string& option,
+                    const std::string& column,
+                    const statistics::Formula& formula,
+                    const table::DataTable& table) {
   const std::vector<std::string> used = formula.columns();
-  for (const auto& [column, level] : frame.reference) {
-    if (std::find(used.begin(), used.end(), column) == used.end()) {
-      throw UsageError("--ref: the formula has no column '" + column + "'" +
-                       did_you_mean(column, used));
+  if (std::find(used.begin(), used.end(), column) == used.end()) {
+    throw UsageError("--" + option + ": the formula has no column '" + column + "'" +
+                     did_you_mean(column, used));
+  }
+  const table::DataColumn* const data = table.find(column);
+  bool is_factor = data == nullptr || data->is_text || data->is_truth;
+  for (const statistics::Term& term : formula.terms) {
+    for (const statistics::Expression& variable : term.variables) {
+      is_factor = is_factor ||
+                  has_factor_of({statistics::Expression::Kind::call, 0.0, "I", {variable}}, column);
     }
-    const table::DataColumn* const data = table.find(column);
-    bool is_factor = data == nullptr || data->is_text || data->is_truth;
-    for (const statistics::Term& term : formula.terms) {
-      for (const statistics::Expression& variable : term.variables) {
-        is_factor =
-            is_factor ||
-            has_factor_of({statistics::Expression::Kind::call, 0.0, "I", {variable}}, column);
-      }
-    }
-    if (!is_factor) {
-      throw UsageError(fmt::format(
-          "--ref: column '{0}' holds numbers; write factor({0}) in the formula", column));
-    }
+  }
+  if (!is_factor) {
+    throw UsageError(fmt::format(
+        "--{0}: column '{1}' holds numbers; write factor({1}) in the formula", option, column));
+  }
+}
+
+/// \throws UsageError for a reference level that no factor of the formula would take, and for
+/// contrasts of what is no factor.
+void require_factors(const FitRequest& request,
+                     const Kind& kind,
+                     const statistics::Formula& formula,
+                     const table::DataTable& table) {
+  for (const auto& [column, level] : frame_options(request, kind).reference) {
+    require_factor("ref", column, formula, table);
+  }
+  if (!request.contrasts.empty()) {
+    require_factor("contrasts", request.contrasts, formula, table);
   }
 }
 
@@ -201,7 +215,7 @@ ExitCode fit(const FitRequest& request, Progress& progress) {
     require_taken(request.kind, request.given, formula);
     const DataFile file = read_data_file(
         request.data, wanted_columns(formula, request, kind), request.decimal_comma, progress);
-    require_references(frame_options(request, kind), formula, file.table);
+    require_factors(request, kind, formula, file.table);
     const FitReport report = report_of(request, kind, file, progress);
     const bool is_read = shows_whole_report(request.output, request.table);
     for (const statistics::Condition& condition : report.conditions) {

@@ -30,6 +30,7 @@ struct FitRequest {  // NOLINT(clang-analyzer-optin.performance.Padding)
   std::string predict;
   std::string inference;  ///< Empty: by the number of clusters.
   bool left_out = false;
+  std::string contrasts;
   // glm
   bool no_profile = false;
   bool firth = false;
@@ -40,6 +41,8 @@ struct FitRequest {  // NOLINT(clang-analyzer-optin.performance.Padding)
   std::optional<std::int64_t> quadrature;  ///< None: the model's own.
   bool profile = false;
   bool drop1 = false;
+  // lmm
+  bool ml = false;
   // km
   std::string interval = "log";
   std::string times;

@@ -12,6 +12,7 @@
 #include "cli/runs/data_file.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/fit/cluster_options.hpp"
+#include "cli/runs/fit/contrasts.hpp"
 #include "cli/runs/fit/fit_input.hpp"
 #include "cli/runs/fit/predictions.hpp"
 #include "reports/fit/cox_report.hpp"
@@ -154,14 +155,12 @@ FitReport fit_cox_model(const FitInput& from) {
     inferences = statistics::cluster_inferences(data, fit, inference, wild_options(from.request));
   }
   FitReport report = cox_report(fit, concordance_of(data, fit), inferences);
+  std::optional<statistics::ClusteredFit> clustered;
   if (data.cluster) {
-    add_cluster_tables(from,
-                       inferences,
-                       statistics::clustered_fit(data, fit),
-                       data.columns,
-                       *data.cluster,
-                       report);
+    clustered = statistics::clustered_fit(data, fit);
+    add_cluster_tables(from, inferences, clustered, data.columns, *data.cluster, report);
   }
+  add_contrasts(from, fit, clustered, inferences, report);
   if (statistics::has_error(fit.conditions)) {
     return report;
   }

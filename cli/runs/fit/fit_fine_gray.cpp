@@ -8,6 +8,7 @@
 #include "cli/runs/errors.hpp"
 #include "cli/runs/fit/cluster_options.hpp"
 #include "cli/runs/fit/competing_causes.hpp"
+#include "cli/runs/fit/contrasts.hpp"
 #include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/cox_report.hpp"
 
@@ -74,14 +75,13 @@ FitReport fit_fine_gray(const FitInput& from) {
   table.title = "Cause-specific Cox model of '" + from.request.event +
                 "', other ends censored: log hazard ratios";
   report.tables.push_back(std::move(table));
+  std::optional<statistics::ClusteredFit> clustered;
   if (weighted.cluster) {
-    add_cluster_tables(from,
-                       model.inferences,
-                       statistics::clustered_fit(weighted, model.fit),
-                       weighted.columns,
-                       *weighted.cluster,
-                       report);
+    clustered = statistics::clustered_fit(weighted, model.fit);
+    add_cluster_tables(
+        from, model.inferences, clustered, weighted.columns, *weighted.cluster, report);
   }
+  add_contrasts(from, model.fit, clustered, model.inferences, report);
   report.conditions.insert(report.conditions.end(), conditions.begin(), conditions.end());
   return report;
 }

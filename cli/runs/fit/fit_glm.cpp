@@ -7,6 +7,7 @@
 #include <statistics/logistic/logistic_sandwich.hpp>
 
 #include "cli/runs/fit/cluster_options.hpp"
+#include "cli/runs/fit/contrasts.hpp"
 #include "cli/runs/fit/fit_input.hpp"
 #include "cli/runs/fit/predictions.hpp"
 #include "reports/fit/firth_report.hpp"
@@ -125,14 +126,12 @@ FitReport fit_glm(const FitInput& from) {
     inferences = statistics::cluster_inferences(input, fit, inference, wild_options(from.request));
   }
   FitReport report = logistic_report(fit, profiles, statistics::drop_terms(input), inferences);
+  std::optional<statistics::ClusteredFit> clustered;
   if (input.cluster) {
-    add_cluster_tables(from,
-                       inferences,
-                       statistics::clustered_fit(input, fit),
-                       input.columns,
-                       *input.cluster,
-                       report);
+    clustered = statistics::clustered_fit(input, fit);
+    add_cluster_tables(from, inferences, clustered, input.columns, *input.cluster, report);
   }
+  add_contrasts(from, fit, clustered, inferences, report);
   add_predictions(from, fit, inferences, report);
   return report;
 }

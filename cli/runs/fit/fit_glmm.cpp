@@ -5,6 +5,7 @@
 #include <statistics/glmm/glmm_profile.hpp>
 
 #include "cli/runs/errors.hpp"
+#include "cli/runs/fit/contrasts.hpp"
 #include "cli/runs/fit/fit_input.hpp"
 #include "reports/fit/glmm_report.hpp"
 
@@ -46,7 +47,9 @@ FitReport fit_mixed_model(const FitInput& from) {
   if (from.request.drop1) {
     dropped = statistics::drop_terms(input, options);
   }
-  return glmm_report(fit, profile, dropped);
+  FitReport report = glmm_report(fit, profile, dropped);
+  add_contrasts(from, fit, report);
+  return report;
 }
 
 }  // namespace tcert::cli

@@ -27,6 +27,7 @@ struct FitInput {
 /// Of Surv(): risks of a Cox model, out of fold.
 [[nodiscard]] FitReport fit_time_calibration(const FitInput& from);
 [[nodiscard]] FitReport fit_mixed_model(const FitInput& from);
+[[nodiscard]] FitReport fit_linear_mixed_model(const FitInput& from);
 [[nodiscard]] FitReport fit_cox_model(const FitInput& from);
 [[nodiscard]] FitReport fit_fine_gray(const FitInput& from);
 [[nodiscard]] FitReport fit_km(const FitInput& from);

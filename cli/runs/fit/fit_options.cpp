@@ -55,6 +55,10 @@ OptionTable options_of(FitRequest& request) {
   table.add("left-out",
             request.left_out,
             "glm, cox with clusters: a table of the coefficients without each cluster in turn");
+  table.add("contrasts",
+            request.contrasts,
+            "COLUMN",
+            "glm, glmm, lmm, cox, finegray: all pairs of the column's levels, with Holm's p");
   table.add("no-profile", request.no_profile, "glm: leave out the profile limits");
   table.add("firth",
             request.firth,
@@ -73,6 +77,7 @@ OptionTable options_of(FitRequest& request) {
       .within(1, statistics::kMostQuadrature);
   table.add("profile", request.profile, "glmm: profile intervals too; glm: however long they take");
   table.add("drop1", request.drop1, "glmm: likelihood-ratio test of each fixed term");
+  table.add("ml", request.ml, "lmm: maximum likelihood in the place of the restricted one");
   table.add("interval", request.interval, "WORD", "km: log, log-log, plain, logit or arcsin");
   table.add(
       "times",

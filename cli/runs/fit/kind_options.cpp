@@ -18,39 +18,47 @@ struct KindTakes {
 };
 
 constexpr std::array kTakes{
-    KindTakes{"glm",
-              "cluster weights ref robust inference left-out predict profile no-profile firth",
-              true,
-              false,
-              "summary, coefficients, drop1 (not with robust variances), left_out (with "
-              "--left-out), predictions (with --predict), vcov"},
+    KindTakes{
+        "glm",
+        "cluster weights ref robust inference left-out predict contrasts profile no-profile firth",
+        true,
+        false,
+        "summary, coefficients, drop1 (not with robust variances), left_out (with "
+        "--left-out), predictions (with --predict), contrasts (with --contrasts), vcov"},
     KindTakes{"glmm",
-              "weights ref quadrature profile drop1",
+              "weights ref quadrature profile drop1 contrasts",
               true,
               false,
-              "summary, coefficients, random, drop1 (with --drop1), ran_vals, vcov"},
+              "summary, coefficients, random, drop1 (with --drop1), contrasts (with --contrasts), "
+              "ran_vals, vcov"},
+    KindTakes{"lmm",
+              "weights ref ml contrasts",
+              true,
+              false,
+              "summary, coefficients, random, contrasts (with --contrasts), ran_vals, vcov"},
     KindTakes{"calibration",
               "cluster strata ref folds predicted times no-time-rounding",
               true,
               true,
               "summary, calibration, bins, predictions; of Surv(): scores, calibration, bins"},
     KindTakes{"cox",
-              "cluster strata weights ref ties robust inference left-out predict times transform "
+              "cluster strata weights ref ties robust inference left-out predict contrasts times "
+              "transform "
               "residuals curves "
               "no-time-rounding",
               true,
               true,
               "summary, coefficients, zph, zph_columns, drop1 and anova (not with robust "
               "variances), left_out (with --left-out), predictions (with --predict), scores (with "
-              "--times), "
+              "--times), contrasts (with --contrasts), "
               "vcov, model_vcov, basehaz, curves, the names of "
               "--residuals"},
-    KindTakes{
-        "finegray",
-        "cluster strata ref ties inference left-out cause event no-time-rounding",
-        true,
-        true,
-        "summary, coefficients, cause_specific, left_out (with --left-out), vcov, model_vcov"},
+    KindTakes{"finegray",
+              "cluster strata ref ties inference left-out contrasts cause event no-time-rounding",
+              true,
+              true,
+              "summary, coefficients, cause_specific, left_out (with --left-out), contrasts (with "
+              "--contrasts), vcov, model_vcov"},
     KindTakes{
         "km",
         "cluster strata weights interval times rho rmst cause no-time-rounding",
@@ -131,11 +139,12 @@ void require_taken(const std::string& kind,
   if (row == nullptr) {
     return;
   }
-  if (kind != "glmm" && !formula.random_terms.empty()) {
-    throw UsageError("'(... | " + statistics::to_string(formula.random_terms.front().group) +
-                     ")': 'fit " + kind +
-                     "' fits no random effects; they are fitted by 'fit glmm'; for robust "
-                     "variances use --cluster");
+  if (kind != "glmm" && kind != "lmm" && !formula.random_terms.empty()) {
+    throw UsageError(
+        "'(... | " + statistics::to_string(formula.random_terms.front().group) + ")': 'fit " +
+        kind +
+        "' fits no random effects; they are fitted by 'fit glmm' and 'fit lmm'; for robust "
+        "variances use --cluster");
   }
   if (!row->offset && !formula.offsets.empty()) {
     refuse("offset()", kinds_where([](const KindTakes& one) { return one.offset; }));

@@ -1,8 +1,10 @@
 #include <memory>
 
+#include "analysis/study/coverage/advance_study.hpp"
 #include "analysis/study/coverage/coverage_study.hpp"
 #include "analysis/study/coverage/equivalence_study.hpp"
 #include "analysis/study/coverage/gate_study.hpp"
+#include "analysis/study/coverage/hypotheses_study.hpp"
 #include "analysis/study/coverage/inference_study.hpp"
 #include "analysis/study/coverage/ray_study.hpp"
 #include "cli/runs/study/studies.hpp"
@@ -16,11 +18,57 @@ constexpr std::uint32_t kCoverageStream = 10;
 constexpr std::uint32_t kInferenceStream = 600;
 constexpr std::uint32_t kEquivalenceStream = 200;
 constexpr std::uint32_t kRayStream = 400;
+constexpr std::uint32_t kHypothesesStream = 700;
+constexpr std::uint32_t kAdvanceStream = 800;
 
 constexpr std::size_t kNewDays = 100;
 
 std::size_t number(const std::optional<std::int64_t>& told, std::size_t usual) {
   return told ? static_cast<std::size_t>(*told) : usual;
+}
+
+/// Data sets of each scenario, two streams a scenario; the rows of all scenarios are reported.
+template <class Set, class Scenario, class Make, class Rows, class Report>
+StudyItems studies_of(const std::vector<Scenario>& scenarios,
+                      const study::coverage::Options& options,
+                      std::uint32_t first_stream,
+                      Make make,
+                      Rows rows_of,
+                      Report report) {
+  const auto made = std::make_shared<std::vector<std::vector<Set>>>(scenarios.size());
+  StudyItems items;
+  std::uint32_t stream = first_stream;
+  for (const Scenario& scenario : scenarios) {
+    items.sets.push_back(independent_items("data sets of " + scenario.name,
+                                           options.data_sets,
+                                           [scenario, options, stream, make](std::uint64_t set) {
+                                             return table::row_text(
+                                                 make(scenario, stream, options, set));
+                                           }));
+    stream += 2;
+  }
+  items.take = [made](std::size_t scenario, std::uint64_t /*set*/, std::string_view line) {
+    made->at(scenario).push_back(table::from_row<Set>(line));
+  };
+  items.report = [made, scenarios, options, rows_of, report] {
+    auto rows = rows_of(scenarios.front(), made->front());
+    for (std::size_t i = 1; i < scenarios.size(); ++i) {
+      const auto some = rows_of(scenarios[i], (*made)[i]);
+      rows.insert(rows.end(), some.begin(), some.end());
+    }
+    return report(rows, options);
+  };
+  return items;
+}
+
+study::coverage::Options options_of_data_sets(const StudyRequest& request,
+                                              std::size_t data_sets,
+                                              std::size_t replicates) {
+  study::coverage::Options options;
+  options.data_sets = number(request.data_sets, data_sets);
+  options.replicates = number(request.replicates, replicates);
+  options.seed = static_cast<std::uint64_t>(request.seed);
+  return options;
 }
 
 }  // namespace
@@ -63,36 +111,34 @@ StudyItems coverage_study(const StudyRequest& request, Progress& /*progress*/) {
 }
 
 StudyItems inference_study(const StudyRequest& request, Progress& /*progress*/) {
-  using study::coverage::TruthTests;
-  study::coverage::Options options;
-  options.data_sets = number(request.data_sets, 1000);
-  options.replicates = number(request.replicates, 399);
-  options.seed = static_cast<std::uint64_t>(request.seed);
-  const auto scenarios = study::coverage::coverage_scenarios();
-  const auto made = std::make_shared<std::vector<std::vector<TruthTests>>>(scenarios.size());
-  StudyItems items;
-  std::uint32_t stream = kInferenceStream;
-  for (const study::coverage::Scenario& scenario : scenarios) {
-    items.sets.push_back(independent_items("data sets of " + scenario.name,
-                                           options.data_sets,
-                                           [scenario, options, stream](std::uint64_t set) {
-                                             return table::row_text(study::coverage::truth_tests_of(
-                                                 scenario, stream, options, set));
-                                           }));
-    stream += 2;
-  }
-  items.take = [made](std::size_t scenario, std::uint64_t /*set*/, std::string_view line) {
-    made->at(scenario).push_back(table::from_row<TruthTests>(line));
-  };
-  items.report = [made, scenarios, options] {
-    std::vector<study::coverage::InferenceRate> rows;
-    for (std::size_t i = 0; i < scenarios.size(); ++i) {
-      const auto some = study::coverage::inference_rates(scenarios[i], (*made)[i], options.level);
-      rows.insert(rows.end(), some.begin(), some.end());
-    }
-    return inference_report(rows, options);
-  };
-  return items;
+  const study::coverage::Options options = options_of_data_sets(request, 1000, 399);
+  return studies_of<study::coverage::TruthTests>(
+      study::coverage::coverage_scenarios(),
+      options,
+      kInferenceStream,
+      study::coverage::truth_tests_of,
+      [level = options.level](const auto& scenario, const auto& sets) {
+        return study::coverage::inference_rates(scenario, sets, level);
+      },
+      inference_report);
+}
+
+StudyItems hypotheses_study(const StudyRequest& request, Progress& /*progress*/) {
+  return studies_of<study::coverage::Misses>(study::coverage::coverage_scenarios(),
+                                             options_of_data_sets(request, 400, 299),
+                                             kHypothesesStream,
+                                             study::coverage::misses_of,
+                                             study::coverage::miss_rates,
+                                             hypotheses_report);
+}
+
+StudyItems advance_study(const StudyRequest& request, Progress& /*progress*/) {
+  return studies_of<study::coverage::AdvanceMisses>(study::coverage::advance_scenarios(),
+                                                    options_of_data_sets(request, 1000, 999),
+                                                    kAdvanceStream,
+                                                    study::coverage::advance_misses_of,
+                                                    study::coverage::advance_rates,
+                                                    advance_report);
 }
 
 StudyItems equivalence_study(const StudyRequest& request, Progress& /*progress*/) {

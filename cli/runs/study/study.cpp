@@ -32,6 +32,8 @@ constexpr std::array kStudies{
     Study{"coverage", "coverage", "data-sets replicates", coverage_study},
     Study{"inference", "inference", "data-sets replicates", inference_study},
     Study{"equivalence", "equivalence", "data-sets", equivalence_study},
+    Study{"hypotheses", "misses", "data-sets replicates", hypotheses_study},
+    Study{"advance", "advance_misses", "data-sets replicates", advance_study},
     Study{"gate", "gate_coverage", "data-sets replicates", gate_coverage_study},
     Study{"rays", "ray_coverage", "data-sets", ray_study},
     Study{"null", "null null_corpora", "data-sets", null_study},
@@ -64,11 +66,11 @@ bool lists(std::string_view words, const std::string& word) {
 const Study& study_of(const StudyRequest& request) {
   const auto* const found = std::ranges::find(kStudies, request.study, &Study::name);
   if (found == kStudies.end()) {
-    throw UsageError("unknown study '" + request.study +
-                     "', expected soundness, federation, coverage, inference, equivalence, gate, "
-                     "rays, null, price "
-                     "or terrain" +
-                     did_you_mean(request.study, study_names()));
+    throw UsageError(
+        "unknown study '" + request.study +
+        "', expected soundness, federation, coverage, inference, equivalence, hypotheses, advance, "
+        "gate, rays, null, price or terrain" +
+        did_you_mean(request.study, study_names()));
   }
   const Study& one = request.study == "terrain" && !request.terrain.empty() ? kScenarios : *found;
   for (const char* const option : kOfSome) {

@@ -98,18 +98,18 @@ TEST(Verdict, OfH2IsOfPairsWithIntervals) {
 }
 
 TEST(Verdict, OfH3NeedsAGainAndFewLosses) {
-  H3Case one;
+  H3Chosen one;
   EXPECT_EQ(h3_verdict(one, 0.05), Verdict::not_decided);
   one.gain.interval = statistics::Interval{0.1, 0.3};
   one.lost_lower = 0.0;
-  one.non_inferior = true;
+  one.lost_upper = 0.04;
   EXPECT_EQ(h3_verdict(one, 0.05), Verdict::supported);
-  one.non_inferior = false;
+  one.lost_upper = 0.07;
   EXPECT_EQ(h3_verdict(one, 0.05), Verdict::not_decided);
   one.lost_lower = 0.06;
   EXPECT_EQ(h3_verdict(one, 0.05), Verdict::contradicted) << "the loss is above the margin";
   one.lost_lower = 0.0;
-  one.non_inferior = true;
+  one.lost_upper = 0.04;
   one.gain.interval = statistics::Interval{-0.3, -0.1};
   EXPECT_EQ(h3_verdict(one, 0.05), Verdict::contradicted) << "slower";
 }

@@ -21,13 +21,13 @@ TEST(EquivalenceStudy, KnowsItsTruth) {
   const double worse = coverage::correlation_of(0.6);
   const coverage::LightingStudy study =
       coverage::simulate(scenario, {better, better, worse}, 3, 1, 0);
-  const statistics::ScoresByGroup scores =
+  const std::vector<statistics::GroupScore> scores =
       statistics::auc_by_group({study.predictor, statistics::HigherMeans::success},
                                study.success,
                                study.lighting,
                                study.day);
-  EXPECT_NEAR(*scores.groups[0].value, 0.76, 4.0 * *scores.groups[0].standard_error + 1e-4);
-  EXPECT_NEAR(*scores.groups[2].value, 0.6, 4.0 * *scores.groups[2].standard_error + 1e-4);
+  EXPECT_NEAR(*scores[0].value, 0.76, 4.0 * *scores[0].standard_error + 1e-4);
+  EXPECT_NEAR(*scores[2].value, 0.6, 4.0 * *scores[2].standard_error + 1e-4);
 }
 
 coverage::EquivalenceRates rates_of(const coverage::LightingScenario& scenario,
