@@ -6,12 +6,11 @@
 #include <numbers>
 #include <optional>
 #include <table/cell_reading.hpp>
-#include <table/csv_write.hpp>
-#include <table/decimal.hpp>
 #include <tcert/elementary.hpp>
 #include <utility>
 
 #include "datasets/bundle_fields.hpp"
+#include "datasets/perturb/perturbed_row.hpp"
 #include "datasets/tick_columns.hpp"
 
 namespace tcert::perturb {
@@ -45,9 +44,11 @@ class StreamPerturbation {
         wide_share_(wide_share),
         faults_(faults),
         arrival_(header.find(kArrivalColumn)),
-        adds_arrival_(!arrival_ && std::ranges::any_of(faults, [](const Injection& one) {
-          return one.kind == FaultKind::latency;
-        })) {
+        adds_arrival_(!arrival_ && std::ranges::any_of(faults,
+                                                       [](const Injection& one) {
+                                                         return one.kind == FaultKind::latency;
+                                                       })),
+        row_(header.dialect) {
     for (const Ray& ray : info.robot.rays) {
       rays_.push_back({header.find(value_column(ray)),
                        header.find(force_column(ray)),
@@ -65,14 +66,9 @@ class StreamPerturbation {
     while (table::skip_to_record(cursor)) {
       out_.text.append(done, cursor.at);  // comments and blank lines
       done = cursor.at;
-      static_cast<void>(table::scan_record(cursor, header_.dialect.separator, cells_));
-      const bool is_whole = cells_.size() >= header_.names.size();  // not a last line that is cut
-      cells_.resize(header_.names.size());
-      padded_.assign(cells_[time_column]);
-      const bool has_time =
-          table::scan_seconds(padded_.view().data(), header_.dialect.decimal_point, time_ns_) !=
-          nullptr;
-      if (is_whole && has_time) {
+      const bool is_whole = row_.read(cursor, header_.names.size());  // not a last line that is cut
+      if (const auto time_ns = row_.seconds(time_column); is_whole && time_ns) {
+        time_ns_ = *time_ns;
         take_row({done, static_cast<std::size_t>(cursor.at - done)});
       }
       done = cursor.at;
@@ -101,12 +97,11 @@ class StreamPerturbation {
 
   void take_row(std::string_view raw) {
     update_active();
-    changed_ = false;
     const bool is_lost = meet_dropouts();
     if (!is_lost || stream_.is_merged) {
       change_rays();
       state_arrival();
-      write_row(raw);
+      row_.write(raw, out_.text);
       remember();
     }
     out_.samples += 1;
@@ -141,13 +136,12 @@ class StreamPerturbation {
     bool any = false;
     for (const RayColumns& ray : rays_) {
       for (const auto& column : ray) {
-        if (column && !table::is_missing_cell(cells_[*column])) {
-          cells_[*column] = missing();
+        if (column && !row_.is_missing(*column)) {
+          row_.blank(*column);
           any = true;
         }
       }
     }
-    changed_ = changed_ || any;
     return any;
   }
 
@@ -178,18 +172,18 @@ class StreamPerturbation {
   }
 
   void add_spike(Injection& fault, const RayColumns& ray) {
-    const std::optional<double> force = number(ray[force_part]);
+    const std::optional<double> force = row_.number(ray[force_part]);
     if (force) {
       const double share = static_cast<double>(time_ns_ - fault.start_ns) /
                            static_cast<double>(fault.end_ns - fault.start_ns);
-      set(*ray[force_part], *force + fault.size * elementary::sin(std::numbers::pi * share));
+      row_.set(*ray[force_part], *force + fault.size * elementary::sin(std::numbers::pi * share));
       meet(fault);
     }
   }
 
   void hold(ActiveFault& one, std::size_t ray) {
     const RayColumns& columns = rays_[ray];
-    const std::optional<double> value = number(columns[value_part]);
+    const std::optional<double> value = row_.number(columns[value_part]);
     if (!one.held && (said_[ray] || value)) {
       one.held = said_[ray] ? *said_[ray] : cells_of(ray);
       one.fault->size =
@@ -200,9 +194,8 @@ class StreamPerturbation {
     }
     for (std::size_t part = 0; part < kParts; ++part) {
       const std::string& held = (*one.held)[part];
-      if (columns[part] && !table::is_missing_cell(held) &&
-          !table::is_missing_cell(cells_[*columns[part]])) {
-        cells_[*columns[part]] = held;
+      if (columns[part] && !table::is_missing_cell(held) && !row_.is_missing(*columns[part])) {
+        row_.set_text(*columns[part], held);
       }
     }
     meet(*one.fault);
@@ -210,23 +203,23 @@ class StreamPerturbation {
 
   void stick(Injection& fault, std::size_t ray) {
     const RayColumns& columns = rays_[ray];
-    if (!number(columns[value_part])) {
+    if (!row_.number(columns[value_part])) {
       return;
     }
     const Ray& of = info_.robot.rays[ray];
     const double clearance_m = wide_share_ * longest_clearance(of);
     fault.size = of.kind == RayKind::bend ? calibrated_bend(of.calibration, clearance_m)
                                           : std::min(clearance_m, keys_of(ray).range_max_m);
-    set(*columns[value_part], fault.size);
-    if (number(columns[force_part])) {
-      set(*columns[force_part], 0.0);
+    row_.set(*columns[value_part], fault.size);
+    if (row_.number(columns[force_part])) {
+      row_.set(*columns[force_part], 0.0);
     }
     meet(fault);
   }
 
   void add_bias(Injection& fault, std::size_t ray) {
     const std::optional<std::size_t> column = rays_[ray][value_part];
-    const std::optional<double> value = number(column);
+    const std::optional<double> value = row_.number(column);
     const Ray& of = info_.robot.rays[ray];
     if (!value) {
       return;
@@ -242,7 +235,7 @@ class StreamPerturbation {
       biased = says_nothing(ray, biased) ? *value : biased;
     }
     if (biased != *value) {
-      set(*column, biased);
+      row_.set(*column, biased);
       meet(fault);
     }
   }
@@ -265,54 +258,16 @@ class StreamPerturbation {
       }
     }
     if (adds_arrival_) {
-      cells_.push_back(seconds(arrival_ns));
-      changed_ = true;
+      row_.append_seconds(arrival_ns);
     } else if (arrival_ns > time_ns_) {
-      padded_.assign(cells_[*arrival_]);
-      std::int64_t stated_ns = time_ns_;
-      if (!table::is_missing_cell(cells_[*arrival_])) {
-        static_cast<void>(
-            table::scan_seconds(padded_.view().data(), header_.dialect.decimal_point, stated_ns));
-      }
-      cells_[*arrival_] = seconds(std::max(stated_ns, arrival_ns));
-      changed_ = true;
+      row_.set_seconds(*arrival_, std::max(row_.seconds(*arrival_).value_or(time_ns_), arrival_ns));
     }
-  }
-
-  /// As it was, if nothing is to be changed.
-  void write_row(std::string_view raw) {
-    if (!changed_) {
-      out_.text += raw;
-      return;
-    }
-    const char separator = header_.dialect.separator;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      if (i > 0) {
-        out_.text += separator;
-      }
-      const std::string& cell = cells_[i];
-      const bool is_plain = cell.find_first_of("\"\r\n") == std::string::npos &&
-                            cell.find(separator) == std::string::npos;
-      if (is_plain) {
-        out_.text += cell.empty() ? missing() : cell;
-        continue;
-      }
-      out_.text += '"';
-      for (const char c : cell) {
-        out_.text += c;
-        if (c == '"') {
-          out_.text += c;
-        }
-      }
-      out_.text += '"';
-    }
-    out_.text += raw.ends_with("\r\n") ? "\r\n" : "\n";
   }
 
   /// What the rays said at last, for freezes to come.
   void remember() {
     for (std::size_t ray = 0; ray < rays_.size(); ++ray) {
-      if (number(rays_[ray][value_part])) {
+      if (row_.number(rays_[ray][value_part])) {
         said_[ray] = cells_of(ray);
       }
     }
@@ -322,43 +277,15 @@ class StreamPerturbation {
     RayCells cells;
     for (std::size_t part = 0; part < kParts; ++part) {
       if (rays_[ray][part]) {
-        cells[part] = cells_[*rays_[ray][part]];
+        cells[part] = row_.text(*rays_[ray][part]);
       }
     }
     return cells;
   }
 
-  [[nodiscard]] std::optional<double> number(std::optional<std::size_t> column) const {
-    if (!column) {
-      return std::nullopt;
-    }
-    const auto reading = table::read_cell(cells_[*column], header_.dialect.decimal_point);
-    return reading.meaning == table::CellMeaning::number ? std::optional(reading.value)
-                                                         : std::nullopt;
-  }
-
-  void set(std::size_t column, double value) {
-    cells_[column] = in_dialect(table::number_text(value));
-    changed_ = true;
-  }
-
-  [[nodiscard]] std::string seconds(std::int64_t time_ns) const {
-    std::string text;
-    table::append_seconds(text, time_ns);
-    return in_dialect(std::move(text));
-  }
-
-  [[nodiscard]] std::string in_dialect(std::string text) const {
-    std::ranges::replace(text, '.', header_.dialect.decimal_point);
-    return text;
-  }
-
-  /// A missing cell; between spaces an empty one would be none.
-  [[nodiscard]] std::string missing() const { return header_.dialect.separator == ' ' ? "NA" : ""; }
-
   void meet(Injection& fault) {
     ++fault.samples;
-    changed_ = true;
+    row_.touch();
   }
 
   const StreamText& stream_;
@@ -373,9 +300,7 @@ class StreamPerturbation {
   std::vector<ActiveFault> active_;
   std::size_t next_ = 0;
   std::int64_t time_ns_ = 0;
-  std::vector<std::string> cells_;
-  table::Bytes padded_;
-  bool changed_ = false;
+  PerturbedRow row_;
   PerturbedText out_;
 };
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <tcert/cell_box.hpp>
 #include <tcert/elementary.hpp>
-#include <tcert/segment.hpp>
 #include <tcert/swept_area.hpp>
 #include <utility>
 
@@ -18,80 +18,6 @@ std::int32_t floor_index(double at) noexcept {
 
 std::int32_t ceil_index(double at) noexcept {
   return static_cast<std::int32_t>(std::clamp(std::ceil(at), -1.0 * kFarthest, 1.0 * kFarthest));
-}
-
-/// An upright square.
-struct Box {
-  Point low;
-  Point high;
-  [[nodiscard]] double distance_to(Point p) const noexcept {
-    const double dx = std::max({low.x_m - p.x_m, 0.0, p.x_m - high.x_m});
-    const double dy = std::max({low.y_m - p.y_m, 0.0, p.y_m - high.y_m});
-    return std::sqrt(dx * dx + dy * dy);
-  }
-};
-
-bool meets(const Box& box, Point a, Point b) noexcept {
-  double from = 0.0;
-  double to = 1.0;
-  for (const auto axis : {&Point::x_m, &Point::y_m}) {
-    const double start = a.*axis;
-    const double way = b.*axis - start;
-    if (way == 0.0) {
-      if (start < box.low.*axis || start > box.high.*axis) {
-        return false;
-      }
-      continue;
-    }
-    const double t0 = (box.low.*axis - start) / way;
-    const double t1 = (box.high.*axis - start) / way;
-    from = std::max(from, std::min(t0, t1));
-    to = std::min(to, std::max(t0, t1));
-  }
-  return from <= to;
-}
-
-double distance_between(const Box& box, Point a, Point b) noexcept {
-  if (meets(box, a, b)) {
-    return 0.0;
-  }
-  double least = std::min(box.distance_to(a), box.distance_to(b));
-  for (const Point corner :
-       {box.low, Point{box.high.x_m, box.low.y_m}, box.high, Point{box.low.x_m, box.high.y_m}}) {
-    least = std::min(least, distance_to_segment(corner, a, b));
-  }
-  return least;
-}
-
-Box box_of(SweptCell cell, double cell_m) noexcept {
-  return {{static_cast<double>(cell.ix) * cell_m, static_cast<double>(cell.iy) * cell_m},
-          {static_cast<double>(cell.ix + 1) * cell_m, static_cast<double>(cell.iy + 1) * cell_m}};
-}
-
-bool covers(const Disc& disc, const Box& box) noexcept {
-  const double dx = std::max(disc.centre.x_m - box.low.x_m, box.high.x_m - disc.centre.x_m);
-  const double dy = std::max(disc.centre.y_m - box.low.y_m, box.high.y_m - disc.centre.y_m);
-  return dx * dx + dy * dy <= disc.radius_m * disc.radius_m;
-}
-
-// The middle lies inside and every edge further off than the corners.
-bool covers(const Region& region, const Box& box) noexcept {
-  if (const auto* disc = std::get_if<Disc>(&region)) {
-    return covers(*disc, box);
-  }
-  const auto* const polygon = std::get_if<Polygon>(&region);
-  const Point middle = 0.5 * (box.low + box.high);
-  if (polygon == nullptr || !contains(region, middle)) {
-    return false;
-  }
-  const double half_diagonal = distance(middle, box.low);
-  const auto& v = polygon->vertices;
-  for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
-    if (distance_to_segment(middle, v[j], v[i]) <= half_diagonal) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -202,7 +128,7 @@ void SweptArea::mark_body(Point centre) noexcept {
 }
 
 bool SweptArea::in_course(SweptCell cell) const noexcept {
-  const Box box = box_of(cell, rule_.cell_m);
+  const CellBox box = box_of(cell, rule_.cell_m);
   return std::any_of(local_regions_.begin(), local_regions_.end(), [&](const auto& region) {
     return region.has_value() && covers(*region, box);
   });
@@ -283,8 +209,9 @@ SweptClearance SweptArea::clearance(Point from, Point to) noexcept {
   const std::int32_t my = floor_index(middle.y_m / block_m);
   SweptClearance best{reach_m_, std::nullopt};
   const auto look = [&](std::int32_t bx, std::int32_t by) noexcept {
-    const Box box{{static_cast<double>(bx) * block_m, static_cast<double>(by) * block_m},
-                  {static_cast<double>(bx + 1) * block_m, static_cast<double>(by + 1) * block_m}};
+    const CellBox box{
+        {static_cast<double>(bx) * block_m, static_cast<double>(by) * block_m},
+        {static_cast<double>(bx + 1) * block_m, static_cast<double>(by + 1) * block_m}};
     if (box.distance_to(middle) - half_length < best.distance_m) {
       look_into(bx, by, piece, best);
     }
