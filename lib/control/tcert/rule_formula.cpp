@@ -1,102 +1,20 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <tcert/rule_formula.hpp>
+#include <tcert/rule_tokens.hpp>
 #include <tcert/tick_signals.hpp>
 
 namespace tcert {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r";
 constexpr std::size_t kMostText = 1U << 16U;  // bytes
 constexpr std::size_t kMostTerms = 32;        // of a side of a comparison
 constexpr std::size_t kDeepest = 64;          // parentheses and prefixes within one another
 
-bool is_word(char c) noexcept {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-/// Words, numbers and marks of one line.
-class Tokens {
- public:
-  Tokens(std::string_view line, std::size_t number) : line_(line), number_(number) { next(); }
-
-  [[nodiscard]] std::string_view now() const noexcept { return now_; }
-  /// The next thing in the line is a word, too.
-  [[nodiscard]] bool is_followed_by_word() const noexcept {
-    const std::size_t next = line_.find_first_not_of(kBlank, at_ + now_.size());
-    return next < line_.size() && is_word(line_[next]);
-  }
-  [[nodiscard]] bool at_end() const noexcept { return now_.empty(); }
-  [[nodiscard]] bool is_number() const noexcept {
-    return !now_.empty() && ((now_[0] >= '0' && now_[0] <= '9') || now_[0] == '.');
-  }
-  [[nodiscard]] bool take(std::string_view word) {
-    if (now_ != word) {
-      return false;
-    }
-    next();
-    return true;
-  }
-  void expect(std::string_view word) {
-    if (!take(word)) {
-      refuse("'" + std::string(word) + "'");
-    }
-  }
-  double take_number(const char* expected) {
-    double value = 0.0;
-    const char* const end = now_.data() + now_.size();
-    const auto read = std::from_chars(now_.data(), end, value);
-    if (!is_number() || read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) {
-      refuse(expected);
-    }
-    next();
-    return value;
-  }
-  void next() {
-    at_ = std::min(line_.find_first_not_of(kBlank, at_ + now_.size()), line_.size());
-    std::size_t length = 0;
-    while (at_ + length < line_.size() && is_part(length)) {
-      ++length;
-    }
-    if (length == 0 && at_ < line_.size()) {
-      const bool has_equal = (line_[at_] == '<' || line_[at_] == '>') && at_ + 1 < line_.size() &&
-                             line_[at_ + 1] == '=';
-      length = has_equal ? 2 : 1;
-    }
-    now_ = line_.substr(at_, length);
-  }
-  [[noreturn]] void refuse(const std::string& expected) const {
-    throw std::invalid_argument("rules, line " + std::to_string(number_) + ", column " +
-                                std::to_string(at_ + 1) + ": found " +
-                                (now_.empty() ? "the end" : "'" + std::string(now_) + "'") +
-                                ", expected " + expected);
-  }
-
- private:
-  // Of a number a point, and the sign of its exponent, too.
-  [[nodiscard]] bool is_part(std::size_t length) const noexcept {
-    const char c = line_[at_ + length];
-    if (is_word(c) || c == '.') {
-      return true;
-    }
-    const char first = line_[at_];
-    const bool in_number = length > 0 && ((first >= '0' && first <= '9') || first == '.');
-    const char before = length > 0 ? line_[at_ + length - 1] : ' ';
-    return in_number && (c == '+' || c == '-') && (before == 'e' || before == 'E');
-  }
-
-  std::string_view line_;
-  std::size_t number_;
-  std::size_t at_ = 0;
-  std::string_view now_ = line_.substr(0, 0);
-};
-
 class Parser {
  public:
-  explicit Parser(Tokens& tokens) : tokens_(tokens) {}
+  explicit Parser(RuleTokens& tokens) : tokens_(tokens) {}
 
   std::vector<RuleNode> parse() {
     formula();
@@ -257,17 +175,17 @@ class Parser {
     return add(std::move(node));
   }
 
-  Tokens& tokens_;
+  RuleTokens& tokens_;
   std::vector<RuleNode> nodes_;
   std::size_t depth_ = 0;
 };
 
 std::string_view trimmed(std::string_view text) noexcept {
-  const std::size_t first = text.find_first_not_of(kBlank);
+  const std::size_t first = text.find_first_not_of(kRuleBlank);
   if (first == std::string_view::npos) {
     return {};
   }
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+  return text.substr(first, text.find_last_not_of(kRuleBlank) - first + 1);
 }
 
 }  // namespace
@@ -289,7 +207,7 @@ std::vector<Rule> parse_rules(std::string_view text) {
     if (trimmed(line).empty()) {
       continue;
     }
-    Tokens tokens(line, number);
+    RuleTokens tokens(line, number);
     Rule rule;
     if (tokens.now() == "watch" && tokens.is_followed_by_word()) {
       rule.acts = false;
@@ -297,7 +215,8 @@ std::vector<Rule> parse_rules(std::string_view text) {
     }
     rule.name = tokens.now();
     rule.text = trimmed(line.substr(std::min(line.find(':'), line.size() - 1) + 1));
-    if (!std::ranges::all_of(rule.name, is_word) || rule.name == "watch" || rule.name == "any") {
+    if (!std::ranges::all_of(rule.name, is_rule_word) || rule.name == "watch" ||
+        rule.name == "any") {
       tokens.refuse("the name of a rule: letters, digits and _, neither watch nor any");
     }
     if (std::ranges::any_of(rules, [&](const Rule& other) { return other.name == rule.name; })) {
