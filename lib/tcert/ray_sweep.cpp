@@ -4,6 +4,7 @@
 #include <limits>
 #include <tcert/ray_lines.hpp>
 #include <tcert/ray_sweep.hpp>
+#include <tcert/strip_edge.hpp>
 
 namespace tcert {
 namespace {
@@ -17,43 +18,6 @@ std::int32_t cell_index(double at_m, double cell_m) noexcept {
   constexpr double kFar = 2.0e9;
   return static_cast<std::int32_t>(std::clamp(std::floor(at_m / cell_m), -kFar, kFar));
 }
-
-// An edge of a strip, for the x-range of it within a row of cells. What its slope loses to rounding
-// is far less than what is added to every range.
-class Edge {
- public:
-  Edge(Point p, Point q) noexcept
-      : p_(p),
-        low_m_(std::min(p.y_m, q.y_m)),
-        high_m_(std::max(p.y_m, q.y_m)),
-        slope_(low_m_ == high_m_ ? 0.0 : (q.x_m - p.x_m) / (q.y_m - p.y_m)),
-        from_m_(std::min(p.x_m, q.x_m)),
-        to_m_(std::max(p.x_m, q.x_m)) {}
-
-  // Adds its range within low <= y <= high to [from, to].
-  void add_range(double low, double high, double& from, double& to) const noexcept {
-    if (high_m_ < low || low_m_ > high) {
-      return;
-    }
-    if (low_m_ == high_m_) {
-      from = std::min(from, from_m_);
-      to = std::max(to, to_m_);
-      return;
-    }
-    const double a = x_at(std::max(low, low_m_));
-    const double b = x_at(std::min(high, high_m_));
-    from = std::min({from, a, b});
-    to = std::max({to, a, b});
-  }
-
- private:
-  [[nodiscard]] double x_at(double y) const noexcept {
-    return std::clamp(p_.x_m + slope_ * (y - p_.y_m), from_m_, to_m_);
-  }
-
-  Point p_;
-  double low_m_, high_m_, slope_, from_m_, to_m_;
-};
 
 // Where the ray of a turning body pivots it stands still, and beyond it goes the other way.
 constexpr double kShortOfPivot = 0.95;
@@ -171,10 +135,10 @@ void RaySweep::mark_passed(const SweepRule& rule, SweptCells& cells) const noexc
   const Strip& s = strip(0);
   const Point far_to = s.far_from + s.far_along;
   const Point near_to = s.near_from + s.near_along;
-  const std::array<Edge, 4> edges{Edge(s.near_from, s.far_from),
-                                  Edge(s.far_from, far_to),
-                                  Edge(far_to, near_to),
-                                  Edge(near_to, s.near_from)};
+  const std::array<StripEdge, 4> edges{StripEdge(s.near_from, s.far_from),
+                                       StripEdge(s.far_from, far_to),
+                                       StripEdge(far_to, near_to),
+                                       StripEdge(near_to, s.near_from)};
   const auto [low, high] = std::minmax({s.near_from.y_m, s.far_from.y_m, far_to.y_m, near_to.y_m});
   const double rounding_m = kRounding * rule.cell_m;
   const std::int32_t last_row = cell_index(high + rounding_m, rule.cell_m);
@@ -183,7 +147,7 @@ void RaySweep::mark_passed(const SweepRule& rule, SweptCells& cells) const noexc
     const double top = static_cast<double>(iy + 1) * rule.cell_m;
     double from = kInfinity;
     double to = -from;
-    for (const Edge& edge : edges) {
+    for (const StripEdge& edge : edges) {
       edge.add_range(bottom, top, from, to);
     }
     if (from > to) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <tcert/ray_lines.hpp>
+#include <tcert/strip_edge.hpp>
 #include <witness/ray_strips.hpp>
 
 namespace tcert::witness {
@@ -16,39 +17,6 @@ constexpr double kShortOfPivot = 0.95;
 constexpr double kBeyondPivot = 1.05;
 // A cell that a border only touches is a candidate whatever the last bit says.
 constexpr double kRounding = 1e-6;
-constexpr double kFlat = 1e-9;  // m
-
-/// An edge of a strip; its points at a range of heights.
-struct Edge {
-  double bottom, top, x_at_bottom, slope, left, right;
-
-  Edge(Point p, Point q) noexcept {
-    if (p.y_m > q.y_m) {
-      std::swap(p, q);
-    }
-    bottom = p.y_m;
-    top = q.y_m;
-    x_at_bottom = p.x_m;
-    slope = top - bottom > kFlat ? (q.x_m - p.x_m) / (top - bottom) : kInfinity;
-    left = std::min(p.x_m, q.x_m);
-    right = std::max(p.x_m, q.x_m);
-  }
-  void add_range(double low, double high, double& from, double& to) const noexcept {
-    if (bottom > high || top < low) {
-      return;
-    }
-    if (slope == kInfinity) {
-      from = std::min(from, left);
-      to = std::max(to, right);
-      return;
-    }
-    for (const double y : {std::clamp(low, bottom, top), std::clamp(high, bottom, top)}) {
-      const double x = x_at_bottom + (y - bottom) * slope;
-      from = std::min(from, x);
-      to = std::max(to, x);
-    }
-  }
-};
 
 }  // namespace
 
@@ -158,10 +126,10 @@ void RayStrips::mark_passed(const std::array<Point, 4>& corners, FreeCells& cell
   const double rounding_m = kRounding * cell_m;
   const auto [low, high] =
       std::minmax({corners[0].y_m, corners[1].y_m, corners[2].y_m, corners[3].y_m});
-  const std::array<Edge, 4> edges{Edge(corners[0], corners[1]),
-                                  Edge(corners[1], corners[2]),
-                                  Edge(corners[2], corners[3]),
-                                  Edge(corners[3], corners[0])};
+  const std::array<StripEdge, 4> edges{StripEdge(corners[0], corners[1]),
+                                       StripEdge(corners[1], corners[2]),
+                                       StripEdge(corners[2], corners[3]),
+                                       StripEdge(corners[3], corners[0])};
   const int first_row = std::max(0, lattice.row_of(low - rounding_m));
   const int last_row = std::min(lattice.rows - 1, lattice.row_of(high + rounding_m));
   for (int iy = first_row; iy <= last_row; ++iy) {
@@ -169,7 +137,7 @@ void RayStrips::mark_passed(const std::array<Point, 4>& corners, FreeCells& cell
     const double top = lattice.corner(0, iy + 1).y_m;
     double from = kInfinity;
     double to = -kInfinity;
-    for (const Edge& edge : edges) {
+    for (const StripEdge& edge : edges) {
       edge.add_range(bottom - rounding_m, top + rounding_m, from, to);
     }
     if (from > to) {
