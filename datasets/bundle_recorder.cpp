@@ -45,7 +45,7 @@ BundleRecorder::BundleRecorder(const fs::path& folder, BundleInfo info, std::str
   if (!file_) {
     fail(path);
   }
-  write(first_line(info_) + format_.header());
+  write(first_line(info_));
 }
 
 BundleRecorder::~BundleRecorder() {
@@ -61,8 +61,15 @@ void BundleRecorder::write(std::string_view bytes) {
   }
 }
 
-void BundleRecorder::add(const Tick& tick, double speed_cmd_mps, double yaw_rate_cmd_rps) {
+void BundleRecorder::add(const Tick& tick,
+                         double speed_cmd_mps,
+                         double yaw_rate_cmd_rps,
+                         bool has_footing) {
   row_.clear();
+  if (ticks_ == 0) {
+    format_ = TickFormat(info_.robot, {}, has_footing);
+    row_ = format_.header();
+  }
   format_.append_row(row_, tick, speed_cmd_mps, yaw_rate_cmd_rps);
   write(row_);
   ++ticks_;

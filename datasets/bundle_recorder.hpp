@@ -28,8 +28,12 @@ class BundleRecorder {
   BundleRecorder(const BundleRecorder&) = delete;
   BundleRecorder& operator=(const BundleRecorder&) = delete;
 
-  /// On its way to the disk when this returns. \pre time rises. \throws WriteError.
-  void add(const Tick& tick, double speed_cmd_mps, double yaw_rate_cmd_rps);
+  /// On its way to the disk when this returns; the first call settles whether the footing is kept.
+  /// \pre time rises. \throws WriteError.
+  void add(const Tick& tick,
+           double speed_cmd_mps,
+           double yaw_rate_cmd_rps,
+           bool has_footing = false);
 
   /// Writes the trial's row and gives the folder its name. `row` says how the trial ended; its
   /// trial_id is that of the constructor. \throws WriteError.

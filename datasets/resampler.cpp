@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tcert/footing.hpp>
 
 #include "datasets/stream_clock.hpp"
 
@@ -104,6 +105,7 @@ Tick Resampler::add_tick(std::int64_t now_ns) {
   tactile_.advance_to(now_ns);
   ticks_.time_ns.push_back(now_ns);
   ticks_.poses.push_back(log_.pose.poses[pose_.newest()]);
+  add_footing(starts_segment);
   const bool stale = pose_.age_ns(now_ns) > hold_ns_ || tactile_.age_ns(now_ns) > hold_ns_;
   ticks_.stale.push_back(stale ? 1 : 0);
   ticks_.segment_start.push_back(starts_segment ? 1 : 0);
@@ -114,6 +116,23 @@ Tick Resampler::add_tick(std::int64_t now_ns) {
                                               : kMissing);
   add_readings(now_ns);
   return ticks_[ticks_.size() - 1];
+}
+
+// A step that one sample felt must not fall between two ticks.
+void Resampler::add_footing(bool starts_segment) {
+  if (log_.pose.footing.empty()) {
+    return;
+  }
+  const std::size_t newest = pose_.newest();
+  Footing worst = log_.pose.footing[newest];
+  if (last_pose_ && !starts_segment) {
+    for (std::size_t i = pose_.before(newest); i != StreamPosition::kNone && i > *last_pose_;
+         i = pose_.before(i)) {
+      keep_worst(log_.pose.footing[i], worst);
+    }
+  }
+  last_pose_ = newest;
+  ticks_.footing.push_back(worst);
 }
 
 std::int64_t Resampler::skip_silence(std::int64_t tick_ns, std::int64_t period_ns) const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <tcert/tick.hpp>
 #include <utility>
@@ -93,6 +94,7 @@ class Resampler {
   /// True if the path breaks between the last tick and this one.
   [[nodiscard]] bool pass_breaks(std::int64_t now_ns) noexcept;
   void add_readings(std::int64_t now_ns);
+  void add_footing(bool starts_segment);
 
   const TrialLog& log_;
   std::int64_t hold_ns_;
@@ -102,6 +104,7 @@ class Resampler {
   StreamPosition control_;
   std::size_t next_break_ = 0;
   std::size_t segment_begin_ = 0;
+  std::optional<std::size_t> last_pose_;  // of the tick before
   TickTable ticks_;
 };
 

@@ -89,7 +89,8 @@ const char* interpret_tick(std::span<const double> row,
                            std::span<RangeCount> counts,
                            TickRow& tick) noexcept {
   tick.pose = {{row[0], row[1]}, row[2]};
-  const double* cell = row.data() + kPoseColumns;
+  tick.footing = {row[3], row[4], row[5], row[6]};
+  const double* cell = row.data() + kPoseColumns + kFootingColumns;
   bool silent = true;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     readings[k] = {rules.resolve(k, cell[0], counts[k]), cell[1], cell[2]};

@@ -24,6 +24,9 @@ namespace tcert {
 /// "<ray>_bearing_rad".
 [[nodiscard]] std::string bearing_column(const Ray& ray);
 
+/// Of a pose, after its own three: pitch_rad, roll_rad, step_m and slip.
+inline constexpr std::size_t kFootingColumns = 4;
+
 /// Of a ray: its value, its force and its bearing.
 inline constexpr std::size_t kColumnsPerRay = 3;
 
@@ -41,6 +44,7 @@ inline constexpr std::size_t kColumnsPerRay = 3;
 /// What one row of ticks.csv says besides its time and readings.
 struct TickRow {
   Pose pose;
+  Footing footing;
   double speed_cmd_mps = kMissing;
   double yaw_rate_cmd_rps = kMissing;
   bool stale = false;

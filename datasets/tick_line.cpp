@@ -36,6 +36,9 @@ TickLineParser::TickLineParser(const Robot& robot,
 void TickLineParser::restart(std::string_view first_line, table::DiagnosticGroups& problems) {
   restarted_ = last_ns_.has_value();
   names_.clear();
+  for (const std::string_view name : {"pitch_rad", "roll_rad", "step_m", "slip"}) {
+    has_footing_ = has_footing_ || first_line.find(name) != std::string_view::npos;
+  }
   if (without_spaces_before(first_line).starts_with('{')) {
     format_ = TickLineFormat::json_lines;
     ready_ = true;
@@ -188,12 +191,14 @@ std::optional<TickLine> TickLineParser::to_tick() {
   last_ns_ = time_ns_;
   const bool starts_anyway = row.segment_start || restarted_;
   restarted_ = false;
-  return TickLine{{time_ns_, row.pose, readings_, row.stale, starts_anyway || gap || too_long},
-                  row.speed_cmd_mps,
-                  row.yaw_rate_cmd_rps,
-                  gap,
-                  starts_anyway,
-                  too_long};
+  return TickLine{
+      {time_ns_, row.pose, readings_, row.stale, starts_anyway || gap || too_long, row.footing},
+      row.speed_cmd_mps,
+      row.yaw_rate_cmd_rps,
+      gap,
+      starts_anyway,
+      has_footing_,
+      too_long};
 }
 
 std::optional<TickLine> TickLineParser::parse(std::string_view text, std::size_t line) {

@@ -27,6 +27,7 @@ struct TickLine {
   double yaw_rate_cmd_rps = kMissing;
   bool is_after_gap = false;   ///< More than max_gap_s since the row before: it starts a segment.
   bool starts_anyway = false;  ///< By its own word, or because its producer came back.
+  bool has_footing = false;    ///< The stream has a column, or its first object a key, of it.
   bool is_too_late = false;    ///< The first beyond ten times the trial limit: it starts one, too.
 };
 
@@ -102,6 +103,7 @@ class TickLineParser {
   std::optional<std::int64_t> first_ns_;
   std::optional<std::int64_t> last_ns_;
   bool ran_too_long_ = false;
+  bool has_footing_ = false;
   bool restarted_ = false;
   std::size_t line_ = 0;
   std::vector<table::Diagnostic> problems_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <table/csv_write.hpp>
+#include <tcert/footing.hpp>
 
 #include "datasets/stream_clock.hpp"
 #include "datasets/tick_columns.hpp"
@@ -32,7 +33,8 @@ double value_or_missing(const std::vector<double>& values, std::size_t i) {
 
 TickFormat::TickFormat(const Robot& robot, const TickTable& ticks, std::span<const RangeKeys> keys)
     : rules_(robot, keys),
-      has_command_(has_any(ticks.speed_cmd_mps) || has_any(ticks.yaw_rate_cmd_rps)) {
+      has_command_(has_any(ticks.speed_cmd_mps) || has_any(ticks.yaw_rate_cmd_rps)),
+      has_footing_(!ticks.footing.empty()) {
   for (std::size_t k = 0; k < robot.rays.size(); ++k) {
     has_force_.push_back(has_any(ticks, k, &RayReading::fsr_n) ? 1 : 0);
     has_bearing_.push_back(has_any(ticks, k, &RayReading::bearing_rad) ? 1 : 0);
@@ -40,16 +42,18 @@ TickFormat::TickFormat(const Robot& robot, const TickTable& ticks, std::span<con
   name_columns(robot);
 }
 
-TickFormat::TickFormat(const Robot& robot, std::span<const RangeKeys> keys)
+TickFormat::TickFormat(const Robot& robot, std::span<const RangeKeys> keys, bool has_footing)
     : rules_(robot, keys),
       has_force_(robot.rays.size(), 1),
       has_bearing_(robot.rays.size(), 1),
-      has_command_(true) {
+      has_command_(true),
+      has_footing_(has_footing) {
   name_columns(robot);
 }
 
 void TickFormat::name_columns(const Robot& robot) {
   header_ = "time_s,x_m,y_m,yaw_rad";
+  header_ += has_footing_ ? ",pitch_rad,roll_rad,step_m,slip" : "";
   for (std::size_t k = 0; k < robot.rays.size(); ++k) {
     header_ += ',' + value_column(robot.rays[k]);
     if (has_force_[k] != 0) {
@@ -78,6 +82,12 @@ void TickFormat::append_row(std::string& out,
   table::append_cell(out, tick.pose.position.x_m);
   table::append_cell(out, tick.pose.position.y_m);
   table::append_cell(out, tick.pose.yaw_rad);
+  if (has_footing_) {
+    for (const double value :
+         {tick.footing.pitch_rad, tick.footing.roll_rad, tick.footing.step_m, tick.footing.slip}) {
+      table::append_cell(out, value);
+    }
+  }
   for (std::size_t k = 0; k < has_force_.size(); ++k) {
     table::append_cell(out, rules_.stated(k, tick.rays[k].value));
     if (has_force_[k] != 0) {
@@ -132,10 +142,14 @@ TickTable to_tick_table(const table::NumberTable& rows,
       breaks_here = true;
     }
     ticks.poses.push_back(row.pose);
+    ticks.footing.push_back(row.footing);
     ticks.stale.push_back(row.stale ? 1 : 0);
     ticks.segment_start.push_back(breaks_here ? 1 : 0);
     ticks.speed_cmd_mps.push_back(row.speed_cmd_mps);
     ticks.yaw_rate_cmd_rps.push_back(row.yaw_rate_cmd_rps);
+  }
+  if (std::ranges::none_of(ticks.footing, is_measured)) {
+    ticks.footing.clear();
   }
   return ticks;
 }

@@ -16,16 +16,18 @@
 
 namespace tcert {
 
-/// Writes rows of ticks.csv, for a bundle in which `keys` are declared of the rays. A force column is
-/// written only for a ray that has any force reading, the command columns only if there is any
+/// Writes rows of ticks.csv, for a bundle in which `keys` are declared of the rays. A force column
+/// is written only for a ray that has any force reading, the command columns only if there is any
 /// command.
 class TickFormat {
  public:
   /// The columns that `ticks` needs. \pre ticks.rays is the number of rays of `robot`.
   TickFormat(const Robot& robot, const TickTable& ticks, std::span<const RangeKeys> keys = {});
 
-  /// All columns: for ticks that are not known yet.
-  explicit TickFormat(const Robot& robot, std::span<const RangeKeys> keys = {});
+  /// All columns, those of the footing if asked for: for ticks that are not known yet.
+  explicit TickFormat(const Robot& robot,
+                      std::span<const RangeKeys> keys = {},
+                      bool has_footing = false);
 
   /// With its line end.
   [[nodiscard]] const std::string& header() const noexcept { return header_; }
@@ -46,6 +48,7 @@ class TickFormat {
   std::vector<std::uint8_t> has_force_;    // per ray
   std::vector<std::uint8_t> has_bearing_;  // likewise
   bool has_command_ = false;
+  bool has_footing_ = false;
   std::string header_;
 };
 
@@ -55,8 +58,8 @@ class TickFormat {
                                        std::span<const RangeKeys> keys = {});
 
 /// Rows that were read with tick_columns() as ticks; what their readings were goes to `counts`, one
-/// a ray. `breaks_ns`, in order of time, start segments. A flag that is neither 0 nor 1 is an error.
-/// \pre times of `rows` increase strictly.
+/// a ray. `breaks_ns`, in order of time, start segments. A flag that is neither 0 nor 1 is an
+/// error. \pre times of `rows` increase strictly.
 [[nodiscard]] TickTable to_tick_table(const table::NumberTable& rows,
                                       const RangeRules& rules,
                                       std::span<const std::int64_t> breaks_ns,

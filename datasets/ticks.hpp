@@ -20,6 +20,7 @@ struct TickTable {
   std::vector<std::uint8_t> segment_start;
   std::vector<double> speed_cmd_mps;  ///< Zero-order hold; NaN where there is none.
   std::vector<double> yaw_rate_cmd_rps;
+  std::vector<Footing> footing{};  ///< By tick; empty if nothing of it is measured.
 
   [[nodiscard]] std::size_t size() const noexcept { return time_ns.size(); }
 
@@ -29,7 +30,8 @@ struct TickTable {
             poses[i],
             std::span<const RayReading>(readings).subspan(i * rays, rays),
             stale[i] != 0,
-            segment_start[i] != 0};
+            segment_start[i] != 0,
+            footing.empty() ? Footing{} : footing[i]};
   }
   /// What the robot was told to drive at tick `i`; NaN where it is not known.
   [[nodiscard]] Command commanded(std::size_t i) const noexcept {

@@ -36,8 +36,13 @@ PoseStream to_pose_stream(table::NumberTable table) {
   PoseStream pose;
   pose.arrival_ns = arrivals_of(table);
   pose.poses.reserve(table.rows());
+  const bool has_footing = std::ranges::any_of(std::span(table.present).subspan(3, kFootingColumns),
+                                               [](std::uint8_t there) { return there != 0; });
   for (std::size_t i = 0; i < table.rows(); ++i) {
     pose.poses.push_back({{table.at(i, 0), table.at(i, 1)}, table.at(i, 2)});
+    if (has_footing) {
+      pose.footing.push_back({table.at(i, 3), table.at(i, 4), table.at(i, 5), table.at(i, 6)});
+    }
   }
   pose.time_ns = std::move(table.time_ns);
   return pose;

@@ -20,6 +20,7 @@ struct PoseStream {
   std::vector<std::int64_t> time_ns;
   std::vector<Pose> poses;
   std::vector<std::int64_t> arrival_ns{};
+  std::vector<Footing> footing{};  ///< Empty if nothing of it is measured.
 };
 
 struct ControlStream {
@@ -83,7 +84,8 @@ void visit_fields(const ResampleOptions& /*list*/, Visit&& visit) {
 void validate(const ResampleOptions& options);
 
 /// Ticks t_k = t_0 + k tick_s, t_0 = the first instant at which pose and tactile have a sample,
-/// until the first of them ends. Pose and command by zero-order hold; bend, range and force by the
+/// until the first of them ends. Pose and command by zero-order hold, of slope, step and slip the
+/// worst since the tick before; bend, range and force by the
 /// median of the newest samples at or before t_k. Of each stream a tick sees only samples that have
 /// arrived by then; how old they are is told by their times, and ticks before the first of them are
 /// left out. A merged log is handed back as it is.

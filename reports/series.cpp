@@ -190,6 +190,9 @@ std::vector<ColumnDoc> series_columns() {
   }
   columns.push_back(
       {"risk_ahead", "", "chance of a collision over risk_ahead_m straight ahead (--risk)"});
+  columns.push_back({"valid_for_s",
+                     "s",
+                     "for how long T_t stays above 0 if nothing more is felt (obstacle_speed_mps)"});
   columns.push_back({"alarms", "", "rules that alarm, words with + between (--monitor)"});
   columns.push_back(synthetic_seed_doc());
   return columns;
@@ -212,6 +215,7 @@ std::string series_header(const SeriesFormat& format, const Robot& robot) {
     }
   }
   header += format.risk ? "risk_ahead," : "";
+  header += format.validity ? "valid_for_s," : "";
   header += format.rules.empty() ? "" : "alarms,";
   header += format.synthetic ? "synthetic_seed," : "";
   header.back() = '\n';
@@ -237,6 +241,9 @@ void append_series_row(std::string& out,
   }
   if (format.risk) {
     append_number(out, acted.risk_ahead);
+  }
+  if (format.validity) {
+    append_number(out, certified.valid_for_s);
   }
   if (!format.rules.empty()) {
     out += alarm_words(acted.alarms, format.rules);

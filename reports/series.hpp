@@ -23,6 +23,7 @@ struct SeriesFormat {
   std::optional<SyntheticLabel> synthetic;  ///< A last column `synthetic_seed`.
   bool guards = false;                      ///< Seven more columns: the command and the guards.
   bool risk = false;                        ///< One more: the chance of a collision ahead.
+  bool validity = false;                    ///< One more: valid_for_s, where obstacles move.
   std::vector<std::string> rules{};         ///< One more if there are any: those that alarm.
 };
 

@@ -9,7 +9,7 @@ constexpr std::string_view kAblateText =
     R"(Leave parts of the method out and see what that does to H1 and to the issuing of certificates.
 
 The cells: A1 no contact memory, A2 unknown space taken for free, A3 no curvature, their pairs and
-all three; or those of --cells. Each beside the full method: change of AUC and C on the same trials in
+all three; of logs with slope, step or slip A4, the plane alone; or those of --cells. Each beside the full method: change of AUC and C on the same trials in
 the same resamples, its own gain over its strongest rival, spurious certificates.
 
 With --output DIR: DIR/cells.*, DIR/issuance.*, DIR/speed.* (H3; CSV, JSON, text, Markdown, LaTeX), DIR/features/*.csv and

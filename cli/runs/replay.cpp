@@ -120,6 +120,7 @@ class ReplayFiles {
     SeriesFormat format{one.record.law, false, label_, true};
     format.risk = risk_;
     format.rules = rules_;
+    format.validity = parameters_.certificate.obstacle_speed_mps > 0.0;
     std::string text = series_header(format, robot_);
     for (std::size_t i = 0; i < trial.ticks.size(); ++i) {
       const auto& yaw_rates = trial.ticks.yaw_rate_cmd_rps;

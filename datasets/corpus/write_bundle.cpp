@@ -55,13 +55,21 @@ std::string control_csv(const ControlStream& stream, std::string_view first_line
 std::string pose_csv(const PoseStream& stream, std::string_view first_line) {
   std::string text(first_line);
   text.reserve(text.size() + 32 * (stream.time_ns.size() + 2));
-  text += "time_s,x_m,y_m,yaw_rad\n";
+  text += "time_s,x_m,y_m,yaw_rad";
+  text += stream.footing.empty() ? "\n" : ",pitch_rad,roll_rad,step_m,slip\n";
   for (std::size_t i = 0; i < stream.time_ns.size(); ++i) {
     const Pose& pose = stream.poses[i];
     table::append_seconds(text, stream.time_ns[i]);
     table::append_cell(text, pose.position.x_m);
     table::append_cell(text, pose.position.y_m);
     table::append_cell(text, pose.yaw_rad);
+    if (!stream.footing.empty()) {
+      const Footing& footing = stream.footing[i];
+      for (const double value :
+           {footing.pitch_rad, footing.roll_rad, footing.step_m, footing.slip}) {
+        table::append_cell(text, value);
+      }
+    }
     text += '\n';
   }
   return text;

@@ -16,6 +16,7 @@ double within(double value, double most) noexcept {
 }
 
 constexpr double kTouching = 1e-7;  // m
+constexpr double kTreading = 0.05;  // m/s
 
 /// Normal of a wall when a body at `velocity` touches it, if it does within `seconds`. An edge
 /// keeps its normal; round a corner or a disc the body's middle is `radius_m` from the centre then.
@@ -62,8 +63,9 @@ double RateLimited::advance(double target, double rate, double seconds) noexcept
 Body::Body(const DriveParameters& parameters,
            const WallIndex& walls,
            double radius_m,
-           const Pose& start) noexcept
-    : parameters_(parameters), walls_(walls), radius_m_(radius_m), pose_(start) {}
+           const Pose& start,
+           std::span<const ReliefPatch> relief) noexcept
+    : parameters_(parameters), walls_(walls), radius_m_(radius_m), relief_(relief), pose_(start) {}
 
 void Body::advance(double seconds, const policies::Command& command) noexcept {
   const double speed = speed_.advance(within(command.speed_mps, parameters_.most_speed_mps),
@@ -80,7 +82,12 @@ void Body::advance(double seconds, const policies::Command& command) noexcept {
       most_yaw_rate);
   const double turn = yaw_rate * seconds;
   const Point heading = policies::unit(pose_.yaw_rad + 0.5 * turn);
-  const Point velocity = held_back(speed * heading, seconds);
+  const double lost =
+      relief_.empty()
+          ? 0.0
+          : tread_loss(relief_, pose_.position, std::copysign(1.0, speed) * heading, parameters_);
+  const Point velocity = held_back((1.0 - lost) * speed * heading, seconds);
+  slip_ = std::abs(speed) > kTreading && hold_.force_n == 0.0 ? lost : kMissing;
   forward_mps_ = dot(velocity, heading);
   speed_mps_ = norm(velocity);
   const double way = seconds * speed_mps_;

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <tcert/geometry.hpp>
 #include <tcert/senses.hpp>
 
 #include "datasets/corpus/wall_index.hpp"
 #include "datasets/driven/contact.hpp"
 #include "datasets/driven/drive_parameters.hpp"
+#include "datasets/driven/relief.hpp"
 
 namespace tcert {
 
@@ -43,11 +45,13 @@ struct Hold {
 /// No motion enters a wall, however narrow the gap: see contact.hpp. noexcept, allocates nothing.
 class Body {
  public:
-  /// `walls` outlive the body and know of walls within kSensingRange. \pre `start` is free.
+  /// `walls` and `relief` outlive the body; walls within kSensingRange are known. \pre `start` is
+  /// free.
   Body(const DriveParameters& parameters,
        const WallIndex& walls,
        double radius_m,
-       const Pose& start) noexcept;
+       const Pose& start,
+       std::span<const ReliefPatch> relief = {}) noexcept;
 
   /// \pre seconds > 0, and a step of the largest speed is shorter than kSensingRange less the
   /// radius. A command that is not finite is one to stand.
@@ -59,6 +63,9 @@ class Body {
   [[nodiscard]] double speed_mps() const noexcept { return speed_mps_; }
   [[nodiscard]] const Hold& hold() const noexcept { return hold_; }
   [[nodiscard]] double travelled_m() const noexcept { return travelled_m_; }
+  /// Share of the legs' way that the ground took in the last step; NaN while they hardly tread or a
+  /// wall holds the body.
+  [[nodiscard]] double slip() const noexcept { return slip_; }
 
  private:
   [[nodiscard]] Point held_back(Point velocity, double seconds) noexcept;
@@ -70,6 +77,8 @@ class Body {
   DriveParameters parameters_;
   const WallIndex& walls_;
   double radius_m_;
+  std::span<const ReliefPatch> relief_;
+  double slip_ = kMissing;
   Pose pose_;
   RateLimited speed_;
   RateLimited yaw_rate_;

@@ -15,5 +15,7 @@ inline constexpr std::uint32_t kDrivenBumper = 0x6472'7606;
 inline constexpr std::uint32_t kDrivenSpeed = 0x6472'7607;
 inline constexpr std::uint32_t kDrivenCamera = 0x6472'7608;
 inline constexpr std::uint32_t kDrivenCrash = 0x6472'7609;
+inline constexpr std::uint32_t kGatedRelief = 0x6472'760a;
+inline constexpr std::uint32_t kDrivenFooting = 0x6472'760b;
 
 }  // namespace tcert::draws

@@ -38,7 +38,11 @@ DrivenRun::DrivenRun(DrivenDesign design)
       step_ns_(nanoseconds(design_.parameters.step_s)),
       control_ns_(nanoseconds(design_.parameters.control_s)),
       walls_(walls_of(design_.world, kSensingRange)),
-      body_(design_.parameters, walls_, 0.5 * corpus_robot().body_width_m, design_.world.start),
+      body_(design_.parameters,
+            walls_,
+            0.5 * corpus_robot().body_width_m,
+            design_.world.start,
+            design_.world.relief),
       referee_(design_.parameters,
                *design_.world.world.goal,
                drawn_crash_force(design_),
@@ -113,7 +117,7 @@ void DrivenRun::step_to(std::int64_t to_ns) {
   const double seconds = 1e-9 * static_cast<double>(to_ns - now_ns_);
   body_.advance(seconds, acting_);
   sensors_.feel(body_.hold(), body_.pose());
-  sensors_.sample({now_ns_, to_ns, from, body_.pose(), body_.speed_mps()}, log_);
+  sensors_.sample({now_ns_, to_ns, from, body_.pose(), body_.speed_mps(), body_.slip()}, log_);
   now_ns_ = to_ns;
   if (truth_) {
     truth_->take(now_ns_, body_);

@@ -11,6 +11,11 @@
 namespace tcert {
 namespace {
 
+// Standard deviations of what is felt underfoot.
+constexpr double kTiltNoise = 0.01;   // rad
+constexpr double kStepNoise = 0.005;  // m
+constexpr double kSlipNoise = 0.02;
+
 table::RandomStream clock_of(const DrivenDesign& design, std::uint32_t purpose) {
   return {noise_seed(design), purpose, 2 * design.index};
 }
@@ -47,7 +52,9 @@ DrivenSensors::DrivenSensors(const DrivenDesign& design, const WallIndex& walls)
                  design.parameters.noise_scale),
       pose_random_(noise_of(design, draws::kDrivenPose)),
       bump_random_(noise_of(design, draws::kDrivenBumper)),
-      speed_random_(noise_of(design, draws::kDrivenSpeed)) {}
+      speed_random_(noise_of(design, draws::kDrivenSpeed)),
+      footing_random_(noise_of(design, draws::kDrivenFooting)),
+      relief_(design.world.relief) {}
 
 void DrivenSensors::sample(const SensedStep& step, TrialLog& log) {
   for (; next_tactile_ < tactile_times_.size() && tactile_times_[next_tactile_] <= step.to_ns;
@@ -60,10 +67,28 @@ void DrivenSensors::sample(const SensedStep& step, TrialLog& log) {
   }
   for (; next_pose_ < pose_times_.size() && pose_times_[next_pose_] <= step.to_ns; ++next_pose_) {
     const std::int64_t time = pose_times_[next_pose_];
+    const Pose pose = pose_during(step, time);
     log.pose.time_ns.push_back(time);
-    log.pose.poses.push_back(
-        odometry(pose_during(step, time), side_, pose_random_, parameters_.noise_scale));
+    log.pose.poses.push_back(odometry(pose, side_, pose_random_, parameters_.noise_scale));
+    if (!relief_.empty()) {
+      log_footing(pose, step.slip, log.pose);
+    }
   }
+}
+
+void DrivenSensors::log_footing(const Pose& pose, double slip, PoseStream& log) {
+  const double scale = parameters_.noise_scale;
+  Footing footing = footing_at(relief_, pose);
+  footing.pitch_rad += scale * kTiltNoise * footing_random_.normal();
+  footing.roll_rad += side_ * scale * kTiltNoise * footing_random_.normal();
+  footing.step_m = std::max(footing.step_m + scale * kStepNoise * footing_random_.normal(), 0.0);
+  footing.slip = std::isnan(slip)
+                     ? slip
+                     : std::clamp(slip + scale * kSlipNoise * footing_random_.normal(), 0.0, 1.0);
+  log.footing.push_back({rounded_to(footing.pitch_rad, 1e4),
+                         rounded_to(footing.roll_rad, 1e4),
+                         rounded_to(footing.step_m, 1e4),
+                         rounded_to(footing.slip, 1e4)});
 }
 
 // A sine, so that the joint rests where it turns back.

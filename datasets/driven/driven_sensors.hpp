@@ -22,10 +22,12 @@ struct SensedStep {
   Pose from;
   Pose to;
   double speed_mps = 0.0;
+  double slip = kMissing;  ///< See Body::slip().
 };
 
 /// The corpus' tentacles at 83 Hz and its odometry at 20 Hz, on its jittered clocks with their lost
-/// samples and silences, and a bumper ring. Their draws depend on the design's noise seed and index
+/// samples and silences, and a bumper ring; where there are ramps or steps, with each pose what is
+/// underfoot. Their draws depend on the design's noise seed and index
 /// alone, and on `mirrored`, which swaps left and right in each.
 class DrivenSensors {
  public:
@@ -43,6 +45,7 @@ class DrivenSensors {
 
  private:
   /// Of the frontal tentacle, as its joint says; NaN without a joint.
+  void log_footing(const Pose& pose, double slip, PoseStream& log);
   [[nodiscard]] double front_bearing_rad(std::int64_t time_ns) const noexcept;
 
   DriveParameters parameters_;
@@ -56,6 +59,8 @@ class DrivenSensors {
   table::RandomStream pose_random_;
   table::RandomStream bump_random_;
   table::RandomStream speed_random_;
+  table::RandomStream footing_random_;
+  std::vector<ReliefPatch> relief_;
   std::optional<policies::Bump> bump_;
 };
 

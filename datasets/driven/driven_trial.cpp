@@ -45,6 +45,9 @@ TrialLog thinned(const TrialLog& log) {
   TrialLog thin;
   const auto poses = kept_by_logger(log.pose.time_ns);
   thin.pose = {picked(log.pose.time_ns, poses), picked(log.pose.poses, poses)};
+  if (!log.pose.footing.empty()) {
+    thin.pose.footing = picked(log.pose.footing, poses);
+  }
   const auto touches = kept_by_logger(log.tactile.time_ns);
   thin.tactile = {log.tactile.rays,
                   picked(log.tactile.time_ns, touches),

@@ -103,6 +103,10 @@ DrivenWorld mirrored(const DrivenWorld& driven) {
     }
   }
   image.start = {mirror_image(driven.start.position), -driven.start.yaw_rad};
+  for (ReliefPatch& patch : image.relief) {
+    patch.area.centre = mirror_image(patch.area.centre);
+    patch.up = mirror_image(patch.up);
+  }
   for (auto& lanes : image.lobes) {
     for (auto& lane : lanes) {
       std::transform(

@@ -9,6 +9,7 @@
 
 #include "datasets/corpus/wall_index.hpp"
 #include "datasets/driven/drive_parameters.hpp"
+#include "datasets/driven/relief.hpp"
 #include "datasets/random_worlds/random_world.hpp"
 
 namespace tcert {
@@ -23,6 +24,7 @@ struct DrivenWorld {
   /// Width less body width of the narrowest passage on the widest way, where it is known: of a
   /// figure-8 by the lanes' least gates.
   std::optional<double> margin_m;
+  std::vector<ReliefPatch> relief;     ///< Ramps and steps; none on level ground.
   std::vector<double> gate_margins_m;  ///< Of a figure-8, lane by lane; about -0.4 in blocked ones.
   std::uint32_t redraws = 0;           ///< Worlds that were drawn before it and not passable.
   std::uint64_t day = 0;
@@ -34,7 +36,8 @@ struct DrivenWorld {
 /// policy has a part in. The margins of a world's gates are gate_margin_m + gate_sd_m (sqrt(c) z +
 /// sqrt(1 - c) e_i), z shared, c = gate_correlation; each lane is blocked at blocked_share. With
 /// WorldChoice::passable margins and blocks are drawn until each lobe has a lane of margin > 0,
-/// which leaves another distribution: `redraws` says how often.
+/// which leaves another distribution: `redraws` says how often. Ramps and steps: draw_relief(); no
+/// world is drawn again for them, and `margin_m` is of the plane.
 ///
 /// It depends on (seed, k) and the parameters alone. The robot stands behind the first post and
 /// faces the lane that `lobes` lists first; which one this is, is drawn.

@@ -123,6 +123,7 @@ DrivenWorld draw_gated_world(const DriveParameters& parameters,
   for (const Gate& gate : gates) {
     driven.gate_margins_m.push_back(gate.width_m - corpus_robot().body_width_m);
   }
+  driven.relief = draw_relief(parameters, driven.lobes, seed, index);
   driven.world = build_world(course, gates);
   driven.world.name = fmt::format("w{:07}", index);
   driven.world.seed = seed;

@@ -8,6 +8,7 @@
 #include "datasets/travelled_way.hpp"
 #include "datasets/values/check_course.hpp"
 #include "datasets/values/check_duration.hpp"
+#include "datasets/values/check_footing.hpp"
 #include "datasets/values/check_rays.hpp"
 #include "datasets/values/check_speed.hpp"
 #include "datasets/values/check_units.hpp"
@@ -48,7 +49,7 @@ std::vector<ValueFinding> check_values(const BundleInfo& info,
   const TrialScan scan = scan_rays(ticks, way_m);
   add(check_units(info.robot, parameters, ticks, scan));
   for (const std::optional<ValueFinding>& one :
-       {check_yaw(ticks), check_speed(ticks), check_duration(trial, ticks)}) {
+       {check_yaw(ticks), check_speed(ticks), check_duration(trial, ticks), check_footing(ticks)}) {
     if (one) {
       found.push_back(*one);
     }

@@ -26,6 +26,7 @@ enum class ValueKind : std::uint8_t {
   ray_hung,       ///< A reading that ceases to move.
   ray_twin,       ///< Two rays that are one.
   ray_silent,     ///< A ray without readings beside others that have them.
+  footing,        ///< Slopes, steps or slips that nothing stands on: degrees, millimetres?
 };
 
 /// A warning, with its kind: so that those of many trials can be said once.

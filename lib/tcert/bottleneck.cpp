@@ -3,8 +3,8 @@
 
 namespace tcert {
 
-std::optional<Bottleneck> bottleneck_of(const CorridorWalk& walk) noexcept {
-  const bool turns = walk.turning() && walk.through().sink() < walk.certificate_m();
+std::optional<Bottleneck> bottleneck_of(const CorridorWalk& walk, double since_start_m) noexcept {
+  const bool turns = walk.turning() && walk.through().sink() < walk.certificate_m(since_start_m);
   const WidestLabels& labels = turns ? *walk.turning() : walk.through();
   std::optional<Bottleneck> narrowest;
   EdgeEnd entered = labels.sink_end();
@@ -24,6 +24,9 @@ std::optional<Bottleneck> bottleneck_of(const CorridorWalk& walk) noexcept {
         edge.ends[0].node == entered.node && (edge.ends[0].side == entered.side || turns);
     const EdgeEnd from = is_first ? edge.ends[1] : edge.ends[0];
     entered = {from.node, opposite(from.side)};
+  }
+  if (narrowest) {
+    narrowest->margin_m -= since_start_m;
   }
   if (turns && narrowest && narrowest->margin_m > 0.0) {
     narrowest->margin_m = 0.0;  // somewhere on the way it turned on the spot

@@ -5,6 +5,7 @@
 #include <tcert/certifier.hpp>
 #include <tcert/contact_memory.hpp>
 #include <tcert/corridor_walk.hpp>
+#include <tcert/footing.hpp>
 #include <tcert/lengths.hpp>
 #include <tcert/proxies.hpp>
 #include <tcert/swept_margins.hpp>
@@ -53,11 +54,14 @@ struct Certifier::State {
     return parameters.unknown == UnknownSpace::free;
   }
   [[nodiscard]] bool accepts(const Tick& tick) const noexcept;
+  CertifiedTick age(const Tick& tick) noexcept;
   [[nodiscard]] CertifiedTick unchanged(const Tick& tick, std::uint32_t flag) const noexcept;
   void certify(const Tick& tick) noexcept;
   void count_travel(Point position, bool broken) noexcept;
   Evidence weigh(const Tick& tick) noexcept;
+  double underfoot(const Tick& tick) noexcept;
   [[nodiscard]] double certificate_m() const noexcept;
+  void state_values(CertifiedTick& tick) const noexcept;
 
   Robot robot;
   Course course;
@@ -77,6 +81,8 @@ struct Certifier::State {
   Point last_position;
   Point counted_position;
   double travel_m = 0.0;
+  double since_start_m = 0.0;
+  Footing footing;
   std::uint32_t lasting_flags = 0;
   CertifiedTick out;
 };
@@ -91,10 +97,19 @@ CertifiedTick Certifier::State::unchanged(const Tick& tick, std::uint32_t flag) 
   CertifiedTick same = out;
   same.time_ns = tick.time_ns;
   same.left_m = same.right_m = same.width_m = same.turn_radius_m = kMissing;
-  same.margin_m = kMissing;
+  same.margin_m = same.footing_slack_m = kMissing;
   same.contacts = same.new_contacts = same.labels_raised = 0;
   same.flags = lasting_flags | flag;
   return same;
+}
+
+// Time goes on without evidence, too: where obstacles move what was known is worth less.
+CertifiedTick Certifier::State::age(const Tick& tick) noexcept {
+  if (began && parameters.obstacle_speed_mps > 0.0) {
+    since_start_m = 2.0 * parameters.obstacle_speed_mps * elapsed_s(first_ns, tick.time_ns);
+    state_values(out);
+  }
+  return unchanged(tick, flag_stale);
 }
 
 // Travel counts only past the dead band, so that pose noise at a standstill is no travel.
@@ -115,7 +130,10 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
       course.start.has_value() ? lies_in(course.start, position) : lies_in(first_node, position);
   const LocalGeometry local = proxies.update(tick, travel_m, time_s, in_start, memory);
   const double sure_radius_m = 1.0 / (1.0 / local.turn_radius_m + robot.curvature_buffer_per_m);
-  const double turn_slack_m = sure_radius_m - robot.min_turn_radius_m;
+  double turn_slack_m = sure_radius_m - robot.min_turn_radius_m;
+  if (parameters.footing == FootingReading::felt) {
+    turn_slack_m = std::min(turn_slack_m, underfoot(tick));
+  }
 
   out.left_m = local.left_m;
   out.right_m = local.right_m;
@@ -136,7 +154,7 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
   return {tick.pose,
           direction(tick.pose.yaw_rad),
           travel_m,
-          out.margin_m,
+          out.margin_m + since_start_m,
           local.left_m,
           local.right_m,
           local.width_m,
@@ -144,16 +162,38 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
           parameters.memory_weight_m * out.memory,
           in_start,
           lies_in(course.goal, position),
-          turn_slack_m};
+          turn_slack_m,
+          since_start_m};
+}
+
+// Slope, step and slip where the robot stands, as metres.
+double Certifier::State::underfoot(const Tick& tick) noexcept {
+  keep_known(tick.footing, footing);
+  const double scale_m = parameters.footing_scale_m > 0.0 ? parameters.footing_scale_m
+                                                          : proxies.widest_m() - needed_width_m();
+  const double slack_m = footing_slack(footing, parameters, scale_m);
+  out.footing_slack_m = slack_m < std::numeric_limits<double>::infinity() ? slack_m : kMissing;
+  return slack_m;
 }
 
 // Ablation A2 credits what lies ahead of the last node with the reach of the rays.
 double Certifier::State::certificate_m() const noexcept {
   if (!is_optimistic()) {
-    return walk.certificate_m();
+    return walk.certificate_m(since_start_m) - since_start_m;
   }
   const double ahead_m = proxies.reach_width_m() - needed_width_m();
-  return std::max(walk.certificate_m(), std::min(walk.reached_m(), ahead_m));
+  return std::max(walk.certificate_m(since_start_m) - since_start_m,
+                  std::min(walk.reached_m() - since_start_m, ahead_m));
+}
+
+// What is known holds now, and for so long.
+void Certifier::State::state_values(CertifiedTick& tick) const noexcept {
+  tick.edge_margin_m = walk.edge_margin_m() - since_start_m;
+  tick.corridor_value_m = walk.corridor_value_m() - since_start_m;
+  tick.certificate_m = certificate_m();
+  tick.valid_for_s = parameters.obstacle_speed_mps > 0.0 && tick.certificate_m > 0.0
+                         ? tick.certificate_m / (2.0 * parameters.obstacle_speed_mps)
+                         : kMissing;
 }
 
 void Certifier::State::certify(const Tick& tick) noexcept {
@@ -168,6 +208,7 @@ void Certifier::State::certify(const Tick& tick) noexcept {
   } else {
     count_travel(position, broken);
   }
+  since_start_m = 2.0 * parameters.obstacle_speed_mps * elapsed_s(first_ns, tick.time_ns);
   if (broken) {
     out.flags |= flag_break;
     proxies.restart_windows();
@@ -188,7 +229,7 @@ void Certifier::State::certify(const Tick& tick) noexcept {
     began = true;
   } else if (broken) {
     const double bridge_m = is_optimistic() ? proxies.reach_width_m() - needed_width_m() : kNoPath;
-    walk.advance_after_break(evidence, bridge_m);
+    walk.advance_after_break(evidence, bridge_m + since_start_m);
   } else {
     walk.advance(evidence);
   }
@@ -202,9 +243,7 @@ void Certifier::State::certify(const Tick& tick) noexcept {
   out.flags |= lasting_flags;
   out.time_ns = tick.time_ns;
   out.travel_m = travel_m;
-  out.edge_margin_m = walk.edge_margin_m();
-  out.corridor_value_m = walk.corridor_value_m();
-  out.certificate_m = certificate_m();
+  state_values(out);
   out.nodes = static_cast<std::uint32_t>(walk.graph().nodes().size());
   out.edges = static_cast<std::uint32_t>(walk.graph().edges().size());
   out.labels_raised = static_cast<std::uint32_t>(walk.labels_raised() - raised_before);
@@ -238,7 +277,7 @@ CertifiedTick Certifier::update(const Tick& tick) noexcept {
   state.has_time = true;
   state.last_ns = tick.time_ns;
   if (tick.stale) {
-    return state.unchanged(tick, flag_stale);
+    return state.age(tick);
   }
   state.certify(tick);
   return state.out;
@@ -248,10 +287,12 @@ std::span<const double> Certifier::ray_margins() const noexcept { return state_-
 
 const CorridorGraph& Certifier::graph() const noexcept { return state_->walk.graph(); }
 
+double Certifier::since_start_m() const noexcept { return state_->since_start_m; }
+
 std::uint32_t Certifier::last_node() const noexcept { return state_->walk.last_node(); }
 
 std::optional<Bottleneck> Certifier::bottleneck() const noexcept {
-  return bottleneck_of(state_->walk);
+  return bottleneck_of(state_->walk, state_->since_start_m);
 }
 
 void Certifier::reset() noexcept {
@@ -262,6 +303,8 @@ void Certifier::reset() noexcept {
   std::fill(state.ray_margins.begin(), state.ray_margins.end(), kMissing);
   state.began = state.has_time = state.gap_before_next = false;
   state.travel_m = 0.0;
+  state.since_start_m = 0.0;
+  state.footing = {};
   state.lasting_flags = 0;
   state.out = {};
   state.out.certificate_m = kNoPath;

@@ -51,7 +51,11 @@ struct CertifiedTick {
   std::uint32_t edges = 0;
   std::uint32_t labels_raised = 0;  ///< Work of this tick in the graph; at most 8 (edges + 2).
   std::uint32_t flags = 0;
-  bool issued = false;  ///< T_t > 0 now or earlier.
+  bool issued = false;                ///< T_t > 0 now or earlier.
+  double footing_slack_m = kMissing;  ///< Least margin of slope, step and slip; unless felt, NaN.
+  /// For how long T_t stays above 0 if nothing more is felt: T_t / 2u where obstacles move at u and
+  /// T_t is above 0, else NaN.
+  double valid_for_s = kMissing;
 };
 
 /// tc_t: T_t once S and G are connected, V_t before.
@@ -94,8 +98,12 @@ class Certifier {
   /// for free (A2) what lies ahead may decide instead. O(length of the path).
   [[nodiscard]] std::optional<Bottleneck> bottleneck() const noexcept;
 
-  /// The corridor graph explored so far.
+  /// The corridor graph explored so far. Where obstacles move its margins are those that hold at
+  /// the first tick; now they are less by since_start_m().
   [[nodiscard]] const CorridorGraph& graph() const noexcept;
+
+  /// 2u times the time since the first tick; 0 where nothing moves.
+  [[nodiscard]] double since_start_m() const noexcept;
 
   /// The last node that the path passed; kNone before the first and once capacity has run out.
   [[nodiscard]] std::uint32_t last_node() const noexcept;

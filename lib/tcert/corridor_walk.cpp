@@ -29,8 +29,9 @@ CorridorWalk::CorridorWalk(const Robot& robot,
 }
 
 // To turn on the spot is to drive a radius of 0: the margin is at most 0 - R_min = 0.
-double CorridorWalk::certificate_m() const noexcept {
-  return turning_ ? std::max(through_.sink(), std::min(turning_->sink(), 0.0)) : through_.sink();
+double CorridorWalk::certificate_m(double since_start_m) const noexcept {
+  return turning_ ? std::max(through_.sink(), std::min(turning_->sink(), since_start_m))
+                  : through_.sink();
 }
 
 void CorridorWalk::clear() noexcept {

@@ -41,8 +41,9 @@ class CorridorWalk {
   /// that margin.
   void advance_after_break(const Evidence& evidence, double bridge_m) noexcept;
 
-  /// Widest-path value from S to G; -infinity until connected.
-  [[nodiscard]] double certificate_m() const noexcept;
+  /// Widest-path value from S to G; -infinity until connected. All values are those that hold at
+  /// time 0: at another they are less by Evidence::since_start_m, which caps a turn on the spot.
+  [[nodiscard]] double certificate_m(double since_start_m = 0.0) const noexcept;
   /// V_t = min(B(u), pending margin - memory deduction); -infinity if the path began outside S.
   [[nodiscard]] double corridor_value_m() const noexcept { return corridor_value_m_; }
   /// B(u): the label of the last node passed, on nodes without sides.

@@ -51,7 +51,8 @@ Crossing crossing_of(const CorridorGraph& graph,
   if (rule.charges_turns) {
     const double curvature = join_curvature(std::sqrt(distance2), off_axis, rule.length_m) +
                              1.0 / step.now.turn_radius_m;
-    found.turn = {1.0 / (curvature + rule.curvature_buffer_per_m) - rule.min_turn_radius_m,
+    found.turn = {1.0 / (curvature + rule.curvature_buffer_per_m) - rule.min_turn_radius_m +
+                      step.now.since_start_m,
                   1.0 / curvature,
                   {found.at, now.yaw_rad}};
   }

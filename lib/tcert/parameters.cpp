@@ -43,6 +43,13 @@ void validate(const CertificateParameters& p) {
   if (p.contact_off_n > p.contact_on_n) {
     throw std::invalid_argument("contact_off_n must not be above contact_on_n");
   }
+  if (p.obstacle_speed_mps > 0.0 &&
+      (p.clearance == ClearanceReading::swept || p.clearance == ClearanceReading::witness)) {
+    throw std::invalid_argument(
+        "obstacle_speed_mps is " + to_text(p.obstacle_speed_mps) +
+        "; with clearance=swept or witness it must be 0: what was swept has no time. Take width or "
+        "radial where obstacles move");
+  }
   if (p.curvature == CurvatureReading::path) {
     require_fits("curvature_min_travel_m",
                  p.curvature_min_travel_m,

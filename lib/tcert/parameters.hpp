@@ -30,6 +30,12 @@ enum class UnknownSpace {
   free,      ///< Ablation A2: free until contradicted.
 };
 
+/// Whether slope, step and slip bound the margin (paper 2.1, Remark 1).
+enum class FootingReading {
+  felt,     ///< Where the log has them.
+  ignored,  ///< Ablation A4: the plane alone.
+};
+
 /// Names, defaults, bounds and what each is for: parameters/certificate.def.
 struct CertificateParameters {
 #define TCERT_WORD TCERT_MEMBER_WORD

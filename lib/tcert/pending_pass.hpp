@@ -21,7 +21,10 @@ struct Evidence {
   double memory_deduction_m = 0.0;  ///< lambda_M M_t.
   bool in_start = false;
   bool in_goal = false;
-  double turn_slack_m = 0.0;  ///< The turn radius' part of m_t.
+  double turn_slack_m = 0.0;  ///< The turn radius' part of m_t, or that of the footing if less.
+  /// Where obstacles move: by how much what holds now is above its worth at time 0. Margins of
+  /// passes and edges, and labels, are of that time, so that they only rise; 0 else.
+  double since_start_m = 0.0;
 };
 
 /// Running minimum of the margin, and samples for the profiles: every tick up to a fixed number,

@@ -29,14 +29,18 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
       look_window_m_(side_window(robot, parameters)),
       left_(side_window(robot, parameters), parameters.travel_deadband_m),
       right_(side_window(robot, parameters), parameters.travel_deadband_m),
+      left_moving_(side_window(robot, parameters), parameters.travel_deadband_m),
+      right_moving_(side_window(robot, parameters), parameters.travel_deadband_m),
       motion_(parameters.curvature_window_m, parameters.travel_deadband_m),
       contact_curvature_(robot.rays.size(), parameters) {
   double left_m = std::numeric_limits<double>::infinity();
   double right_m = left_m;
+  double longest_m = half_width_m_;
   for (const Ray& ray : robot.rays) {
     RayState state;
     state.ray = ray;
     state.ray.reach_m = longest_clearance(ray);
+    longest_m = std::max(longest_m, std::abs(ray.mount.y_m) + state.ray.reach_m);
     point(state, ray.bearing_rad);
     bearing_rad_.push_back(ray.bearing_rad);
     double& reach_m = state.side > 0 ? left_m : right_m;
@@ -47,6 +51,8 @@ Proxies::Proxies(const Robot& robot, const CertificateParameters& parameters)
   }
   reach_width_m_ = across_both(std::isinf(left_m) ? half_width_m_ : left_m,
                                std::isinf(right_m) ? half_width_m_ : right_m);
+  widest_m_ = across_both(std::isinf(left_m) ? longest_m : left_m,
+                          std::isinf(right_m) ? longest_m : right_m);
 }
 
 void Proxies::point(RayState& state, double bearing_rad) const noexcept {
@@ -69,13 +75,18 @@ void Proxies::follow_joint(std::size_t ray, double bearing_rad) noexcept {
 
 // A ray that a joint moves looks to one side at a time: in between, the side is what it last felt
 // there, for as far as a side is remembered.
-double Proxies::since_look(Look& look, double felt_m, double travel_m) const noexcept {
+double Proxies::since_look(Look& look,
+                           double felt_m,
+                           double travel_m,
+                           double time_s) const noexcept {
   if (std::isfinite(felt_m)) {
-    look = {felt_m, travel_m};
+    look = {felt_m, travel_m, time_s};
     return felt_m;
   }
   const bool is_recent = moves_ && !exceeds(travel_m - look.travel_m, look_window_m_);
-  return is_recent && std::isfinite(look.side_m) ? look.side_m : half_width_m_;
+  return is_recent && std::isfinite(look.side_m)
+             ? look.side_m - parameters_.obstacle_speed_mps * (time_s - look.time_s)
+             : half_width_m_;
 }
 
 void Proxies::clear() noexcept {
@@ -91,6 +102,8 @@ void Proxies::clear() noexcept {
 void Proxies::restart_windows() noexcept {
   left_.clear();
   right_.clear();
+  left_moving_.clear();
+  right_moving_.clear();
   motion_.clear();
   contact_curvature_.clear();
   left_look_ = {};
@@ -106,6 +119,21 @@ bool Proxies::feels_contact(const RayState& state,
     return force_n >= (state.in_contact ? parameters_.contact_off_n : parameters_.contact_on_n);
   }
   return clearance_m < state.ray.reach_m - parameters_.contact_slack_m;
+}
+
+// Where obstacles move, each side by `u` at most, a reading is kept as what it was worth at time 0.
+double Proxies::trailing(TrailingMinimum& still,
+                         TrailingNewest& moving,
+                         double side_m,
+                         double travel_m,
+                         double time_s) const noexcept {
+  if (parameters_.obstacle_speed_mps == 0.0) {
+    return still.add(travel_m, side_m);
+  }
+  const double lost_m = parameters_.obstacle_speed_mps * time_s;
+  const double felt_m =
+      side_m + lost_m - parameters_.obstacle_speed_mps * parameters_.reading_age_s;
+  return moving.add(travel_m, unwrapped_yaw_rad_, felt_m) - lost_m;
 }
 
 double Proxies::across_both(double left_m, double right_m) const noexcept {
@@ -213,8 +241,10 @@ LocalGeometry Proxies::update(const Tick& tick,
       feel_contact(k, tick, travel_m, time_s, memory);
     }
   }
-  local.left_m = left_.add(travel_m, since_look(left_look_, left_m, travel_m));
-  local.right_m = right_.add(travel_m, since_look(right_look_, right_m, travel_m));
+  const double left_now_m = since_look(left_look_, left_m, travel_m, time_s);
+  const double right_now_m = since_look(right_look_, right_m, travel_m, time_s);
+  local.left_m = trailing(left_, left_moving_, left_now_m, travel_m, time_s);
+  local.right_m = trailing(right_, right_moving_, right_now_m, travel_m, time_s);
   local.width_m = across_both(local.left_m, local.right_m);
 
   const double path_radius_m = path_radius(moved, inside_start);

@@ -55,6 +55,9 @@ class Proxies {
   /// there as mounted.
   [[nodiscard]] double reach_width_m() const noexcept { return reach_width_m_; }
 
+  /// The same, where a side to which none is mounted may be felt by one that a joint moves.
+  [[nodiscard]] double widest_m() const noexcept { return widest_m_; }
+
  private:
   struct RayState {
     Ray ray;
@@ -68,13 +71,22 @@ class Proxies {
   struct Look {
     double side_m = kMissing;
     double travel_m = 0.0;
+    double time_s = 0.0;
   };
   void point(RayState& state, double bearing_rad) const noexcept;
   void follow_joint(std::size_t ray, double bearing_rad) noexcept;
-  [[nodiscard]] double since_look(Look& look, double felt_m, double travel_m) const noexcept;
+  [[nodiscard]] double since_look(Look& look,
+                                  double felt_m,
+                                  double travel_m,
+                                  double time_s) const noexcept;
   [[nodiscard]] bool feels_contact(const RayState& state,
                                    double clearance_m,
                                    double force_n) const noexcept;
+  [[nodiscard]] double trailing(TrailingMinimum& still,
+                                TrailingNewest& moving,
+                                double side_m,
+                                double travel_m,
+                                double time_s) const noexcept;
   [[nodiscard]] double across_both(double left_m, double right_m) const noexcept;
   TrailingMotion::Motion follow(const Pose& pose, double travel_m, bool inside_start) noexcept;
   [[nodiscard]] double along_heading(const TrailingMotion::Motion& moved) const noexcept;
@@ -96,8 +108,11 @@ class Proxies {
   Look right_look_;
   double look_window_m_;
   double reach_width_m_ = 0.0;
+  double widest_m_ = 0.0;
   TrailingMinimum left_;
   TrailingMinimum right_;
+  TrailingNewest left_moving_;  // in their place where obstacles move: as of time 0
+  TrailingNewest right_moving_;
   TrailingMotion motion_;
   ContactCurvature contact_curvature_;
   double last_yaw_rad_ = 0.0;

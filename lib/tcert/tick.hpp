@@ -30,6 +30,14 @@ struct RayReading {
   double bearing_rad = kMissing;
 };
 
+/// What is underfoot; NaN is not measured at this tick.
+struct Footing {
+  double pitch_rad = kMissing;
+  double roll_rad = kMissing;
+  double step_m = kMissing;  ///< Height of a step up or down.
+  double slip = kMissing;    ///< Share of the commanded way that the robot did not move.
+};
+
 /// One tick. `rays` holds one reading per ray of the robot, in its order, and is only looked at
 /// during the call that takes the tick.
 struct Tick {
@@ -38,6 +46,7 @@ struct Tick {
   std::span<const RayReading> rays;
   bool stale = false;          ///< A required stream is silent: no evidence.
   bool segment_start = false;  ///< The log has a gap before this tick: the path is broken here.
+  Footing footing{};
 };
 
 }  // namespace tcert

@@ -3,7 +3,10 @@
 /// Quantities over the last so many metres of travel. Travel advances in steps of at least the
 /// dead band, so a window holds a bounded number of distinct travels and needs a bounded memory.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tcert/lengths.hpp>
 #include <vector>
 
@@ -73,6 +76,45 @@ class TrailingMinimum {
   };
   double window_m_;
   TravelQueue<Entry> queue_;
+};
+
+/// The same where values lose worth with time: the newest value of a place stands for those before
+/// it. A place is one travel and, for who turns on the spot looks elsewhere, about one heading.
+class TrailingNewest {
+ public:
+  TrailingNewest(double window_m, double step_m) : before_(window_m, step_m) {}
+
+  void clear() noexcept {
+    before_.clear();
+    has_place_ = false;
+  }
+
+  /// Returns the minimum with `value` in it. \pre `travel_m` never falls between two clears.
+  double add(double travel_m, double yaw_rad, double value) noexcept {
+    constexpr double kSameHeading = 0.05;  // rad
+    if (has_place_ && travel_m == place_m_ && std::abs(yaw_rad - yaw_rad_) <= kSameHeading) {
+      newest_ = value;
+      return std::min(least_before_, newest_);
+    }
+    if (has_place_) {
+      before_.add(place_m_, newest_);
+    }
+    has_place_ = true;
+    place_m_ = travel_m;
+    yaw_rad_ = yaw_rad;
+    newest_ = value;
+    // What has left the window goes; infinity is no value.
+    least_before_ = before_.add(travel_m, std::numeric_limits<double>::infinity());
+    return std::min(least_before_, newest_);
+  }
+
+ private:
+  TrailingMinimum before_;
+  double least_before_ = 0.0;
+  bool has_place_ = false;
+  double place_m_ = 0.0;
+  double yaw_rad_ = 0.0;
+  double newest_ = 0.0;
 };
 
 /// Net change of an unwrapped heading, and of the way across the heading, over the last `window_m`

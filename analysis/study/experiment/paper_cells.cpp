@@ -30,6 +30,8 @@ std::vector<Cell> ablation_cells() {
   return cells;
 }
 
+Cell footing_ablation() { return {"A4", {{"footing", "ignored"}}}; }
+
 std::vector<Cell> sensitivity_cells() {
   const std::vector<GridAxis> choices = {
       {"tick_s", {"0.05", "0.2"}},

@@ -12,6 +12,9 @@ namespace tcert::study {
 /// pairs and all three.
 [[nodiscard]] std::vector<Cell> ablation_cells();
 
+/// A4, of data that have slope, step or slip: the plane alone.
+[[nodiscard]] Cell footing_ablation();
+
 /// One parameter at a time: every choice that the paper leaves open (lib/README.md says how it was
 /// settled), at other values that one could defend. What they do to H1 is its specification curve.
 [[nodiscard]] std::vector<Cell> sensitivity_cells();

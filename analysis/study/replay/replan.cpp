@@ -49,7 +49,8 @@ ReplanSummary replan_trial(Certifier& certifier,
     if ((certified.flags & (flag_stale | flag_bad_input)) != 0) {
       continue;
     }
-    planner.follow(certifier.graph(), certifier.last_node(), ticks.time_ns[i]);
+    planner.follow(
+        certifier.graph(), certifier.last_node(), ticks.time_ns[i], certifier.since_start_m());
     if ((acted[i].guarded.began & kAsksForRoute) == 0 || certifier.last_node() == kNone) {
       continue;
     }

@@ -54,6 +54,9 @@ TickTable CertifiedGround::ticks_on(const TickTable& ticks) const {
       kept.poses.push_back(tick.pose);
       kept.readings.insert(kept.readings.end(), tick.rays.begin(), tick.rays.end());
       kept.stale.push_back(ticks.stale[i]);
+      if (!ticks.footing.empty()) {
+        kept.footing.push_back(ticks.footing[i]);
+      }
       kept.segment_start.push_back(broken || tick.segment_start ? 1 : 0);
       kept.speed_cmd_mps.push_back(ticks.speed_cmd_mps[i]);
       kept.yaw_rate_cmd_rps.push_back(ticks.yaw_rate_cmd_rps[i]);

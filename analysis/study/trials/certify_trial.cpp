@@ -15,6 +15,10 @@ TrialSeries certify_trial(Certifier& certifier, const TickTable& ticks) {
   const CorridorGraph& graph = certifier.graph();
   series.nodes.assign(graph.nodes().begin(), graph.nodes().end());
   series.edges.assign(graph.edges().begin(), graph.edges().end());
+  for (Edge& edge : series.edges) {
+    edge.pass.margin_m -= certifier.since_start_m();
+    edge.certified.margin_m -= certifier.since_start_m();
+  }
   return series;
 }
 

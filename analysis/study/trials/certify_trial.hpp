@@ -16,7 +16,7 @@ struct TrialSeries {
   std::vector<CertifiedTick> ticks;      ///< One per tick of the table, stale ones included.
   std::optional<Bottleneck> bottleneck;  ///< Empty unless S and G are connected at the end.
   std::vector<Node> nodes;               ///< Of the corridor graph at the end.
-  std::vector<Edge> edges;
+  std::vector<Edge> edges;               ///< Margins as they hold at the last tick.
 };
 
 /// Feeds `ticks` to the certifier, which is reset first and left in the state after the last tick,

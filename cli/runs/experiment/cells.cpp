@@ -3,6 +3,7 @@
 #include "analysis/study/experiment/paper_cells.hpp"
 #include "cli/runs/experiment/asked_cells.hpp"
 #include "cli/runs/experiment/run_cells.hpp"
+#include "datasets/trial_reader.hpp"
 
 namespace tcert::cli {
 namespace {
@@ -32,8 +33,31 @@ void add_cells_options(OptionTable& table, CellsRequest& o) {
   add_common(table, o);
 }
 
+/// True if the first of the trials that can be read has slope, step or slip. What is wrong with the
+/// bundle is said by whoever reads all of it.
+bool has_footing(const std::string& path, const LogOptions& logs) {
+  const BundleResult opened = open_bundle(path, {logs.decimal_comma});
+  if (!opened.bundle) {
+    return false;
+  }
+  for (const TrialRow& row : opened.bundle->trials) {
+    if (const TrialResult trial = read_trial(*opened.bundle, row, {logs.repair}); trial.log) {
+      return trial.log->merged ? !trial.log->merged->footing.empty()
+                               : !trial.log->pose.footing.empty();
+    }
+  }
+  return false;
+}
+
 std::vector<study::Cell> cells_of(const AblateRequest& request, Progress& progress) {
-  return request.cells.empty() ? study::ablation_cells() : cells_of_file(request, progress);
+  if (!request.cells.empty()) {
+    return cells_of_file(request, progress);
+  }
+  std::vector<study::Cell> cells = study::ablation_cells();
+  if (has_footing(request.bundle, request.logs)) {
+    cells.push_back(study::footing_ablation());
+  }
+  return cells;
 }
 
 std::vector<study::Cell> cells_of(const SweepRequest& request, Progress& progress) {

@@ -32,7 +32,7 @@ void LiveRecord::add(const TickLine& line, const CertifiedTick& certified, Statu
     goal_ns_ = last_ns_;
   }
   try {
-    recorder_->add(line.tick, line.speed_cmd_mps, line.yaw_rate_cmd_rps);
+    recorder_->add(line.tick, line.speed_cmd_mps, line.yaw_rate_cmd_rps, line.has_footing);
   } catch (const table::WriteError& error) {
     give_up(error, status);
     ++lost_;

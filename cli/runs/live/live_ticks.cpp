@@ -39,6 +39,7 @@ LiveTicks::LiveTicks(const LiveRequest& request,
       format_{parameters_.speed_law, request.ray_margins, synthetic_label(info), request.guards},
       runtime_(runtime_of(info.course, actions_of(request, robot_, parameters_, progress))) {
   format_.risk = request.monitor.risk;
+  format_.validity = parameters_.certificate.obstacle_speed_mps > 0.0;
   format_.rules = names_of(runtime_.actions().monitor().rules());
   if (parameters_.certificate.clearance == ClearanceReading::witness) {
     witness_.emplace(robot_, info.course, parameters_, when_late);

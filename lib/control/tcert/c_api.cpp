@@ -119,7 +119,10 @@ tcert_status tcert_update(tcert_certifier* certifier,
       !is_known_size<tcert_output>(output->struct_size)) {
     return TCERT_ERROR_VERSION;
   }
-  const tcert_tick whole = completed(*tick);
+  tcert_tick without_footing{};
+  without_footing.pitch_rad = without_footing.roll_rad = kMissing;
+  without_footing.step_m = without_footing.slip = kMissing;
+  const tcert_tick whole = completed(*tick, without_footing);
   std::vector<RayReading>& readings = certifier->readings;
   const std::size_t count = std::min<std::size_t>(whole.reading_count, readings.size());
   for (std::size_t k = 0; k < count; ++k) {
@@ -131,7 +134,8 @@ tcert_status tcert_update(tcert_certifier* certifier,
                   {{whole.x_m, whole.y_m}, whole.yaw_rad},
                   std::span(readings).first(count),
                   whole.stale != 0,
-                  whole.segment_start != 0};
+                  whole.segment_start != 0,
+                  {whole.pitch_rad, whole.roll_rad, whole.step_m, whole.slip}};
   give(to_output(certifier->runtime.update(felt)), *output);
   return TCERT_OK;
 }

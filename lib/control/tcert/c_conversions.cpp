@@ -174,7 +174,8 @@ tcert_parameters default_parameters() noexcept {
 tcert_parameters whole_parameters(const tcert_parameters& given) {
   require_size(given, "parameters");
   const tcert_parameters whole = completed(given, default_parameters());
-  require(whole.reserved == 0 && whole.reserved_1 == 0 && whole.reserved_2 == 0,
+  require(whole.reserved == 0 && whole.reserved_1 == 0 && whole.reserved_2 == 0 &&
+              whole.reserved_3 == 0,
           "a reserved member of the parameters is not 0; tcert_parameters_init sets all of them");
   return whole;
 }
@@ -257,6 +258,8 @@ tcert_output to_output(const RuntimeTick& tick) noexcept {
   out.risk_ahead = tick.acted.risk_ahead;
   out.alarms = tick.acted.alarms;
   out.alarms_began = tick.acted.alarms_began;
+  out.footing_slack_m = certified.footing_slack_m;
+  out.valid_for_s = certified.valid_for_s;
   return out;
 }
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint32_t kGoalState = 0;
 constexpr double kUnitsPerMetre = 1e6;
+constexpr double kLostAtOnce = 0.01;   // m
 constexpr double kLargestCost = 1e15;  // far from overflow along any path
 
 std::uint32_t state_of(std::uint32_t node) noexcept { return node + 1; }
@@ -56,6 +57,7 @@ void RoutePlanner::clear() noexcept {
   known_nodes_ = known_edges_ = 0;
   at_node_ = kNone;
   now_ns_ = 0;
+  lost_m_ = 0.0;
   pending_violates_ = false;
 }
 
@@ -87,26 +89,37 @@ void RoutePlanner::take_nodes(const CorridorGraph& graph) noexcept {
 }
 
 void RoutePlanner::take_edges_at(const CorridorGraph& graph, std::uint32_t node) noexcept {
-  graph.for_each_edge_at(node, [&](std::uint32_t index, std::uint32_t /*end*/) noexcept {
-    const Edge& edge = graph.edges()[index];
-    const double margin_m = edge.pass.margin_m - margin_.tracking_error_m;
-    const double length_m = distance(graph.nodes()[edge.ends[0].node].pose.position,
-                                     graph.nodes()[edge.ends[1].node].pose.position);
-    const std::uint32_t in_search = corridor_[index];
-    open_cost_[in_search] =
-        margin_m > margin_.least_m ? cost_of(length_m, std::max(margin_m, 1e-9)) : kBlocked;
-    if (until_ns_[in_search] == 0) {
-      search_.set_cost(in_search, open_cost_[in_search]);
-    }
-  });
+  graph.for_each_edge_at(
+      node, [&](std::uint32_t index, std::uint32_t /*end*/) noexcept { take_edge(graph, index); });
+}
+
+void RoutePlanner::take_edge(const CorridorGraph& graph, std::uint32_t index) noexcept {
+  const Edge& edge = graph.edges()[index];
+  const double margin_m = edge.pass.margin_m - lost_m_ - margin_.tracking_error_m;
+  const double length_m = distance(graph.nodes()[edge.ends[0].node].pose.position,
+                                   graph.nodes()[edge.ends[1].node].pose.position);
+  const std::uint32_t in_search = corridor_[index];
+  open_cost_[in_search] =
+      margin_m > margin_.least_m ? cost_of(length_m, std::max(margin_m, 1e-9)) : kBlocked;
+  if (until_ns_[in_search] == 0) {
+    search_.set_cost(in_search, open_cost_[in_search]);
+  }
 }
 
 void RoutePlanner::follow(const CorridorGraph& graph,
                           std::uint32_t at_node,
-                          std::int64_t time_ns) noexcept {
+                          std::int64_t time_ns,
+                          double since_start_m) noexcept {
   now_ns_ = time_ns;
   lift_blocks();
+  const std::uint32_t before = known_edges_;
   take_nodes(graph);
+  if (since_start_m > lost_m_) {
+    lost_m_ = kLostAtOnce * std::ceil(since_start_m / kLostAtOnce);
+    for (std::uint32_t index = 0; index < before; ++index) {
+      take_edge(graph, index);
+    }
+  }
   if (at_node == at_node_) {
     return;
   }

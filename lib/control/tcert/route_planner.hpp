@@ -60,9 +60,14 @@ class RoutePlanner {
   void clear() noexcept;
 
   /// Takes up what the graph gained, after every fresh tick; `at_node` is the last node passed,
-  /// kNone if there is none. Blocks that have lasted long enough are lifted.
-  /// O(new nodes and edges + edges at the node + blocked edges).
-  void follow(const CorridorGraph& graph, std::uint32_t at_node, std::int64_t time_ns) noexcept;
+  /// kNone if there is none. Blocks that have lasted long enough are lifted. Where obstacles move
+  /// `since_start_m` is the certifier's: all edges are costed anew each time that 1 cm more is
+  /// lost, ahead of it. O(new nodes and edges + edges at the node + blocked edges), and O(edges)
+  /// then.
+  void follow(const CorridorGraph& graph,
+              std::uint32_t at_node,
+              std::int64_t time_ns,
+              double since_start_m = 0.0) noexcept;
 
   /// Blocks the way ahead of the last node passed, which is not an edge yet: its frontier edge at
   /// once and, if it `violates_force` (G2), the edge that it becomes.
@@ -77,6 +82,7 @@ class RoutePlanner {
  private:
   void take_nodes(const CorridorGraph& graph) noexcept;
   void take_edges_at(const CorridorGraph& graph, std::uint32_t node) noexcept;
+  void take_edge(const CorridorGraph& graph, std::uint32_t index) noexcept;
   void block(std::uint32_t edge) noexcept;
   void lift_blocks() noexcept;
   [[nodiscard]] PathCost cost_of(double length_m, double margin_m) const noexcept;
@@ -95,6 +101,7 @@ class RoutePlanner {
   std::uint32_t known_edges_ = 0;
   std::uint32_t at_node_ = kNone;
   std::int64_t now_ns_ = 0;
+  double lost_m_ = 0.0;  // of every margin, as edges are costed
   bool pending_violates_ = false;
 };
 

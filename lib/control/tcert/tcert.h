@@ -85,6 +85,7 @@ enum tcert_curvature {
   TCERT_CURVATURE_CONTACT_LITERAL = 2,
   TCERT_CURVATURE_NONE = 3
 };
+enum tcert_footing { TCERT_FOOTING_FELT = 0, TCERT_FOOTING_IGNORED = 1 };
 enum tcert_unknown { TCERT_UNKNOWN_OCCUPIED = 0, TCERT_UNKNOWN_FREE = 1 };
 enum tcert_speed_law {
   TCERT_SQUASH = 0,
@@ -272,6 +273,18 @@ typedef struct tcert_parameters {
   /** Rules that are monitored, one a line, `name: formula`, or `watch name: formula` of one that
    * is stated alone and backs nothing out; 32 at most: see `tcert help rules`. Null: none. */
   const char* rules;
+
+  /** Moving obstacles: their top speed, and how old a reading may be. */
+  double obstacle_speed_mps;
+  double reading_age_s;
+  int32_t footing;     /**< tcert_footing. */
+  uint32_t reserved_3; /**< 0. */
+  double friction;
+  double track_width_m;
+  double centre_height_m;
+  double largest_step_m;
+  double largest_slip;
+  double footing_scale_m;
 } tcert_parameters;
 
 /** Reading of one ray. */
@@ -291,6 +304,10 @@ typedef struct tcert_tick {
   int32_t segment_start;      /**< 1: there is a gap before this tick. */
   const double* bearings_rad; /**< Of rays that a joint moves: where each reading was felt, from the
                                    heading, NaN along the ray's own; null if there is no joint. */
+  /** What is underfoot, NaN where it is not measured; of an older caller it is not. */
+  double pitch_rad, roll_rad;
+  double step_m; /**< Height of a step up or down. */
+  double slip;   /**< Share of the commanded way that the robot did not move. */
 } tcert_tick;
 
 /** What is known after a tick: see CertifiedTick and GuardedTick of the C++ headers. */
@@ -327,6 +344,8 @@ typedef struct tcert_output {
                           risk field. */
   uint32_t alarms;   /**< 1 << rule, or'ed. */
   uint32_t alarms_began;
+  double footing_slack_m; /**< Least margin of slope, step and slip; NaN if none is measured. */
+  double valid_for_s;     /**< Where obstacles move: for how long T_t stays above 0; else NaN. */
 } tcert_output;
 
 /** What a differential drive takes. */

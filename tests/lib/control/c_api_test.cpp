@@ -256,7 +256,8 @@ TEST(CApi, TakesCalibrationPolygonsAndATrackingErrorTable) {
   tcert_certifier* certifier = nullptr;
   ASSERT_EQ(c.create(certifier), TCERT_OK) << c.message.data();
   const std::array<tcert_reading, 3> readings{{{0.5, 0.0}, {0.4, 0.0}, {0.4, 0.0}}};
-  const tcert_tick tick{sizeof tick, 3, readings.data(), 0, 0.0, 0.0, 0.0, 0, 0, nullptr};
+  const tcert_tick tick{
+      sizeof tick, 3, readings.data(), 0, 0.0, 0.0, 0.0, 0, 0, nullptr, 0.0, 0.0, 0.0, 0.0};
   tcert_output out = empty_output();
   ASSERT_EQ(tcert_update(certifier, &tick, &out), TCERT_OK);
   EXPECT_DOUBLE_EQ(out.left_m, 0.1 + 0.3);
@@ -276,6 +277,30 @@ TEST(CApi, KnowsItsWords) {
   EXPECT_NE(std::string(tcert_version()), "");
 }
 
+TEST(CApi, TakesTheFootingOfACallerThatHasItAndNoneOfAnOlderOne) {
+  Robot robot;
+  robot.rays = {{"left", {}, 1.5707963, 1.0, RayKind::range, {}}};
+  CSetup setup(robot, {});
+  const tcert_reading reading{0.5, kMissing};
+  tcert_tick tick{sizeof tick, 1, &reading, 0, 0.0, 0.0, 0.0, 0, 0, nullptr, 0.0, 0.0, 0.15, 0.0};
+  tcert_output now{};
+  now.struct_size = sizeof now;
+  for (const bool is_older : {false, true}) {
+    tcert_certifier* certifier = nullptr;
+    ASSERT_EQ(tcert_create(&setup.robot, &setup.course, &setup.parameters, &certifier, nullptr, 0),
+              TCERT_OK);
+    tick.struct_size =
+        is_older ? static_cast<std::uint32_t>(offsetof(tcert_tick, pitch_rad)) : sizeof tick;
+    ASSERT_EQ(tcert_update(certifier, &tick, &now), TCERT_OK);
+    EXPECT_EQ(std::isnan(now.footing_slack_m), is_older);
+    if (!is_older) {
+      EXPECT_LT(now.footing_slack_m, 0.0) << "a step of 0.15 m, and 0.12 is the most";
+    }
+    EXPECT_TRUE(std::isnan(now.valid_for_s)) << "nothing moves";
+    tcert_destroy(certifier);
+  }
+}
+
 /// Of a caller that knows bearings and of one that was compiled before there were any.
 TEST(CApi, TakesTheBearingsOfAJoint) {
   Robot robot;
@@ -285,7 +310,8 @@ TEST(CApi, TakesTheBearingsOfAJoint) {
   ASSERT_EQ(c.create(certifier), TCERT_OK) << c.message.data();
   const tcert_reading reading{0.3, 0.0};
   const double to_the_left = 0.5 * std::numbers::pi;
-  tcert_tick tick{sizeof tick, 1, &reading, 0, 0.0, 0.0, 0.0, 0, 0, &to_the_left};
+  tcert_tick tick{
+      sizeof tick, 1, &reading, 0, 0.0, 0.0, 0.0, 0, 0, &to_the_left, 0.0, 0.0, 0.0, 0.0};
   tcert_output out = empty_output();
   ASSERT_EQ(tcert_update(certifier, &tick, &out), TCERT_OK);
   EXPECT_DOUBLE_EQ(out.left_m, 0.05 + 0.3);
