@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <federation/submap_text.hpp>
@@ -18,8 +17,6 @@ using federation::Source;
 using federation::Submap;
 using federation::SubmapEdge;
 using federation::WayStep;
-
-constexpr std::array<const char*, 4> kKinds{"witness", "swept", "radial", "width"};
 
 std::optional<double> if_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
@@ -61,9 +58,7 @@ Table sources_table(const Submap& merged, const Federation& found) {
           .text("source", "source", [](auto& r) { return r.source.name; })
           .text("margins",
                 "margins",
-                [](auto& r) {
-                  return std::string(kKinds[static_cast<std::size_t>(r.source.margins)]);
-                })
+                [](auto& r) { return std::string(federation::name_of(r.source.margins)); })
           .integer("nodes", "nodes", [](auto& r) { return r.source.nodes.size(); })
           .integer("edges", "edges", [](auto& r) { return r.source.edges.size(); })
           .integer("joins", "joins", [](auto& r) { return r.joins; })
@@ -161,7 +156,7 @@ Table federation_findings(const Submap& merged, const Federation& found) {
          "",
          fmt::format("Those read by {} are no lower bounds for sure, and the more robots, the more "
                      "often one is too large: certify with --witness-edges.",
-                     kKinds[static_cast<std::size_t>(kind)])});
+                     federation::name_of(kind))});
   }
   return findings_table(findings,
                         {"T_H is at most T(E; A) if every edge's margin is a lower bound, frame "

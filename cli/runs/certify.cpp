@@ -131,6 +131,11 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
     throw UsageError("--ground has no effect on witnesses, which are found in the whole log");
   }
   OpenedBundle opened = open_for(request.bundle, request.logs, progress);
+  if (request.submaps && opened.parameters.certificate.obstacle_speed_mps > 0.0) {
+    throw UsageError(
+        "--submaps: with obstacle_speed_mps above 0 a margin holds for a time, and a submap says "
+        "nothing of time");
+  }
   if (opened.parameters.witness.witness_every > 0 &&
       opened.parameters.certificate.clearance != ClearanceReading::witness) {
     progress.say("witness_every does nothing without clearance=witness: T_t is that of the ticks");

@@ -146,8 +146,9 @@ CertifySummary certify_trials(const OpenedBundle& opened,
                               const TrialExtra& extra) {
   const Bundle& bundle = opened.bundle;
   const Robot robot = study::with_overrides(bundle.info.robot, opened.parameters.robot);
-  const SeriesFormat format{
+  SeriesFormat format{
       opened.parameters.speed_law, files.ray_margins, synthetic_label(bundle.info)};
+  format.validity = opened.parameters.certificate.obstacle_speed_mps > 0.0;
   const bool has_witness =
       files.witness || opened.parameters.certificate.clearance == ClearanceReading::witness;
   const WitnessColumns witness = files.witness_edges ? WitnessColumns::with_edges

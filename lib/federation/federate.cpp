@@ -27,17 +27,30 @@ Union numbered_through(const Submap& submap) {
 
 /// What a node offers to a join.
 struct Joint {
-  double margin_m = kNever;     // the largest of its edges
-  std::array<bool, 2> leads{};  // on, by the side that a join leaves or enters it by
+  double margin_m = kNever;                   // the largest of its own and its edges'
+  double reach_m = 0.0;                       // beside an edge, a join ends no further off
+  std::array<bool, 2> leads{};                // on, by the side that a join has at it
+  std::array<std::vector<Stretch>, 2> edges;  // by side: those of a known path
 };
+
+std::size_t at(Side side) noexcept { return static_cast<std::size_t>(side); }
 
 std::vector<Joint> joints_of(const Union& known) {
   std::vector<Joint> joints(known.nodes.size());
   for (const SubmapEdge& edge : known.edges) {
+    const double length_m = distance(known.nodes[edge.ends[0].node].pose.position,
+                                     known.nodes[edge.ends[1].node].pose.position);
     for (const EdgeEnd& end : edge.ends) {
       Joint& joint = joints[end.node];
       joint.margin_m = std::max(joint.margin_m, edge.margin_m);
-      joint.leads[static_cast<std::size_t>(opposite(end.side))] = true;
+      joint.leads[at(opposite(end.side))] = true;
+      if (2.0 * edge.spread_m < edge.margin_m) {
+        joint.reach_m = std::max(joint.reach_m, length_m + 0.5 * edge.margin_m);
+        joint.edges[at(end.side)].push_back({known.nodes[edge.ends[0].node].pose.position,
+                                             known.nodes[edge.ends[1].node].pose.position,
+                                             edge.margin_m,
+                                             edge.spread_m});
+      }
     }
   }
   for (std::size_t n = 0; n < joints.size(); ++n) {
@@ -67,14 +80,16 @@ class Joining {
       if (joints_[n].margin_m > 0.0 && std::isfinite(error_m)) {
         by_x.push_back(n);
         widest_m_ = std::max(widest_m_, joints_[n].margin_m);
+        furthest_m_ = std::max(furthest_m_, joints_[n].reach_m);
       }
     }
     std::ranges::sort(by_x, [&](std::uint32_t a, std::uint32_t b) {
       return x_of(a) != x_of(b) ? x_of(a) < x_of(b) : a < b;
     });
     for (std::size_t i = 0; i < by_x.size(); ++i) {
+      const double reach_m = std::max(0.5 * (joints_[by_x[i]].margin_m + widest_m_),
+                                      joints_[by_x[i]].reach_m + furthest_m_);
       for (std::size_t k = i + 1; k < by_x.size(); ++k) {
-        const double reach_m = 0.5 * (joints_[by_x[i]].margin_m + widest_m_);
         if (x_of(by_x[k]) - x_of(by_x[i]) > reach_m) {
           break;
         }
@@ -86,9 +101,8 @@ class Joining {
                       {},
                       [](const SubmapEdge& edge) {
                         const auto& [a, b] = edge.ends;
-                        return std::array{
-                            2 * std::uint64_t{a.node} + static_cast<unsigned>(a.side),
-                            2 * std::uint64_t{b.node} + static_cast<unsigned>(b.side)};
+                        return std::array{2 * std::uint64_t{a.node} + at(a.side),
+                                          2 * std::uint64_t{b.node} + at(b.side)};
                       });
   }
 
@@ -102,9 +116,10 @@ class Joining {
       throw std::length_error("the submaps have more than " + std::to_string(kMostPairs) +
                               " pairs of nodes that might be joined; merge fewer of them");
     }
-    const double mean_m = 0.5 * (joints_[u].margin_m + joints_[v].margin_m);
+    const double reach_m = std::max(0.5 * (joints_[u].margin_m + joints_[v].margin_m),
+                                    joints_[u].reach_m + joints_[v].reach_m);
     if (known_.source[u] == known_.source[v] ||
-        distance(known_.nodes[u].pose.position, known_.nodes[v].pose.position) > mean_m) {
+        distance(known_.nodes[u].pose.position, known_.nodes[v].pose.position) > reach_m) {
       return;
     }
     const Source& a = submap_.sources[known_.source[u]];
@@ -121,15 +136,27 @@ class Joining {
   void join(EdgeEnd from, EdgeEnd to, const FrameError& error) {
     const Joint& first = joints_[from.node];
     const Joint& second = joints_[to.node];
-    if (!first.leads[static_cast<std::size_t>(from.side)] ||
-        !second.leads[static_cast<std::size_t>(to.side)]) {
+    if (!first.leads[at(from.side)] || !second.leads[at(to.side)]) {
       return;
     }
-    const double margin_m =
-        join_margin({leaving(known_.nodes[from.node].pose, from.side), first.margin_m},
-                    {leaving(known_.nodes[to.node].pose, opposite(to.side)), second.margin_m},
-                    error,
-                    submap_.agent);
+    const Pose begin = leaving(known_.nodes[from.node].pose, from.side);
+    const Pose end = leaving(known_.nodes[to.node].pose, opposite(to.side));
+    const std::optional<JoinShape> shape = join_shape(begin, end, error, submap_.agent);
+    if (!shape) {
+      return;
+    }
+    double margin_m = join_margin({begin, first.margin_m}, {end, second.margin_m}, *shape);
+    const std::vector<Stretch>& ahead = first.edges[at(from.side)];
+    const std::vector<Stretch>& behind = second.edges[at(to.side)];
+    for (const Stretch& one : ahead) {
+      margin_m = std::max(margin_m, margin_beside(begin, end, *shape, &one, nullptr));
+    }
+    for (const Stretch& other : behind) {
+      margin_m = std::max(margin_m, margin_beside(begin, end, *shape, nullptr, &other));
+      for (const Stretch& one : ahead) {
+        margin_m = std::max(margin_m, margin_beside(begin, end, *shape, &one, &other));
+      }
+    }
     if (margin_m > 0.0) {
       if (++known_.joins > kMostJoins) {
         throw std::length_error("the submaps have more than " + std::to_string(kMostJoins) +
@@ -143,6 +170,7 @@ class Joining {
   Union& known_;
   std::vector<Joint> joints_;
   double widest_m_ = 0.0;
+  double furthest_m_ = 0.0;
   std::size_t pairs_ = 0;
 };
 

@@ -3,11 +3,10 @@
 #include <federation/join.hpp>
 #include <tcert/crossing.hpp>
 #include <tcert/elementary.hpp>
+#include <tcert/segment.hpp>
 
 namespace tcert::federation {
 namespace {
-
-constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// The largest offset at the middle line, |aside - ahead tan(turn) / 2|, over all that may be.
 double largest_offset(
@@ -24,26 +23,24 @@ double largest_offset(
 
 }  // namespace
 
-double join_margin(const JoinEnd& from,
-                   const JoinEnd& to,
-                   const FrameError& error,
-                   const Agent& agent) noexcept {
-  const double least_m = std::min(from.margin_m, to.margin_m);
-  const double mean_m = 0.5 * (from.margin_m + to.margin_m);
-  const Point way = to.pose.position - from.pose.position;
-  const double turn_rad = angle_between(from.pose.yaw_rad, to.pose.yaw_rad);
+std::optional<JoinShape> join_shape(const Pose& from,
+                                    const Pose& to,
+                                    const FrameError& error,
+                                    const Agent& agent) noexcept {
+  const Point way = to.position - from.position;
+  const double turn_rad = angle_between(from.yaw_rad, to.yaw_rad);
   const bool is_sure = error.position_m == 0.0 && error.heading_rad == 0.0;
   if (is_sure && way == Point{} && turn_rad == 0.0) {
-    return std::min(least_m, mean_m);
+    return JoinShape{0.0, std::numeric_limits<double>::infinity(), 0.0, 0.0};
   }
-  const Point heading = direction(from.pose.yaw_rad);
+  const Point heading = direction(from.yaw_rad);
   const double ahead_m = dot(way, heading);
   // A heading that is off moves what lies at the end of the way, too.
   const double off_m = error.position_m + norm(way) * error.heading_rad;
   const double sharpest_rad = std::abs(turn_rad) + error.heading_rad;
   const double shortest_m = ahead_m - off_m;
   if (!(shortest_m > 0.0) || !(sharpest_rad < kSharpestJoin)) {
-    return kNever;
+    return std::nullopt;
   }
   const double offset_m =
       largest_offset(ahead_m, cross(heading, way), turn_rad, off_m, error.heading_rad);
@@ -51,10 +48,40 @@ double join_margin(const JoinEnd& from,
   // Of two parabolas the slope is largest at an end or where they meet, and nowhere above this.
   const double longest_m = ahead_m + off_m;
   const double steepest = elementary::tan(sharpest_rad) + 0.5 * curvature * longest_m;
-  const double length_m = longest_m * std::sqrt(1.0 + steepest * steepest);
-  const double turn_slack_m =
-      1.0 / (curvature + agent.curvature_buffer_per_m) - agent.min_turn_radius_m;
-  return std::min({least_m, mean_m - length_m, turn_slack_m});
+  return JoinShape{longest_m * std::sqrt(1.0 + steepest * steepest),
+                   1.0 / (curvature + agent.curvature_buffer_per_m) - agent.min_turn_radius_m,
+                   0.125 * curvature * longest_m * longest_m,
+                   off_m};
+}
+
+double join_margin(const JoinEnd& from, const JoinEnd& to, const JoinShape& shape) noexcept {
+  return std::min({from.margin_m,
+                   to.margin_m,
+                   0.5 * (from.margin_m + to.margin_m) - shape.length_m,
+                   shape.turn_slack_m});
+}
+
+double margin_beside(const Pose& from,
+                     const Pose& to,
+                     const JoinShape& shape,
+                     const Stretch* ahead,
+                     const Stretch* behind) noexcept {
+  constexpr int kParts = 8;
+  const auto beside = [&](const Stretch& edge, Point p, Point q) {
+    const double away_m =
+        std::max(distance_to_segment(p, edge.a, edge.b), distance_to_segment(q, edge.a, edge.b));
+    return edge.margin_m - 2.0 * (away_m + shape.bow_m + shape.off_m + edge.spread_m);
+  };
+  double best_m = -std::numeric_limits<double>::infinity();
+  for (int part = behind == nullptr ? kParts : 0; part <= (ahead == nullptr ? 0 : kParts); ++part) {
+    const Point change =
+        from.position + static_cast<double>(part) / kParts * (to.position - from.position);
+    const double first_m = part == 0 ? shape.turn_slack_m : beside(*ahead, from.position, change);
+    const double second_m =
+        part == kParts ? shape.turn_slack_m : beside(*behind, change, to.position);
+    best_m = std::max(best_m, std::min(first_m, second_m));
+  }
+  return std::min(best_m, shape.turn_slack_m);
 }
 
 }  // namespace tcert::federation

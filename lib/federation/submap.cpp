@@ -2,7 +2,6 @@
 #include <federation/submap.hpp>
 #include <numeric>
 #include <stdexcept>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -54,11 +53,15 @@ void order_edges(std::vector<SubmapEdge>& edges) {
     }
   }
   std::ranges::sort(edges, [](const SubmapEdge& a, const SubmapEdge& b) {
-    return key_of(a) != key_of(b) ? key_of(a) < key_of(b) : a.margin_m > b.margin_m;
+    if (key_of(a) != key_of(b)) {
+      return key_of(a) < key_of(b);
+    }
+    return a.margin_m != b.margin_m ? a.margin_m > b.margin_m : a.spread_m < b.spread_m;
   });
-  const auto [first, last] = std::ranges::unique(
-      edges, [](const SubmapEdge& a, const SubmapEdge& b) { return key_of(a) == key_of(b); });
-  edges.erase(first, last);
+  const auto is_known = [](const SubmapEdge& a, const SubmapEdge& b) {
+    return key_of(a) == key_of(b);
+  };
+  edges.erase(std::unique(edges.begin(), edges.end(), is_known), edges.end());
 }
 
 void put_in_order(Source& source) {
@@ -85,7 +88,19 @@ void add(Source& source, const Source& other) {
   }
 }
 
+constexpr std::array<std::string_view, 4> kKinds{"witness", "swept", "radial", "width"};
+
 }  // namespace
+
+std::string_view name_of(MarginKind kind) noexcept {
+  return kKinds[static_cast<std::size_t>(kind)];
+}
+
+std::optional<MarginKind> margin_kind_from(std::string_view name) noexcept {
+  const auto* const found = std::ranges::find(kKinds, name);
+  return found == kKinds.end() ? std::nullopt
+                               : std::optional(static_cast<MarginKind>(found - kKinds.begin()));
+}
 
 Agent agent_of(const Robot& robot) noexcept {
   return {robot.body_width_m,
@@ -103,7 +118,7 @@ bool is_name(std::string_view name) noexcept {
 
 Source source_of(std::span<const Node> nodes,
                  std::span<const Edge> edges,
-                 std::span<const std::optional<double>> margins,
+                 std::span<const std::optional<EdgeMargin>> margins,
                  std::span<const SubmapNode> poses) {
   Source source;
   std::vector<std::uint32_t> number(nodes.size(), kNone);
@@ -117,10 +132,11 @@ Source source_of(std::span<const Node> nodes,
     return EdgeEnd{number[end.node], end.side};
   };
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const std::optional<double> margin_m =
-        margins.empty() ? std::optional(edges[e].certified.margin_m) : margins[e];
-    if (margin_m && *margin_m > 0.0) {
-      source.edges.push_back({{take(edges[e].ends[0]), take(edges[e].ends[1])}, *margin_m});
+    const std::optional<EdgeMargin> told =
+        margins.empty() ? EdgeMargin{edges[e].certified.margin_m} : margins[e];
+    if (told && told->margin_m > 0.0) {
+      source.edges.push_back(
+          {{take(edges[e].ends[0]), take(edges[e].ends[1])}, told->margin_m, told->spread_m});
     }
   }
   return source;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tcert/corridor_graph.hpp>
 #include <tcert/robot.hpp>
 #include <vector>
@@ -27,6 +28,8 @@ struct Agent {
 
 /// What margins are read by, from the surest; of those that are merged the least sure counts.
 enum class MarginKind : std::uint8_t { witness, swept, radial, width };
+[[nodiscard]] std::string_view name_of(MarginKind kind) noexcept;
+[[nodiscard]] std::optional<MarginKind> margin_kind_from(std::string_view name) noexcept;
 
 struct SubmapNode {
   Pose pose;
@@ -41,6 +44,14 @@ struct SubmapNode {
 struct SubmapEdge {
   std::array<EdgeEnd, 2> ends;
   double margin_m = 0.0;
+  /// How far its path leaves the straight line between the two nodes, at most; infinite: unknown.
+  double spread_m = std::numeric_limits<double>::infinity();
+};
+
+/// Of an edge, where it is told otherwise than by its pass.
+struct EdgeMargin {
+  double margin_m = 0.0;
+  double spread_m = std::numeric_limits<double>::infinity();
 };
 
 /// What was felt in one frame.
@@ -72,11 +83,11 @@ inline constexpr std::size_t kLongestName = 100;
 /// are left out, with the nodes that only they have: nothing is ever certified by them.
 [[nodiscard]] Source source_of(std::span<const Node> nodes,
                                std::span<const Edge> edges,
-                               std::span<const std::optional<double>> margins = {},
+                               std::span<const std::optional<EdgeMargin>> margins = {},
                                std::span<const SubmapNode> poses = {});
 
-/// The same in order. Edges with the same ends keep the larger margin, nodes of one pose become
-/// one. O(n log n).
+/// The same in order. Of edges with the same ends that of the larger margin is kept, nodes of one
+/// pose become one. O(n log n).
 [[nodiscard]] Submap in_order(Submap submap);
 
 /// The union: of what both say of a source's frame the larger error counts, of equal edges the

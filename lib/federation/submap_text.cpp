@@ -9,11 +9,10 @@ namespace tcert::federation {
 namespace {
 
 constexpr double kMostMargin = 1e9;
-constexpr std::array<std::string_view, 4> kKinds{"witness", "swept", "radial", "width"};
 
 void append(std::string& out, double value) {
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   out.append(digits.data(), end);
 }
 
@@ -51,28 +50,19 @@ class Reader {
     if (cells_[1] != "1") {
       return refused(2, cells_[1], "version 1, the only one that this reader knows");
     }
-    bool has_agent = false;
     while (next_line()) {
-      const bool read = cells_[0] == "agent"                     ? !has_agent && read_agent()
-                        : cells_[0] == "synthetic" && !has_agent ? read_synthetic()
-                        : !has_agent                             ? expect_agent()
-                        : cells_[0] == "source"                  ? read_source()
-                        : cells_[0] == "node"                    ? read_node()
-                        : cells_[0] == "edge"                    ? read_edge()
-                                                                 : fail(1, "source, node or edge");
-      if (!read) {
+      if (!read_line()) {
         return {std::nullopt, std::move(problem_)};
       }
-      has_agent = has_agent || cells_[0] == "agent";
     }
-    if (!has_agent) {
+    if (!has_agent_) {
       return refused(0, "the end", "a line 'agent'");
     }
     return {in_order(std::move(submap_)), {}};
   }
 
  private:
-  static constexpr std::size_t kMostCells = 6;
+  static constexpr std::size_t kMostCells = 7;
 
   // To the next line that says something; false at the end.
   bool next_line() {
@@ -121,7 +111,19 @@ class Reader {
     return {std::nullopt, std::move(problem_)};
   }
 
-  bool expect_agent() { return fail(0, "agent, before any source"); }
+  bool read_line() {
+    const std::string_view word = cells_[0];
+    if (!has_agent_) {
+      has_agent_ = word == "agent";
+      return has_agent_            ? read_agent()
+             : word == "synthetic" ? read_synthetic()
+                                   : fail(0, "agent, before any source");
+    }
+    return word == "source" ? read_source()
+           : word == "node" ? read_node()
+           : word == "edge" ? read_edge()
+                            : fail(1, "source, node or edge");
+  }
 
   // Cell `column` (from 1) as a number within [low, high].
   bool number(std::size_t column, double low, double high, double& value) {
@@ -171,11 +173,11 @@ class Reader {
       return fail(2, "1 to 100 letters, digits, '.', '_', '-' or '/'");
     }
     source.name = cells_[1];
-    const auto* const kind = std::ranges::find(kKinds, cells_[2]);
-    if (kind == kKinds.end()) {
+    const std::optional<MarginKind> kind = margin_kind_from(cells_[2]);
+    if (!kind) {
       return fail(3, "witness, swept, radial or width");
     }
-    source.margins = static_cast<MarginKind>(kind - kKinds.begin());
+    source.margins = *kind;
     if (!bound(4, source.frame_error_m) || !bound(5, source.frame_error_rad)) {
       return false;
     }
@@ -224,14 +226,15 @@ class Reader {
   }
 
   bool read_edge() {
-    if (submap_.sources.empty() || !has(6)) {
+    if (submap_.sources.empty() || !has(7)) {
       return fail(0,
-                  submap_.sources.empty() ? "a source before it"
-                                          : "edge, two nodes with a side each and a margin");
+                  submap_.sources.empty()
+                      ? "a source before it"
+                      : "edge, two nodes with a side each, a margin and a spread");
     }
     SubmapEdge edge;
     if (!end(2, edge.ends[0]) || !end(4, edge.ends[1]) ||
-        !number(6, -kMostMargin, kMostMargin, edge.margin_m)) {
+        !number(6, -kMostMargin, kMostMargin, edge.margin_m) || !bound(7, edge.spread_m)) {
       return false;
     }
     submap_.sources.back().edges.push_back(edge);
@@ -243,13 +246,14 @@ class Reader {
   std::array<std::string_view, kMostCells> cells_;
   std::size_t count_ = 0;
   std::size_t number_ = 0;
+  bool has_agent_ = false;
   Submap submap_;
   TextProblem problem_;
 };
 
 void append_source(std::string& out, const Source& source) {
   out += "source," + source.name + ',';
-  out += kKinds[static_cast<std::size_t>(source.margins)];
+  out += name_of(source.margins);
   append_cell(out, source.frame_error_m);
   append_cell(out, source.frame_error_rad);
   out += '\n';
@@ -270,6 +274,7 @@ void append_source(std::string& out, const Source& source) {
       out += word_of(end.side);
     }
     append_cell(out, edge.margin_m);
+    append_cell(out, edge.spread_m);
     out += '\n';
   }
 }

@@ -12,8 +12,9 @@
 ///     source,NAME,KIND,FRAME_ERROR_M,FRAME_ERROR_RAD
 ///                                   KIND: witness, swept, radial or width; an error -: not known
 ///     node,X,Y,YAW,PLACE,MARGIN     of the source above; S, G, SG or -; a margin -: of its edges
-///     edge,NODE,SIDE,NODE,SIDE,MARGIN
-///                                   nodes of the source, from 0; front or back
+///     edge,NODE,SIDE,NODE,SIDE,MARGIN,SPREAD
+///                                   nodes of the source, from 0; front or back; a spread -: not
+///                                   known
 ///
 /// What is read is bounded: kMostBytes, and a node or an edge a line.
 

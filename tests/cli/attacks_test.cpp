@@ -198,12 +198,12 @@ TEST_F(Attacks, AManifestMayHaveEveryOptionThatShapesAResult) {
     return run.err.find("the option '" + option + "'") != std::string::npos;
   };
   int options = 0;
-  for (const char* line : {"simulate",       "simulate terrain", "import barn", "certify",
-                           "replay",         "ablate",           "sweep",       "gate",
-                           "study coverage", "hypotheses h1",    "world",       "figures",
-                           "report",         "explore",          "fit glm",     "fit cox",
-                           "fit km",         "fit glmm",         "fit roc",     "fit calibration",
-                           "fit concordance"}) {
+  for (const char* line : {"simulate",        "simulate terrain", "import barn", "certify",
+                           "replay",          "ablate",           "sweep",       "gate",
+                           "study coverage",  "hypotheses h1",    "world",       "figures",
+                           "report",          "explore",          "federate",    "fit glm",
+                           "fit cox",         "fit km",           "fit glmm",    "fit roc",
+                           "fit calibration", "fit concordance"}) {
     std::istringstream words(line);
     std::string command;
     std::string kind;

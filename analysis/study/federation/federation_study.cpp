@@ -45,6 +45,7 @@ TickTable between(const TickTable& ticks, std::size_t first, std::size_t last) {
   part.segment_start = cut(ticks.segment_start, 1);
   part.speed_cmd_mps = cut(ticks.speed_cmd_mps, 1);
   part.yaw_rate_cmd_rps = cut(ticks.yaw_rate_cmd_rps, 1);
+  part.footing = cut(ticks.footing, 1);
   return part;
 }
 

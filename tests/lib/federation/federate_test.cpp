@@ -37,8 +37,9 @@ Source random_source(Random& random, const std::string& name) {
             ? below(random, nodes)
             : std::min<std::uint32_t>(n + 1, static_cast<std::uint32_t>(nodes) - 1);
     const Side leaves = below(random, 4) == 0 ? Side::back : Side::front;
-    source.edges.push_back(
-        {{EdgeEnd{n, leaves}, EdgeEnd{to, opposite(leaves)}}, 0.05 * (1 + below(random, 12))});
+    source.edges.push_back({{EdgeEnd{n, leaves}, EdgeEnd{to, opposite(leaves)}},
+                            0.05 * (1 + below(random, 12)),
+                            0.01 * below(random, 4)});
   }
   return source;
 }
@@ -170,7 +171,8 @@ Submap relay(double from_m, double aside_m, double frame_error_m) {
           {{{x + 0.25 * n, y}, 0.0}, begins && n == 0, !begins && n == 4, SubmapNode{}.margin_m});
     }
     for (std::uint32_t n = 0; n < 4; ++n) {
-      source.edges.push_back({{EdgeEnd{n, Side::front}, EdgeEnd{n + 1, Side::back}}, 0.6});
+      source.edges.push_back(
+          {{EdgeEnd{n, Side::front}, EdgeEnd{n + 1, Side::back}}, 0.6, SubmapEdge{}.spread_m});
     }
     return source;
   };
@@ -187,6 +189,20 @@ TEST(Federate, JoinsTwoHalvesOfACorridor) {
   EXPECT_EQ(federate(relay(1.0, 0.0, 0.0)).way.margin_m, 0.6);  // one place
   EXPECT_LT(federate(relay(1.2, 0.0, 0.05)).way.margin_m, 0.35);
   EXPECT_GT(federate(relay(1.2, 0.0, 0.05)).way.margin_m, 0.0);
+}
+
+TEST(Federate, JoinsBesideAnEdgeWhosePathIsKnown) {
+  // The lanes overlap by 0.1 m and lie 0.01 m aside; by length alone 0.15 m would be lost.
+  Submap submap = relay(0.9, 0.01, 0.0);
+  EXPECT_LT(federate(submap).way.margin_m, 0.46);
+  for (Source& source : submap.sources) {
+    for (SubmapEdge& edge : source.edges) {
+      edge.spread_m = 0.002;
+    }
+  }
+  const double margin_m = federate(submap).way.margin_m;
+  // From a's 0.75 m to b's 1.15 m: half of that beside each; 0.005 off both, a bow of 0.005.
+  EXPECT_NEAR(margin_m, 0.6 - 2.0 * (0.005 + 0.005 + 0.002), 0.003);
 }
 
 TEST(Federate, TakesWhatIsKnownOfANodeItself) {

@@ -9,6 +9,15 @@ namespace {
 
 const Agent kAgent{0.45, 0.35, 0.0, 0.0};
 
+double join_margin(const JoinEnd& from,
+                   const JoinEnd& to,
+                   const FrameError& error,
+                   const Agent& agent) {
+  const std::optional<JoinShape> shape = join_shape(from.pose, to.pose, error, agent);
+  return shape ? federation::join_margin(from, to, *shape)
+               : -std::numeric_limits<double>::infinity();
+}
+
 TEST(JoinMargin, OfOnePlaceIsTheLesserMargin) {
   const Pose pose{{1.0, 2.0}, 0.3};
   EXPECT_EQ(join_margin({pose, 0.3}, {pose, 0.2}, {}, kAgent), 0.2);
@@ -29,6 +38,32 @@ TEST(JoinMargin, OfALaneAsideByHand) {
   // A quarter of the way, sixteen times the curvature: a radius of 0.125 m, and 0.35 are needed.
   const JoinEnd near{{{0.1, 0.02}, 0.0}, 2.0};
   EXPECT_NEAR(join_margin({{{}, 0.0}, 2.0}, near, {}, kAgent), 0.125 - 0.35, 1e-12);
+}
+
+TEST(JoinMargin, BesideAnEdgeByHand) {
+  // The way above leaves its line by at most kappa L^2 / 8 = 0.5 x 0.16 / 8 = 0.01 m; its further
+  // end is 0.02 m off the edge along x, whose path is 0.005 m off its line.
+  const Pose from{{}, 0.0};
+  const Pose to{{0.4, 0.02}, 0.0};
+  const std::optional<JoinShape> shape = join_shape(from, to, {}, kAgent);
+  ASSERT_TRUE(shape);
+  const Stretch edge{{0.0, 0.0}, {0.5, 0.0}, 0.3, 0.005};
+  EXPECT_NEAR(
+      margin_beside(from, to, *shape, &edge, nullptr), 0.3 - 2.0 * (0.02 + 0.01 + 0.005), 1e-12);
+  const Stretch wide{{0.0, 0.0}, {0.5, 0.0}, 9.0, 0.0};
+  EXPECT_NEAR(margin_beside(from, to, *shape, &wide, nullptr), 2.0 - 0.35, 1e-12) << "the turn";
+  const Stretch half{{0.0, 0.0}, {0.2, 0.0}, 0.3, 0.005};
+  EXPECT_NEAR(margin_beside(from, to, *shape, &half, nullptr),
+              0.3 - 2.0 * (std::hypot(0.2, 0.02) + 0.01 + 0.005),
+              1e-12)
+      << "beyond its end";
+  // The rest lies beside an edge of the other robot. Changed over at 3/8 of the way, it is 0.0075 m
+  // off the one and 0.0125 m off the other, whose spread is less by as much as that.
+  const Stretch other{{0.1, 0.02}, {0.4, 0.02}, 0.3, 0.0};
+  EXPECT_NEAR(margin_beside(from, to, *shape, &half, &other), 0.255, 1e-12);
+  EXPECT_NEAR(margin_beside(from, to, *shape, nullptr, &other),
+              0.3 - 2.0 * (std::hypot(0.1, 0.02) + 0.01),
+              1e-12);
 }
 
 TEST(JoinMargin, NeedsWhatIsAhead) {
@@ -53,6 +88,7 @@ TEST(JoinMargin, FallsWithTheErrorOfTheFrame) {
 struct Change {
   double length_m = 0.0;
   double curvature = 0.0;
+  double bow_m = 0.0;
 };
 
 Change drive(double ahead_m, double aside_m, double slope) {
@@ -60,7 +96,7 @@ Change drive(double ahead_m, double aside_m, double slope) {
   const double offset = aside_m - 0.5 * ahead_m * slope;
   const double l = 0.5 * ahead_m;
   const double size = (std::abs(offset) + std::hypot(offset, l * slope)) / (2.0 * l * l);
-  Change best{1e9, 1e9};
+  Change best{1e9, 1e9, 1e9};
   for (const double k : {size, -size}) {
     const double t = k == 0.0 ? ahead_m : 0.5 * (ahead_m + slope / k);
     Change change;
@@ -75,6 +111,7 @@ Change drive(double ahead_m, double aside_m, double slope) {
       change.curvature = std::max(change.curvature, std::abs(ddy) / std::pow(1 + mid * mid, 1.5));
       change.length_m += h * std::sqrt(1.0 + mid * mid);
       y += h * mid;
+      change.bow_m = std::max(change.bow_m, std::abs(y - (x + 0.5 * h) * aside_m / ahead_m));
       dy += h * ddy;
     }
     if (std::abs(y - aside_m) < 2e-3 * ahead_m && std::abs(dy - slope) < 2e-2) {
@@ -111,6 +148,9 @@ TEST(JoinMargin, IsNoMoreThanThatOfAnyWayWithinTheErrorOfTheFrame) {
     const Change change = drive(
         dot(way, heading), cross(heading, way), std::tan(true_to.yaw_rad - true_from.yaw_rad));
     ASSERT_LT(change.length_m, 1e8);
+    const std::optional<JoinShape> shape = join_shape(from, to, {off_m, off_rad}, kAgent);
+    ASSERT_LE(change.bow_m, shape->bow_m + 1e-9);
+    ASSERT_LE(change.length_m, shape->length_m + 1e-9);
     const double felt = std::min(margin_m - change.length_m, 1.0 / change.curvature - 0.35);
     ASSERT_LE(stated, felt + 1e-9);
   }

@@ -12,7 +12,7 @@ constexpr std::string_view kText =
     "source,a/t1,witness,0.02,-\n"
     "node,-1.5,0.25,0.1,S,0.3\n"
     "node,2,0,-3,G,-\n"
-    "edge,0,front,1,back,0.125\n";
+    "edge,0,front,1,back,0.125,0.003\n";
 
 TEST(SubmapText, ReadsWhatItWrites) {
   const ReadSubmap read = read_submap(kText);
@@ -29,12 +29,13 @@ TEST(SubmapText, PutsInOrderWhatItReads) {
       "tcert-submap,1\r\n# of two robots\r\n\r\nagent,0.45,0.35,0,0\r\n"
       "source,b,width,-,-\r\nsource,a/"
       "t1,witness,0.02,-\r\nnode,2,0,-3,G,-\r\nnode,-1.5,0.25,0.1,S,-\r\n"
-      "node,2,0,-3,-,0.25\r\nedge,0,back,1,front,0.1\r\nedge,1,front,2,back,0.125\r\n");
+      "node,2,0,-3,-,0.25\r\nedge,0,back,1,front,0.1,-\r\nedge,1,front,2,back,0.125,0.003\r\n");
   ASSERT_TRUE(read.submap) << to_string(read.problem);
-  EXPECT_EQ(to_text(*read.submap),
-            "tcert-submap,1\nagent,0.45,0.35,0,0\nsource,a/t1,witness,0.02,-\n"
-            "node,-1.5,0.25,0.1,S,-\nnode,2,0,-3,G,0.25\nedge,0,front,1,back,0.125\nsource,b,width,"
-            "-,-\n");
+  EXPECT_EQ(
+      to_text(*read.submap),
+      "tcert-submap,1\nagent,0.45,0.35,0,0\nsource,a/t1,witness,0.02,-\n"
+      "node,-1.5,0.25,0.1,S,-\nnode,2,0,-3,G,0.25\nedge,0,front,1,back,0.125,0.003\nsource,b,width,"
+      "-,-\n");
 }
 
 void expect_problem(const std::string& text, const std::string& problem) {
@@ -65,10 +66,10 @@ TEST(SubmapText, SaysWhatIsWrongAndWhere) {
                  "line 3, cell 4: found '-0.1', expected a number from 0 to 1e+09");
   expect_problem(head + "source,a,width,0,0\nnode,1,2,3,X,-\n",
                  "line 4, cell 5: found 'X', expected S, G, SG or -");
-  expect_problem(head + "source,a,width,0,0\nnode,1,2,3,-,-\nedge,0,front,1,back,0.1\n",
+  expect_problem(head + "source,a,width,0,0\nnode,1,2,3,-,-\nedge,0,front,1,back,0.1,-\n",
                  "line 5, cell 4: found '1', expected a node of the source above it, of which "
                  "there are 1");
-  expect_problem(head + "source,a,width,0,0\nnode,1,2,3,-,-\nedge,0,front,0,left,0.1\n",
+  expect_problem(head + "source,a,width,0,0\nnode,1,2,3,-,-\nedge,0,front,0,left,0.1,-\n",
                  "line 5, cell 5: found 'left', expected front or back");
   expect_problem("tcert-submap,1\nsynthetic,x\n",
                  "line 2, cell 2: found 'x', expected a seed, - or several");
