@@ -53,11 +53,11 @@ Table h3_chosen_table(const study::H3Table& h3) {
           .p("p", "p", &Row::p)
           .p("holm", "Holm p", &Row::holm)
           .yes_or_no("holds", "holds", &Row::holds)
-          .integer("trials", "trials", &Row::trials)
-          .number("trials_for_power", "trials for 80 %", &Row::trials_for_power)
+          .number("trials_for_power", "for 80 %", &Row::trials_for_power)
           .estimate("gap_recovered", "share of gap", "", 2, &Row::recovered)
           .p("gain_p", "p of gain", &Row::gain_p)
           .p("loss_p", "p of loss", &Row::loss_p)
+          .integer("trials", "trials", &Row::trials)
           .table("h3_chosen", "H3 at one beta a law, all laws and lightings at once", h3.chosen);
   table.footnotes = {
       chosen_words(o),
@@ -67,7 +67,7 @@ Table h3_chosen_table(const study::H3Table& h3) {
           " % or more. Holm: over all laws and lightings; of all lightings together over the laws. "
           "Holds: at most " +
           significant(1.0 - o.level, 3) + ".",
-      "Trials for 80 %: so many, as alike within clusters as these, find a true loss of " +
+      "For 80 %: so many trials, as alike within clusters as these, find a true loss of " +
           significant(100.0 * o.true_loss, 3) +
           " % (--true-loss) below the margin in 80 of 100 "
           "studies."};

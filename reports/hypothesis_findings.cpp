@@ -190,8 +190,8 @@ Finding h3_family_finding(const study::H3Table& h3) {
       }
     }
     any_in_all = any_in_all || (lightings > 0 && held == lightings);
-    evidence += fmt::format("{}{} gains and keeps its successes in {}",
-                            evidence.empty() ? "" : "; ",
+    evidence += fmt::format("{}of {} in {}",
+                            evidence.empty() ? "A gain without too great a loss is shown " : "; ",
                             law.law,
                             holding.empty() ? "no lighting" : holding);
   }

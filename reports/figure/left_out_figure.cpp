@@ -22,8 +22,9 @@ std::optional<Figure> left_out_figure(const Table& h1, const Table& h1_left_out)
   Figure figure =
       named("left_out", "The gain in AUC without each day in turn", h1_left_out.synthetic);
   figure.caption =
-      "The gain in AUC of the predictor under test over each of its rivals, without the cluster "
-      "named on the left (a day, unless others were asked for). Dashed: the gain of all trials. A "
+      "The gain in AUC of the predictor under test over each of its rivals and over all of them "
+      "together, and what it adds to them, without the cluster named on the left (a day, unless "
+      "others were asked for). Dashed: the gain of all trials. A "
       "result that hangs on one cluster has a point far from its line" +
       std::string(panel == "landmark" ? "; landmark panel." : ".");
   figure.data = figure_table(figure.name, {"panel", "without"}, {"auc_gain"});

@@ -137,6 +137,7 @@ TEST_F(FigurePixels, HaveInkWhereTheNumbersAre) {
                                  "auc_by_day",
                                  "roc",
                                  "within_strata",
+                                 "left_out",
                                  "incidence",
                                  "calibration",
                                  "forest",

@@ -53,6 +53,18 @@ TEST(Proxies, WidthIsLeftPlusRightWithTheMounts) {
   EXPECT_NEAR(local.width_m, 0.60, 1e-15);
 }
 
+TEST(Proxies, TheReachOfEachSideIsThatOfItsShortestRay) {
+  Robot robot = three_rays();
+  robot.rays[1].reach_m = 0.4;
+  Felt felt(robot);
+  EXPECT_NEAR(felt.proxies().reach_width_m(), (0.05 + 0.6) + (0.05 + 0.4), 1e-12);
+  robot.rays.push_back({"left again", {0.0, 0.1}, kSquare, 0.3, RayKind::range, {}});
+  EXPECT_NEAR(Felt(robot).proxies().reach_width_m(), (0.1 + 0.3) + (0.05 + 0.4), 1e-12);
+  robot.rays.erase(robot.rays.begin() + 1);
+  EXPECT_NEAR(Felt(robot).proxies().reach_width_m(), (0.1 + 0.3) + 0.5 * 0.45, 1e-12)
+      << "a side without a ray is half the body";
+}
+
 TEST(Proxies, RadialReadingIsTheDiscOnTheRobot) {
   CertificateParameters parameters;
   parameters.clearance = ClearanceReading::radial;

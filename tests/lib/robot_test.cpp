@@ -27,6 +27,14 @@ TEST(Calibration, InvertsWhereItIsStrict) {
   }
 }
 
+TEST(Calibration, InvertsALevelStretchAtItsBeginning) {
+  const Calibration falling{{0.0, 0.2, 0.4, 0.6}, {0.5, 0.3, 0.3, 0.1}};
+  EXPECT_EQ(calibrated_bend(falling, 0.3), 0.2);
+  const Calibration rising{{0.0, 0.2, 0.4, 0.6}, {0.1, 0.3, 0.3, 0.5}};
+  EXPECT_EQ(calibrated_bend(rising, 0.3), 0.2);
+  EXPECT_NEAR(calibrated_bend(rising, 0.4), 0.5, 1e-15);
+}
+
 TEST(Calibration, EndsTheReachOfItsRay) {
   Ray ray{"left", {}, 1.57, 0.6, RayKind::bend, {{0.0, 0.5}, {0.4, 0.0}}};
   EXPECT_EQ(longest_clearance(ray), 0.4);

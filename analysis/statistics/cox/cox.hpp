@@ -46,6 +46,7 @@ struct CoxData {
 
 /// The frame without its intercept. \throws std::invalid_argument if its outcome is not Surv().
 [[nodiscard]] CoxData cox_data(const ModelFrame& frame);
+[[nodiscard]] CoxData cox_data(ModelFrame&& frame);  ///< Without copies.
 
 /// These rows of the data, in their order; a row may stand several times.
 [[nodiscard]] CoxData on_rows(const CoxData& data, const std::vector<std::size_t>& rows);

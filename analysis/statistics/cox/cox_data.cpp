@@ -2,32 +2,40 @@
 #include <statistics/cox/cox.hpp>
 #include <statistics/model/factor_levels.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace tcert::statistics {
 
-CoxData cox_data(const ModelFrame& frame) {
-  const auto* const outcome = std::get_if<SurvivalOutcome>(&frame.outcome);
+CoxData cox_data(const ModelFrame& frame) { return cox_data(ModelFrame(frame)); }
+
+CoxData cox_data(ModelFrame&& frame) {
+  auto* const outcome = std::get_if<SurvivalOutcome>(&frame.outcome);
   if (outcome == nullptr) {
     throw std::invalid_argument("Cox model: the response must be Surv(), not " + frame.response);
   }
   CoxData data;
-  data.outcome = *outcome;
-  data.terms = frame.terms;
-  data.offset = frame.offset;
-  data.weights = frame.weights;
-  data.strata = frame.strata;
-  data.cluster = frame.cluster;
+  data.outcome = std::move(*outcome);
+  data.design = std::move(frame.design);
+  data.terms = std::move(frame.terms);
+  data.offset = std::move(frame.offset);
+  data.weights = std::move(frame.weights);
+  data.strata = std::move(frame.strata);
+  data.cluster = std::move(frame.cluster);
 
-  std::vector<Eigen::Index> kept;
+  Eigen::Index kept = 0;
   for (std::size_t j = 0; j < frame.columns.size(); ++j) {
     // Any baseline hazard absorbs a constant.
     if (frame.term_of[j] != 0) {
-      kept.push_back(static_cast<Eigen::Index>(j));
-      data.columns.push_back(frame.columns[j]);
+      const auto column = static_cast<Eigen::Index>(j);
+      if (kept != column) {
+        data.design.col(kept) = data.design.col(column);
+      }
+      ++kept;
+      data.columns.push_back(std::move(frame.columns[j]));
       data.term_of.push_back(frame.term_of[j] - 1);
     }
   }
-  data.design = frame.design(Eigen::all, kept);
+  data.design.conservativeResize(Eigen::NoChange, kept);
   return data;
 }
 

@@ -1,6 +1,7 @@
 #include <statistics/cox/cox_robust.hpp>
 
 #include <statistics/cox/cox_hazard_steps.hpp>
+#include <vector>
 
 namespace tcert::statistics {
 
@@ -27,6 +28,12 @@ ClusterScores cluster_scores(const CoxRows& rows,
       }
     }
   };
+  // In places, so that the sums that come next can be fetched ahead: they lie all over memory.
+  constexpr std::size_t kAhead = 16;
+  std::vector<std::uint32_t> cluster_of(cluster == nullptr ? 0 : rows.rows());
+  for (std::size_t place = 0; place < cluster_of.size(); ++place) {
+    cluster_of[place] = cluster->codes[rows.sets.order[place]];
+  }
   for_each_score_residual(rows, steps, [&](std::size_t place, double* residual) {
     if (!rows.weight.empty()) {
       for (Eigen::Index j = 0; j < p; ++j) {
@@ -37,7 +44,10 @@ ClusterScores cluster_scores(const CoxRows& rows,
     if (cluster == nullptr) {
       add_product(residual);
     } else {
-      add(residual, scores.sums.data() + p * cluster->codes[rows.sets.order[place]]);
+      if (place + kAhead < cluster_of.size()) {
+        __builtin_prefetch(scores.sums.data() + p * cluster_of[place + kAhead]);
+      }
+      add(residual, scores.sums.data() + p * cluster_of[place]);
     }
   });
   for (Eigen::Index c = 0; c < scores.sums.cols(); ++c) {

@@ -54,19 +54,28 @@ std::vector<Eigen::MatrixXd> information_by_cluster(const CoxClusters& data,
   const HazardSteps steps = hazard_increments(rows, beta, data.ties);
   const CumulativeMeans sums = cumulative_means(rows, steps);
   std::vector<Eigen::MatrixXd> by_cluster(data.count, Eigen::MatrixXd::Zero(p, p));
+  Eigen::VectorXd mean(p);
   for (std::size_t place = 0; place < rows.rows(); ++place) {
     const std::uint32_t row = rows.sets.order[place];
     const std::size_t end = rows.sets.last[row] + 1U;
     const std::size_t begin = rows.sets.first[row];
-    const Eigen::Map<const Eigen::VectorXd> x(rows.row(place), p);
-    const Eigen::VectorXd mean = sums.mean[end] - sums.mean[begin];
+    const double* const x = rows.row(place);
+    const double hazard = sums.hazard[end] - sums.hazard[begin];
     const double risk = rows.weight_of(place) * steps.risks.score[place];
-    by_cluster[data.cluster.codes[row]] +=
-        risk * ((sums.hazard[end] - sums.hazard[begin]) * x * x.transpose() - x * mean.transpose() -
-                mean * x.transpose() + sums.square[end] - sums.square[begin]);
+    const Eigen::MatrixXd& square_end = sums.square[end];
+    const Eigen::MatrixXd& square_begin = sums.square[begin];
+    mean = sums.mean[end] - sums.mean[begin];
+    Eigen::MatrixXd& one = by_cluster[data.cluster.codes[row]];
+    for (Eigen::Index b = 0; b < p; ++b) {
+      for (Eigen::Index a = b; a < p; ++a) {
+        one(a, b) += risk * (hazard * x[a] * x[b] - x[a] * mean(b) - mean(a) * x[b] +
+                             square_end(a, b) - square_begin(a, b));
+      }
+    }
   }
   for (Eigen::MatrixXd& one : by_cluster) {
-    one = Eigen::MatrixXd(one(data.ranked, data.ranked));
+    const Eigen::MatrixXd whole = one.selfadjointView<Eigen::Lower>();
+    one = whole(data.ranked, data.ranked);
   }
   return by_cluster;
 }

@@ -119,7 +119,7 @@ void LmmLikelihood::add_slopes(LmmPoint& at) {
     for (Eigen::Index b = 0; b < q; ++b) {
       for (Eigen::Index a = b; a < q; ++a, ++theta) {
         double determinant = 0.0;
-        Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(p + 1, p + 1);
+        Eigen::MatrixXd felt(a_.rows(), p + 1);  // Each row's own effects, times z.
         for (Eigen::Index i = 0; i < a_.rows(); ++i) {
           const double z = designs_[t](i, a);
           double inverse_a = 0.0;
@@ -127,9 +127,9 @@ void LmmLikelihood::add_slopes(LmmPoint& at) {
             inverse_a += curvature_.inverse(i, k, first + b) * a_(i, k);
           }
           determinant += 2.0 * z * inverse_a;
-          moved.noalias() +=
-              z * whitened_.row(i).transpose() * effects_.row(curvature_.places(i)[first + b]);
+          felt.row(i) = z * effects_.row(curvature_.places(i)[first + b]);
         }
+        const Eigen::MatrixXd moved = whitened_.transpose() * felt;
         const auto k = static_cast<std::size_t>(theta);
         at.information_slopes[k] =
             -(moved.topLeftCorner(p, p) + moved.topLeftCorner(p, p).transpose());

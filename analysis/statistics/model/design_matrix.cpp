@@ -1,14 +1,28 @@
 #include <statistics/model/design_matrix.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace tcert::statistics {
 namespace {
 
-/// The columns of one variable within one term.
+using Column = Eigen::Map<const Eigen::VectorXd>;
+
+/// The columns of one variable within one term: its numbers as they are, or made here.
 struct Block {
-  std::vector<Eigen::VectorXd> columns;
+  std::vector<Column> columns;
   std::vector<std::string> names;
+  std::vector<Eigen::VectorXd> made;
+
+  void view(std::string name, const std::vector<double>& x) {
+    columns.emplace_back(x.data(), static_cast<Eigen::Index>(x.size()));
+    names.push_back(std::move(name));
+  }
+  void add(std::string name, Eigen::VectorXd column) {
+    made.push_back(std::move(column));
+    columns.emplace_back(made.back().data(), made.back().size());
+    names.push_back(std::move(name));
+  }
 };
 
 const NamedVariable& find(const std::vector<NamedVariable>& variables, const Expression& wanted) {
@@ -17,37 +31,27 @@ const NamedVariable& find(const std::vector<NamedVariable>& variables, const Exp
   });
 }
 
-Block number_block(const NamedVariable& variable) {
-  const std::vector<double>& x = variable.value.numbers;
-  return {{Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()))},
-          {to_string(variable.expression)}};
-}
-
 /// Numbered as R numbers the columns of a matrix, of which a single one has none.
 Block basis_block(const NamedVariable& variable) {
   Block block;
   const std::string name = to_string(variable.expression);
   for (const std::vector<double>& x : variable.value.basis) {
-    block.columns.emplace_back(
-        Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-    block.names.push_back(
-        variable.value.basis.size() == 1 ? name : name + std::to_string(block.names.size() + 1));
+    block.view(
+        variable.value.basis.size() == 1 ? name : name + std::to_string(block.names.size() + 1), x);
   }
   return block;
 }
 
 /// A factor of the levels FALSE and TRUE, whether both occur or not.
 Block truth_block(const NamedVariable& variable, bool all_levels) {
-  const std::vector<double>& x = variable.value.numbers;
-  const Eigen::Map<const Eigen::VectorXd> truth(x.data(), static_cast<Eigen::Index>(x.size()));
+  const std::vector<double>& truth = variable.value.numbers;
   const std::string name = to_string(variable.expression);
   Block block;
   if (all_levels) {
-    block.columns.emplace_back(1.0 - truth.array());
-    block.names.push_back(name + "FALSE");
+    block.add(name + "FALSE",
+              1.0 - Column(truth.data(), static_cast<Eigen::Index>(truth.size())).array());
   }
-  block.columns.emplace_back(truth);
-  block.names.push_back(name + "TRUE");
+  block.view(name + "TRUE", truth);
   return block;
 }
 
@@ -59,22 +63,20 @@ Block factor_block(const NamedVariable& variable, bool all_levels) {
     for (std::size_t row = 0; row < factor.rows(); ++row) {
       column[static_cast<Eigen::Index>(row)] = factor.codes[row] == level ? 1.0 : 0.0;
     }
-    block.columns.push_back(std::move(column));
-    block.names.push_back(to_string(variable.expression) + factor.levels[level]);
+    block.add(to_string(variable.expression) + factor.levels[level], std::move(column));
   }
   return block;
 }
 
 /// All products of a column of `a` and one of `b`; those of `a` vary fastest.
-Block product(const Block& a, const Block& b) {
+Block product(Block a, Block b) {
   if (a.names.empty()) {
     return b;
   }
   Block all;
   for (std::size_t j = 0; j < b.names.size(); ++j) {
     for (std::size_t i = 0; i < a.names.size(); ++i) {
-      all.columns.emplace_back(a.columns[i].cwiseProduct(b.columns[j]));
-      all.names.push_back(a.names[i] + ":" + b.names[j]);
+      all.add(a.names[i] + ":" + b.names[j], a.columns[i].cwiseProduct(b.columns[j]));
     }
   }
   return all;
@@ -99,9 +101,8 @@ DesignMatrix design_matrix(const Formula& formula,
                            std::size_t rows) {
   const auto n = static_cast<Eigen::Index>(rows);
   DesignMatrix design;
-  std::vector<Eigen::VectorXd> columns;
+  std::vector<Block> blocks;
   if (formula.intercept) {
-    columns.emplace_back(Eigen::VectorXd::Ones(n));
     design.columns.emplace_back("(Intercept)");
     design.term_of.push_back(0);
   }
@@ -112,29 +113,35 @@ DesignMatrix design_matrix(const Formula& formula,
     for (const Expression& expression : term.variables) {
       const NamedVariable& variable = find(variables, expression);
       if (variable.value.kind == Variable::Kind::number) {
-        block = product(block, number_block(variable));
+        Block numbers;
+        numbers.view(to_string(variable.expression), variable.value.numbers);
+        block = product(std::move(block), std::move(numbers));
         continue;
       }
       if (variable.value.kind == Variable::Kind::basis) {
-        block = product(block, basis_block(variable));
+        block = product(std::move(block), basis_block(variable));
         continue;
       }
       const bool all = needs_all_levels || !margin_is_in_model(formula, term, expression);
       needs_all_levels = false;
-      block = product(block,
+      block = product(std::move(block),
                       variable.value.kind == Variable::Kind::truth ? truth_block(variable, all)
                                                                    : factor_block(variable, all));
     }
-    for (std::size_t k = 0; k < block.names.size(); ++k) {
-      columns.push_back(std::move(block.columns[k]));
-      design.columns.push_back(std::move(block.names[k]));
-      design.term_of.push_back(t + 1);
-    }
+    design.columns.insert(design.columns.end(), block.names.begin(), block.names.end());
+    design.term_of.resize(design.columns.size(), t + 1);
+    blocks.push_back(std::move(block));
   }
-  design.values.resize(n, static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    design.values.col(static_cast<Eigen::Index>(k)) = columns[k];
-    columns[k].resize(0);
+  design.values.resize(n, static_cast<Eigen::Index>(design.columns.size()));
+  Eigen::Index next = 0;
+  if (formula.intercept) {
+    design.values.col(next++).setOnes();
+  }
+  for (Block& block : blocks) {
+    for (const Column& column : block.columns) {
+      design.values.col(next++) = column;
+    }
+    block.made.clear();
   }
   return design;
 }

@@ -18,9 +18,11 @@ void keep_rows(std::vector<NamedVariable>& variables, bool allow_infinite, Model
       value.factor = on_rows(value.factor, frame.rows);
       continue;
     }
-    value.numbers = on_rows(value.numbers, frame.rows);
-    for (std::vector<double>& column : value.basis) {
-      column = on_rows(column, frame.rows);
+    if (frame.dropped > 0) {
+      value.numbers = on_rows(value.numbers, frame.rows);
+      for (std::vector<double>& column : value.basis) {
+        column = on_rows(column, frame.rows);
+      }
     }
     const std::string name = to_string(variable.expression);
     const bool said = std::any_of(frame.conditions.begin(),

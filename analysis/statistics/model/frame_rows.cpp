@@ -77,6 +77,9 @@ void take_rows(const EvaluatedFormula& all, ModelFrame& frame) {
       may_have_undefined_products(all)) {
     mark_undefined_products(all, complete, frame);
   }
+  const auto kept = static_cast<std::size_t>(std::count(complete.begin(), complete.end(), true));
+  frame.rows.reserve(kept);
+  frame.lines.reserve(all.table.lines.empty() ? 0 : kept);
   for (std::size_t row = 0; row < complete.size(); ++row) {
     if (complete[row]) {
       frame.rows.push_back(row);

@@ -1,6 +1,8 @@
 #include <statistics/survival/time_rounding.hpp>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <statistics/basics/sort_order.hpp>
@@ -14,26 +16,52 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kStampRounding = 5e-7;
 constexpr double kShare = 1e-6;
 
-void add_distinct(const std::vector<double>& times, std::vector<double>& distinct) {
+/// Distinct numbers as they first come, up to `kMost` of them; empty if there are more.
+std::vector<double> few_distinct(const std::vector<double>& times) {
+  constexpr std::size_t kSlots = 4096;
+  constexpr std::size_t kMost = kSlots / 4;
+  std::vector<double> slots(kSlots, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> distinct;
+  for (const double time : times) {
+    // Fibonacci hashing of the bits; -0 is 0.
+    std::size_t slot = (std::bit_cast<std::uint64_t>(time + 0.0) * 0x9E3779B97F4A7C15U) >> 52U;
+    while (slots[slot] != time && !std::isnan(slots[slot])) {
+      slot = (slot + 1) % kSlots;
+    }
+    if (slots[slot] != time) {
+      if (distinct.size() == kMost) {
+        return {};
+      }
+      slots[slot] = time;
+      distinct.push_back(time);
+    }
+  }
+  std::sort(distinct.begin(), distinct.end());
+  return distinct;
+}
+
+std::vector<double> distinct_values(const std::vector<double>& times) {
+  std::vector<double> distinct = few_distinct(times);
+  if (!distinct.empty()) {
+    return distinct;
+  }
   for (const std::uint32_t row : sort_order(times)) {
     if (distinct.empty() || distinct.back() != times[row]) {
       distinct.push_back(times[row]);
     }
   }
+  return distinct;
 }
 
 std::vector<double> distinct_times(const SurvivalOutcome& outcome) {
-  std::vector<double> distinct;
-  add_distinct(outcome.stop, distinct);
-  if (outcome.left_truncated()) {
-    std::vector<double> starts;
-    std::vector<double> all;
-    add_distinct(outcome.start, starts);
-    std::set_union(
-        starts.begin(), starts.end(), distinct.begin(), distinct.end(), std::back_inserter(all));
-    return all;
+  std::vector<double> stops = distinct_values(outcome.stop);
+  if (!outcome.left_truncated()) {
+    return stops;
   }
-  return distinct;
+  const std::vector<double> starts = distinct_values(outcome.start);
+  std::vector<double> all;
+  std::set_union(starts.begin(), starts.end(), stops.begin(), stops.end(), std::back_inserter(all));
+  return all;
 }
 
 double timefix_step(const std::vector<double>& distinct) {

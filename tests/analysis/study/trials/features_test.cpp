@@ -262,6 +262,43 @@ TEST(EarlyFeatures, CutsSharesOfTheWholeTrialWhenAsked) {
   EXPECT_EQ(features.ticks_early, 41U);
 }
 
+// Every field by hand: 40 s at 0.2 m/s with a rest from 16 s to 18 s, so that the windows end at 15
+// s (151 ticks) and at 5 m, which tick 270 reaches. What is told apart: the two windows, where bend
+// and rest fall into the later one alone; and who issues before G.
+TEST(EarlyFeatures, AreEachWorkedOutByHand) {
+  for (const int goal : {350, 300, 290}) {
+    SCOPED_TRACE(goal);
+    Written trial;
+    double travel_m = 0.0;
+    for (int k = 0; k <= 400; ++k) {
+      travel_m += k > 0 && (k <= 160 || k > 180) ? 0.02 : 0.0;
+      CertifiedTick& tick = trial.add(travel_m, 0.3, {k > 150 && k % 2 == 0 ? 1.0 : 0.0});
+      if (k >= 300) {
+        tick.certificate_m = k == 310 ? 0.1 : 0.2;
+        tick.issued = true;
+      }
+      tick.flags = k >= goal ? flag_goal_reached : 0U;
+    }
+    const Features features = trial.features();
+    EXPECT_EQ(features.ticks_landmark, 151U);
+    EXPECT_EQ(features.ticks_early, 151U);
+    EXPECT_NEAR(features.window_end_s.value(), 27.1, 1e-9);
+    EXPECT_NEAR(features.travel_m.value(), 7.6, 1e-9);
+    EXPECT_EQ(features.bend_variance_landmark, 0.0);
+    // 60 ones among 271 ticks.
+    EXPECT_NEAR(features.bend_variance.value(), 60.0 * 211.0 / (271.0 * 270.0), 1e-12);
+    EXPECT_EQ(features.dwell_landmark, 0.0);
+    EXPECT_NEAR(features.dwell.value(), 16.0 / 266.0, 0.5 / 266.0) << "2 s, less half a second";
+    EXPECT_EQ(features.still_at_landmark, false);
+    EXPECT_EQ(features.issued, true);
+    EXPECT_NEAR(features.issued_s.value(), 30.0, 1e-12);
+    EXPECT_EQ(features.issued_before_goal, goal > 300);
+    EXPECT_EQ(features.certificate_falls, 1U);
+    EXPECT_EQ(features.certificate_m, 0.2);
+    EXPECT_EQ(features.contacts_per_m, 0.0);
+  }
+}
+
 TEST(EarlyFeatures, SaysOfAnEmptyLogThatItIsEmpty) {
   const Written trial;
   const Features features = trial.features();
