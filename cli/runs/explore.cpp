@@ -126,9 +126,9 @@ ExitCode walk_baseline(Task& task, Progress& progress) {
   const terrain::BaselineResult result = baseline_walk(task.options, task.ground, setup);
   progress.show(task.heading() + baseline_summary(task.options.baseline, result));
   if (folder) {
-    ExploreResult way;
-    way.path = result.path;
-    folder->write("path.csv", render(path_table(way, task.label), TableFormat::csv));
+    folder->write("path.csv",
+                  render(path_table(result.path, task.label, map_of(task.options, task.file)),
+                         TableFormat::csv));
     ExploreFrame frame;
     frame.safe = frame.expanders = terrain::CellSet(task.ground.grid.size(), 0);
     frame.robot = result.path.back();
@@ -192,7 +192,9 @@ ExitCode run_exploration(Task& task, Progress& progress) {
   progress.show(task.heading() + explore_summary(result, setup, cell_m));
   if (folder) {
     folder->write("series.csv", render(explore_table(result, task.label), TableFormat::csv));
-    folder->write("path.csv", render(path_table(result, task.label), TableFormat::csv));
+    folder->write(
+        "path.csv",
+        render(path_table(result.path, task.label, map_of(options, task.file)), TableFormat::csv));
     folder->write("measurements.csv",
                   render(measurement_table(taken_by(task.ground, setup, result), task.label),
                          TableFormat::csv));
@@ -221,6 +223,7 @@ ExitCode explore(const ExploreRequest& request, Progress& progress) {
   std::vector<ManifestFile> inputs = inputs_of(options);
   TerrainGrid file = read_terrain_or_throw(options.terrain, reading, progress);
   options = in_cells(options, file);
+  say_of_threshold(options.terrain, file, options.threshold, progress);
   check_limits(options);
   require_writable(raster_formats_of(options.rasters), file);
   const terrain::Grid grid{file.rows, file.columns};

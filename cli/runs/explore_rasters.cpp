@@ -51,24 +51,27 @@ void write_rasters(const ResultFolder& folder,
                    const RasterFormats& formats,
                    const TerrainGrid& place,
                    const terrain::Layers& layers) {
-  const auto write =
-      [&](const std::string& name, std::vector<double> values, RasterRounding rounding) {
-        TerrainGrid layer = place;
-        layer.values = std::move(values);
-        const std::string path = "rasters/" + name;
-        if (formats.esri) {
-          folder.write(path + ".asc", esri_raster(layer, rounding));
-        }
-        if (formats.points) {
-          folder.write(path + ".csv", point_raster(layer, rounding));
-        }
-        if (formats.png) {
-          folder.write(path + ".png", raster_picture(layer));
-        }
-      };
-  write("safe", numbers(layers.safe), RasterRounding::nearest);
+  const auto write = [&](const std::string& name,
+                         std::vector<double> values,
+                         RasterRounding rounding,
+                         const std::optional<RasterRange>& range = {}) {
+    TerrainGrid layer = place;
+    layer.values = std::move(values);
+    const std::string path = "rasters/" + name;
+    if (formats.esri) {
+      folder.write(path + ".asc", esri_raster(layer, rounding));
+    }
+    if (formats.points) {
+      folder.write(path + ".csv", point_raster(layer, rounding));
+    }
+    if (formats.png) {
+      folder.write(path + ".png", raster_picture(layer, {}, range));
+    }
+  };
+  constexpr RasterRange kSet{0.0, 1.0};  // Also of a set that has all cells, or none.
+  write("safe", numbers(layers.safe), RasterRounding::nearest, kSet);
   if (layers.standing != layers.safe) {
-    write("standing", numbers(layers.standing), RasterRounding::nearest);
+    write("standing", numbers(layers.standing), RasterRounding::nearest, kSet);
   }
   write("lower", layers.lower, RasterRounding::down);
   write("upper", layers.upper, RasterRounding::up);

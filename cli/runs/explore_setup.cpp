@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <table/random.hpp>
 #include <terrain/limits.hpp>
 #include <terrain/lipschitz.hpp>
 #include <terrain/settle.hpp>
 
+#include "analysis/study/terrain/scenarios.hpp"
 #include "cli/runs/errors.hpp"
 #include "cli/runs/explore_flags.hpp"
 #include "cli/runs/explore_values.hpp"
@@ -22,38 +22,6 @@ using terrain::Measurement;
 using terrain::RuleSet;
 using terrain::Terrain;
 
-/// Whether nobody is to measure at a cell.
-[[nodiscard]] bool is_blocked(const Terrain& terrain, const terrain::CellSet& blocked, Cell c) {
-  return !blocked.empty() && blocked[terrain.grid.index(c)] != 0;
-}
-
-/// The published program's 50 draws round the start; those below the threshold are discarded, and
-/// those that are blocked.
-[[nodiscard]] std::vector<Cell> published_batch(const Terrain& terrain,
-                                                const terrain::CellSet& blocked,
-                                                Cell start,
-                                                double threshold,
-                                                std::int64_t seed) {
-  constexpr std::uint32_t kPurpose = 0x7e44ba;
-  constexpr int kReach = 20;
-  constexpr int kDraws = 50;
-  table::RandomStream random(static_cast<std::uint64_t>(seed), kPurpose, 0);
-  const auto draw = [&](int centre, int limit) {
-    const int low = std::max(0, centre - kReach);
-    const int high = std::min(limit, centre + kReach);
-    return low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low)));
-  };
-  std::vector<Cell> cells;
-  for (int k = 0; k < kDraws; ++k) {
-    const int x = draw(start.x, terrain.grid.rows);
-    const int y = draw(start.y, terrain.grid.columns);
-    if (!is_blocked(terrain, blocked, {x, y}) && terrain.at({x, y}) >= threshold) {
-      cells.push_back({x, y});
-    }
-  }
-  return cells;
-}
-
 [[nodiscard]] std::vector<Measurement> measured(const Terrain& terrain,
                                                 const std::vector<Cell>& cells) {
   std::vector<Measurement> measurements;
@@ -66,6 +34,7 @@ using terrain::Terrain;
 
 /// What is measured first of all, the start among them. \throws BadData if it is not safe.
 [[nodiscard]] std::vector<Measurement> safe_start(const terrain::ExploreSetup& setup,
+                                                  const ExploreRequest& o,
                                                   const Terrain& terrain) {
   std::vector<Cell> around = setup.first_cells;
   around.push_back(setup.start);
@@ -73,14 +42,16 @@ using terrain::Terrain;
     if (terrain.at(c) - setup.rules.noise_bound < setup.rules.threshold) {
       throw BadData(
           fmt::format("the ground round the start is not safe: {}{} at ({}, {}) is below "
-                      "the threshold {}; start elsewhere or lower --start-radius",
+                      "the threshold {}{}; start elsewhere{}",
                       terrain.at(c),
                       setup.rules.noise_bound > 0.0
                           ? fmt::format(" less --noise-bound {}", setup.rules.noise_bound)
                           : std::string(),
                       c.x,
                       c.y,
-                      setup.rules.threshold));
+                      setup.rules.threshold,
+                      is_given(o.given, "threshold") ? "" : ", which --threshold changes",
+                      setup.first_cells.empty() ? "" : " or lower --start-radius"));
     }
   }
   std::vector<Measurement> first = setup.known;
@@ -99,7 +70,7 @@ void set_by_measurements(terrain::ExploreSetup& setup,
   }
   try {
     terrain::settle_noise(setup, setup.known.size() + setup.first_cells.size() + 1);
-    const std::vector<Measurement> first = safe_start(setup, terrain);
+    const std::vector<Measurement> first = safe_start(setup, o, terrain);
     terrain::settle(setup, terrain.grid, first, told_of(o));
     const double variance = setup.rules.kind == RuleSet::band
                                 ? terrain::first_scale(setup, first).variance_bound()
@@ -270,7 +241,11 @@ terrain::ExploreSetup explore_setup(const ExploreRequest& o,
   terrain::ExploreSetup setup = unsettled_setup(o, terrain.grid, std::move(blocked));
   setup.first_cells =
       setup.rules.kind == RuleSet::published
-          ? published_batch(terrain, setup.blocked, setup.start, o.threshold, o.seed)
+          ? terrain::study::first_batch(terrain,
+                                        setup.blocked,
+                                        setup.start,
+                                        o.threshold,
+                                        static_cast<std::uint64_t>(o.seed))
           : terrain::cells_round(
                 terrain.grid, setup.blocked, setup.start, static_cast<int>(o.start_radius));
   if (setup.rules.kind == RuleSet::certified || setup.rules.kind == RuleSet::band) {

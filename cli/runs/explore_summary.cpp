@@ -23,11 +23,14 @@ using terrain::ExploreSetup;
              "narrow";
     case End::only_lipschitz:
       return fmt::format(
-          "is reachable at this threshold, but not by what L = {:.6g}{} certifies; a smaller L "
-          "that "
-          "still bounds the terrain's slopes, or a lower threshold, may do it",
+          "is reachable at this threshold, but not by what L = {:.6g}{} certifies; {}",
           result.last().lipschitz,
-          setup.rules.noise_bound > 0.0 ? " and the noise bound" : "");
+          setup.rules.noise_bound > 0.0 ? " and the noise bound" : "",
+          setup.confidence > 0.0
+              ? "this L was bounded from the measurements: give the terrain's own "
+                "(--lipschitz), or measure more round the start (--start-radius)"
+              : "a smaller L that still bounds the terrain's slopes, or a lower "
+                "threshold, may do it");
     case End::only_rules:
       return fmt::format("is reachable at this threshold, but not by the rule set '{}'",
                          terrain::to_string(setup.rules.kind));
@@ -38,8 +41,27 @@ using terrain::ExploreSetup;
   }
 }
 
+/// Where a robot is stranded, and what may have held it.
+[[nodiscard]] std::string where_it_strands(const ExploreResult& result, const ExploreSetup& setup) {
+  const bool has_body = setup.body.kind != terrain::Body::Kind::point;
+  const bool has_begun = result.steps.size() > 1;
+  const terrain::Position& at = result.path.back();
+  return fmt::format(
+      "the {} ({}, {}) {}: {} cells are certified{}\n",
+      has_begun ? "robot stands at" : "start",
+      at.x(),
+      at.y(),
+      has_body ? "has ground under the body that is not certified, or the map's edge"
+               : "is not certified any more, by what was measured since",
+      result.last().safe,
+      has_body && !has_begun ? "; --start-radius measures more round the start" : "");
+}
+
 [[nodiscard]] std::string how_it_ended(const ExploreResult& result, const ExploreSetup& setup) {
   std::string text = fmt::format("end: {}\n", terrain::to_string(result.end));
+  if (result.end == End::stranded) {
+    text += where_it_strands(result, setup);
+  }
   if (!setup.goal) {
     return text;
   }

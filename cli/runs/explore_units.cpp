@@ -109,6 +109,10 @@ class Conversion {
 
 }  // namespace
 
+std::optional<MapFrame> map_of(const ExploreRequest& request, const TerrainGrid& terrain) {
+  return request.units == "metres" ? std::optional(terrain.frame) : std::nullopt;
+}
+
 ExploreRequest in_cells(const ExploreRequest& request, TerrainGrid& terrain) {
   ExploreRequest cells = request;
   const bool told = is_given(request.given, "cell-size");

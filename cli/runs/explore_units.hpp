@@ -7,9 +7,13 @@
 
 namespace tcert::cli {
 
-/// The request with what was given by flag in cells; `frame` is the terrain's, and takes
-/// --cell-size if the file declared none. \throws UsageError for --units metres of a terrain whose
+/// The request with what was given by flag in cells; the terrain's frame takes --cell-size if the
+/// file declared none. \throws UsageError for --units metres of a terrain whose
 /// cells have no size or are not square, and for places outside of it.
 [[nodiscard]] ExploreRequest in_cells(const ExploreRequest& request, TerrainGrid& terrain);
+
+/// The map that ways are written on besides cells: none unless metres were asked for.
+[[nodiscard]] std::optional<MapFrame> map_of(const ExploreRequest& request,
+                                             const TerrainGrid& terrain);
 
 }  // namespace tcert::cli

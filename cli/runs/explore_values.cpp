@@ -103,8 +103,8 @@ std::vector<terrain::Measurement> known_of(const std::string& path,
   const auto table = table::read_numbers(*file.bytes, csv, options, problems);
   for (std::size_t row = 0; table && row < table->rows(); ++row) {
     const terrain::Position at(table->at(row, 0), table->at(row, 1));
-    const bool is_near = at.cwiseAbs().maxCoeff() < 1e6;
-    const terrain::Cell c = is_near ? terrain::nearest_cell(at) : terrain::Cell{-1, -1};
+    const terrain::Cell c =
+        terrain::is_near(at) ? terrain::nearest_cell(at) : terrain::Cell{-1, -1};
     const auto fail = [&](const char* column, double value, std::string expected) {
       problems.add({table::Severity::error,
                     path,

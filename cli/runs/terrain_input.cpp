@@ -94,6 +94,30 @@ TerrainGrid read_terrain_or_throw(const std::string& path,
   return std::move(*file.terrain);
 }
 
+void say_of_threshold(const std::string& path,
+                      const TerrainGrid& terrain,
+                      double threshold,
+                      Progress& progress) {
+  double low = terrain::kLargestValue;
+  double high = -terrain::kLargestValue;
+  for (const double v : terrain.values) {
+    low = std::isnan(v) ? low : std::min(low, v);
+    high = std::isnan(v) ? high : std::max(high, v);
+  }
+  if (high >= threshold && low < threshold) {
+    return;
+  }
+  progress.say(
+      fmt::format("{}: {} cell is safe: the values run from {:g} to {:g}, {} below the "
+                  "threshold {:g} (--threshold).",
+                  path,
+                  high < threshold ? "no" : "every",
+                  low,
+                  high,
+                  high < threshold ? "all" : "none",
+                  threshold));
+}
+
 std::optional<SyntheticLabel> label_of(const TerrainGrid& grid) {
   if (grid.header.rfind(kSyntheticPrefix, 0) != 0) {
     return std::nullopt;

@@ -23,6 +23,12 @@ namespace tcert::cli {
                                                 const TerrainFileOptions& options,
                                                 Progress& progress);
 
+/// Says if no cell is safe at the threshold, or every one: units that do not fit.
+void say_of_threshold(const std::string& path,
+                      const TerrainGrid& terrain,
+                      double threshold,
+                      Progress& progress);
+
 /// The label that `simulate terrain` writes as the first line.
 [[nodiscard]] std::optional<SyntheticLabel> label_of(const TerrainGrid& grid);
 

@@ -72,8 +72,9 @@ class Line {
   bool done_ = false;
 };
 
+/// A semicolon goes first: where there is one, commas are decimal.
 [[nodiscard]] char separator_of(std::string_view line) {
-  for (const char candidate : {',', ';', '\t'}) {
+  for (const char candidate : {';', ',', '\t'}) {
     if (line.find(candidate) != std::string_view::npos) {
       return candidate;
     }
@@ -157,7 +158,9 @@ class CellTableReader {
           report(number,
                  bad_columns_.of(columns),
                  table::shortened(cell),
-                 "a finite number in every cell, or a gap: nothing, nan or NA");
+                 cell.find(',') == std::string_view::npos
+                     ? "a finite number in every cell, or a gap: nothing, nan or NA"
+                     : "numbers with a decimal point, not a comma");
         }
       }
       table_.values.push_back(value);

@@ -124,10 +124,13 @@ class EsriReader {
       return n && *n >= 2.0 && *n <= kMostTerrainSide && *n == std::floor(*n);
     };
     if (!is_side(header_.columns) || !is_side(header_.rows)) {
+      const auto said = [](const std::optional<double>& n) {
+        return n ? fmt::format("{:g}", *n) : std::string("none");
+      };
       return fail(0,
                   "",
-                  "",
-                  "ncols and nrows in the header of an ESRI ASCII grid, whole numbers from 2 to " +
+                  fmt::format("ncols {}, nrows {}", said(header_.columns), said(header_.rows)),
+                  "both in the header of an ESRI ASCII grid, whole numbers from 2 to " +
                       std::to_string(kMostTerrainSide));
     }
     grid_.terrain.columns = static_cast<int>(*header_.columns);

@@ -15,12 +15,14 @@ namespace {
 
 constexpr std::string_view kExpected =
     "expected x,y,value or x,y,value,plan with whole x and y and a plan of 0 or 1";
+constexpr std::array<std::string_view, 5> kFields{"x", "y", "value", "plan", "synthetic_seed"};
+constexpr std::size_t kNeeded = 3;
+constexpr std::size_t kPlan = 3;
+constexpr std::size_t kSeed = 4;
 
-[[nodiscard]] std::string found(std::string_view line) {
-  return fmt::format("found '{}', {}", table::shortened(line), kExpected);
+[[nodiscard]] MeasurementReading bad(std::string_view line) {
+  return {std::nullopt, fmt::format("found '{}', {}", table::shortened(line), kExpected)};
 }
-
-using table::trimmed;
 
 [[nodiscard]] std::optional<double> number_of(std::string_view text) {
   double value = 0.0;
@@ -30,61 +32,117 @@ using table::trimmed;
              : std::nullopt;
 }
 
+/// Of x, y, value and perhaps plan.
 [[nodiscard]] std::optional<MeasurementLine> measurement_of(const std::vector<double>& v) {
   constexpr double kFar = 1e6;
   const auto is_whole = [](double x) { return std::abs(x) < kFar && x == std::floor(x); };
-  if (v.size() < 3 || v.size() > 4 || !is_whole(v[0]) || !is_whole(v[1]) || !std::isfinite(v[2]) ||
-      (v.size() == 4 && v[3] != 0.0 && v[3] != 1.0)) {
+  if (v.size() < kNeeded || v.size() > kPlan + 1 || !is_whole(v[0]) || !is_whole(v[1]) ||
+      !std::isfinite(v[2]) || (v.size() > kPlan && v[kPlan] != 0.0 && v[kPlan] != 1.0)) {
     return std::nullopt;
   }
   return MeasurementLine{
-      static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v.size() < 4 || v[3] == 1.0};
+      static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v.size() <= kPlan || v[kPlan] == 1.0};
 }
 
-[[nodiscard]] MeasurementReading read_json(std::string_view line) {
+[[nodiscard]] std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (;;) {
+    const std::size_t comma = std::min(line.find(','), line.size());
+    std::string_view cell = table::trimmed(line.substr(0, comma));
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
+      cell = cell.substr(1, cell.size() - 2);
+    }
+    cells.push_back(cell);
+    if (comma == line.size()) {
+      return cells;
+    }
+    line.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace
+
+MeasurementReading MeasurementLines::read(std::string_view line) {
+  line = table::trimmed(line);
+  if (line.empty() || line.front() == '#') {
+    return {};
+  }
+  return line.front() == '{' ? read_json(line) : read_cells(line);
+}
+
+MeasurementReading MeasurementLines::read_json(std::string_view line) {
   const auto json = nlohmann::json::parse(line, nullptr, false);
   std::vector<double> v;
-  for (const char* const name : {"x", "y", "value"}) {
+  for (std::size_t k = 0; k < kNeeded; ++k) {
+    const std::string name(kFields[k]);
     if (!json.is_object() || !json.contains(name) || !json[name].is_number()) {
-      return {std::nullopt, found(line)};
+      return bad(line);
     }
     v.push_back(json[name].get<double>());
   }
   if (json.contains("plan")) {
     v.push_back(json["plan"].is_boolean() ? (json["plan"].get<bool>() ? 1.0 : 0.0) : -1.0);
   }
-  const auto measurement = json.size() == v.size() ? measurement_of(v) : std::nullopt;
-  return {measurement, measurement ? std::string() : found(line)};
+  return json.size() == v.size() ? taken(measurement_of(v), line) : bad(line);
 }
 
-}  // namespace
-
-MeasurementReading read_measurement(std::string_view line) {
-  line = trimmed(line);
-  if (line.empty() || line.front() == '#') {
-    return {};
+MeasurementReading MeasurementLines::read_header(const std::vector<std::string_view>& names) {
+  if (has_begun_) {
+    return {std::nullopt, "a header in the midst of measurements"};
   }
-  if (line.front() == '{') {
-    return read_json(line);
+  std::array<std::optional<std::size_t>, kFields.size()> columns;
+  for (std::size_t k = 0; k < kFields.size(); ++k) {
+    const auto at = std::find(names.begin(), names.end(), kFields[k]);
+    if (at != names.end()) {
+      columns[k] = static_cast<std::size_t>(at - names.begin());
+    }
+  }
+  columns_.reset();
+  if (columns[0] && columns[1] && columns[2]) {
+    columns_ = columns;
+    width_ = names.size();
+  }
+  return {};
+}
+
+MeasurementReading MeasurementLines::read_cells(std::string_view line) {
+  const std::vector<std::string_view> cells = cells_of(line);
+  if (std::none_of(cells.begin(), cells.end(), [](auto cell) { return number_of(cell); })) {
+    return read_header(cells);
+  }
+  if (columns_ && cells.size() != width_) {
+    return bad(line);
   }
   std::vector<double> v;
-  std::size_t cells = 0;
-  for (std::string_view rest = line;; ++cells) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    if (const auto value = number_of(trimmed(rest.substr(0, comma)))) {
-      v.push_back(*value);
+  for (std::size_t k = 0; k < (columns_ ? kPlan + 1 : cells.size()); ++k) {
+    if (columns_ && !(*columns_)[k]) {
+      continue;  // There is no column for the plan.
     }
-    if (comma == rest.size()) {
-      ++cells;
-      break;
+    const auto value = number_of(cells[columns_ ? *(*columns_)[k] : k]);
+    if (!value) {
+      return bad(line);
     }
-    rest.remove_prefix(comma + 1);
+    v.push_back(*value);
   }
-  if (v.empty()) {
-    return {std::nullopt, {}, true};
+  MeasurementReading reading = taken(measurement_of(v), line);
+  if (reading.measurement && columns_ && (*columns_)[kSeed]) {
+    std::uint64_t seed = 0;
+    const std::string_view cell = cells[*(*columns_)[kSeed]];
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), seed);
+    if (error == std::errc{} && end == cell.data() + cell.size() && !synthetic_seed_) {
+      synthetic_seed_ = seed;
+    }
   }
-  const auto measurement = v.size() == cells ? measurement_of(v) : std::nullopt;
-  return {measurement, measurement ? std::string() : found(line)};
+  return reading;
+}
+
+MeasurementReading MeasurementLines::taken(const std::optional<MeasurementLine>& measurement,
+                                           std::string_view line) {
+  if (!measurement) {
+    return bad(line);
+  }
+  has_begun_ = true;
+  return {measurement, {}};
 }
 
 }  // namespace tcert

@@ -39,7 +39,8 @@ struct FrontierView {
 
 /// The first cell of the best sequence of rules.horizon expected measurements, each in the disc of
 /// the one before it: a search by beams of 24, 16 directions each, under the belief that every
-/// value is the expected one (against the zig-zag along frontiers, thesis 5.2.2). O(candidates).
+/// value is the expected one (against the zig-zag along frontiers, thesis 5.2.2). O(candidates log
+/// candidates).
 [[nodiscard]] std::optional<Cell> best_sequence(const FrontierView& view,
                                                 const std::vector<std::size_t>& candidates,
                                                 std::optional<Cell> goal,

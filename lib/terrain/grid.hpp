@@ -54,7 +54,11 @@ using CellSet = std::vector<std::uint8_t>;
 [[nodiscard]] inline Position position(Cell c) noexcept {
   return {static_cast<double>(c.x), static_cast<double>(c.y)};
 }
-/// The nearest cell; halves go to the even cell. May lie outside the grid.
+/// True if both coordinates are within +-1e6: far beyond any grid, and safe to be rounded.
+[[nodiscard]] inline bool is_near(const Position& p) noexcept {
+  return p.cwiseAbs().maxCoeff() <= 1e6 && p.allFinite();
+}
+/// The nearest cell; halves go to the even cell. May lie outside the grid. \pre is_near(p)
 [[nodiscard]] inline Cell nearest_cell(const Position& p) noexcept {
   return {static_cast<int>(std::nearbyint(p.x())), static_cast<int>(std::nearbyint(p.y()))};
 }

@@ -69,6 +69,9 @@ void ModelChoices::choose_length_scale(Planner& planner) {
   for (const double factor : setup_.adaptive.factors) {
     GpPrior prior = setup_.prior;
     prior.length_scale *= factor;
+    if (is_band) {
+      prior.noise_variance = planner.model().prior().noise_variance;  // Its share, of --noise-sd.
+    }
     all.emplace_back(prior, likelihood_of(prior));
     if (all.back().second > highest) {
       highest = all.back().second;

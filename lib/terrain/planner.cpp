@@ -47,8 +47,8 @@ double Planner::steepest_to(const Measurement& m) const {
 }
 
 void Planner::add(const Measurement& m) {
-  if (!std::isfinite(m.value) || !m.at.allFinite()) {
-    throw std::invalid_argument("a measurement must be finite");
+  if (!std::isfinite(m.value) || !is_near(m.at)) {
+    throw std::invalid_argument("a measurement must be finite, and within 1e6 cells");
   }
   const Cell cell = nearest_cell(m.at);
   if (rules_.kind == RuleSet::certified) {
@@ -128,7 +128,7 @@ CellSet Planner::ground() const {
 }
 
 void Planner::change_prior(const GpPrior& prior) {
-  auto model = std::make_unique<SeparableGp>(grid_, prior);
+  auto model = std::make_unique<SeparableGp>(model_->begun_anew(prior));
   for (const Measurement& m : measurements_) {
     model->add(m.at, m.value);
   }

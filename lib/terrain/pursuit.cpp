@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <terrain/pursuit.hpp>
 #include <terrain/routes.hpp>
@@ -11,23 +12,57 @@ namespace {
   return grid.contains(c) && ground[grid.index(c)] != 0;
 }
 
-/// Where a segment crosses a line that parts cells, as shares of it, ends included; ascending.
-/// Between two of them all points round to one cell: that of the middle.
-[[nodiscard]] std::vector<double> crossings_of(const Position& a, const Position& b) {
-  const Eigen::Vector2d way = b - a;
-  std::vector<double> crossings{0.0, 1.0};
-  for (int axis = 0; axis < 2; ++axis) {
-    const double low = std::min(a[axis], b[axis]);
-    const double high = std::max(a[axis], b[axis]);
-    double line = std::ceil(low - 0.5) + 0.5;
-    while (line < high) {
-      crossings.push_back(std::clamp((line - a[axis]) / way[axis], 0.0, 1.0));
-      line += 1.0;
+/// Where a segment crosses lines that part cells, as shares of it, one after the other from its
+/// begin to its end, both included. Between two of them all points round to one cell: that of the
+/// middle.
+class Crossings {
+ public:
+  Crossings(const Position& a, const Position& b) : axes_{Axis(a[0], b[0]), Axis(a[1], b[1])} {}
+
+  /// The next share; false after the last, 1.
+  bool next(double& share) {
+    if (is_over_) {
+      return false;
     }
+    const std::size_t first = axes_[0].share() <= axes_[1].share() ? 0 : 1;
+    share = axes_[first].share();
+    is_over_ = share == kNone;
+    share = is_over_ ? 1.0 : share;
+    axes_[first].advance();
+    return true;
   }
-  std::sort(crossings.begin(), crossings.end());
-  return crossings;
-}
+
+ private:
+  static constexpr double kNone = 2.0;
+
+  /// The lines across one axis, in the order of the way.
+  class Axis {
+   public:
+    Axis(double a, double b) : a_(a), way_(b - a), step_(b < a ? -1.0 : 1.0) {
+      const double low = std::min(a, b);
+      line_ = std::ceil(low - 0.5) + 0.5;
+      left_ = std::max(0.0, std::ceil(std::max(a, b) - line_));  // Those below the higher end.
+      line_ += b < a ? left_ - 1.0 : 0.0;
+    }
+    [[nodiscard]] double share() const {
+      return left_ > 0.0 ? std::clamp((line_ - a_) / way_, 0.0, 1.0) : kNone;
+    }
+    void advance() {
+      line_ += step_;
+      left_ -= 1.0;
+    }
+
+   private:
+    double a_;
+    double way_;
+    double step_;
+    double line_ = 0.0;
+    double left_ = 0.0;
+  };
+
+  std::array<Axis, 2> axes_;
+  bool is_over_ = false;
+};
 
 }  // namespace
 
@@ -36,10 +71,11 @@ bool stays_on_ground(const Grid& grid,
                      const Position& a,
                      const Position& b) {
   const Eigen::Vector2d way = b - a;
-  const std::vector<double> crossings = crossings_of(a, b);
-  for (std::size_t k = 1; k < crossings.size(); ++k) {
-    const Position middle = a + way * (0.5 * (crossings[k - 1] + crossings[k]));
-    if (!is_ground(grid, ground, middle) || !is_ground(grid, ground, a + way * crossings[k])) {
+  Crossings crossings(a, b);
+  double before = 0.0;
+  for (double share = 0.0; crossings.next(share); before = share) {
+    const Position middle = a + way * (0.5 * (before + share));
+    if (!is_ground(grid, ground, middle) || !is_ground(grid, ground, a + way * share)) {
       return false;
     }
   }
@@ -48,13 +84,14 @@ bool stays_on_ground(const Grid& grid,
 
 std::vector<Cell> cells_along(const Position& a, const Position& b) {
   std::vector<Cell> cells;
-  Cell before = nearest_cell(a);
-  const std::vector<double> crossings = crossings_of(a, b);
-  for (std::size_t k = 1; k < crossings.size(); ++k) {
-    const Cell c = nearest_cell(a + (b - a) * (0.5 * (crossings[k - 1] + crossings[k])));
-    if (!(c == before)) {
+  Cell last = nearest_cell(a);
+  Crossings crossings(a, b);
+  double before = 0.0;
+  for (double share = 0.0; crossings.next(share); before = share) {
+    const Cell c = nearest_cell(a + (b - a) * (0.5 * (before + share)));
+    if (!(c == last)) {
       cells.push_back(c);
-      before = c;
+      last = c;
     }
   }
   return cells;

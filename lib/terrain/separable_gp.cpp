@@ -54,15 +54,28 @@ void require(bool holds, const char* message) {
 
 }  // namespace
 
-SeparableGp::SeparableGp(const Grid& grid, const GpPrior& prior) : grid_(grid), prior_(prior) {
+SeparableGp::SeparableGp(const Grid& grid, const GpPrior& prior)
+    : SeparableGp(grid, prior, nullptr) {}
+
+SeparableGp SeparableGp::begun_anew(const GpPrior& prior) const {
+  return {grid_, prior, prior.length_scale == prior_.length_scale ? this : nullptr};
+}
+
+SeparableGp::SeparableGp(const Grid& grid, const GpPrior& prior, const SeparableGp* like)
+    : grid_(grid), prior_(prior) {
   require(grid.rows > 0 && grid.columns > 0, "the grid needs cells");
   require(grid.rows <= kMostSide && grid.columns <= kMostSide, "the grid is too large");
   require_within("kernel-mean", prior.mean);
   require_within("kernel-variance", prior.variance);
   require_within("kernel-length-scale", prior.length_scale);
   require_within("noise-variance", prior.noise_variance);
-  rows_basis_ = basis(grid.rows, prior.length_scale);
-  columns_basis_ = basis(grid.columns, prior.length_scale);
+  if (like != nullptr) {
+    rows_basis_ = like->rows_basis_;
+    columns_basis_ = like->columns_basis_;
+  } else {
+    rows_basis_ = basis(grid.rows, prior.length_scale);
+    columns_basis_ = basis(grid.columns, prior.length_scale);
+  }
   mean_.assign(grid.size(), prior.mean);
   variance_.assign(grid.size(), prior.variance);
   if (prior.unknown_mean) {

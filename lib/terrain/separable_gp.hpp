@@ -37,6 +37,10 @@ class SeparableGp {
   /// \throws std::invalid_argument for a prior that is none.
   SeparableGp(const Grid& grid, const GpPrior& prior);
 
+  /// The same grid under another prior, without a measurement. The directions are kept if the
+  /// length scale is.
+  [[nodiscard]] SeparableGp begun_anew(const GpPrior& prior) const;
+
   /// Conditions on value `y` at `p`, which need not be a cell. \throws std::domain_error if the
   /// covariance is singular to the last bit.
   void add(const Position& p, double y);
@@ -58,6 +62,8 @@ class SeparableGp {
   [[nodiscard]] std::size_t bytes() const noexcept;
 
  private:
+  SeparableGp(const Grid& grid, const GpPrior& prior, const SeparableGp* like);
+
   /// Adds what not knowing the mean does to mean and variance. `z` and `z_of_one` are the new
   /// whitened residuals of the value and of a constant 1.
   void allow_for_mean(double z, double z_of_one);

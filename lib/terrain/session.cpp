@@ -7,6 +7,11 @@
 #include <utility>
 
 namespace tcert::terrain {
+namespace {
+
+constexpr const char* kLimitReached = "all measurements that the limit allows were taken";
+
+}  // namespace
 
 std::vector<Cell> cells_round(const Grid& grid, const CellSet& blocked, Cell start, int radius) {
   std::vector<Cell> cells;
@@ -41,6 +46,9 @@ Session::Session(const Grid& grid, ExploreSetup setup, const Told& told)
   ExploreSetup noise = setup_;
   settle_noise(noise, 1);
   for (const Measurement& m : setup_.known) {
+    if (!is_near(m.at)) {
+      throw std::invalid_argument("a known measurement lies outside the terrain");
+    }
     require(nearest_cell(m.at), m.value);
     values_.emplace(grid_.index(nearest_cell(m.at)), m.value);
   }
@@ -98,7 +106,7 @@ void Session::take(Cell c, double value) {
       return;
     }
     if (step_ + beside_ >= settled_->max_steps) {
-      throw std::invalid_argument("all measurements that the limit allows were taken");
+      throw std::invalid_argument(kLimitReached);
     }
     explorer_->add(m);
     ++beside_;
@@ -112,16 +120,12 @@ void Session::begin(const Measurement& at_start) {
   auto settled = std::make_unique<ExploreSetup>(setup_);
   settle_noise(*settled, settled->known.size() + first.size());
   require_same(*settled, nearest_cell(at_start.at), at_start.value);
-  for (const Measurement& m : first) {
-    if (m.value - settled->rules.noise_bound < settled->rules.threshold) {
-      const Cell c = nearest_cell(m.at);
-      throw std::invalid_argument(
-          "the ground round the start is not safe: " + std::to_string(m.value) + " at (" +
-          std::to_string(c.x) + ", " + std::to_string(c.y) +
-          ") less the noise bound is below the "
-          "threshold " +
-          std::to_string(settled->rules.threshold));
-    }
+  if (at_start.value - settled->rules.noise_bound < settled->rules.threshold) {
+    const Cell c = nearest_cell(at_start.at);
+    throw std::invalid_argument("the start is not safe: " + std::to_string(at_start.value) +
+                                " at (" + std::to_string(c.x) + ", " + std::to_string(c.y) +
+                                ") less the noise bound is below the threshold " +
+                                std::to_string(settled->rules.threshold));
   }
   std::vector<Measurement> all = settled->known;
   all.insert(all.end(), first.begin(), first.end());
@@ -142,6 +146,8 @@ const Decision& Session::plan(Cell c, double value) {
   const Measurement m{position(c), value};
   if (explorer_ == nullptr) {
     begin(m);
+  } else if (decision_.end == End::step_limit) {
+    throw std::invalid_argument(kLimitReached);
   } else {
     require_same(*settled_, c, value);
     if (explorer_->asks_for(c)) {

@@ -38,9 +38,9 @@ class Session {
   /// measurements, which is 100,000 before the first plan.
   void take(Cell c, double value);
 
-  /// The robot stands at `c` and measured it. \throws std::invalid_argument as take() does, and at
-  /// the first plan for ground round the start that is not safe, or too little of it; that changes
-  /// nothing either.
+  /// The robot stands at `c` and measured it. \throws std::invalid_argument as take() does, after
+  /// `step_limit`, and at the first plan for a start that is not safe or too few measurements round
+  /// it; that changes nothing either, so that more may be measured and the plan asked for again.
   const Decision& plan(Cell c, double value);
 
   /// Cells that the robot is to measure before the first plan, the start last.

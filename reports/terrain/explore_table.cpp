@@ -46,18 +46,22 @@ Table explore_table(const terrain::ExploreResult& result,
   return table;
 }
 
-Table path_table(const terrain::ExploreResult& result,
-                 const std::optional<SyntheticLabel>& synthetic) {
-  using terrain::Position;
-  Table table = ColumnsOf<Position>()
-                    .fixed("x", "x", "cell", 3, [](auto& p) { return p.x(); })
-                    .fixed("y", "y", "cell", 3, [](auto& p) { return p.y(); })
-                    .table("path", "The robot's way", result.path);
+Table path_table(const std::vector<terrain::Position>& path,
+                 const std::optional<SyntheticLabel>& synthetic,
+                 const std::optional<MapFrame>& map) {
+  ColumnsOf<terrain::Position> columns;
+  columns.fixed("x", "x", "cell", 3, [](auto& p) { return p.x(); })
+      .fixed("y", "y", "cell", 3, [](auto& p) { return p.y(); });
+  if (map) {
+    columns.fixed("map_x", "map_x", "m", 3, [&](auto& p) { return map->first_of(p.x(), p.y()); })
+        .fixed("map_y", "map_y", "m", 3, [&](auto& p) { return map->second_of(p.x(), p.y()); });
+  }
+  Table table = columns.table("path", "The robot's way", path);
   table.synthetic = synthetic;
   return table;
 }
 
-Table live_table(const std::vector<LiveRow>& rows) {
+Table live_table(const std::vector<LiveRow>& rows, const std::optional<SyntheticLabel>& synthetic) {
   const auto way_of = [](const LiveRow& row) {
     std::string text;
     for (const terrain::Position& p : row.way) {
@@ -65,13 +69,16 @@ Table live_table(const std::vector<LiveRow>& rows) {
     }
     return text;
   };
-  return ColumnsOf<LiveRow>()
-      .part(felt_columns(), [](const LiveRow& row) { return std::optional(row.step); })
-      .text("way", "way", way_of)
-      .text("end",
-            "end",
-            [](const LiveRow& row) { return row.end ? std::string(to_string(*row.end)) : ""; })
-      .table("series", "Exploration, step by step", rows);
+  Table table =
+      ColumnsOf<LiveRow>()
+          .part(felt_columns(), [](const LiveRow& row) { return std::optional(row.step); })
+          .text("way", "way", way_of)
+          .text("end",
+                "end",
+                [](const LiveRow& row) { return row.end ? std::string(to_string(*row.end)) : ""; })
+          .table("series", "Exploration, step by step", rows);
+  table.synthetic = synthetic;
+  return table;
 }
 
 Table measurement_table(const std::vector<TakenMeasurement>& measurements,

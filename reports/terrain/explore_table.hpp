@@ -7,6 +7,7 @@
 #include <terrain/explore.hpp>
 #include <vector>
 
+#include "datasets/terrain_file.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -27,11 +28,13 @@ struct LiveRow {
   std::vector<terrain::Position> way;
   std::optional<terrain::End> end;
 };
-[[nodiscard]] Table live_table(const std::vector<LiveRow>& rows);
-
-/// The positions the robot went through, in order: x, y.
-[[nodiscard]] Table path_table(const terrain::ExploreResult& result,
+[[nodiscard]] Table live_table(const std::vector<LiveRow>& rows,
                                const std::optional<SyntheticLabel>& synthetic);
+
+/// The positions the robot went through, in order: x, y; with a map also where they lie on it.
+[[nodiscard]] Table path_table(const std::vector<terrain::Position>& path,
+                               const std::optional<SyntheticLabel>& synthetic,
+                               const std::optional<MapFrame>& map);
 
 /// A measurement, and whether the robot stood there and planned next.
 struct TakenMeasurement {

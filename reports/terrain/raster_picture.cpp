@@ -29,8 +29,8 @@ constexpr std::array<Colour, 5> kRamp{
 }
 
 /// Least and largest value; none without one.
-[[nodiscard]] std::optional<std::pair<double, double>> range_of(const std::vector<double>& values) {
-  std::optional<std::pair<double, double>> range;
+[[nodiscard]] std::optional<RasterRange> range_of(const std::vector<double>& values) {
+  std::optional<RasterRange> range;
   for (const double v : values) {
     if (std::isfinite(v)) {
       range = range ? std::pair(std::min(range->first, v), std::max(range->second, v))
@@ -42,7 +42,7 @@ constexpr std::array<Colour, 5> kRamp{
 
 using Pixel = std::array<std::uint8_t, 4>;
 
-[[nodiscard]] Pixel pixel_of(double value, const std::pair<double, double>& range) {
+[[nodiscard]] Pixel pixel_of(double value, const RasterRange& range) {
   Pixel pixel{};
   if (std::isfinite(value)) {
     const double span = range.second - range.first;
@@ -64,8 +64,10 @@ using Pixel = std::array<std::uint8_t, 4>;
 
 }  // namespace
 
-std::string raster_picture(const TerrainGrid& layer, const std::vector<RasterMark>& marks) {
-  const auto range = range_of(layer.values).value_or(std::pair(0.0, 0.0));
+std::string raster_picture(const TerrainGrid& layer,
+                           const std::vector<RasterMark>& marks,
+                           const std::optional<RasterRange>& range) {
+  const RasterRange shown = range ? *range : range_of(layer.values).value_or(RasterRange{});
   const bool is_turned = layer.frame.is_declared && !layer.frame.rows_run_south;
   const int rows = is_turned ? layer.columns : layer.rows;
   const int columns = is_turned ? layer.rows : layer.columns;
@@ -81,7 +83,7 @@ std::string raster_picture(const TerrainGrid& layer, const std::vector<RasterMar
           static_cast<std::size_t>(c.x) * static_cast<std::size_t>(layer.columns) +
           static_cast<std::size_t>(c.y);
       const Pixel pixel =
-          mark != marks.end() ? pixel_of(mark->colour) : pixel_of(layer.values[i], range);
+          mark != marks.end() ? pixel_of(mark->colour) : pixel_of(layer.values[i], shown);
       image.pixels.insert(image.pixels.end(), pixel.begin(), pixel.end());
     }
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <terrain/grid.hpp>
+#include <utility>
 #include <vector>
 
 #include "datasets/terrain_file.hpp"
@@ -17,9 +18,14 @@ struct RasterMark {
   std::uint32_t colour = 0;  ///< 0xRRGGBB.
 };
 
+/// Least and largest value of a layer.
+using RasterRange = std::pair<double, double>;
+
 /// PNG with a cell a pixel, oriented as esri_raster() is: dark blue at the least, over green to
-/// yellow at the largest value, transparent where there is none; marks are discs of three cells.
+/// yellow at the largest value, of the layer or of `range`; transparent where there is none; marks
+/// are discs of three cells.
 [[nodiscard]] std::string raster_picture(const TerrainGrid& layer,
-                                         const std::vector<RasterMark>& marks = {});
+                                         const std::vector<RasterMark>& marks = {},
+                                         const std::optional<RasterRange>& range = {});
 
 }  // namespace tcert

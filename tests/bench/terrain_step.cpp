@@ -1,5 +1,5 @@
 // Times of one planning step at full size, printed as JSON: what scripts/compare_with_numpy sets
-// beside the direct way.
+// beside the direct way; and of the steps of explorations, as the robot's own loop plans them.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <table/random.hpp>
 #include <terrain/planner.hpp>
 #include <terrain/routes.hpp>
+#include <terrain/session.hpp>
 #include <vector>
 
 #include "datasets/terrain/raster_text.hpp"
@@ -121,6 +122,53 @@ void run(RuleSet kind, int measurements) {
               peak_megabytes());
 }
 
+/// A robot that explores from the highest cell, told or not told the Lipschitz constant: all that
+/// a line with plan 1 costs, in blocks of 50 steps; `most` is a step at which a bound changed.
+void explore(RuleSet kind, bool is_told, int measurements) {
+  TerrainFieldOptions field;
+  const TerrainGrid made = random_terrain(field);
+  const Grid grid{made.rows, made.columns};
+  ExploreSetup setup;
+  setup.rules.kind = kind;
+  setup.rules.lipschitz = field.lipschitz;
+  setup.rules.selection = kind == RuleSet::band ? Selection::pareto : Selection::horizon;
+  setup.rules.beta = kind == RuleSet::band ? kTrustedBeta : setup.rules.beta;
+  setup.prior.length_scale = kind == RuleSet::band ? 35.0 : 70.0;
+  setup.confidence = 0.95;
+  setup.motion = Motion::pursuit;
+  const auto highest = std::max_element(made.values.begin(), made.values.end());
+  setup.start = grid.cell(static_cast<std::size_t>(highest - made.values.begin()));
+  Session session(grid, setup, {is_told, false, false});
+  for (const Cell c : cells_round(grid, {}, setup.start, 2)) {
+    session.take(c, made.values[grid.index(c)]);
+  }
+  std::printf("{\"explored_by\": \"%s%s\", \"blocks\": [",
+              std::string(to_string(kind)).c_str(),
+              kind == RuleSet::certified && !is_told ? ", auto" : "");
+  std::vector<double> cpu;
+  Cell robot = setup.start;
+  for (int n = 1; n <= measurements; ++n) {
+    const std::clock_t cpu_begin = std::clock();
+    const Decision& decision = session.plan(robot, made.values[grid.index(robot)]);
+    cpu.push_back(1e3 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
+    if (n % 50 == 0 || decision.end) {
+      std::printf(
+          "%s{\"n\": %d, \"median_cpu_ms\": %.3f, \"p90_cpu_ms\": %.3f, \"most_cpu_ms\": %.3f}",
+          n <= 50 ? "" : ", ",
+          n,
+          quantile(cpu, 0.5),
+          quantile(cpu, 0.9),
+          quantile(cpu, 1.0));
+      cpu.clear();
+    }
+    if (decision.end) {
+      break;
+    }
+    robot = nearest_cell(decision.way.back());
+  }
+  std::printf("]}");
+}
+
 }  // namespace
 }  // namespace tcert::terrain::study
 
@@ -133,5 +181,11 @@ int main(int argc, char** argv) {
   study::run(RuleSet::certified, measurements);
   std::printf(", ");
   study::run(RuleSet::band, measurements);
+  std::printf(", ");
+  study::explore(RuleSet::certified, true, measurements);
+  std::printf(", ");
+  study::explore(RuleSet::certified, false, measurements);
+  std::printf(", ");
+  study::explore(RuleSet::band, false, measurements);
   std::printf("]\n");
 }

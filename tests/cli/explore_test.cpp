@@ -3,15 +3,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/temporary_folder.hpp"
-#include "support/workdir.hpp"
+#include "cli/ground_runs.hpp"
+#include "support/expect_part.hpp"
 
 namespace tcert {
 namespace {
 
+using test_support::expect_part;
 using test_support::ProcessResult;
 using test_support::to_string;
-using test_support::Workdir;
 
 /// The configuration as its authors print it.
 constexpr std::string_view kPrinted = R"([environment]
@@ -35,10 +35,6 @@ LIPSCHITZ = 0.003
 
 BUFFER_SIZE = 1
 )";
-
-void expect_part(const std::string& text, const std::string& part) {
-  EXPECT_NE(std::string::npos, text.find(part)) << text << "\nlacks: " << part;
-}
 
 /// A cell of a column of the last row of a CSV text.
 std::string last_of(const std::string& csv, const std::string& column) {
@@ -64,26 +60,7 @@ std::string last_of(const std::string& csv, const std::string& column) {
   return "no such column";
 }
 
-class ExploreCommand : public testing::Test {
- protected:
-  void SetUp() override {
-    const ProcessResult made = work.run({"simulate",
-                                         "terrain",
-                                         "--output",
-                                         "terrain.csv",
-                                         "--rows",
-                                         "90",
-                                         "--columns",
-                                         "70",
-                                         "--length-scale",
-                                         "20",
-                                         "--seed",
-                                         "4"});
-    ASSERT_EQ(0, made.exit_code) << to_string(made);
-  }
-
-  Workdir work{TCERT_BINARY};
-};
+class ExploreCommand : public test_support::GroundRuns {};
 
 TEST_F(ExploreCommand, WritesSeriesPicturesAndManifest) {
   const std::vector<std::string> arguments{"explore",

@@ -8,9 +8,12 @@
 
 #include "datasets/terrain/measurement_line.hpp"
 #include "datasets/terrain/raster_text.hpp"
+#include "support/expect_part.hpp"
 
 namespace tcert {
 namespace {
+
+using test_support::expect_part;
 
 TerrainFileResult read(std::string_view text, TerrainHeader header = TerrainHeader::detect) {
   return read_terrain(table::Bytes::copy_of(text), {"t.csv", header});
@@ -81,10 +84,6 @@ std::string notes(const TerrainFileResult& result) {
     text += note + '\n';
   }
   return text;
-}
-
-void expect_part(const std::string& text, const std::string& part) {
-  EXPECT_NE(std::string::npos, text.find(part)) << text << "\nlacks: " << part;
 }
 
 std::size_t gaps(const TerrainFileResult& result) {
@@ -314,6 +313,22 @@ TEST(TerrainFile, ReadsEsriGrids) {
   expect_part(problems(read("ncols 3\nnrows 99999999\n1 2 3\n")), "from 2 to 8192");
 }
 
+TEST(TerrainFile, NamesDecimalCommasDegreesAndSidesThatAreTooFew) {
+  expect_part(problems(read("x;y;z\n1,0;2,0;3,5\n1,0;3,0;3,5\n")),
+              "t.csv:2: error: column '1': found '1,0', expected numbers with a decimal point");
+  EXPECT_EQ("", problems(read("a, b;c\n1;2\n3;4\n")));
+  expect_part(problems(read("ncols 1\nnrows 2\ncellsize 1\n1\n2\n")),
+              "found 'ncols 1, nrows 2', expected both in the header");
+  const std::string degrees =
+      "ncols 2\nnrows 2\nxllcorner 7.5\nyllcorner 46\ncellsize 0.000277\n1 2\n3 4\n";
+  expect_part(notes(read(degrees)), "if the map is in degrees");
+  for (const char* const cell : {"0.05", "30"}) {
+    std::string metres = degrees;
+    metres.replace(metres.find("0.000277"), 8, cell);
+    EXPECT_EQ(std::string::npos, notes(read(metres)).find("degrees")) << cell;
+  }
+}
+
 TEST(TerrainFile, NamesBinaryFilesAndTheWayOut) {
   const auto refused = [](std::string_view bytes) {
     const auto result = read(bytes);
@@ -337,9 +352,9 @@ TEST(TerrainFile, NamesBinaryFilesAndTheWayOut) {
   expect_part(refused("1,2\n3,\x9b\xff\n"sv), "found '\\x9b\\xff'");
 }
 
-TEST(MeasurementLine, NeedsItsFieldsByName) {
-  const MeasurementReading good =
-      read_measurement(R"({"x": 3, "y": 4, "value": 5.5, "plan": false})");
+TEST(MeasurementLines, NeedFieldsOfJsonByName) {
+  MeasurementLines lines;
+  const MeasurementReading good = lines.read(R"({"x": 3, "y": 4, "value": 5.5, "plan": false})");
   ASSERT_TRUE(good.measurement) << good.problem;
   EXPECT_EQ(3, good.measurement->x);
   EXPECT_FALSE(good.measurement->plan);
@@ -350,11 +365,34 @@ TEST(MeasurementLine, NeedsItsFieldsByName) {
                                  R"({"x": 3, "y": 4, "value": 5, "z": 1})",
                                  R"([3, 4, 5])",
                                  R"({"x": 3)"}) {
-    const MeasurementReading bad = read_measurement(line);
+    const MeasurementReading bad = lines.read(line);
     EXPECT_FALSE(bad.measurement) << line;
-    EXPECT_FALSE(bad.problem.empty() && !bad.is_header) << line;
+    EXPECT_FALSE(bad.problem.empty()) << line;
   }
-  EXPECT_TRUE(read_measurement("x,y,value").is_header);
+}
+
+TEST(MeasurementLines, FindColumnsByNameIfAHeaderNamesThem) {
+  MeasurementLines lines;
+  EXPECT_TRUE(lines.read("time,\"plan\",y,x,value,synthetic_seed\r").problem.empty());
+  const MeasurementReading row = lines.read("17.5,0,4,3,5.5,12\r");
+  ASSERT_TRUE(row.measurement) << row.problem;
+  EXPECT_EQ(3, row.measurement->x);
+  EXPECT_EQ(4, row.measurement->y);
+  EXPECT_EQ(5.5, row.measurement->value);
+  EXPECT_FALSE(row.measurement->plan);
+  EXPECT_EQ(12U, lines.synthetic_seed());
+  EXPECT_FALSE(lines.read("0,4,3,5.5,12").measurement) << "a cell is missing";
+  EXPECT_FALSE(lines.read("x,y,value").problem.empty()) << "a header in the midst";
+  // Other names, and none, leave the order as it is; the plan is 1 then.
+  for (const char* const header : {"X,Y,firmness", "# a robot", ""}) {
+    MeasurementLines plain;
+    EXPECT_TRUE(plain.read(header).problem.empty());
+    const MeasurementReading three = plain.read(" 3, 4 ,5.5");
+    ASSERT_TRUE(three.measurement) << three.problem;
+    EXPECT_TRUE(three.measurement->plan);
+    EXPECT_FALSE(plain.read("3,4,5.5,0,12").measurement) << "five cells without names";
+    EXPECT_FALSE(plain.synthetic_seed());
+  }
 }
 
 TEST(RasterText, NoValueIsRoundedToThatOfGaps) {

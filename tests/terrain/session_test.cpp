@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <terrain/terrain_c.h>
+#include <cstddef>
 #include <cstring>
 #include <terrain/session.hpp>
 
@@ -186,6 +187,7 @@ TEST(Session, MeasurementsBesideTheWayCountTowardsTheLimit) {
   }
   EXPECT_THROW(session.take({3, 0}, terrain.at({3, 0})), std::invalid_argument);
   EXPECT_EQ(End::step_limit, session.plan(setup.start, terrain.at(setup.start)).end);
+  EXPECT_THROW((void)session.plan(setup.start, terrain.at(setup.start)), std::invalid_argument);
 }
 
 TEST(Session, RefusesASetupThatCannotBe) {
@@ -204,12 +206,18 @@ TEST(Session, RefusesASetupThatCannotBe) {
   refused([](ExploreSetup& s) { s.confidence = 0.0; });
   refused([](ExploreSetup& s) { s.noise_sd = -1.0; });
   refused([](ExploreSetup& s) { s.known = {{position({99, 0}), 1.0}}; });
+  refused([](ExploreSetup& s) { s.known = {{{1e300, 0.0}, 1.0}}; });
 }
 
 TEST(Session, BeginsOnSafeGroundAlone) {
   const Terrain terrain = field_of(1);
   Session session(terrain.grid, setup_of(RuleSet::certified, terrain), {true, false, false});
   EXPECT_THROW((void)session.plan({5, 5}, -1.0), std::invalid_argument);
+  // What was felt beside it may be soft: the robot does not stand there.
+  session.take({5, 6}, -1.0);
+  const Decision& decision = session.plan({5, 5}, 5.0);
+  EXPECT_EQ(0, session.explorer()->planner().safe()[terrain.grid.index({5, 6})]);
+  EXPECT_LE(1U, decision.row.safe);
 }
 
 TEST(TerrainInC, TellsWhatTheSessionDoes) {
@@ -266,6 +274,16 @@ TEST(TerrainInC, TellsWhatTheSessionDoes) {
   EXPECT_TRUE(std::equal(safe.begin(), safe.end(), expected.begin()));
   EXPECT_EQ(TCERT_TERRAIN_ERROR_INPUT, tcert_terrain_layer(ground, 99, safe.data()));
   tcert_terrain_destroy(ground);
+  // A caller who was compiled with a shorter struct keeps what lies beyond it.
+  in_c.body_radius = 7.0;
+  const tcert_terrain_setup before = in_c;
+  EXPECT_EQ(TCERT_TERRAIN_OK,
+            tcert_terrain_setup_init_sized(&in_c, offsetof(tcert_terrain_setup, body_radius)));
+  EXPECT_EQ(offsetof(tcert_terrain_setup, body_radius), in_c.struct_size);
+  EXPECT_EQ(0.0, in_c.lipschitz);
+  EXPECT_EQ(before.body_radius, in_c.body_radius);
+  EXPECT_EQ(TCERT_TERRAIN_ERROR_VERSION, tcert_terrain_setup_init_sized(&in_c, sizeof in_c + 8));
+  in_c = before;
   in_c.struct_size += 8;
   EXPECT_EQ(TCERT_TERRAIN_ERROR_VERSION,
             tcert_terrain_create(&in_c, nullptr, &ground, why, sizeof why));

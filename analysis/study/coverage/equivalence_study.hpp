@@ -12,9 +12,9 @@
 #include <table/row_text.hpp>
 #include <vector>
 
-namespace tcert::study::coverage {
+#include "datasets/corpus/design.hpp"
 
-inline constexpr std::size_t kLightings = 3;
+namespace tcert::study::coverage {
 
 /// Trials of days, as many in each of three lightings on every day. A latent ability L of a trial
 /// decides its outcome as in `Scenario`; the predictor sees it as x = r L + sqrt(1 - r^2) N with a

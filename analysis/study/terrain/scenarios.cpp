@@ -62,6 +62,7 @@ Variant certified(double threshold, double lipschitz, double mean) {
 }
 
 std::vector<Cell> first_batch(const Terrain& terrain,
+                              const CellSet& blocked,
                               Cell start,
                               double threshold,
                               std::uint64_t seed) {
@@ -75,7 +76,8 @@ std::vector<Cell> first_batch(const Terrain& terrain,
   for (int k = 0; k < 50; ++k) {
     const int x = draw(start.x, terrain.grid.rows);
     const int y = draw(start.y, terrain.grid.columns);
-    if (terrain.at({x, y}) >= threshold) {
+    const bool is_free = blocked.empty() || blocked[terrain.grid.index({x, y})] == 0;
+    if (is_free && terrain.at({x, y}) >= threshold) {
       cells.push_back({x, y});
     }
   }
@@ -109,7 +111,7 @@ ExploreSetup setup_of(const Terrain& terrain,
   setup.sub_goal_depth = variant.sub_goal_depth;
   setup.confidence = variant.confidence;
   if (variant.batch && !scenario.reuse) {
-    setup.first_cells = first_batch(terrain, scenario.start, scenario.threshold, seed);
+    setup.first_cells = first_batch(terrain, {}, scenario.start, scenario.threshold, seed);
   }
   if (variant.confidence > 0.0) {
     setup.first_cells = cells_round(terrain.grid, {}, scenario.start, 2);

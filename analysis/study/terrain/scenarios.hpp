@@ -45,8 +45,10 @@ struct Variant {
 [[nodiscard]] Variant thesis_tuned(double threshold, double lipschitz);
 [[nodiscard]] Variant certified(double threshold, double lipschitz, double mean);
 
-/// The start's 50 draws of the published program, those below the threshold discarded.
+/// The start's 50 draws of the published program; those below the threshold are discarded, and
+/// those that are blocked, if `blocked` is not empty.
 [[nodiscard]] std::vector<Cell> first_batch(const Terrain& terrain,
+                                            const CellSet& blocked,
                                             Cell start,
                                             double threshold,
                                             std::uint64_t seed);

@@ -34,9 +34,8 @@ terrain::Position CertifiedGround::cells_of(const Point& p) const {
 bool CertifiedGround::holds(const Point& p, const Point& q) const {
   const terrain::Position a = cells_of(p);
   const terrain::Position b = cells_of(q);
-  constexpr double kFar = 1e6;  // cells: beyond it nothing is on the map
-  return a.allFinite() && b.allFinite() && a.cwiseAbs().maxCoeff() < kFar &&
-         b.cwiseAbs().maxCoeff() < kFar && terrain::stays_on_ground(grid_, standing_, a, b);
+  return terrain::is_near(a) && terrain::is_near(b) &&
+         terrain::stays_on_ground(grid_, standing_, a, b);
 }
 
 TickTable CertifiedGround::ticks_on(const TickTable& ticks) const {

@@ -72,11 +72,14 @@ struct Log {
   std::vector<LiveRow> rows;
   std::vector<TakenMeasurement> taken;
   std::vector<terrain::Position> path;
+  std::optional<SyntheticLabel> label;  ///< Of the layout, or of what was measured.
 };
 
 /// The row as CSV; the header with the first.
-[[nodiscard]] std::string text_of(const LiveRow& row, bool with_header) {
-  const std::string text = render(live_table({row}), TableFormat::csv);
+[[nodiscard]] std::string text_of(const LiveRow& row,
+                                  const std::optional<SyntheticLabel>& label,
+                                  bool with_header) {
+  const std::string text = render(live_table({row}, label), TableFormat::csv);
   return with_header ? text : text.substr(text.find('\n') + 1);
 }
 
@@ -85,12 +88,12 @@ void write_record(const LiveTerrainRequest& request,
                   const terrain::Session& session,
                   const TerrainGrid& layout) {
   ResultFolder folder(request.record, "live terrain");
-  folder.write("series.csv", render(live_table(log.rows), TableFormat::csv));
-  terrain::ExploreResult path;
-  path.path = log.path;
-  folder.write("path.csv", render(path_table(path, std::nullopt), TableFormat::csv));
+  folder.write("series.csv", render(live_table(log.rows, log.label), TableFormat::csv));
+  folder.write(
+      "path.csv",
+      render(path_table(log.path, log.label, map_of(request.explore, layout)), TableFormat::csv));
   folder.write("measurements.csv",
-               render(measurement_table(log.taken, std::nullopt), TableFormat::csv));
+               render(measurement_table(log.taken, log.label), TableFormat::csv));
   const RasterFormats rasters = raster_formats_of(request.explore.rasters);
   if (rasters.any() && session.explorer() != nullptr) {
     write_rasters(folder, rasters, layout, session.explorer()->layers());
@@ -98,6 +101,7 @@ void write_record(const LiveTerrainRequest& request,
   Manifest manifest;
   manifest.command = "live terrain";
   record(written(request), manifest);
+  manifest.synthetic = log.label;
   for (const std::string& file :
        {request.explore.terrain, request.explore.obstacles, request.explore.known}) {
     if (!file.empty()) {
@@ -114,8 +118,10 @@ class Loop {
   Loop(terrain::Session& session,
        RobotLines& robot,
        Progress& progress,
+       const std::optional<SyntheticLabel>& label,
        std::function<void(const terrain::ExploreSetup&)> settled)
       : session_(session), robot_(robot), progress_(progress), settled_(std::move(settled)) {
+    log_.label = label;
     for (const terrain::Measurement& m : session.setup().known) {
       log_.taken.push_back({m, false});
     }
@@ -130,12 +136,9 @@ class Loop {
         return;
       }
       ++number_;
-      const MeasurementReading reading = read_measurement(*line);
+      const MeasurementReading reading = lines_.read(*line);
       if (reading.measurement) {
-        has_begun_ = true;
         take(*reading.measurement);
-      } else if (reading.is_header && has_begun_) {
-        skip("a header in the midst of measurements");
       } else if (!reading.problem.empty()) {
         skip(reading.problem);
       }
@@ -154,6 +157,9 @@ class Loop {
         const terrain::Decision& decision = session_.plan({m.x, m.y}, m.value);
         if (is_first) {
           settled_(session_.setup());
+          if (lines_.synthetic_seed()) {
+            log_.label = SyntheticLabel{lines_.synthetic_seed()};
+          }
         }
         tell(decision, {m.x, m.y}, is_first);
       } else {
@@ -161,8 +167,8 @@ class Loop {
       }
       log_.taken.push_back({{{m.x, m.y}, m.value}, m.plan});
     } catch (const std::invalid_argument& error) {
-      if (is_first && m.plan) {
-        throw BadData(error.what());
+      if (is_first && m.plan && !robot_.is_connected()) {
+        throw BadData(error.what());  // What follows was measured on a way from there.
       }
       skip(error.what());
     } catch (const std::domain_error& error) {
@@ -177,20 +183,23 @@ class Loop {
     log_.path.insert(log_.path.end(), decision.way.begin(), decision.way.end());
     log_.rows.push_back({decision.row, decision.way, decision.end});
     end_ = decision.end;
-    is_read_ = robot_.answer(text_of(log_.rows.back(), with_header));
+    is_read_ = robot_.answer(text_of(log_.rows.back(), log_.label, with_header));
   }
 
   void skip(const std::string& problem) {
     ++bad_;
-    progress_.say(fmt::format("line {}: {}; it is skipped", number_, problem));
+    const std::string text = fmt::format("line {}: {}; it is skipped", number_, problem);
+    progress_.say(text);
+    // Who waits for a row must not wait for ever.
+    is_read_ = robot_.remark(text) && is_read_;
   }
 
   terrain::Session& session_;
   RobotLines& robot_;
   Progress& progress_;
   std::function<void(const terrain::ExploreSetup&)> settled_;
+  MeasurementLines lines_;
   Log log_;
-  bool has_begun_ = false;
   std::optional<terrain::End> end_;
   bool is_read_ = true;
   std::size_t number_ = 0;
@@ -262,7 +271,7 @@ ExitCode live_terrain(const LiveTerrainRequest& request, Progress& progress) {
   terrain::Session session(
       {layout.rows, layout.columns}, setup_of(o, layout, progress), told_of(o));
   RobotLines robot(request.listen, progress);
-  Loop loop(session, robot, progress, [&](const terrain::ExploreSetup& settled) {
+  Loop loop(session, robot, progress, label_of(layout), [&](const terrain::ExploreSetup& settled) {
     say_settled(settled, o, session.explorer()->planner().field_variance(), progress);
   });
   loop.run();

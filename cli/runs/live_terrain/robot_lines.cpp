@@ -83,7 +83,7 @@ RobotLines::RobotLines(const std::string& listen, Progress& progress)
 
 std::optional<std::string> RobotLines::next() {
   std::string line;
-  const int input = connection_.get() >= 0 ? connection_.get() : STDIN_FILENO;
+  const int input = is_connected() ? connection_.get() : STDIN_FILENO;
   while (!lines_.next(line)) {
     if (ended_) {
       return std::nullopt;
@@ -108,7 +108,11 @@ std::optional<std::string> RobotLines::next() {
 
 bool RobotLines::answer(const std::string& row) {
   const bool shown = write_whole(STDOUT_FILENO, row, interrupt_);
-  return connection_.get() >= 0 ? write_whole(connection_.get(), row, interrupt_) : shown;
+  return is_connected() ? write_whole(connection_.get(), row, interrupt_) : shown;
+}
+
+bool RobotLines::remark(const std::string& text) {
+  return !is_connected() || write_whole(connection_.get(), "# " + text + '\n', interrupt_);
 }
 
 }  // namespace tcert::cli

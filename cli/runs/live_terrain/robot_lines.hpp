@@ -23,7 +23,11 @@ class RobotLines {
   /// To the robot, whole and at once; of a connection also to stdout. False if nobody reads.
   /// \throws WriteError.
   [[nodiscard]] bool answer(const std::string& row);
+  /// A line "# text" to who is connected; nothing without a connection. Returns and throws
+  /// likewise.
+  [[nodiscard]] bool remark(const std::string& text);
 
+  [[nodiscard]] bool is_connected() const noexcept { return connection_.get() >= 0; }
   [[nodiscard]] std::size_t too_long() const noexcept { return lines_.too_long(); }
 
  private:
