@@ -75,7 +75,7 @@ std::vector<std::uint32_t> kept(const std::vector<std::uint32_t>& closed, const 
 TeamMate explore(const TickTable& ticks,
                  const Course& course,
                  const CertificateParameters& certificate) {
-  const Robot robot = corpus_robot();
+  const Robot& robot = corpus_robot();
   Certifier certifier(robot, course, certificate);
   const TrialSeries series = certify_trial(certifier, ticks);
   const std::vector<std::uint32_t> closed = closing_ticks(series);
