@@ -2,6 +2,8 @@
 #
 #     Rscript compare_with_r.R JOB FILE [REPLICATES]   prints one line of results, as the program does
 #     Rscript compare_with_r.R table RESULTS           prints the tables of all results
+#     Rscript compare_with_r.R real ROWS DATA FILE     draws so many of the real trials of DATA, with
+#                                                      replacement, into a table with the same columns
 #
 # A job is warmed up on the first rows, collects garbage, and is timed by the wall clock and by the
 # processor's time, once and again until half a second has passed; data are read before. The peak is
@@ -79,8 +81,8 @@ jobs <- list(
   cox_efron = cox(cox_formula, "efron"),
   cox_efron_cluster = cox(update(cox_formula, . ~ . + cluster(day)), "efron"),
   cox_breslow = cox(cox_formula, "breslow"),
-  cox_strata = cox(strata_formula, "efron"),
-  cox_strata_cluster = cox(update(strata_formula, . ~ . + cluster(day)), "efron"),
+  cox_real = cox(strata_formula, "efron"),
+  cox_real_cluster = cox(update(strata_formula, . ~ . + cluster(day)), "efron"),
   concordance = concordance_of_x1,
   kaplan_meier = kaplan_meier,
   log_rank = log_rank,
@@ -113,7 +115,7 @@ timed <- function(work) {
 run_job <- function(name, path, replicates) {
   job <- jobs[[name]]
   if (is.null(job)) stop("no job ", name, "; there are: ", paste(names(jobs), collapse = " "))
-  data <- read.csv(path, colClasses = c("integer", rep("character", 2), rep("numeric", 3), rep("integer", 2), "numeric"))
+  data <- read.csv(path, colClasses = c("integer", rep("character", 2), rep("numeric", 4), "integer", "numeric"))
   if (!grepl("bca|glmm", name)) invisible(job(head(data, 600), 0))
   invisible(gc())
   reset_peak_memory()
@@ -144,6 +146,15 @@ beside <- function(all) {
     runs = paste(rows$runs, rows$runs_r, sep = "+"),
     ours_result = sprintf("%.6g %.6g", rows$first, rows$second), r_result = sprintf("%.6g %.6g", rows$first_r, rows$second_r))
 }
+# The same jobs by the program of another commit.
+before_and_after <- function(all) {
+  rows <- merge(all[all$side == "before", ], all[all$side == "ours", ], by = c("job", "rows", "threads"), suffixes = c("_before", ""), sort = FALSE)
+  data.frame(job = rows$job, rows = rows$rows, threads = rows$threads,
+             before_s = signif(rows$seconds_before, 3), after_s = signif(rows$seconds, 3),
+             before_cpu = signif(rows$cpu_seconds_before, 3), after_cpu = signif(rows$cpu_seconds, 3),
+             times = signif(rows$cpu_seconds_before / rows$cpu_seconds, 3),
+             before_mb = round(rows$peak_mb_before), after_mb = round(rows$peak_mb), runs = rows$runs)
+}
 growth <- function(all) {
   own <- all[all$side == "ours" & all$threads == 1 & !grepl("bca|profile", all$job), ]
   own <- own[order(own$job, own$rows), ]
@@ -159,13 +170,35 @@ print_tables <- function(path) {
   all <- medians(read.csv(path))
   cat("Seconds and peak memory, medians; ratios are R over ours. Threads are ours, R has one.\n")
   print(beside(all), row.names = FALSE)
+  if (any(all$side == "before")) {
+    cat("\nBefore and after.\n")
+    print(before_and_after(all), row.names = FALSE)
+  }
   cat("\nGrowth of ours, one thread.\n")
   print(growth(all), row.names = FALSE)
 }
 
+# Runs of planners in the worlds of BARN that stand still: planners as strata ('lighting'), worlds as
+# clusters ('day'), their first four measures of difficulty as predictors.
+draw_real <- function(rows, data, path) {
+  trials <- read.csv(file.path(data, "barn-trials", "trials.csv"))
+  metrics <- read.csv(file.path(data, "barn-worlds", "difficulty_metrics.csv"))
+  trials <- trials[trials$world %in% metrics$world & trials$world < 300 & trials$time_s > 0, ]
+  metrics <- metrics[match(trials$world, metrics$world), ]
+  set.seed(1)
+  drawn <- sample(nrow(trials), rows, replace = TRUE)
+  write.csv(data.frame(trial = seq_len(rows), day = paste0("w", trials$world[drawn]), lighting = trials$planner[drawn],
+                       x1 = metrics$m1[drawn], x2 = metrics$m2[drawn], x3 = metrics$m3[drawn], x4 = metrics$m4[drawn],
+                       success = trials$success[drawn], time = trials$time_s[drawn]),
+            path, row.names = FALSE, quote = FALSE)
+  cat(nrow(trials), "real trials,", length(unique(trials$planner)), "planners,", length(unique(trials$time_s)), "times\n", file = stderr())
+}
+
 arguments <- commandArgs(TRUE)
-if (length(arguments) == 2 && arguments[1] == "table") {
+if (length(arguments) == 4 && arguments[1] == "real") {
+  draw_real(as.integer(arguments[2]), arguments[3], arguments[4])
+} else if (length(arguments) == 2 && arguments[1] == "table") {
   print_tables(arguments[2])
 } else if (length(arguments) %in% 2:3) {
   run_job(arguments[1], arguments[2], if (length(arguments) == 3) as.integer(arguments[3]) else 10000L)
-} else stop("usage: Rscript compare_with_r.R JOB FILE [REPLICATES] | table RESULTS")
+} else stop("usage: Rscript compare_with_r.R JOB FILE [REPLICATES] | table RESULTS | real ROWS DATA FILE")

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace tcert::statistics {
@@ -35,9 +36,11 @@ class PrefixSums {
   void add(std::size_t slot, T weight) noexcept {
     total_ += weight;
     for (std::size_t level = 0; level < levels_; ++level, slot /= kFan) {
-      T* const block = sums_.data() + offset_[level] + (slot / kFan) * kFan;
-      for (std::size_t k = slot % kFan + 1; k < kFan; ++k) {
-        block[k] += weight;
+      // All slots of the block, those not behind with nothing: a loop of known length, in vectors.
+      T* __restrict const block = sums_.data() + offset_[level] + (slot / kFan) * kFan;
+      const T* __restrict const behind = kBehind[slot % kFan].data();
+      for (std::size_t k = 0; k < kFan; ++k) {
+        block[k] += masked(weight, behind[k]);
       }
     }
   }
@@ -56,6 +59,31 @@ class PrefixSums {
  private:
   static constexpr std::size_t kFan = 16;
   static constexpr std::size_t kMaxLevels = 16;  // 16^16 slots
+
+  static constexpr T masked(T weight, T mask) noexcept {
+    if constexpr (std::is_floating_point_v<T>) {
+      return weight * mask;
+    } else {
+      return weight & mask;
+    }
+  }
+  static constexpr T masked_all() noexcept {
+    if constexpr (std::is_floating_point_v<T>) {
+      return T{1};
+    } else {
+      return static_cast<T>(~T{0});
+    }
+  }
+  /// By slot: which slots of its block lie behind it, as 1 or as all bits.
+  static constexpr auto kBehind = [] {
+    std::array<std::array<T, kFan>, kFan> behind{};
+    for (std::size_t slot = 0; slot < kFan; ++slot) {
+      for (std::size_t k = slot + 1; k < kFan; ++k) {
+        behind[slot][k] = masked_all();
+      }
+    }
+    return behind;
+  }();
 
   std::array<std::size_t, kMaxLevels> offset_{};
   std::size_t levels_ = 0;
