@@ -4,12 +4,10 @@ Inputs that cover anew are kept below corpus/TARGET and are where the next attem
 a property are kept as any failure. Executions are what is counted."""
 import os
 import re
-import shutil
 import subprocess
 import time
 
 from .bench import Broken, Run, Skipped
-from .hostile import spoiled
 
 SECONDS = 20
 
@@ -26,7 +24,7 @@ def limited(bench, command, seconds):
     bench.commands.append(" ".join(map(str, command)))
     began = time.monotonic()
     with open(bench.attempt / "said.txt", "wb") as said:
-        process = subprocess.Popen(command, stdout=said, stderr=said, cwd=bench.attempt)
+        process = subprocess.Popen(list(map(str, command)), stdout=said, stderr=said, cwd=bench.attempt)
         code = bench.end(process, seconds)
     bench.worst_s = max(bench.worst_s, time.monotonic() - began)
     return Run(bench.commands[-1], code, b"", (bench.attempt / "said.txt").read_bytes(), time.monotonic() - began)
@@ -42,28 +40,21 @@ def by_libfuzzer(bench, rng, program):
                           *([kept] if kept.is_dir() else [])], SECONDS + 120)
     executions = re.search(rb"number_of_executed_units: (\d+)", run.err)
     bench.executions = int(executions.group(1)) if executions else 1
-    bench.memory.setdefault("executions", {}).setdefault(name, 0)
-    bench.memory["executions"][name] += bench.executions
-    # libFuzzer counts its own memory; that of the process was noted.
     if run.code != 0:
         raise Broken(f"{name}: {run.err[-1500:].decode(errors='replace')}")
 
 
-def by_spoiled_files(bench, rng, program):
-    """Without libFuzzer: the kept corpus, spoiled at random, through the program that replays files."""
+def by_edits(bench, rng, program):
+    """Without libFuzzer: inputs made of the kept corpus by edits at random, within the program."""
     name = program.name.removeprefix("fuzz_")
-    kept = sorted((bench.root / "tests/fuzz/corpus" / name).glob("*"))
-    inputs = bench.attempt / "inputs"
-    inputs.mkdir()
-    count = 50 if bench.options.short else 1000
-    for k in range(count):
-        data = rng.choice(kept).read_bytes() if kept else rng.randbytes(rng.randint(0, 2000))
-        (inputs / str(k)).write_bytes(spoiled(rng, data))
-    run = limited(bench, [program, inputs], 120)
+    kept = bench.root / "tests/fuzz/corpus" / name
+    count = 1000 if bench.options.short else bench.memory.get(f"inputs of {name}", 20000)
+    run = limited(bench, [program, "--spoil", rng.randrange(2**32), count, *([kept] if kept.is_dir() else [])], 300)
     bench.executions = count
     if run.code != 0:
-        raise Broken(f"{name}, one of these inputs: {run.err[-1500:].decode(errors='replace')}")
-    shutil.rmtree(inputs)
+        raise Broken(f"{name}, the input that is kept: {run.err[-1500:].decode(errors='replace')}")
+    if not bench.options.short:  # about SECONDS the next time
+        bench.memory[f"inputs of {name}"] = max(1000, int(count * SECONDS / max(run.seconds, 0.01)))
 
 
 def attempt(bench, rng, number):
@@ -74,10 +65,10 @@ def attempt(bench, rng, number):
     key = f"is libFuzzer: {program.name}"
     if key not in bench.memory:
         bench.memory[key] = is_libfuzzer(program)
-    (by_libfuzzer if bench.memory[key] else by_spoiled_files)(bench, rng, program)
+    (by_libfuzzer if bench.memory[key] else by_edits)(bench, rng, program)
 
 
 def short(bench):
-    """Replays spoiled inputs through every target that was built, of whatever build."""
+    """Every target that was built, of whatever build."""
     for number in range(max(1, len(targets(bench)))):
         yield lambda rng, number=number: attempt(bench, rng, number)

@@ -34,7 +34,9 @@ TEST(CircleThrough, FindsCentreAndRadius) {
 
 TEST(CircleThrough, IsInfiniteForCollinearPoints) {
   EXPECT_EQ(circle_through({0.0, 0.0}, {1.0, 1.0}, {2.0, 2.0}).radius_m, kInfinity);
-  EXPECT_EQ(circle_through({1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}).radius_m, kInfinity);
+  const CircleFit point = circle_through({1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0});
+  EXPECT_EQ(point.radius_m, kInfinity);
+  EXPECT_EQ(point.height_m, 0.0);
 }
 
 TEST(PathRadiusAlong, AddsTheLateralDistanceToAWallOnTheInside) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <random>
@@ -15,7 +14,6 @@
 namespace tcert {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNeeded = 0.45 + 2.0 * 0.02;
 
 Robot robot_of_test() {
@@ -32,6 +30,8 @@ class Slow {
   struct Step {
     Point from, to;
     double travel_m, slack_m;
+    Pose pose;        // where it is said to be narrowest
+    double radius_m;  // of the turn there
     double spread_m = 0.0;
     double value_m = -kNeeded;  // as of the last look
     bool settled = false;
@@ -43,14 +43,18 @@ class Slow {
 
   Slow(SweptArea& area, double lag_m) : area_(area), lag_m_(lag_m) {}
 
-  void tick(Point to, double travel_m, double slack_m, bool broken) {
+  void tick(const Pose& pose, double travel_m, double slack_m, double radius_m, bool broken) {
+    const Point to = pose.position;
     const bool joins_after = !steps.empty() && last_tick_ + 1 != steps.size();
     if (!broken && !joins_after && distance(steps.back().to, to) < 0.01 * (1.0 - 1e-9)) {
       steps.back().spread_m = std::max(steps.back().spread_m, distance(steps.back().to, to));
-      steps.back().slack_m = std::min(steps.back().slack_m, slack_m);
+      if (slack_m < steps.back().slack_m) {
+        steps.back().slack_m = slack_m;
+        steps.back().radius_m = radius_m;
+      }
       steps.back().value_m = -kNeeded;
     } else {
-      push({broken ? to : last_, to, travel_m, slack_m});
+      push({broken ? to : last_, to, travel_m, slack_m, pose, radius_m});
       last_tick_ = steps.size() - 1;
     }
     last_ = to;
@@ -70,7 +74,7 @@ class Slow {
   void start() { current_ = last_tick_; }
   double finish() {
     passes.push_back({current_, steps.size() - 1, 0.0});
-    passes.back().handed_m = margin(passes.back());
+    passes.back().handed_m = narrowest(passes.back()).value_m;
     return passes.back().handed_m;
   }
   void look_at_all() {
@@ -80,12 +84,12 @@ class Slow {
       }
     }
   }
-  [[nodiscard]] double margin(const Pass& pass) const {
-    double least = kInfinity;
-    for (std::size_t n = pass.first; n <= pass.last; ++n) {
-      least = std::min(least, steps[n].value_m);
-    }
-    return least;
+  /// The first of the steps with the least value.
+  [[nodiscard]] const Step& narrowest(const Pass& pass) const {
+    const auto first = steps.begin() + static_cast<std::ptrdiff_t>(pass.first);
+    const auto end = steps.begin() + static_cast<std::ptrdiff_t>(pass.last) + 1;
+    return *std::min_element(
+        first, end, [](const Step& a, const Step& b) { return a.value_m < b.value_m; });
   }
 
   std::vector<Step> steps;
@@ -152,6 +156,7 @@ class Drive {
     now.pose = pose_;
     now.travel_m = travel_m_;
     now.turn_slack_m = engine_() % 4 == 0 ? uniform(0.0, 0.5) : 10.0;
+    now.turn_radius_m = uniform(0.5, 5.0);
     if (k == 0) {
       margins_.begin(now);
     } else if (broken) {
@@ -159,7 +164,7 @@ class Drive {
     } else {
       margins_.add(now);
     }
-    slow_.tick(pose_.position, travel_m_, now.turn_slack_m, broken);
+    slow_.tick(pose_, travel_m_, now.turn_slack_m, now.turn_radius_m, broken);
     if (engine_() % 30 == 0) {
       join(now);
     }
@@ -181,24 +186,33 @@ class Drive {
     const Point at = pose_.position + uniform(-0.1, 0.1) * Point{0.0, 1.0};
     const Node node{{at + Point{uniform(-0.1, 0.1), 0.0}, 0.0}, {1.0, 0.0}, false, false};
     margins_.add_join(at, now, node);
-    slow_.push({at, node.pose.position, now.travel_m, now.turn_slack_m});
+    slow_.push({at,
+                node.pose.position,
+                now.travel_m,
+                now.turn_slack_m,
+                {node.pose.position, pose_.yaw_rad},
+                now.turn_radius_m});
   }
 
   /// Each pass whose margin has risen, once, with what the list says.
   void hand_out(int k) {
-    std::map<std::uint32_t, double> handed;
+    std::map<std::uint32_t, Certified> handed;
     margins_.hand_out([&](EdgeEnd from, EdgeEnd to, const Certified& certified) noexcept {
       EXPECT_EQ(to.node, from.node + 1);
       EXPECT_LE(certified.margin_m, certified.width_m - kNeeded + 1e-12);
-      handed[from.node] = certified.margin_m;
+      handed[from.node] = certified;
     });
     for (std::size_t p = 0; p < slow_.passes.size(); ++p) {
       Slow::Pass& pass = slow_.passes[p];
-      const double margin_m = slow_.margin(pass);
+      const Slow::Step& narrowest = slow_.narrowest(pass);
+      const double margin_m = narrowest.value_m;
       const auto found = handed.find(static_cast<std::uint32_t>(p));
       ASSERT_EQ(found != handed.end(), margin_m > pass.handed_m) << "pass " << p << ", tick " << k;
       if (found != handed.end()) {
-        ASSERT_EQ(found->second, margin_m) << "pass " << p << ", tick " << k;
+        ASSERT_EQ(found->second.margin_m, margin_m) << "pass " << p << ", tick " << k;
+        ASSERT_EQ(found->second.narrowest.position, narrowest.pose.position) << p;
+        ASSERT_EQ(found->second.narrowest.yaw_rad, narrowest.pose.yaw_rad) << p;
+        ASSERT_EQ(found->second.turn_radius_m, narrowest.radius_m) << p;
         pass.handed_m = margin_m;
         ++raised_;
         above_zero_ += margin_m > 0.0 ? 1 : 0;
