@@ -7,6 +7,7 @@
 #include <table/file_kind.hpp>
 
 #include "datasets/terrain/cell_table.hpp"
+#include "datasets/terrain/degrees.hpp"
 #include "datasets/terrain/esri_grid.hpp"
 #include "datasets/terrain/header_rule.hpp"
 #include "datasets/terrain/nodata.hpp"
@@ -39,7 +40,11 @@ class Reader {
     }
     if (!table::has_error(result_.diagnostics)) {
       check_sides();
-      ask_for_degrees();
+      if (reading::may_be_in_degrees(terrain_)) {
+        note(
+            "if the map is in degrees, put it into metres first (gdalwarp -t_srs): a degree is not "
+            "as long along both axes, and no metre");
+      }
     }
     if (!table::has_error(result_.diagnostics)) {
       mark_gaps();
@@ -214,25 +219,6 @@ class Reader {
     fail(std::to_string(terrain_.rows) + " x " + std::to_string(terrain_.columns),
          least < 2 ? "at least two rows and two columns of numbers"
                    : "at most " + std::to_string(kMostTerrainSide) + " rows and columns");
-  }
-
-  /// Cells far smaller than a centimetre, at places that may be longitudes and latitudes.
-  void ask_for_degrees() {
-    constexpr double kSmall = 0.01;
-    const MapFrame& frame = terrain_.frame;
-    const int x = terrain_.rows - 1;
-    const int y = terrain_.columns - 1;
-    const auto within = [](double a, double b, double most) {
-      return std::max(std::abs(a), std::abs(b)) <= most;
-    };
-    if (frame.is_declared && std::max(frame.x_step, frame.y_step) < kSmall &&
-        within(frame.first_of(0, 0), frame.first_of(x, y), 360.0) &&
-        within(frame.second_of(0, 0), frame.second_of(x, y), 90.0)) {
-      note(
-          "if the map is in degrees, put it into metres first (gdalwarp -t_srs): a degree is not "
-          "as "
-          "long along both axes, and no metre");
-    }
   }
 
   void mark_gaps() {
