@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kExpected =
     "expected x,y,value or x,y,value,plan with whole x and y and a plan of 0 or 1";
 constexpr std::array<std::string_view, 5> kFields{"x", "y", "value", "plan", "synthetic_seed"};
-constexpr std::size_t kNeeded = 3;
+constexpr std::size_t kNeededCells = 3;
 constexpr std::size_t kPlan = 3;
 constexpr std::size_t kSeed = 4;
 
@@ -36,7 +36,7 @@ constexpr std::size_t kSeed = 4;
 [[nodiscard]] std::optional<MeasurementLine> measurement_of(const std::vector<double>& v) {
   constexpr double kFar = 1e6;
   const auto is_whole = [](double x) { return std::abs(x) < kFar && x == std::floor(x); };
-  if (v.size() < kNeeded || v.size() > kPlan + 1 || !is_whole(v[0]) || !is_whole(v[1]) ||
+  if (v.size() < kNeededCells || v.size() > kPlan + 1 || !is_whole(v[0]) || !is_whole(v[1]) ||
       !std::isfinite(v[2]) || (v.size() > kPlan && v[kPlan] != 0.0 && v[kPlan] != 1.0)) {
     return std::nullopt;
   }
@@ -73,7 +73,7 @@ MeasurementReading MeasurementLines::read(std::string_view line) {
 MeasurementReading MeasurementLines::read_json(std::string_view line) {
   const auto json = nlohmann::json::parse(line, nullptr, false);
   std::vector<double> v;
-  for (std::size_t k = 0; k < kNeeded; ++k) {
+  for (std::size_t k = 0; k < kNeededCells; ++k) {
     const std::string name(kFields[k]);
     if (!json.is_object() || !json.contains(name) || !json[name].is_number()) {
       return bad(line);

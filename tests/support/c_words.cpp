@@ -59,7 +59,11 @@ tcert_tick to_c(const Tick& tick, std::vector<tcert_reading>& readings) {
           tick.pose.yaw_rad,
           tick.stale ? 1 : 0,
           tick.segment_start ? 1 : 0,
-          nullptr};
+          nullptr,
+          tick.footing.pitch_rad,
+          tick.footing.roll_rad,
+          tick.footing.step_m,
+          tick.footing.slip};
 }
 
 tcert_output empty_output() noexcept {
