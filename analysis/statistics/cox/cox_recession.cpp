@@ -116,9 +116,10 @@ std::optional<Eigen::VectorXd> recession_direction(const CoxRows& rows,
   }
   const Eigen::VectorXd target = score / length;
   PairScan scan(rows, ties, basis);
+  ConeProjection projection(target);
   Eigen::MatrixXd pairs(0, target.size());
   for (int round = 0; round < kRounds; ++round) {
-    const auto nearest = project_on_cone(pairs, target, kPairTie);
+    const auto nearest = projection.onto(pairs, kPairTie);
     if (!nearest || nearest->isZero(0.0)) {
       return std::nullopt;
     }

@@ -4,14 +4,40 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 namespace tcert::statistics {
 
-/// The projection of `target` onto {d : rows * d >= 0}; rows have length 1. By Moreau it is what
-/// non-negative least squares leaves of `target` after the best combination of -rows. Lawson and
-/// Hanson's active-set method: exact up to rounding, O(rows columns) an iteration and usually few
-/// times as many iterations as columns. A projection shorter than `smallest` is 0. Empty if it does
-/// not end within 50 (columns + 10) iterations, which only rounding could bring about.
+/// The projection of a target onto {d : rows * d >= 0}; rows have length 1. By Moreau it is what
+/// non-negative least squares leaves of the target after the best combination of -rows. Lawson and
+/// Hanson's active-set method, its orthogonal factors kept from step to step: exact up to rounding,
+/// O((rows + r) r) an iteration of r columns and usually few times as many iterations as columns.
+class ConeProjection {
+ public:
+  explicit ConeProjection(Eigen::VectorXd target);
+
+  /// Begins where the call before has ended, whose rows come first among `rows`. A projection
+  /// shorter than `smallest` is 0. Empty if it does not end within 50 (r + 10) iterations, which
+  /// only rounding could bring about.
+  [[nodiscard]] std::optional<Eigen::VectorXd> onto(const Eigen::MatrixXd& rows, double smallest);
+
+ private:
+  void let_in(const Eigen::MatrixXd& rows, Eigen::Index entering);
+  void move_towards(const Eigen::MatrixXd& rows, const Eigen::VectorXd& wanted);
+  void append(const Eigen::VectorXd& row);
+  [[nodiscard]] Eigen::Index size() const noexcept {
+    return static_cast<Eigen::Index>(active_.size());
+  }
+
+  Eigen::VectorXd target_;
+  Eigen::VectorXd residual_;          ///< target + A' weights, A the active rows.
+  std::vector<Eigen::Index> active_;  ///< The rows that carry weight.
+  std::vector<double> weights_;
+  Eigen::MatrixXd orthogonal_;  ///< A' is `orthogonal_` times `triangle_`, in their first columns.
+  Eigen::MatrixXd triangle_;
+};
+
+/// From the beginning.
 [[nodiscard]] std::optional<Eigen::VectorXd> project_on_cone(const Eigen::MatrixXd& rows,
                                                              const Eigen::VectorXd& target,
                                                              double smallest);
