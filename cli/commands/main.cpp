@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <table/atomic_file.hpp>
 #include <table/regular_file.hpp>
@@ -96,6 +97,11 @@ int exit_code_of_current_exception(const std::string& who) {
     say(who + ": the system refused: " + error.what());
     return exit_system;
   } catch (const std::exception& error) {
+    // oneTBB says in words alone that it could not start a thread.
+    if (std::string_view(error.what()).starts_with("pthread_create")) {
+      say(who + ": the system refused a thread: " + error.what() + "; fewer --threads take less");
+      return exit_system;
+    }
     say(who + ": internal error: " + error.what());
     return exit_internal;
   }

@@ -111,7 +111,7 @@ class Campaign:
             began = time.monotonic()
             number = self.count_of(group)["next"]
             self.one(group, number, self.attack(group, number))
-            spent[group] += time.monotonic() - began
+            spent[group] += max(1.0, time.monotonic() - began)  # so that what cannot be tried is not tried all the time
             self.save()
 
     def table(self):
