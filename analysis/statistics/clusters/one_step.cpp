@@ -1,19 +1,20 @@
 #include <statistics/clusters/one_step.hpp>
 
-#include <Eigen/Cholesky>
+#include <statistics/basics/linalg.hpp>
 #include <table/not_a_number.hpp>
 
 namespace tcert::statistics {
 
 Eigen::MatrixXd one_step_changes(const SandwichParts& parts) {
-  const Eigen::Index r = parts.scores.rows();
-  Eigen::MatrixXd changes(r, parts.scores.cols());
+  // Where a cluster holds all of a direction, rounding leaves of I - share 1e-16 of either sign.
+  constexpr double kNothingLeft = 1e-9;
+  Eigen::MatrixXd changes(parts.scores.rows(), parts.scores.cols());
   for (Eigen::Index g = 0; g < changes.cols(); ++g) {
-    const Eigen::MatrixXd rest =
-        Eigen::MatrixXd::Identity(r, r) - parts.shares[static_cast<std::size_t>(g)];
-    const Eigen::LLT<Eigen::MatrixXd> root(rest);
-    if (root.info() == Eigen::Success) {
-      changes.col(g) = -root.solve(parts.scores.col(g));
+    const Eigensystem system = eigensystem_of(parts.shares[static_cast<std::size_t>(g)]);
+    const Eigen::ArrayXd left = 1.0 - system.values.array();
+    if ((left > kNothingLeft).all()) {
+      const Eigen::ArrayXd along = (system.vectors.transpose() * parts.scores.col(g)).array();
+      changes.col(g) = -(system.vectors * (along / left).matrix());
     } else {
       changes.col(g).setConstant(table::kNaN);
     }
