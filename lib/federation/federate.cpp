@@ -111,11 +111,17 @@ class Joining {
     return known_.nodes[node].pose.position.x_m;
   }
 
-  void look_at(std::uint32_t u, std::uint32_t v) {
-    if (++pairs_ > kMostPairs) {
+  void count(std::size_t pairs) {
+    pairs_ += pairs;
+    if (pairs_ > kMostPairs) {
       throw std::length_error("the submaps have more than " + std::to_string(kMostPairs) +
-                              " pairs of nodes that might be joined; merge fewer of them");
+                              " pairs of nodes, or of edges at them, that might be joined; merge "
+                              "fewer of them");
     }
+  }
+
+  void look_at(std::uint32_t u, std::uint32_t v) {
+    count(1);
     const double reach_m = std::max(0.5 * (joints_[u].margin_m + joints_[v].margin_m),
                                     joints_[u].reach_m + joints_[v].reach_m);
     if (known_.source[u] == known_.source[v] ||
@@ -148,6 +154,7 @@ class Joining {
     double margin_m = join_margin({begin, first.margin_m}, {end, second.margin_m}, *shape);
     const std::vector<Stretch>& ahead = first.edges[at(from.side)];
     const std::vector<Stretch>& behind = second.edges[at(to.side)];
+    count(ahead.size() * (behind.size() + 1) + behind.size());
     for (const Stretch& one : ahead) {
       margin_m = std::max(margin_m, margin_beside(begin, end, *shape, &one, nullptr));
     }

@@ -22,7 +22,7 @@ struct Federation {
   std::vector<double> own;  ///< T by source, of its own edges alone.
 };
 
-/// More pairs of nodes are not looked at, and more joins not kept.
+/// More pairs of nodes, or of edges at them, are not looked at, and more joins not kept.
 inline constexpr std::size_t kMostPairs = 200'000'000;
 inline constexpr std::size_t kMostJoins = 4'000'000;
 

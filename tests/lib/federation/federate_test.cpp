@@ -242,6 +242,21 @@ TEST(Federate, DoesNotTurnRoundAtAJoin) {
   EXPECT_TRUE(std::isinf(federate(submap).way.margin_m));
 }
 
+TEST(Federate, RefusesMoreEdgesAtTwoNodesThanItCanLookAt) {
+  constexpr std::uint32_t kSpokes = 15'000;
+  const auto hub = [](const std::string& name, double y) {
+    Source source{name, MarginKind::witness, 0.0, 0.0, {{{{0.0, y}, 0.0}}}, {}};
+    for (std::uint32_t n = 1; n <= kSpokes; ++n) {
+      source.nodes.push_back({{{1.0 + 1e-5 * n, y}, 0.0}});
+      source.edges.push_back({{EdgeEnd{0, Side::front}, EdgeEnd{n, Side::back}}, 0.3, 0.0});
+    }
+    return source;
+  };
+  Submap submap{kAgent, "", {hub("a", 0.0), hub("b", 0.0)}};
+  submap.sources[1].nodes[0].pose.position.x_m = 1e-3;
+  EXPECT_THROW((void)federate(submap), std::length_error);
+}
+
 TEST(Merge, RefusesOtherAgents) {
   const Submap a = relay(1.2, 0.0, 0.0);
   Submap b = a;
