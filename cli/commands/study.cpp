@@ -40,7 +40,7 @@ Example:
   tcert study null --data-sets 2 --format csv
   tcert study coverage --data-sets 200 --replicates 499 --output coverage/
 
-Cost in CPU time, as they are: soundness 15 minutes (with --witness more than 3 hours), federation 4, coverage 8, inference 6,
+Cost in CPU time, as they are: soundness 15 minutes (with --witness more than 3 hours), federation 5, coverage 8, inference 6,
 equivalence 10, gate 6, null 5, rays 1, price 8, terrain 40 s, but with TERRAIN an hour or more; in
 proportion to --worlds, --hard, --data-sets, --terrains.
 )";
