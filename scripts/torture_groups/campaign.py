@@ -30,6 +30,8 @@ class Campaign:
             if self.state["seed"] != options.seed:
                 sys.exit(f"torture: {self.place} holds a campaign of seed {self.state['seed']}; go on with it, or give "
                          "another --output")
+        if options.attempt is not None:  # which is judged alone, and not counted
+            self.state["groups"] = {}
         self.place.mkdir(parents=True, exist_ok=True)
         self.bench = Bench(options.tcert, options.root, self.place, options)
 
@@ -139,7 +141,7 @@ class Campaign:
         self.bench.clear()
         if self.options.attempt is None:
             self.save()
-        (self.place / "table.json").write_text(json.dumps(
-            {"seed": self.state["seed"], "groups": {g: self.count_of(g) for g in self.options.group}}, indent=1) + "\n")
+            (self.place / "table.json").write_text(json.dumps(
+                {"seed": self.state["seed"], "groups": {g: self.count_of(g) for g in self.options.group}}, indent=1) + "\n")
         print(self.table())
         return int(any(self.count_of(g)["failed"] for g in self.options.group))
