@@ -22,18 +22,36 @@ std::vector<ConcordanceReplicates::Counts> ConcordanceReplicates::counts_of_rows
   // Backwards a row meets the events that it was at risk in: those since it entered, less those
   // since it left. Concordant are the events that rank below it.
   scratch.reset(distinct_);
-  for (auto visit = visits_.rbegin(); visit != visits_.rend(); ++visit) {
-    if (visit->step == Step::next_stratum) {
+  for (std::size_t k = visits_.size(); k-- > 0;) {
+    const Visit& visit = visits_[k];
+    if (visit.step == Step::next_stratum) {
       scratch.reset(distinct_);
-    } else if (visit->step == Step::compare) {
-      scratch.add(visit->rank, 1);
+    } else if (visit.step == Step::compare) {
+      scratch.add(visit.rank, 1);
     } else {
-      Counts met = scratch.against(visit->rank, 1);
+      Counts met = scratch.against(visit.rank, 1);
       std::swap(met.concordant, met.discordant);
-      visit->step == Step::enter ? of_row[visit->row] += met : of_row[visit->row] -= met;
+      visit.step == Step::enter ? of_row[visit.row] += met : of_row[visit.row] -= met;
     }
   }
   return of_row;
+}
+
+std::vector<std::vector<ConcordanceReplicates::Visit>> ConcordanceReplicates::visits_by_unit(
+    const ResamplingPlan& plan) const {
+  std::vector<std::vector<Visit>> of_unit(plan.units());
+  for (const Visit& visit : visits_) {
+    if (visit.step != Step::next_stratum) {
+      of_unit[plan.unit_of(visit.row)].push_back(visit);
+      continue;
+    }
+    for (std::vector<Visit>& visits : of_unit) {
+      if (!visits.empty() && visits.back().step != Step::next_stratum) {
+        visits.push_back(visit);
+      }
+    }
+  }
+  return of_unit;
 }
 
 /// The pairs whose rows are both of the unit; before `directed`.
@@ -43,18 +61,7 @@ std::vector<ConcordanceReplicates::Counts> ConcordanceReplicates::counts_within(
   if (plan.units() == plan.rows()) {
     return within;
   }
-  std::vector<std::vector<Visit>> of_unit(plan.units());
-  for (const Visit& visit : visits_) {
-    if (visit.step == Step::next_stratum) {
-      for (std::vector<Visit>& visits : of_unit) {
-        if (!visits.empty() && visits.back().step != Step::next_stratum) {
-          visits.push_back(visit);
-        }
-      }
-    } else {
-      of_unit[plan.unit_of(visit.row)].push_back(visit);
-    }
-  }
+  const std::vector<std::vector<Visit>> of_unit = visits_by_unit(plan);
   Scratch scratch;
   std::vector<std::uint32_t> ranks;
   for (std::size_t unit = 0; unit < within.size(); ++unit) {

@@ -106,6 +106,7 @@ class ConcordanceReplicates {
                    std::span<const std::uint32_t> by_start,
                    std::span<const std::uint32_t> ranks);
   [[nodiscard]] std::vector<Counts> counts_of_rows() const;
+  [[nodiscard]] std::vector<std::vector<Visit>> visits_by_unit(const ResamplingPlan& plan) const;
   [[nodiscard]] std::vector<Counts> counts_within(const ResamplingPlan& plan) const;
   [[nodiscard]] Counts directed(Counts counts) const noexcept;
 
