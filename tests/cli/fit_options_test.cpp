@@ -45,7 +45,7 @@ class FitOptions : public ::testing::Test {
 
 TEST_F(FitOptions, OfAnotherKindAreRefused) {
   expect_refused(fit("roc", "y ~ x", {"--weights", "w"}),
-                 "--weights is for glm, glmm, cox, km and");
+                 "--weights is for glm, glmm, lmm, cox, km and");
   expect_refused(fit("glm", "y ~ x", {"--ties", "efron"}), "--ties is for cox");
   expect_refused(fit("glm", "y ~ x", {"--interval", "bogus"}), "--interval is for km");
   expect_refused(fit("glm", "y ~ x", {"--partial", "nonsense"}), "--partial is for roc");

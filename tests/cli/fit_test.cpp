@@ -233,9 +233,10 @@ TEST_F(Fit, SaysWhatIsWrongWithTheCall) {
     EXPECT_EQ(run.exit_code, 2) << to_string(run);
     EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
   };
-  expect_usage(fit("coxx", "y ~ x"),
-               "unknown kind 'coxx', expected glm, glmm, calibration, cox, finegray, km, roc or "
-               "concordance");
+  expect_usage(
+      fit("coxx", "y ~ x"),
+      "unknown kind 'coxx', expected glm, glmm, lmm, calibration, cox, finegray, km, roc or "
+      "concordance");
   expect_usage(fit("glm", "succes ~ x"), "no column 'succes' in t.csv; did you mean 'success'?");
   expect_usage(fit("glm", "success x"), "unexpected 'x' at character 9");
   expect_usage(fit("cox", "Surv(time_s, success) ~ x", {"--ties", "efrom"}),

@@ -19,7 +19,9 @@ constexpr double kGatedSpread = 0.1;  ///< Of what gating does to one of them.
 constexpr double kLength = 6.0;
 constexpr double kGatedMedian = 50.0;
 constexpr double kBaselineMedian = 30.0;
-constexpr double kBold = 0.8;  ///< Times are multiplied by it.
+constexpr double kBold = 0.8;  ///< Times are multiplied by it, but for their own spread.
+/// Of the mean time nothing is gained, though every trial takes a time of its own.
+const double kIdle = std::exp(-0.5 * kGatedSpread * kGatedSpread);
 constexpr double kMargin = 0.05;
 /// Of the successes, so that the margin of all trials is reached.
 constexpr double kLossOfSuccess = kMargin / (1.0 - kFailureShare);
@@ -59,7 +61,7 @@ void add_case(const Trial& trial, const char* law, double beta, double factor, R
   rows.beta.push_back(beta);
   rows.length.push_back(kLength);
   rows.time.push_back(trial.time);
-  rows.gated_time.push_back(trial.time * factor * (factor == 1.0 ? 1.0 : trial.gated_times));
+  rows.gated_time.push_back(trial.time * factor * trial.gated_times);
   for (std::vector<double>* const column : {&rows.speed, &rows.gated_speed, &rows.latency}) {
     column->push_back(0.1);
   }
@@ -119,7 +121,7 @@ ReplayRows simulate_replays(const AdvanceScenario& scenario,
         trial.gated_times = std::exp(kGatedSpread * random.normal());
         for (const double beta : {10.0, 20.0}) {
           add_case(trial, "bold", beta, kBold, rows);
-          add_case(trial, "idle", beta, 1.0, rows);
+          add_case(trial, "idle", beta, kIdle, rows);
           trial.gated_times = std::exp(kGatedSpread * random.normal());
         }
       }
