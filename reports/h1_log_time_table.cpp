@@ -1,3 +1,5 @@
+#include <statistics/clusters/cluster_inference.hpp>
+
 #include "reports/fit/cells.hpp"
 #include "reports/h1_table.hpp"
 #include "reports/panel_rows.hpp"
@@ -31,7 +33,9 @@ Table h1_log_time_table(const study::H1Table& h1) {
       "intercept by '" +
           h1.options.cluster +
           "', REML. R2 is Nakagawa's; its gain is that of the marginal one, by the jackknife of "
-          "whole clusters and t with clusters - 1 degrees of freedom.",
+          "whole clusters and t with clusters - 1 degrees of freedom, of up to " +
+          std::to_string(statistics::kMostJackknifeClusters) +
+          " clusters; where each trial is its own cluster there is no such model.",
       "Time per SD: what the time is multiplied by per standard deviation towards the better side, "
       "by t with Satterthwaite's degrees of freedom. Failures have no such time: those that "
       "arrive are a choice, which C and the hazard ratios do not make."};

@@ -68,7 +68,7 @@ Example:
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --cluster day
   tcert fit glm --data features.csv --formula 'success ~ tc_early + lighting' --firth
   tcert fit glmm --data features.csv --formula 'success ~ tc_early + (1 | day)' --profile --drop1
-  tcert fit lmm --data features.csv --formula 'log(time_s) ~ tc_early + lighting + (1 | day)' --contrasts lighting
+  tcert fit lmm --data features.csv --formula 'log(ifelse(success, time_s, 0/0)) ~ tc_early + lighting + (1 | day)' --contrasts lighting
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --cluster day --left-out
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early + strata(algorithm)'
   tcert fit cox --data features.csv --formula 'Surv(time_s, success) ~ tc_early' --times 60 --predict new.csv

@@ -54,6 +54,19 @@ TEST_F(FitOptions, OfAnotherKindAreRefused) {
   expect_refused(fit("cox", "Surv(t, s) ~ x", {"--no-profile"}), "--no-profile is for glm");
 }
 
+TEST_F(FitOptions, WhatAPenalisedFitHasNotIsRefused) {
+  expect_refused(fit("glm", "y ~ f", {"--firth", "--contrasts", "f"}),
+                 "--firth goes without --contrasts and --predict");
+  expect_refused(fit("glm", "y ~ f", {"--firth", "--predict", "t.csv"}),
+                 "--firth goes without --contrasts and --predict");
+}
+
+/// Of x * strata(f) the products alone would be compared, as if the baseline hazards were equal.
+TEST_F(FitOptions, StrataAreNotContrasted) {
+  expect_refused(fit("cox", "Surv(t, s) ~ x * strata(f)", {"--contrasts", "f"}),
+                 "--contrasts: column 'f' makes the strata, which have no ratio of hazards");
+}
+
 TEST_F(FitOptions, PartsOfAFormulaThatDoNothingAreRefused) {
   for (const char* kind : {"glm", "roc"}) {
     expect_refused(fit(kind, "y ~ x + (1 | g)"), "'(... | g)'");

@@ -64,7 +64,8 @@ void add_dropped_conditions(const LmmInput& input, const LmmProblem& problem, Lm
 /// An error among the conditions leaves none.
 std::optional<LmmProblem> problem_of(const LmmInput& input, LmmFit& fit) {
   if (input.random.empty()) {
-    fit.conditions.push_back(error_of(ConditionKind::no_random_effects));
+    fit.conditions.push_back(
+        error_of(ConditionKind::no_random_effects, "", "", "write + (1 | group)"));
   }
   add_duplicate_conditions(input.random, fit.conditions);
   if (has_error(fit.conditions)) {

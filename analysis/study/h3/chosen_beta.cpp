@@ -162,7 +162,9 @@ class Family {
         groups_(groups),
         options_(options),
         once_(rows_->rows(), 1),
-        choice_(chosen(*rows_, options, once_)) {}
+        choice_(chosen(*rows_, options, once_)),
+        independent_trials_(trials_for_power(
+            options.true_loss, options.loss_margin, options.level, kStatedPower)) {}
 
   std::vector<H3Chosen> result(const Watch& watch) {
     resample(watch);
@@ -276,9 +278,8 @@ class Family {
     if (out.gain_p && out.loss_p) {
       out.p = std::max(*out.gain_p, *out.loss_p);
     }
-    if (const auto trials = trials_for_power(
-            options_.true_loss, options_.loss_margin, options_.level, kStatedPower)) {
-      out.trials_for_power = std::ceil(*trials * loss.design_effect);
+    if (independent_trials_) {
+      out.trials_for_power = std::ceil(*independent_trials_ * loss.design_effect);
     }
     return out;
   }
@@ -308,7 +309,8 @@ class Family {
   const std::vector<H3Group>& groups_;
   const H3Options& options_;
   std::vector<std::uint32_t> once_;
-  Choice choice_;  ///< On the trials as they are.
+  Choice choice_;                             ///< On the trials as they are.
+  std::optional<double> independent_trials_;  ///< For the stated power.
   statistics::BootstrapResult bootstrap_;
 };
 

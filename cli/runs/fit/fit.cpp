@@ -198,6 +198,14 @@ void require_factors(const FitRequest& request,
   }
   if (!request.contrasts.empty()) {
     require_factor("contrasts", request.contrasts, formula, table);
+    for (const statistics::Expression& strata : formula.strata) {
+      std::vector<std::string> columns;
+      statistics::collect_columns(strata, columns);
+      if (std::find(columns.begin(), columns.end(), request.contrasts) != columns.end()) {
+        throw UsageError("--contrasts: column '" + request.contrasts +
+                         "' makes the strata, which have no ratio of hazards");
+      }
+    }
   }
 }
 

@@ -48,6 +48,9 @@ FitReport fit_penalised(const FitInput& from) {
   if (input.cluster || from.request.robust) {
     throw UsageError("--firth goes without --cluster and --robust: its tests are of likelihoods");
   }
+  if (!from.request.contrasts.empty() || !from.request.predict.empty()) {
+    throw UsageError("--firth goes without --contrasts and --predict");
+  }
   const double work = kFirthFactor * statistics::profile_work(input);
   statistics::Conditions conditions;
   Stage stage(from.progress, kProgress, input.columns.size());
