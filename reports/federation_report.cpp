@@ -22,6 +22,14 @@ std::optional<double> if_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+/// In words; infinite where one place lies in S and in G.
+std::string stated(double margin_m, const char* without_a_way) {
+  if (std::isfinite(margin_m)) {
+    return fmt::format("{:.4f} m", margin_m);
+  }
+  return margin_m > 0.0 ? "S and G meet, so that nothing is to be passed," : without_a_way;
+}
+
 std::optional<SyntheticLabel> label_of(const std::string& synthetic) {
   if (synthetic.empty()) {
     return std::nullopt;
@@ -123,7 +131,7 @@ Table federation_findings(const Submap& merged, const Federation& found) {
   federation::MarginKind kind = federation::MarginKind::witness;
   for (std::size_t s = 0; s < merged.sources.size(); ++s) {
     best_m = std::max(best_m, found.own[s]);
-    alone += found.own[s] > 0.0 ? 1U : 0U;
+    alone += found.own[s] > 0.0 && std::isfinite(found.own[s]) ? 1U : 0U;
     unknown += std::isfinite(merged.sources[s].frame_error_m) &&
                        std::isfinite(merged.sources[s].frame_error_rad)
                    ? 0U
@@ -132,12 +140,11 @@ Table federation_findings(const Submap& merged, const Federation& found) {
   }
   findings.push_back(
       {"T_H",
-       found.way.margin_m > 0.0 ? "issued" : "not issued",
+       found.way.margin_m > 0.0 && std::isfinite(found.way.margin_m) ? "issued" : "not issued",
        fmt::format(
            "{} together, {} at best alone; {} of {} sources have a certificate of their own.",
-           std::isfinite(found.way.margin_m) ? fmt::format("{:.4f} m", found.way.margin_m)
-                                             : std::string("No way from S to G is known"),
-           std::isfinite(best_m) ? fmt::format("{:.4f} m", best_m) : std::string("none"),
+           stated(found.way.margin_m, "No way from S to G is known"),
+           stated(best_m, "none"),
            alone,
            merged.sources.size())});
   if (unknown > 0 && merged.sources.size() > 1) {
@@ -154,8 +161,7 @@ Table federation_findings(const Submap& merged, const Federation& found) {
     findings.push_back(
         {"Margins",
          "",
-         fmt::format("Those read by {} are no lower bounds for sure, and the more robots, the more "
-                     "often one is too large: certify with --witness-edges.",
+         fmt::format("Those read by {} are no lower bounds for sure: certify with --witness-edges.",
                      federation::name_of(kind))});
   }
   return findings_table(findings,

@@ -131,10 +131,11 @@ ExitCode certify(const CertifyRequest& request, Progress& progress) {
     throw UsageError("--ground has no effect on witnesses, which are found in the whole log");
   }
   OpenedBundle opened = open_for(request.bundle, request.logs, progress);
-  if (request.submaps && opened.parameters.certificate.obstacle_speed_mps > 0.0) {
+  if (opened.parameters.certificate.obstacle_speed_mps > 0.0 &&
+      (request.submaps || request.witness || request.witness_edges)) {
     throw UsageError(
-        "--submaps: with obstacle_speed_mps above 0 a margin holds for a time, and a submap says "
-        "nothing of time");
+        "--submaps, --witness and --witness-edges: with obstacle_speed_mps above 0 a margin holds "
+        "for a time, and submaps and witnesses say nothing of time");
   }
   if (opened.parameters.witness.witness_every > 0 &&
       opened.parameters.certificate.clearance != ClearanceReading::witness) {

@@ -44,7 +44,10 @@ class Reader {
                      std::to_string(rest_.size()) + " bytes",
                      "at most " + std::to_string(kMostBytes) + " bytes");
     }
-    if (!next_line() || cells_[0] != "tcert-submap" || !has(2)) {
+    if (!next_line()) {
+      return refused(0, "nothing", "tcert-submap,1");
+    }
+    if (cells_[0] != "tcert-submap" || !has(2)) {
       return refused(0, line_, "tcert-submap,1");
     }
     if (cells_[1] != "1") {
@@ -282,6 +285,9 @@ void append_source(std::string& out, const Source& source) {
 }  // namespace
 
 std::string to_string(const TextProblem& problem) {
+  if (problem.line == 0) {
+    return "found '" + problem.found + "', expected " + problem.expected;
+  }
   std::string text = "line " + std::to_string(problem.line);
   if (problem.column > 0) {
     text += ", cell " + std::to_string(problem.column);

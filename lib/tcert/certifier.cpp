@@ -54,7 +54,8 @@ struct Certifier::State {
     return parameters.unknown == UnknownSpace::free;
   }
   [[nodiscard]] bool accepts(const Tick& tick) const noexcept;
-  CertifiedTick age(const Tick& tick) noexcept;
+  void age(const Tick& tick) noexcept;
+  CertifiedTick refuse(const Tick& tick) noexcept;
   [[nodiscard]] CertifiedTick unchanged(const Tick& tick, std::uint32_t flag) const noexcept;
   void certify(const Tick& tick) noexcept;
   void count_travel(Point position, bool broken) noexcept;
@@ -83,6 +84,7 @@ struct Certifier::State {
   double travel_m = 0.0;
   double since_start_m = 0.0;
   Footing footing;
+  Footing unseen_footing;  // the worst since the last tick that was evidence
   std::uint32_t lasting_flags = 0;
   CertifiedTick out;
 };
@@ -104,12 +106,24 @@ CertifiedTick Certifier::State::unchanged(const Tick& tick, std::uint32_t flag) 
 }
 
 // Time goes on without evidence, too: where obstacles move what was known is worth less.
-CertifiedTick Certifier::State::age(const Tick& tick) noexcept {
+void Certifier::State::age(const Tick& tick) noexcept {
   if (began && parameters.obstacle_speed_mps > 0.0) {
     since_start_m = 2.0 * parameters.obstacle_speed_mps * elapsed_s(first_ns, tick.time_ns);
     state_values(out);
   }
-  return unchanged(tick, flag_stale);
+}
+
+// Nobody knows whether its time is right, so only what is said of this tick is of that time.
+CertifiedTick Certifier::State::refuse(const Tick& tick) noexcept {
+  const CertifiedTick known = out;
+  const double known_m = since_start_m;
+  if (tick.time_ns > last_ns) {
+    age(tick);
+  }
+  const CertifiedTick aged = unchanged(tick, flag_bad_input);
+  out = known;
+  since_start_m = known_m;
+  return aged;
 }
 
 // Travel counts only past the dead band, so that pose noise at a standstill is no travel.
@@ -169,9 +183,13 @@ Evidence Certifier::State::weigh(const Tick& tick) noexcept {
 // Slope, step and slip where the robot stands, as metres.
 double Certifier::State::underfoot(const Tick& tick) noexcept {
   keep_known(tick.footing, footing);
+  // A step that was felt while another stream was silent lies on the way to here, too.
+  Footing worst = footing;
+  keep_worst(unseen_footing, worst);
+  unseen_footing = {};
   const double scale_m = parameters.footing_scale_m > 0.0 ? parameters.footing_scale_m
                                                           : proxies.widest_m() - needed_width_m();
-  const double slack_m = footing_slack(footing, parameters, scale_m);
+  const double slack_m = footing_slack(worst, parameters, scale_m);
   out.footing_slack_m = slack_m < std::numeric_limits<double>::infinity() ? slack_m : kMissing;
   return slack_m;
 }
@@ -272,12 +290,15 @@ CertifiedTick Certifier::update(const Tick& tick) noexcept {
   State& state = *state_;
   state.gap_before_next = state.gap_before_next || tick.segment_start;
   if (!state.accepts(tick)) {
-    return state.unchanged(tick, flag_bad_input);
+    return state.refuse(tick);
   }
   state.has_time = true;
   state.last_ns = tick.time_ns;
   if (tick.stale) {
-    return state.age(tick);
+    state.age(tick);
+    keep_worst(tick.footing, state.unseen_footing);
+    keep_known(tick.footing, state.footing);
+    return state.unchanged(tick, flag_stale);
   }
   state.certify(tick);
   return state.out;
@@ -304,7 +325,7 @@ void Certifier::reset() noexcept {
   state.began = state.has_time = state.gap_before_next = false;
   state.travel_m = 0.0;
   state.since_start_m = 0.0;
-  state.footing = {};
+  state.footing = state.unseen_footing = {};
   state.lasting_flags = 0;
   state.out = {};
   state.out.certificate_m = kNoPath;

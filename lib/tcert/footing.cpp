@@ -59,7 +59,7 @@ bool is_measured(const Footing& footing) noexcept {
 
 void keep_worst(const Footing& now, Footing& worst) noexcept {
   for (double Footing::*const member : kMembers) {
-    if (!(std::abs(now.*member) <= std::abs(worst.*member)) && !std::isnan(now.*member)) {
+    if (std::isfinite(now.*member) && !(std::abs(now.*member) <= std::abs(worst.*member))) {
       worst.*member = now.*member;
     }
   }

@@ -121,9 +121,9 @@ bool Proxies::feels_contact(const RayState& state,
   return clearance_m < state.ray.reach_m - parameters_.contact_slack_m;
 }
 
-// Where obstacles move, each side by `u` at most, a reading is kept as what it was worth at time 0.
+// Where obstacles move, each side by `u` at most, a reading loses worth with time.
 double Proxies::trailing(TrailingMinimum& still,
-                         TrailingNewest& moving,
+                         TrailingAged& moving,
                          double side_m,
                          double travel_m,
                          double time_s) const noexcept {
@@ -131,9 +131,8 @@ double Proxies::trailing(TrailingMinimum& still,
     return still.add(travel_m, side_m);
   }
   const double lost_m = parameters_.obstacle_speed_mps * time_s;
-  const double felt_m =
-      side_m + lost_m - parameters_.obstacle_speed_mps * parameters_.reading_age_s;
-  return moving.add(travel_m, unwrapped_yaw_rad_, felt_m) - lost_m;
+  const double felt_m = side_m - parameters_.obstacle_speed_mps * parameters_.reading_age_s;
+  return moving.add(travel_m, unwrapped_yaw_rad_, felt_m, lost_m);
 }
 
 double Proxies::across_both(double left_m, double right_m) const noexcept {

@@ -83,7 +83,7 @@ class Proxies {
                                    double clearance_m,
                                    double force_n) const noexcept;
   [[nodiscard]] double trailing(TrailingMinimum& still,
-                                TrailingNewest& moving,
+                                TrailingAged& moving,
                                 double side_m,
                                 double travel_m,
                                 double time_s) const noexcept;
@@ -111,8 +111,8 @@ class Proxies {
   double widest_m_ = 0.0;
   TrailingMinimum left_;
   TrailingMinimum right_;
-  TrailingNewest left_moving_;  // in their place where obstacles move: as of time 0
-  TrailingNewest right_moving_;
+  TrailingAged left_moving_;  // in their place where obstacles move: as of time 0
+  TrailingAged right_moving_;
   TrailingMotion motion_;
   ContactCurvature contact_curvature_;
   double last_yaw_rad_ = 0.0;

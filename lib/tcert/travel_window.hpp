@@ -78,43 +78,49 @@ class TrailingMinimum {
   TravelQueue<Entry> queue_;
 };
 
-/// The same where values lose worth with time: the newest value of a place stands for those before
-/// it. A place is one travel and, for who turns on the spot looks elsewhere, about one heading.
-class TrailingNewest {
+/// The same where values lose worth with time, by `lost` since it began: the least value of a place
+/// holds as of the newest there, so that it is never above that of TrailingMinimum. A place is one
+/// travel and, for who turns on the spot looks elsewhere, about one heading.
+class TrailingAged {
  public:
-  TrailingNewest(double window_m, double step_m) : before_(window_m, step_m) {}
+  TrailingAged(double window_m, double step_m) : before_(window_m, step_m) {}
 
   void clear() noexcept {
     before_.clear();
     has_place_ = false;
   }
 
-  /// Returns the minimum with `value` in it. \pre `travel_m` never falls between two clears.
-  double add(double travel_m, double yaw_rad, double value) noexcept {
+  /// Returns the minimum with `value` in it, as it holds now. \pre `travel_m` and `lost` never fall
+  /// between two clears.
+  double add(double travel_m, double yaw_rad, double value, double lost) noexcept {
     constexpr double kSameHeading = 0.05;  // rad
-    if (has_place_ && travel_m == place_m_ && std::abs(yaw_rad - yaw_rad_) <= kSameHeading) {
-      newest_ = value;
-      return std::min(least_before_, newest_);
+    const bool is_same =
+        has_place_ && travel_m == place_m_ && std::abs(yaw_rad - yaw_rad_) <= kSameHeading;
+    if (is_same) {
+      least_ = std::min(least_, value);
+    } else {
+      if (has_place_) {
+        before_.add(place_m_, worth_at_first_);
+      }
+      has_place_ = true;
+      place_m_ = travel_m;
+      yaw_rad_ = yaw_rad;
+      least_ = value;
+      // What has left the window goes; infinity is no value.
+      least_before_ = before_.add(travel_m, std::numeric_limits<double>::infinity());
     }
-    if (has_place_) {
-      before_.add(place_m_, newest_);
-    }
-    has_place_ = true;
-    place_m_ = travel_m;
-    yaw_rad_ = yaw_rad;
-    newest_ = value;
-    // What has left the window goes; infinity is no value.
-    least_before_ = before_.add(travel_m, std::numeric_limits<double>::infinity());
-    return std::min(least_before_, newest_);
+    worth_at_first_ = least_ + lost;
+    return std::min(least_before_, worth_at_first_) - lost;
   }
 
  private:
-  TrailingMinimum before_;
+  TrailingMinimum before_;  // of what each place was worth when nothing was lost yet
   double least_before_ = 0.0;
   bool has_place_ = false;
   double place_m_ = 0.0;
   double yaw_rad_ = 0.0;
-  double newest_ = 0.0;
+  double least_ = 0.0;
+  double worth_at_first_ = 0.0;
 };
 
 /// Net change of an unwrapped heading, and of the way across the heading, over the last `window_m`

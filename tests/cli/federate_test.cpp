@@ -87,6 +87,25 @@ TEST(FederateCommand, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(agents.exit_code, 65);
   EXPECT_NE(agents.err.find("agents that differ"), std::string::npos) << agents.err;
   EXPECT_EQ(work.run({"federate", "none.csv"}).exit_code, 66);
+  work.write("empty.csv", "");
+  const ProcessResult empty = work.run({"federate", "empty.csv"});
+  EXPECT_NE(empty.err.find("empty.csv, found 'nothing', expected tcert-submap,1"),
+            std::string::npos)
+      << empty.err;
+}
+
+TEST(FederateCommand, ClaimsNothingWhereStartAndGoalMeet) {
+  Workdir work(TCERT_BINARY);
+  std::string text = lane("a", 0.0, true, "0");
+  text.replace(text.find(",S,"), 3, ",SG,");
+  work.write("a.csv", text);
+  const ProcessResult run = work.run({"federate", "a.csv"});
+  expect_done(run);
+  EXPECT_NE(
+      run.out.find("T_H: not issued. S and G meet, so that nothing is to be passed, together"),
+      std::string::npos)
+      << run.out;
+  EXPECT_NE(run.out.find("0 of 1 sources have a certificate"), std::string::npos) << run.out;
 }
 
 TEST(FederateCommand, TakesWhatCertifyTellsOfEachTrial) {

@@ -74,9 +74,12 @@ TEST(MovingObstaclesCommand, AddATimeOfValidityAndChangeNothingAtSpeed0) {
       shell.run("$T certify corpus --set obstacle_speed_mps=0.1 --set clearance=swept");
   EXPECT_EQ(swept.exit_code, 2) << to_string(swept);
   EXPECT_NE(swept.err.find("what was swept has no time"), std::string::npos) << swept.err;
-  const ProcessResult told =
-      shell.run("$T certify corpus --set obstacle_speed_mps=0.1 --submaps --output x");
-  EXPECT_EQ(told.exit_code, 2) << to_string(told);
+  for (const std::string proof : {"submaps", "witness", "witness-edges"}) {
+    const ProcessResult told =
+        shell.run("$T certify corpus --set obstacle_speed_mps=0.1 --output x --" + proof);
+    EXPECT_EQ(told.exit_code, 2) << to_string(told);
+    EXPECT_NE(told.err.find("say nothing of time"), std::string::npos) << told.err;
+  }
 }
 
 }  // namespace

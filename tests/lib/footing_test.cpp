@@ -62,6 +62,8 @@ TEST(Footing, OfSeveralSamplesTheWorstAndOfMissingOnesTheLast) {
   EXPECT_EQ(worst.roll_rad, 0.1);
   EXPECT_EQ(worst.step_m, 0.02);
   EXPECT_TRUE(std::isnan(worst.slip));
+  keep_worst({kMissing, kMissing, kInfinity, kMissing}, worst);
+  EXPECT_EQ(worst.step_m, 0.02) << "what is not finite hides nothing";
   Footing last{0.1, 0.2, 0.3, 0.4};
   keep_known({kMissing, 0.5, kInfinity, kMissing}, last);
   EXPECT_EQ(last.pitch_rad, 0.1);
@@ -107,6 +109,22 @@ TEST(Footing, BoundsTheCertificateByMinComposition) {
   CertificateParameters scaled;
   scaled.footing_scale_m = 1.0;
   EXPECT_NEAR(certify_over(pitched(0.8), scaled).certificate_m, 0.2, 1e-12);
+}
+
+TEST(Footing, WhatIsFeltWhileARayIsSilentCounts) {
+  Robot robot;
+  robot.rays = {{"left", {}, 0.5 * std::numbers::pi, 1.0, RayKind::range, {}},
+                {"right", {}, -0.5 * std::numbers::pi, 1.0, RayKind::range, {}}};
+  Certifier certifier(robot, {Disc{{0.0, 0.0}, 0.3}, Disc{{5.0, 0.0}, 0.3}}, {});
+  const std::array<RayReading, 2> readings{{{0.6}, {0.6}}};
+  CertifiedTick now;
+  for (int k = 0; k <= 250; ++k) {
+    Tick tick{k * std::int64_t{100'000'000}, {{0.02 * k, 0.0}, 0.0}, readings};
+    tick.stale = k >= 110 && k < 116;
+    tick.footing = {0.0, 0.0, k == 112 ? 0.09 : 0.0, 0.0};
+    now = certifier.update(tick);
+  }
+  EXPECT_NEAR(now.certificate_m, 0.25 * 1.55, 1e-12);
 }
 
 TEST(Footing, BoundsTheSweptAreaToo) {

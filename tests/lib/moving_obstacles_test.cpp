@@ -143,6 +143,26 @@ TEST(MovingObstacles, AStaleTickIsLaterToo) {
       certifier.update(stale).certificate_m, now.certificate_m - 10.0 * 2.0 * kDoorSpeed, 1e-9);
 }
 
+TEST(MovingObstacles, ATickWithoutAPoseIsLaterTooAndItsTimeIsNotBelieved) {
+  const DoorWorld world;
+  Certifier certifier(
+      robot_of_two_rays(), {Disc{{0.0, 0.0}, 0.3}, Disc{{2.0, 0.0}, 0.3}}, moving_at(kDoorSpeed));
+  CertifiedTick now;
+  for (int k = 0; k <= 100; ++k) {
+    const auto readings = world.feel(0.02 * k, 0.0);
+    now = certifier.update({k * kTickNs, {{0.02 * k, 0.0}, 0.0}, readings});
+  }
+  ASSERT_GT(now.certificate_m, kNoPath);
+  const auto readings = world.feel(2.0, 0.0);
+  const Tick lost{200 * kTickNs, {{kMissing, 0.0}, 0.0}, readings};
+  const CertifiedTick later = certifier.update(lost);
+  EXPECT_NE(later.flags & flag_bad_input, 0U);
+  EXPECT_NEAR(later.certificate_m, now.certificate_m - 10.0 * 2.0 * kDoorSpeed, 1e-9);
+  EXPECT_NEAR(certifier.since_start_m(), 10.0 * 2.0 * kDoorSpeed, 1e-9) << "as of the last tick";
+  const Tick again{50 * kTickNs, {{2.0, 0.0}, 0.0}, readings};
+  EXPECT_EQ(certifier.update(again).certificate_m, now.certificate_m);
+}
+
 /// As of time 0 nothing ever falls, so that T is that of a search from scratch, less what is lost
 /// since; and never less than the time there was can cost.
 TEST(MovingObstacles, EqualASearchFromScratchAtEveryTick) {
@@ -159,6 +179,8 @@ TEST(MovingObstacles, EqualASearchFromScratchAtEveryTick) {
       const double since_s = moving.since_start_m() / (2.0 * kSlow);
       ASSERT_EQ(a.nodes, b.nodes);
       ASSERT_EQ(a.flags, b.flags);
+      ASSERT_LE(b.certificate_m, a.certificate_m) << "nothing that moves makes room";
+      ASSERT_TRUE(!(b.margin_m > a.margin_m));
       ASSERT_GE(b.certificate_m, a.certificate_m - 2.0 * kSlow * (since_s + 0.2) - 1e-9);
       if ((b.flags & (flag_stale | flag_bad_input)) == 0) {
         ASSERT_GE(b.certificate_m + moving.since_start_m(), last_m - 1e-12);
@@ -187,15 +209,15 @@ TEST(MovingObstacles, AreRefusedWhereWhatWasSweptHasNoTime) {
   }
 }
 
-TEST(TrailingNewest, KeepsTheNewestOfAPlaceAndTheLeastOfThePlaces) {
-  TrailingNewest window(1.0, 0.01);
-  EXPECT_EQ(window.add(0.0, 0.0, 5.0), 5.0);
-  EXPECT_EQ(window.add(0.0, 0.01, 7.0), 7.0);  // the same place, felt anew
-  EXPECT_EQ(window.add(0.5, 0.0, 9.0), 7.0);
-  EXPECT_EQ(window.add(0.5, 0.0, 6.0), 6.0);
-  EXPECT_EQ(window.add(0.5, 0.3, 9.0), 6.0);  // turned on the spot: it looks elsewhere
-  EXPECT_EQ(window.add(1.2, 0.3, 8.0), 6.0);
-  EXPECT_EQ(window.add(1.9, 0.3, 8.5), 8.0);  // the second place has gone
+TEST(TrailingAged, KeepsTheLeastOfAPlaceAsOfTheNewest) {
+  TrailingAged window(1.0, 0.01);
+  EXPECT_EQ(window.add(0.0, 0.0, 5.0, 0.0), 5.0);
+  EXPECT_EQ(window.add(0.0, 0.01, 7.0, 1.0), 5.0);  // the same place, felt anew: nothing is lost
+  EXPECT_EQ(window.add(0.5, 0.0, 9.0, 2.0), 4.0);   // 1 since
+  EXPECT_EQ(window.add(0.5, 0.0, 3.5, 2.5), 3.5);
+  EXPECT_EQ(window.add(0.5, 0.3, 9.0, 3.0), 3.0);  // turned on the spot: it looks elsewhere
+  EXPECT_EQ(window.add(1.2, 0.3, 8.0, 4.0), 2.0);  // the first place has gone, the second not
+  EXPECT_EQ(window.add(1.9, 0.3, 8.5, 4.0), 8.0);
 }
 
 }  // namespace

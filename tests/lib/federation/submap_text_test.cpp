@@ -46,7 +46,7 @@ void expect_problem(const std::string& text, const std::string& problem) {
 
 TEST(SubmapText, SaysWhatIsWrongAndWhere) {
   const std::string head = "tcert-submap,1\nagent,0.45,0.35,0,0\n";
-  expect_problem("", "line 0: found '', expected tcert-submap,1");
+  expect_problem("", "found 'nothing', expected tcert-submap,1");
   expect_problem("tcert-submap,2\n",
                  "line 1, cell 2: found '2', expected version 1, the only one that this reader "
                  "knows");
