@@ -36,11 +36,9 @@ TickLineParser::TickLineParser(const Robot& robot,
 void TickLineParser::restart(std::string_view first_line, table::DiagnosticGroups& problems) {
   restarted_ = last_ns_.has_value();
   names_.clear();
-  for (const std::string_view name : {"pitch_rad", "roll_rad", "step_m", "slip"}) {
-    has_footing_ = has_footing_ || first_line.find(name) != std::string_view::npos;
-  }
   if (without_spaces_before(first_line).starts_with('{')) {
     format_ = TickLineFormat::json_lines;
+    has_footing_ = true;  // any line may have it
     ready_ = true;
     names_.push_back(columns_.time_column);
     for (const table::NumberColumn& column : columns_.columns) {
@@ -49,6 +47,9 @@ void TickLineParser::restart(std::string_view first_line, table::DiagnosticGroup
     return;
   }
   format_ = TickLineFormat::csv;
+  for (const std::string_view name : {"pitch_rad", "roll_rad", "step_m", "slip"}) {
+    has_footing_ = has_footing_ || first_line.find(name) != std::string_view::npos;
+  }
   table::CsvOptions csv;
   csv.file = options_.file;
   csv.rename = options_.rename;

@@ -27,7 +27,7 @@ struct TickLine {
   double yaw_rate_cmd_rps = kMissing;
   bool is_after_gap = false;   ///< More than max_gap_s since the row before: it starts a segment.
   bool starts_anyway = false;  ///< By its own word, or because its producer came back.
-  bool has_footing = false;    ///< The stream has a column, or its first object a key, of it.
+  bool has_footing = false;    ///< The stream has a column of it; any object may.
   bool is_too_late = false;    ///< The first beyond ten times the trial limit: it starts one, too.
 };
 

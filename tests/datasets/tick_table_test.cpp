@@ -244,6 +244,7 @@ TEST(TickLineParser, ReadsJsonLinesToTheNanosecond) {
   EXPECT_EQ(line->tick.rays[0].fsr_n, 1.5);
   EXPECT_TRUE(std::isnan(line->tick.rays[1].value));
   EXPECT_TRUE(line->tick.stale);
+  EXPECT_TRUE(line->has_footing) << "a later object may have it, and a record is one table";
 }
 
 // Nothing within reach, as files say it and as Python writes JSON.
