@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <table/printable.hpp>
 #include <vector>
 
 namespace tcert::statistics {
@@ -34,7 +35,8 @@ void collect_columns(const Expression& expression, std::vector<std::string>& nam
 /// What is wrong with a formula; `what()` is one line and names the place.
 class FormulaError : public std::invalid_argument {
  public:
-  using std::invalid_argument::invalid_argument;
+  explicit FormulaError(const std::string& message)
+      : std::invalid_argument(table::printable(message)) {}
 };
 
 /// Parses with R's precedence: ^, unary -, :, %in%, * /, + -, comparison, !, &, | and ||, ~. A

@@ -149,5 +149,11 @@ TEST(Expression, AChainOfManyOperatorsIsRefused) {
   EXPECT_THROW(static_cast<void>(parse_expression("I(" + endless + ")")), FormulaError);
 }
 
+TEST(ParseFormula, RefusesInOneLineWhateverTheFormulaHolds) {
+  const std::string problem = problem_of("y ~ a\n + \x1B[2J ~ b");
+  EXPECT_NE(problem, "no problem");
+  EXPECT_EQ(problem.find_first_of("\n\x1B"), std::string::npos) << problem;
+}
+
 }  // namespace
 }  // namespace tcert::statistics
