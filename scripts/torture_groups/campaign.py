@@ -30,7 +30,7 @@ class Campaign:
             if self.state["seed"] != options.seed:
                 sys.exit(f"torture: {self.place} holds a campaign of seed {self.state['seed']}; go on with it, or give "
                          "another --output")
-        if options.attempt is not None:  # which is judged alone, and not counted
+        if options.short or options.attempt is not None:  # both are judged alone; an attempt is not even counted
             self.state["groups"] = {}
         self.place.mkdir(parents=True, exist_ok=True)
         self.bench = Bench(options.tcert, options.root, self.place, options)
