@@ -21,15 +21,17 @@ class MedianWindow {
     if (std::isnan(value)) {
       return;
     }
-    // Without a branch on the order, which nothing predicts: the greater one is carried on.
+    // Without a branch on the order, which nothing predicts: from its place on each is carried one
+    // further, so that equal ones keep their order.
+    bool has_place = false;
     for (std::size_t i = 0; i < size_; ++i) {
-      const bool is_less = value < values_[i];
-      const double greater = is_less ? values_[i] : value;
-      const double greater_bearing_rad = is_less ? bearings_[i] : bearing_rad;
-      values_[i] = is_less ? value : values_[i];
-      bearings_[i] = is_less ? bearing_rad : bearings_[i];
-      value = greater;
-      bearing_rad = greater_bearing_rad;
+      has_place = has_place || value < values_[i];
+      const double next = has_place ? values_[i] : value;
+      const double next_bearing_rad = has_place ? bearings_[i] : bearing_rad;
+      values_[i] = has_place ? value : values_[i];
+      bearings_[i] = has_place ? bearing_rad : bearings_[i];
+      value = next;
+      bearing_rad = next_bearing_rad;
     }
     values_[size_] = value;
     bearings_[size_] = bearing_rad;

@@ -80,6 +80,16 @@ TEST(Resample, TakesTheBearingOfTheSampleThatIsTheMedian) {
   EXPECT_EQ(resample(log).readings[1].bearing_rad, 0.9);
 }
 
+/// A joint's ray that sees nothing states its reach in every direction: of equal values the newer
+/// one comes first, whatever is sorted in before it.
+TEST(Resample, KeepsEqualValuesInTheOrderOfTheirAge) {
+  TrialLog log = steady_log(50, 50, 200);
+  log.tactile.readings = {{1, 1, 0.1}, {5, 1, 0.9}, {5, 1, 0.7}, {5, 1, 0.3}, {1, 1, 0.2}};
+  const TickTable ticks = resample(log);
+  EXPECT_EQ(ticks.readings[1].bearing_rad, 0.7);  // {5, 5, 1}
+  EXPECT_EQ(ticks.readings[2].bearing_rad, 0.3);  // {1, 5, 5}
+}
+
 TEST(Resample, CallsATickStaleWhenTheNewestSampleIsOlderThanTheHold) {
   TrialLog log = steady_log(100, 100, 2000);
   const auto drop = [](std::int64_t t) { return t > 500 * kMs && t < 1300 * kMs; };
