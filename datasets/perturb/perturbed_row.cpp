@@ -7,20 +7,6 @@
 #include <utility>
 
 namespace tcert::perturb {
-namespace {
-
-void append_quoted(std::string_view cell, std::string& out) {
-  out += '"';
-  for (const char c : cell) {
-    out += c;
-    if (c == '"') {
-      out += c;
-    }
-  }
-  out += '"';
-}
-
-}  // namespace
 
 bool PerturbedRow::read(table::CsvCursor& cursor, std::size_t columns) {
   changed_ = false;
@@ -87,7 +73,7 @@ void PerturbedRow::write(std::string_view raw, std::string& out) const {
     if (is_plain) {
       out += cell.empty() ? missing() : cell;
     } else {
-      append_quoted(cell, out);
+      table::append_quoted(out, cell);
     }
   }
   out += raw.ends_with("\r\n") ? "\r\n" : "\n";

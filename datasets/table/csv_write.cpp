@@ -61,10 +61,14 @@ void append_seconds(std::string& out, std::int64_t time_ns) {
 }
 
 void append_text(std::string& out, std::string_view text) {
-  if (!needs_quotes(text)) {
+  if (needs_quotes(text)) {
+    append_quoted(out, text);
+  } else {
     out += text;
-    return;
   }
+}
+
+void append_quoted(std::string& out, std::string_view text) {
   out += '"';
   for (const char c : text) {
     out += c;

@@ -21,4 +21,7 @@ void append_seconds(std::string& out, std::int64_t time_ns);
 /// `text` as one cell, quoted if it holds a comma, a quote, a line end or outer spaces.
 void append_text(std::string& out, std::string_view text);
 
+/// `text` between quotes, whatever it holds; quotes within are doubled.
+void append_quoted(std::string& out, std::string_view text);
+
 }  // namespace tcert::table

@@ -103,17 +103,9 @@ Table summary_table(const statistics::GlmmFit& fit) {
       .number("AIC", "AIC", fit.aic)
       .number("BIC", "BIC", fit.bic)
       .integer("npar", "parameters", fit.parameters)
-      .number("df.residual", "residual df", residual_df(fit))
-      .number("ICC", "ICC", fit.icc)
-      .number("R2_marginal", "marginal R2", fit.r2_marginal)
-      .number("R2_conditional", "conditional R2", fit.r2_conditional)
-      .text("singular", "singular", fit.singular ? "yes" : "no")
-      .text("termination", "termination", std::string(statistics::to_string(fit.termination)))
-      .integer("iterations", "iterations", static_cast<std::size_t>(fit.iterations))
-      .integer("evaluations", "evaluations", static_cast<std::size_t>(fit.evaluations))
-      .number("gradient_norm", "largest gradient", fit.gradient_norm)
-      .number("last_step", "last step [SE]", fit.last_step)
-      .number("step_tolerance", "step tolerance [SE]", fit.options.step_tolerance);
+      .number("df.residual", "residual df", residual_df(fit));
+  add_mixed_summary(fit, summary);
+  summary.number("step_tolerance", "step tolerance [SE]", fit.options.step_tolerance);
   return std::move(summary).table();
 }
 

@@ -71,16 +71,8 @@ Table lmm_summary(const statistics::LmmFit& fit) {
       .integer("npar", "parameters", fit.parameters)
       .number("sigma",
               "residual SD",
-              fit.log_likelihood ? std::optional(fit.residual_sd) : std::nullopt)
-      .number("ICC", "ICC", fit.icc)
-      .number("R2_marginal", "marginal R2", fit.r2_marginal)
-      .number("R2_conditional", "conditional R2", fit.r2_conditional)
-      .text("singular", "singular", fit.singular ? "yes" : "no")
-      .text("termination", "termination", std::string(statistics::to_string(fit.termination)))
-      .integer("iterations", "iterations", static_cast<std::size_t>(fit.iterations))
-      .integer("evaluations", "evaluations", static_cast<std::size_t>(fit.evaluations))
-      .number("gradient_norm", "largest gradient", fit.gradient_norm)
-      .number("last_step", "last step [SE]", fit.last_step);
+              fit.log_likelihood ? std::optional(fit.residual_sd) : std::nullopt);
+  add_mixed_summary(fit, summary);
   return std::move(summary).table();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/fit/cells.hpp"
 #include "reports/table.hpp"
 
 namespace tcert {
@@ -26,5 +27,19 @@ struct RandomParameter {
 
 /// Table ran_vals: the conditional modes.
 [[nodiscard]] Table mode_table(const std::vector<statistics::GlmmRandomTerm>& random);
+
+/// Of a logistic or a linear mixed model: what its random effects explain, and how it was found.
+template <class Fit>
+void add_mixed_summary(const Fit& fit, Record& summary) {
+  summary.number("ICC", "ICC", fit.icc)
+      .number("R2_marginal", "marginal R2", fit.r2_marginal)
+      .number("R2_conditional", "conditional R2", fit.r2_conditional)
+      .text("singular", "singular", fit.singular ? "yes" : "no")
+      .text("termination", "termination", std::string(statistics::to_string(fit.termination)))
+      .integer("iterations", "iterations", static_cast<std::size_t>(fit.iterations))
+      .integer("evaluations", "evaluations", static_cast<std::size_t>(fit.evaluations))
+      .number("gradient_norm", "largest gradient", fit.gradient_norm)
+      .number("last_step", "last step [SE]", fit.last_step);
+}
 
 }  // namespace tcert

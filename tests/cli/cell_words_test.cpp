@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/workdir.hpp"
+#include "cli/fit_runs.hpp"
 
 namespace tcert {
 namespace {
@@ -33,16 +33,8 @@ std::string trials(const std::string& one,
   return csv;
 }
 
-class CellWords : public ::testing::Test {
+class CellWords : public test_support::FitRuns {
  protected:
-  ProcessResult fit(const std::string& kind,
-                    const std::string& formula,
-                    std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return work_.run(arguments);
-  }
-
   ProcessResult h1(std::vector<std::string> more = {}) {
     std::vector<std::string> arguments{"hypotheses",
                                        "h1",
@@ -61,8 +53,6 @@ class CellWords : public ::testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return work_.run(arguments);
   }
-
-  Workdir work_{TCERT_BINARY};
 };
 
 TEST_F(CellWords, WhatPrintfWritesForNotANumberIsAMissingCell) {

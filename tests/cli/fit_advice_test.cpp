@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/workdir.hpp"
+#include "cli/fit_runs.hpp"
 
 namespace tcert {
 namespace {
@@ -17,16 +17,8 @@ using test_support::ProcessResult;
 using test_support::to_string;
 using test_support::Workdir;
 
-class FitAdvice : public ::testing::Test {
+class FitAdvice : public test_support::FitRuns {
  protected:
-  ProcessResult fit(const std::string& kind,
-                    const std::string& formula,
-                    std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return work_.run(arguments);
-  }
-
   static void expect_said(const ProcessResult& run, int exit_code, const std::string& text) {
     EXPECT_EQ(run.exit_code, exit_code) << to_string(run);
     EXPECT_NE((run.out + run.err).find(text), std::string::npos) << to_string(run);
@@ -35,8 +27,6 @@ class FitAdvice : public ::testing::Test {
   static void expect_unsaid(const ProcessResult& run, const std::string& text) {
     EXPECT_EQ((run.out + run.err).find(text), std::string::npos) << to_string(run);
   }
-
-  Workdir work_{TCERT_BINARY};
 };
 
 /// Every row with f = c has y = 1; groups of four rows.

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/workdir.hpp"
+#include "cli/fit_runs.hpp"
 
 namespace tcert {
 namespace {
@@ -21,26 +21,8 @@ using test_support::ProcessResult;
 using test_support::to_string;
 using test_support::Workdir;
 
-class FitLimits : public ::testing::Test {
+class FitLimits : public test_support::FitRuns {
  protected:
-  ProcessResult fit(const std::string& kind,
-                    const std::string& formula,
-                    std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return work_.run(arguments);
-  }
-
-  json document(const std::string& kind,
-                const std::string& formula,
-                std::vector<std::string> more = {},
-                int exit_code = 0) {
-    more.insert(more.end(), {"--format", "json"});
-    const ProcessResult run = fit(kind, formula, more);
-    EXPECT_EQ(run.exit_code, exit_code) << to_string(run);
-    return json::parse(run.out);
-  }
-
   /// The lines of stderr hold `text`, and the exit code is this.
   void expect_said(const ProcessResult& run, int exit_code, const std::string& text) {
     EXPECT_EQ(run.exit_code, exit_code) << to_string(run);
@@ -55,8 +37,6 @@ class FitLimits : public ::testing::Test {
     }
     return nullptr;
   }
-
-  Workdir work_{TCERT_BINARY};
 };
 
 /// Every row with g = c has y = 1.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "support/workdir.hpp"
+#include "cli/fit_runs.hpp"
 
 namespace tcert {
 namespace {
@@ -22,25 +22,15 @@ constexpr const char* kRows =
     "3,a,0.4,2,0,22,0\n3,b,0.5,1,1,19,1\n1,a,1.3,1,1,11,1\n2,b,0.1,1,0,31,0\n"
     "3,a,0.8,1,0,13,1\n1,b,1.1,2,1,17,1\n2,a,0.3,1,1,25,0\n3,b,0.6,1,0,18,1\n";
 
-class FitOptions : public ::testing::Test {
+class FitOptions : public test_support::FitRuns {
  protected:
   void SetUp() override { work_.write("t.csv", kRows); }
-
-  ProcessResult fit(const std::string& kind,
-                    const std::string& formula,
-                    std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return work_.run(arguments);
-  }
 
   static void expect_refused(const ProcessResult& run, const std::string& text) {
     EXPECT_EQ(run.exit_code, 2) << to_string(run);
     EXPECT_NE(run.err.find(text), std::string::npos) << to_string(run);
     EXPECT_EQ(run.out, "");
   }
-
-  Workdir work_{TCERT_BINARY};
 };
 
 TEST_F(FitOptions, OfAnotherKindAreRefused) {

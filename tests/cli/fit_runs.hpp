@@ -25,10 +25,11 @@ class FitRuns : public ::testing::Test {
   /// What it prints with --format json.
   nlohmann::json document(const std::string& kind,
                           const std::string& formula,
-                          std::vector<std::string> more = {}) {
+                          std::vector<std::string> more = {},
+                          int exit_code = 0) {
     more.insert(more.end(), {"--format", "json"});
     const ProcessResult run = fit(kind, formula, more);
-    EXPECT_EQ(run.exit_code, 0) << to_string(run);
+    EXPECT_EQ(run.exit_code, exit_code) << to_string(run);
     return nlohmann::json::parse(run.out);
   }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/workdir.hpp"
+#include "cli/fit_runs.hpp"
 
 namespace tcert {
 namespace {
@@ -17,7 +17,7 @@ using test_support::ProcessResult;
 using test_support::to_string;
 using test_support::Workdir;
 
-class FitTimes : public ::testing::Test {
+class FitTimes : public test_support::FitRuns {
  protected:
   /// Twelve trials in whole seconds, from `origin` on.
   static std::string trials(long long origin) {
@@ -31,41 +31,38 @@ class FitTimes : public ::testing::Test {
     return csv;
   }
 
-  ProcessResult fit(const std::string& kind,
-                    const std::string& formula,
-                    std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProcessResult run = work_.run(arguments);
+  ProcessResult good_fit(const std::string& kind,
+                         const std::string& formula,
+                         std::vector<std::string> more = {}) {
+    const ProcessResult run = fit(kind, formula, std::move(more));
     EXPECT_EQ(run.exit_code, 0) << to_string(run);
     return run;
   }
-
-  Workdir work_{TCERT_BINARY};
 };
 
 TEST_F(FitTimes, StampsGiveWhatTheirDifferencesGive) {
   work_.write("t.csv", trials(1'700'000'000));
   const std::string shifted = "stamp - 1700000000";
   for (const std::string kind : {"cox", "concordance"}) {
-    const ProcessResult stamps = fit(kind, "Surv(stamp, ev) ~ x", {"--format", "csv"});
-    EXPECT_EQ(stamps.out, fit(kind, "Surv(" + shifted + ", ev) ~ x", {"--format", "csv"}).out);
+    const ProcessResult stamps = good_fit(kind, "Surv(stamp, ev) ~ x", {"--format", "csv"});
+    EXPECT_EQ(stamps.out, good_fit(kind, "Surv(" + shifted + ", ev) ~ x", {"--format", "csv"}).out);
     EXPECT_NE(stamps.err.find("R's timefix"), std::string::npos) << stamps.err;
   }
-  const ProcessResult curve = fit("km", "Surv(stamp, ev) ~ 1", {"--table", "curve"});
+  const ProcessResult curve = good_fit("km", "Surv(stamp, ev) ~ 1", {"--table", "curve"});
   EXPECT_NE(curve.out.find("1700000054"), std::string::npos) << curve.out;
   EXPECT_NE(curve.err.find("times are stamps, not durations"), std::string::npos) << curve.err;
-  const ProcessResult intervals = fit("cox", "Surv(begin, stamp, ev) ~ x", {"--format", "csv"});
+  const ProcessResult intervals =
+      good_fit("cox", "Surv(begin, stamp, ev) ~ x", {"--format", "csv"});
   EXPECT_NE(intervals.err.find("subtract the first time"), std::string::npos);
   EXPECT_EQ(intervals.err.find("times are stamps"), std::string::npos) << "a clock of all trials";
   work_.write("t.csv", trials(1'000));
-  EXPECT_EQ(intervals.out, fit("cox", "Surv(begin, stamp, ev) ~ x", {"--format", "csv"}).out);
+  EXPECT_EQ(intervals.out, good_fit("cox", "Surv(begin, stamp, ev) ~ x", {"--format", "csv"}).out);
 }
 
 TEST_F(FitTimes, AStampAmongSecondsIsNamed) {
   work_.write("t.csv", "success,time_s,x\n1,5,1\n1,9,2\n1,13,3\n1,17,4\n0,1764174008,5\n");
   const ProcessResult curve =
-      fit("km", "Surv(time_s, success) ~ 1", {"--table", "curve", "--format", "csv"});
+      good_fit("km", "Surv(time_s, success) ~ 1", {"--table", "curve", "--format", "csv"});
   for (const std::string row : {"all,5,5,1,", "all,9,4,1,", "all,13,3,1,", "all,17,2,1,"}) {
     EXPECT_NE(curve.out.find(row), std::string::npos) << curve.out;
   }
@@ -85,7 +82,7 @@ TEST_F(FitTimes, RoundingIsSaidAndCanBeTurnedOff) {
               "1700000000.7,1700000010.7,1\n0,30,1\n");
   const auto points = [&](std::vector<std::string> more) {
     more.insert(more.end(), {"--format", "json", "--table", "curve"});
-    const ProcessResult run = fit("km", "Surv(b - a, ev) ~ 1", more);
+    const ProcessResult run = good_fit("km", "Surv(b - a, ev) ~ 1", more);
     return json::parse(run.out).size();
   };
   EXPECT_LE(points({}), points({"--no-time-rounding"}));
@@ -93,14 +90,14 @@ TEST_F(FitTimes, RoundingIsSaidAndCanBeTurnedOff) {
   const auto rows = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all{"--table", "curve", "--format", "csv"};
     all.insert(all.end(), more.begin(), more.end());
-    const std::string out = fit("km", "Surv(t, ev) ~ 1", all).out;
+    const std::string out = good_fit("km", "Surv(t, ev) ~ 1", all).out;
     return std::count(out.begin(), out.end(), '\n') - 1;
   };
   EXPECT_EQ(rows({}), 2);
   EXPECT_EQ(rows({"--no-time-rounding"}), 3);
   // What R would make equal is said then too.
-  EXPECT_EQ(fit("km", "Surv(t, ev) ~ 1").out.find("R's timefix"), std::string::npos);
-  EXPECT_NE(fit("km", "Surv(t, ev) ~ 1", {"--no-time-rounding"}).out.find("R's timefix"),
+  EXPECT_EQ(good_fit("km", "Surv(t, ev) ~ 1").out.find("R's timefix"), std::string::npos);
+  EXPECT_NE(good_fit("km", "Surv(t, ev) ~ 1", {"--no-time-rounding"}).out.find("R's timefix"),
             std::string::npos);
 }
 
@@ -139,12 +136,12 @@ TEST_F(FitTimes, ATimeOfTheCurveFindsItsStep) {
   work_.write("t.csv",
               "a,b,ev\n0.1,0.4,1\n15.8,16.1,1\n100.1,112.44449,1\n3.3,5.56789123,0\n1,13.3,1\n");
   const json curve =
-      json::parse(fit("km", "Surv(b - a, ev) ~ 1", {"--format", "json"}).out)["curve"];
+      json::parse(good_fit("km", "Surv(b - a, ev) ~ 1", {"--format", "json"}).out)["curve"];
   ASSERT_GE(curve.size(), 4U);
   // As text prints them, as data formats do, and as one would write them.
   for (const std::string times : {"0.3,2.26789123,12.3,12.34449", "0.30000000000000004,12.34449"}) {
     const json rows = json::parse(
-        fit("km", "Surv(b - a, ev) ~ 1", {"--format", "json", "--times", times}).out)["times"];
+        good_fit("km", "Surv(b - a, ev) ~ 1", {"--format", "json", "--times", times}).out)["times"];
     EXPECT_NEAR(rows[0]["estimate"].get<double>(), 0.6, 1e-12) << times;
     EXPECT_EQ(rows[0]["n.risk"].get<double>(), 5.0);
     EXPECT_EQ(rows[0]["n.event"].get<double>(), 2.0);
@@ -161,16 +158,17 @@ TEST_F(FitTimes, AMonotoneFitKeepsItsTables) {
            "," + std::to_string((i * 13) % 7) + "," + group + "\n";
   }
   work_.write("t.csv", csv);
-  const ProcessResult run = fit("cox",
-                                "Surv(t, e) ~ g + x",
-                                {"--format", "json", "--residuals", "martingale", "--curves", "1"});
+  const ProcessResult run =
+      good_fit("cox",
+               "Surv(t, e) ~ g + x",
+               {"--format", "json", "--residuals", "martingale", "--curves", "1"});
   const json document = json::parse(run.out);
   for (const char* const table :
        {"zph", "zph_columns", "drop1", "anova", "basehaz", "martingale", "curves"}) {
     EXPECT_TRUE(document.contains(table)) << table;
   }
   EXPECT_NE(run.err.find("runs to -infinity"), std::string::npos);
-  EXPECT_NE(fit("cox", "Surv(t, e) ~ g + x", {"--table", "drop1"}).out.find("g "),
+  EXPECT_NE(good_fit("cox", "Surv(t, e) ~ g + x", {"--table", "drop1"}).out.find("g "),
             std::string::npos);
 }
 

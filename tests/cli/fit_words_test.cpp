@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "support/workdir.hpp"
+#include "cli/fit_runs.hpp"
 
 namespace tcert {
 namespace {
@@ -23,27 +23,9 @@ constexpr const char* kRows =
     "1,c,a,1.3,2,1,1,won,11,1,y\n2,c,b,0.1,3,1,0,lost,31,0,z\n3,c,a,0.8,4,1,0,lost,13,1,x\n"
     "1,c,b,1.1,1,2,1,won,17,1,y\n2,c,a,0.3,2,1,1,won,25,0,\n3,c,b,0.6,5,1,0,lost,18,1,x\n";
 
-class FitWords : public ::testing::Test {
+class FitWords : public test_support::FitRuns {
  protected:
   void SetUp() override { work_.write("t.csv", kRows); }
-
-  ProcessResult fit(const std::string& kind,
-                    const std::string& formula,
-                    std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"fit", kind, "--data", "t.csv", "--formula", formula};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return work_.run(arguments);
-  }
-
-  json document(const std::string& kind,
-                const std::string& formula,
-                std::vector<std::string> more = {},
-                int exit_code = 0) {
-    more.insert(more.end(), {"--format", "json"});
-    const ProcessResult run = fit(kind, formula, more);
-    EXPECT_EQ(run.exit_code, exit_code) << to_string(run);
-    return json::parse(run.out);
-  }
 
   static std::vector<json> conditions(const json& report, const std::string& name) {
     std::vector<json> found;
@@ -54,8 +36,6 @@ class FitWords : public ::testing::Test {
     }
     return found;
   }
-
-  Workdir work_{TCERT_BINARY};
 };
 
 TEST_F(FitWords, ConcordanceCountsItsRows) {

@@ -142,4 +142,15 @@ GlmmMaximum newton_maximum(MixedLikelihood& likelihood,
   }
 }
 
+Eigen::MatrixXd free_directions(const std::vector<bool>& fixed) {
+  const auto size = static_cast<Eigen::Index>(fixed.size());
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index j = 0; j < size; ++j) {
+    if (!fixed[static_cast<std::size_t>(j)]) {
+      kept.push_back(j);
+    }
+  }
+  return Eigen::MatrixXd::Identity(size, size)(Eigen::all, kept);
+}
+
 }  // namespace tcert::statistics

@@ -7,6 +7,7 @@
 #include <optional>
 #include <statistics/glmm/glmm.hpp>
 #include <statistics/glmm/mixed_likelihood.hpp>
+#include <vector>
 
 namespace tcert::statistics {
 
@@ -45,5 +46,8 @@ struct GlmmMaximum {
 
 /// No eigenvalue is above rounding.
 [[nodiscard]] bool is_concave(const Eigen::MatrixXd& hessian);
+
+/// The columns of the identity whose place is not `fixed`.
+[[nodiscard]] Eigen::MatrixXd free_directions(const std::vector<bool>& fixed);
 
 }  // namespace tcert::statistics

@@ -32,18 +32,6 @@ void take_better(GlmmMaximum&& other, GlmmMaximum& maximum) {
   maximum.evaluations = evaluations;
 }
 
-/// The columns of the identity whose place is not `fixed`.
-Eigen::MatrixXd free_directions(const std::vector<bool>& fixed) {
-  const auto size = static_cast<Eigen::Index>(fixed.size());
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index j = 0; j < size; ++j) {
-    if (!fixed[static_cast<std::size_t>(j)]) {
-      kept.push_back(j);
-    }
-  }
-  return Eigen::MatrixXd::Identity(size, size)(Eigen::all, kept);
-}
-
 /// The likelihood is even in each column of a factor, so that 0 is a stationary value of a diagonal
 /// that stands alone: where the optimum lies there it is reached by setting it.
 void settle_on_boundary(const GlmmProblem& problem,

@@ -1,4 +1,5 @@
 #include <statistics/glmm/sparse_likelihood.hpp>
+#include <statistics/glmm/term_modes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -225,35 +226,12 @@ bool SparseLikelihood::evaluate(const Eigen::VectorXd& parameters,
 }
 
 std::vector<TermModes> SparseLikelihood::modes(const Eigen::VectorXd& parameters) {
-  std::vector<TermModes> result;
   LikelihoodPoint point;
   const bool possible = value_and_gradient(parameters, false, point);
   if (possible) {
     curvature_.invert();
   }
-  Eigen::Index first = 0;
-  for (std::size_t t = 0; t < terms_.size(); ++t) {
-    const Eigen::Index q = terms_[t].scale.size();
-    const auto levels = static_cast<Eigen::Index>(terms_[t].levels.size());
-    const Eigen::MatrixXd factor = terms_[t].scale.cwiseInverse().asDiagonal() * factors_[t];
-    TermModes modes;
-    modes.modes.setConstant(levels, q, std::nan(""));
-    modes.sds = modes.modes;
-    for (Eigen::Index level = 0; level < levels && possible; ++level, first += q) {
-      modes.modes.row(level) = (factor * u_.segment(first, q)).transpose();
-      Eigen::MatrixXd block(q, q);
-      for (Eigen::Index b = 0; b < q; ++b) {
-        for (Eigen::Index a = b; a < q; ++a) {
-          block(a, b) = curvature_.inverse_of_level(first + b, a - b);
-          block(b, a) = block(a, b);
-        }
-      }
-      modes.sds.row(level) =
-          (factor * block * factor.transpose()).diagonal().cwiseSqrt().transpose();
-    }
-    result.push_back(std::move(modes));
-  }
-  return result;
+  return term_modes(terms_, factors_, possible ? &curvature_ : nullptr, u_, 1.0);
 }
 
 }  // namespace tcert::statistics

@@ -1,9 +1,9 @@
 #include <statistics/lmm/lmm_likelihood.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <statistics/basics/linalg.hpp>
+#include <statistics/glmm/term_modes.hpp>
 
 namespace tcert::statistics {
 
@@ -184,32 +184,11 @@ std::vector<TermModes> LmmLikelihood::modes(const Eigen::VectorXd& parameters) {
   if (possible) {
     curvature_.invert();
   }
-  const double sigma = std::sqrt(at.residual / df_);
-  std::vector<TermModes> result;
-  Eigen::Index first = 0;
-  for (std::size_t t = 0; t < terms_.size(); ++t) {
-    const Eigen::Index q = terms_[t].scale.size();
-    const auto levels = static_cast<Eigen::Index>(terms_[t].levels.size());
-    const Eigen::MatrixXd factor = terms_[t].scale.cwiseInverse().asDiagonal() * factors_[t];
-    TermModes modes;
-    modes.modes.setConstant(levels, q, std::numeric_limits<double>::quiet_NaN());
-    modes.sds = modes.modes;
-    for (Eigen::Index level = 0; level < levels && possible; ++level, first += q) {
-      modes.modes.row(level) =
-          (factor * effects_.col(joint_.cols() - 1).segment(first, q)).transpose();
-      Eigen::MatrixXd block(q, q);
-      for (Eigen::Index b = 0; b < q; ++b) {
-        for (Eigen::Index a = b; a < q; ++a) {
-          block(a, b) = curvature_.inverse_of_level(first + b, a - b);
-          block(b, a) = block(a, b);
-        }
-      }
-      modes.sds.row(level) =
-          sigma * (factor * block * factor.transpose()).diagonal().cwiseSqrt().transpose();
-    }
-    result.push_back(std::move(modes));
-  }
-  return result;
+  return term_modes(terms_,
+                    factors_,
+                    possible ? &curvature_ : nullptr,
+                    effects_.col(joint_.cols() - 1),
+                    std::sqrt(at.residual / df_));
 }
 
 }  // namespace tcert::statistics

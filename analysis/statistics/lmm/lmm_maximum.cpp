@@ -24,22 +24,10 @@ void for_elements(const std::vector<TermRows>& terms, const Visit& visit) {
   }
 }
 
-/// Over all elements that are not `held`.
-Eigen::MatrixXd directions_beside(const std::vector<bool>& held) {
-  const auto size = static_cast<Eigen::Index>(held.size());
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index j = 0; j < size; ++j) {
-    if (!held[static_cast<std::size_t>(j)]) {
-      free.push_back(j);
-    }
-  }
-  return Eigen::MatrixXd::Identity(size, size)(Eigen::all, free);
-}
-
 GlmmMaximum maximum_beside(LmmLikelihood& likelihood,
                            const Eigen::VectorXd& start,
                            const std::vector<bool>& held) {
-  return newton_maximum(likelihood, start, directions_beside(held), GlmmOptions{});
+  return newton_maximum(likelihood, start, free_directions(held), GlmmOptions{});
 }
 
 /// The likelihood is even in each column of a factor, so that 0 is a stationary value of a

@@ -190,15 +190,7 @@ std::vector<AdvanceRate> advance_rates(const AdvanceScenario& scenario,
                                        const std::vector<AdvanceMisses>& sets) {
   std::vector<AdvanceRate> rates;
   for (std::size_t k = 0; k < kAdvancePrinted.size(); ++k) {
-    AdvanceRate rate{scenario, kAdvancePrinted[k]};
-    for (const AdvanceMisses& set : sets) {
-      (set.of[k] ? rate.sets : rate.without) += 1;
-      rate.missed += set.of[k].value_or(false) ? 1.0 : 0.0;
-    }
-    const auto count = static_cast<double>(rate.sets);
-    rate.missed /= count;
-    rate.monte_carlo_se = std::sqrt(rate.missed * (1.0 - rate.missed) / count);
-    rates.push_back(std::move(rate));
+    rates.push_back({count_missed(sets, k), scenario, kAdvancePrinted[k]});
   }
   return rates;
 }

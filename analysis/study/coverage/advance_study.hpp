@@ -68,13 +68,9 @@ void row_cells(auto& row, table::Is<AdvanceMisses> auto& set) {
                                               const Options& options,
                                               std::uint64_t index);
 
-struct AdvanceRate {
+struct AdvanceRate : Missed {
   AdvanceScenario scenario;
   AdvancePrinted printed;
-  std::size_t sets = 0;
-  std::size_t without = 0;
-  double missed = 0.0;
-  double monte_carlo_se = 0.0;
 };
 
 [[nodiscard]] std::vector<AdvanceRate> advance_rates(const AdvanceScenario& scenario,

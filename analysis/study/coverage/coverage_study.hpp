@@ -2,6 +2,7 @@
 // How often intervals of AUCs and Cs cover the truth, on simulated studies whose truth is known.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,28 @@
 #include <vector>
 
 namespace tcert::study::coverage {
+
+/// How often one printed number missed what is true.
+struct Missed {
+  std::size_t sets = 0;     ///< That have it.
+  std::size_t without = 0;  ///< Withheld, or not there.
+  double missed = 0.0;      ///< Share; NaN of none.
+  double monte_carlo_se = 0.0;
+};
+
+/// Of number `k` of each set, whose `of[k]` says whether it missed, or nothing.
+template <class Set>
+[[nodiscard]] Missed count_missed(const std::vector<Set>& sets, std::size_t k) {
+  Missed rate;
+  for (const Set& set : sets) {
+    (set.of[k] ? rate.sets : rate.without) += 1;
+    rate.missed += set.of[k].value_or(false) ? 1.0 : 0.0;
+  }
+  const auto count = static_cast<double>(rate.sets);
+  rate.missed /= count;
+  rate.monte_carlo_se = std::sqrt(rate.missed * (1.0 - rate.missed) / count);
+  return rate;
+}
 
 /// Trials of days. A latent ability L of a trial, standard normal, decides its outcome: it fails
 /// below a threshold that 77 of 660 trials miss. Two predictors see it through noise:

@@ -279,15 +279,7 @@ Misses misses_of(const Scenario& scenario,
 std::vector<MissRate> miss_rates(const Scenario& scenario, const std::vector<Misses>& sets) {
   std::vector<MissRate> rates;
   for (std::size_t k = 0; k < kPrinted.size(); ++k) {
-    MissRate rate{scenario, kPrinted[k]};
-    for (const Misses& set : sets) {
-      (set.of[k] ? rate.sets : rate.without) += 1;
-      rate.missed += set.of[k].value_or(false) ? 1.0 : 0.0;
-    }
-    const auto count = static_cast<double>(rate.sets);
-    rate.missed /= count;
-    rate.monte_carlo_se = std::sqrt(rate.missed * (1.0 - rate.missed) / count);
-    rates.push_back(std::move(rate));
+    rates.push_back({count_missed(sets, k), scenario, kPrinted[k]});
   }
   return rates;
 }

@@ -83,13 +83,9 @@ void row_cells(auto& row, table::Is<Misses> auto& set) {
                                const Options& options,
                                std::uint64_t index);
 
-struct MissRate {
+struct MissRate : Missed {
   Scenario scenario;
   Printed printed;
-  std::size_t sets = 0;     ///< That have it.
-  std::size_t without = 0;  ///< Withheld, or not there.
-  double missed = 0.0;      ///< Share.
-  double monte_carlo_se = 0.0;
 };
 
 [[nodiscard]] std::vector<MissRate> miss_rates(const Scenario& scenario,
